@@ -1,0 +1,38 @@
+package lancer;
+
+/** Toutes les constantes du programme, chacune avec son unité et sa raison. */
+public final class Constantes {
+
+    /** Largeur de l'écran, en unités de la scène (cours, « Écran, œil et projection »). */
+    public static final double ECHELLE = 2;
+
+    /** Angle sous lequel l'œil voit la largeur de l'écran, en degrés (cours, même section). */
+    public static final double CHAMP = 30;
+
+    /** Largeur d'une image dont la taille n'est pas demandée, en pixels. */
+    public static final int LARGEUR_IMAGE = 800;
+
+    /** Hauteur d'une image dont la taille n'est pas demandée, en pixels. */
+    public static final int HAUTEUR_IMAGE = 600;
+
+    /** Nombre de réflexions successives d'un rayon, si rien d'autre n'est demandé (cours, « Reflets »). */
+    public static final int MAX_REFLETS = 5;
+
+    /**
+     * Seuil sous lequel un reflet n'est plus suivi : le quart d'un des 256 niveaux de l'écran, sur la plus grande
+     * composante du produit des Ks rencontrés (cours, « Reflets », dernier paragraphe).
+     */
+    public static final double SEUIL = 1.0 / 1024;
+
+    /** Côté d'un carré du brouillon, en pixels : 16 fois moins de rayons que l'image. */
+    public static final int PAS_BROUILLON = 4;
+
+    /** Nombre de réflexions au plus dans le brouillon. */
+    public static final int REFLETS_BROUILLON = 1;
+
+    /** Distance d'un contact qui n'existe pas. */
+    public static final double INFINI = Double.POSITIVE_INFINITY;
+
+    private Constantes() {
+    }
+}

@@ -1,0 +1,200 @@
+package lancer;
+
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Pave;
+import lancer.contrat.Toile;
+import lancer.contrat.Vue;
+
+/** L'algorithme : de la scène à l'image (cours, « Algorithme général »). Un {@code Lancer} dessine une image à la fois. */
+public class Lancer {
+
+    /** Pile d'un fil, en octets : mille réflexions sont permises, de deux appels chacune. */
+    private static final long PILE = 16 << 20;
+
+    private final Scene scene;
+    private final Camera camera;
+    private final AtomicInteger suivant = new AtomicInteger();
+    private final AtomicInteger faits = new AtomicInteger();
+    private volatile boolean arrete;
+    private volatile Throwable echec;
+    private Compteurs compteurs = new Compteurs();
+
+    public Lancer(Scene scene, Camera camera) {
+        this.scene = scene;
+        this.camera = camera;
+    }
+
+    public Scene getScene() {
+        return scene;
+    }
+
+    public Camera getCamera() {
+        return camera;
+    }
+
+    /**
+     * La couleur vue à travers un point de l'écran, non limitée.
+     *
+     * @param xe en pixels depuis la gauche ; le centre du pixel i est i + 0,5
+     * @param ye en pixels depuis le haut
+     * @param profondeur nombre de réflexions permises
+     */
+    public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
+        scene.getCompteurs().primaires++;
+        Rayon initial = camera.getRayon(xe, ye);
+        return scene.getCouleurVue(initial, null, profondeur);
+    }
+
+    /**
+     * Dessine un brouillon, puis tous les pixels.
+     *
+     * @param profondeur nombre de réflexions permises
+     * @param fils nombre de fils d'exécution, au moins 1 ; l'image n'en dépend pas
+     * @throws CancellationException si {@link #arreter()} a été appelé
+     */
+    public void TracerImage(Toile toile, int profondeur, int fils) {
+        TracerBrouillon(toile, profondeur, fils);
+        TracerPixels(toile, profondeur, fils);
+    }
+
+    /** Dessine des carrés de 4 × 4 pixels, chacun de la couleur de son centre, avec une réflexion au plus. */
+    public void TracerBrouillon(Toile toile, int profondeur, int fils) {
+        tracer(new Brouillon(), toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+    }
+
+    /** Dessine tous les pixels, sans brouillon. */
+    public void TracerPixels(Toile toile, int profondeur, int fils) {
+        tracer(scene.getEchantillonnage(), toile, profondeur, fils);
+    }
+
+    /** Abandonne le dessin en cours, au prochain rayon de chaque fil, et tous les suivants. */
+    public void arreter() {
+        arrete = true;
+    }
+
+    /** La part faite de l'image (ou du brouillon) en cours, de 0 à 1. */
+    public double getAvancement() {
+        return (double) faits.get() / Pave.nombre(camera.getLargeur(), camera.getHauteur());
+    }
+
+    /** Ce que le dernier dessin achevé a compté, tous fils ensemble. */
+    public Compteurs getCompteurs() {
+        return compteurs;
+    }
+
+    /** La boucle sur l'image : chaque fil prend le premier pavé que personne n'a pris, jusqu'au dernier. */
+    private void tracer(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
+        suivant.set(0);
+        faits.set(0);
+        echec = null;
+        int utiles = Math.min(fils, Pave.nombre(camera.getLargeur(), camera.getHauteur()));
+        Fil[] equipe = new Fil[utiles];
+        for (int k = 0; k < utiles; k++) {
+            equipe[k] = new Fil(echantillonnage, toile, profondeur);
+            Thread t = new Thread(null, equipe[k], "lancer-" + (k + 1), PILE);
+            t.setDaemon(true);
+            equipe[k].thread = t;
+            t.start();
+        }
+        Compteurs total = new Compteurs();
+        for (Fil fil : equipe) {
+            fil.attendre();
+            total.ajouter(fil.scene.getCompteurs());
+        }
+        if (echec instanceof Error) {
+            throw (Error) echec;
+        }
+        if (echec != null) {
+            throw (RuntimeException) echec;
+        }
+        if (arrete) {
+            throw new CancellationException("dessin arrêté");
+        }
+        compteurs = total;
+    }
+
+    /** Le travail d'un fil : des pavés, vus à travers sa propre vue de la scène. */
+    private final class Fil implements Runnable, Vue {
+
+        private final Echantillonnage echantillonnage;
+        private final Toile toile;
+        private final Scene scene = Lancer.this.scene.pourUnFil();
+        private final Vue vue;
+        private Thread thread;
+
+        Fil(Echantillonnage echantillonnage, Toile toile, int profondeur) {
+            this.echantillonnage = echantillonnage;
+            this.toile = toile;
+            this.vue = scene.getRecherche().vue(new Lancer(scene, camera), profondeur);
+        }
+
+        @Override
+        public void run() {
+            int largeur = camera.getLargeur();
+            int hauteur = camera.getHauteur();
+            int nombre = Pave.nombre(largeur, hauteur);
+            try {
+                for (int k = suivant.getAndIncrement(); k < nombre; k = suivant.getAndIncrement()) {
+                    Pave pave = Pave.deRang(k, largeur, hauteur);
+                    scene.getCompteurs().pixelsRaffines += echantillonnage.tracer(pave, this, toile);
+                    faits.incrementAndGet();
+                }
+            } catch (CancellationException e) {
+                // arrêté ici ou ailleurs : celui qui a demandé l'arrêt le sait
+            } catch (RuntimeException | Error e) {
+                echec = e;
+                arrete = true;
+            }
+        }
+
+        /** La couleur vue, et le seul endroit où l'arrêt est observé : avant chaque rayon. */
+        @Override
+        public Couleur couleur(double xe, double ye) {
+            if (arrete) {
+                throw new CancellationException();
+            }
+            return vue.couleur(xe, ye);
+        }
+
+        void attendre() {
+            boolean interrompu = false;
+            while (true) {
+                try {
+                    thread.join();
+                    break;
+                } catch (InterruptedException e) {
+                    // on nous demande d'abandonner : les fils d'abord, ils s'arrêtent aussitôt
+                    interrompu = true;
+                    arrete = true;
+                }
+            }
+            if (interrompu) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    /** Un rayon pour seize pixels ; sur les bords, au centre de la part du carré qui est dans l'image. */
+    private static final class Brouillon implements Echantillonnage {
+        @Override
+        public int tracer(Pave pave, Vue vue, Toile toile) {
+            int pas = Constantes.PAS_BROUILLON;
+            for (int j = pave.j0; j < pave.j1; j += pas) {
+                int jFin = Math.min(j + pas, pave.j1);
+                for (int i = pave.i0; i < pave.i1; i += pas) {
+                    int iFin = Math.min(i + pas, pave.i1);
+                    Couleur couleur = vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0);
+                    for (int y = j; y < jFin; y++) {
+                        for (int x = i; x < iFin; x++) {
+                            toile.drawPixel(couleur, x, y);
+                        }
+                    }
+                }
+            }
+            return 0;
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package lancer;
+
+/**
+ * Ce qu'un rayon peut rencontrer : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme nouvelle
+ * n'a que deux méthodes à donner : {@link #getIntersectionDistance} et {@link #getNormale}.
+ */
+public abstract class Objet3D {
+
+    private Couleur Kd = new Couleur();
+    private Couleur Ks = new Couleur();
+    private double ns = 1;
+
+    /**
+     * Cherche où le rayon touche cet objet, et le note dans le rayon, à la place de ce qui y était (+∞ compris).
+     *
+     * @return la plus petite distance strictement positive, +∞ s'il n'y en a pas
+     */
+    public abstract double getIntersectionDistance(Rayon incident);
+
+    /** La normale en un point de la surface : vers l'extérieur, de longueur 1. */
+    public abstract Vecteur getNormale(Point contact);
+
+    /**
+     * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes, plus le reflet des objets.
+     *
+     * @param contact le contact de {@code incident} avec cet objet
+     * @param profondeur nombre de réflexions encore permises
+     */
+    public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+        Vecteur V = incident.getV();
+        Vecteur N = getNormale(contact);
+        Vecteur R = V.sub(N.mul(2 * V.dot(N))).normalized();
+        Couleur couleur = new Couleur();
+        for (Lampe lampe : scene.getLampes()) {
+            Couleur apport = getApport(scene, lampe, contact, V, N, R);
+            if (!apport.estNoire() && !scene.estCachee(lampe, contact, this)) {
+                couleur = couleur.add(apport);
+            }
+        }
+        if (profondeur > 0 && !Ks.estNoire()) {
+            Couleur produitKs = incident.getProduitKs().mul(Ks);
+            if (produitKs.max() >= scene.getSeuil()) {
+                scene.getCompteurs().reflechis++;
+                Rayon reflechi = new Rayon(contact, R, produitKs);
+                couleur = couleur.add(Ks.mul(scene.getCouleurVue(reflechi, this, profondeur - 1)));
+            }
+        }
+        return couleur;
+    }
+
+    /**
+     * Ce qu'une lampe apporte au point de contact si rien ne la cache : Kd ⊗ K_L · (N·L) + Ks ⊗ K_L · éclat. Noir si elle est
+     * derrière la surface, ou exactement sur le contact.
+     */
+    private Couleur getApport(Scene scene, Lampe lampe, Point contact, Vecteur V, Vecteur N, Vecteur R) {
+        Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
+        // le signe de N·L se lit avant de normaliser : le vecteur nul s'arrête ici aussi
+        if (!(N.dot(versLampe) > 0)) {
+            return new Couleur();
+        }
+        Vecteur L = versLampe.normalized();
+        Couleur diffus = Kd.mul(lampe.getCouleur()).mul(Math.min(1, N.dot(L)));
+        if (Ks.estNoire()) {
+            return diffus;
+        }
+        double eclat = scene.getSpecularite().eclat(V, N, L, R, ns);
+        return diffus.add(Ks.mul(lampe.getCouleur()).mul(eclat));
+    }
+
+    /** Couleur de diffusion, composantes dans [0, 1]. */
+    public Couleur getKd() {
+        return Kd;
+    }
+
+    public void setKd(Couleur Kd) {
+        this.Kd = Kd;
+    }
+
+    /** Couleur de réflexion, composantes dans [0, 1]. */
+    public Couleur getKs() {
+        return Ks;
+    }
+
+    public void setKs(Couleur Ks) {
+        this.Ks = Ks;
+    }
+
+    /** Poli de la surface, dans [0, 1e9] : plus il est grand, plus le reflet d'une lampe est petit. */
+    public double getNs() {
+        return ns;
+    }
+
+    public void setNs(double ns) {
+        this.ns = ns;
+    }
+}

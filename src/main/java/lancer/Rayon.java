@@ -1,0 +1,94 @@
+package lancer;
+
+/**
+ * Une demi-droite (P, V), et le contact le plus proche trouvé sur elle jusqu'ici (cours, « Représentation des rayons »).
+ * P et V ne changent pas ; le contact change pendant la recherche : un rayon appartient à un seul fil d'exécution.
+ */
+public class Rayon {
+
+    private static final Couleur BLANC = new Couleur(1);
+
+    private final Point P;
+    private final Vecteur V;
+    private final Couleur produitKs;
+    private double distance = Constantes.INFINI;
+    private Objet3D objet;
+
+    /**
+     * Le rayon qui part de {@code p1} et va vers {@code p2}.
+     *
+     * @throws ArithmeticException si les deux points sont confondus ou ne sont pas finis
+     */
+    public Rayon(Point p1, Point p2) {
+        this(p1, new Vecteur(p1, p2));
+    }
+
+    /**
+     * Le rayon qui part de {@code p} dans la direction de {@code v}, que ce constructeur normalise.
+     *
+     * @throws ArithmeticException si {@code v} est nul ou n'est pas fini
+     */
+    public Rayon(Point p, Vecteur v) {
+        this(p, v.normalized(), BLANC);
+    }
+
+    /**
+     * Un rayon réfléchi.
+     *
+     * @param v direction, déjà de longueur 1
+     * @param produitKs produit des Ks rencontrés jusqu'à {@code p} compris
+     */
+    Rayon(Point p, Vecteur v, Couleur produitKs) {
+        this.P = p;
+        this.V = v;
+        this.produitKs = produitKs;
+    }
+
+    /** Le point de départ. */
+    public Point getP() {
+        return P;
+    }
+
+    /** La direction, de longueur 1. */
+    public Vecteur getV() {
+        return V;
+    }
+
+    /** La distance du contact retenu, +∞ s'il n'y en a pas. */
+    public double getDistance() {
+        return distance;
+    }
+
+    /** L'objet du contact retenu, {@code null} s'il n'y en a pas. */
+    public Objet3D getObjet() {
+        return objet;
+    }
+
+    /** Le produit des Ks des objets qui ont réfléchi ce rayon : (1, 1, 1) pour un rayon neuf. */
+    public Couleur getProduitKs() {
+        return produitKs;
+    }
+
+    /** Retient ce contact à la place du précédent ; une distance +∞ veut dire « rien ». */
+    public void setContact(Objet3D objet, double distance) {
+        this.objet = distance == Constantes.INFINI ? null : objet;
+        this.distance = distance;
+    }
+
+    /** Le point de contact P + distance·V, ou {@code null} si la distance est infinie. */
+    public PointContact calcContact() {
+        if (distance == Constantes.INFINI) {
+            return null;
+        }
+        return new PointContact(P.add(V.mul(distance)), objet, distance);
+    }
+
+    /** La couleur du ciel dans la direction du rayon : bleu au-dessus de l'horizon, brun au-dessous. */
+    public Couleur getSkyColor() {
+        if (V.y > 0) {
+            double bas = 1 - V.y;
+            return new Couleur(0.7 * bas, 0.7 * bas, bas + V.y);
+        }
+        return new Couleur(0.5, 0.4 + 0.2 * V.y, 0.1);
+    }
+}

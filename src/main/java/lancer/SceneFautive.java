@@ -1,0 +1,18 @@
+package lancer;
+
+/**
+ * Un fichier de scène qu'on ne peut pas utiliser. Le message tient en une ligne : le fichier, la ligne si elle est connue, la
+ * section, la clé, ce qui ne va pas et ce qui est attendu.
+ */
+public class SceneFautive extends RuntimeException {
+
+    private static final long serialVersionUID = 1;
+
+    public SceneFautive(String message) {
+        super(message);
+    }
+
+    public SceneFautive(String message, Throwable cause) {
+        super(message, cause);
+    }
+}

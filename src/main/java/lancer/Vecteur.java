@@ -1,0 +1,127 @@
+package lancer;
+
+/**
+ * Un vecteur de l'espace (cours, « Points et vecteurs »). Immuable. Chaque opération existe sous deux formes de même
+ * résultat : {@code u.add(v)} et {@code Vecteur.add(u, v)}.
+ */
+public class Vecteur extends Tuple {
+
+    /**
+     * Entre ces deux carrés, la norme se calcule sans détour : au-dessous, les carrés des composantes perdraient des
+     * chiffres (le plus petit double normal est 2^-1022) ; au-dessus, leur somme pourrait déborder.
+     */
+    private static final double NORME2_MIN = 0x1.0p-900;
+    private static final double NORME2_MAX = 0x1.0p1000;
+
+    /** Le vecteur nul. */
+    public Vecteur() {
+        super();
+    }
+
+    public Vecteur(double x, double y, double z) {
+        super(x, y, z);
+    }
+
+    /** Le vecteur qui va de {@code a} à {@code b} : b − a. */
+    public Vecteur(Point a, Point b) {
+        super(b.x - a.x, b.y - a.y, b.z - a.z);
+    }
+
+    public Vecteur add(Vecteur v) {
+        return new Vecteur(x + v.x, y + v.y, z + v.z);
+    }
+
+    public Vecteur sub(Vecteur v) {
+        return new Vecteur(x - v.x, y - v.y, z - v.z);
+    }
+
+    public Vecteur mul(double k) {
+        return new Vecteur(x * k, y * k, z * k);
+    }
+
+    public Vecteur div(double k) {
+        return new Vecteur(x / k, y / k, z / k);
+    }
+
+    public Vecteur neg() {
+        return new Vecteur(-x, -y, -z);
+    }
+
+    /** Produit scalaire : ‖u‖·‖v‖·cos(u, v). */
+    public double dot(Vecteur v) {
+        return x * v.x + y * v.y + z * v.z;
+    }
+
+    /** Carré de la norme : {@code v.dot(v)}. */
+    public double norme2() {
+        return dot(this);
+    }
+
+    /** Longueur du vecteur, juste aussi là où son carré n'est pas représentable (1e-200, 1e200). */
+    public double norme() {
+        double carre = norme2();
+        if (carre >= NORME2_MIN && carre <= NORME2_MAX) {
+            return Math.sqrt(carre);
+        }
+        double plusGrande = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        if (plusGrande == 0 || Double.isInfinite(plusGrande) || Double.isNaN(plusGrande)) {
+            return plusGrande;
+        }
+        int exposant = Math.getExponent(plusGrande);
+        return Math.scalb(Math.sqrt(ramene(exposant).norme2()), exposant);
+    }
+
+    /**
+     * Le vecteur de même direction et de longueur 1 (à 4 unités du dernier chiffre près), qu'il soit court ou long.
+     *
+     * @throws ArithmeticException si le vecteur est nul ou si une composante n'est pas finie : il n'a pas de direction
+     */
+    public Vecteur normalized() {
+        double carre = norme2();
+        if (carre >= NORME2_MIN && carre <= NORME2_MAX) {
+            return mul(1 / Math.sqrt(carre));
+        }
+        double plusGrande = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        if (!(plusGrande > 0 && plusGrande <= Double.MAX_VALUE)) {
+            throw new ArithmeticException("vecteur sans direction, impossible à normaliser : " + this);
+        }
+        return ramene(Math.getExponent(plusGrande)).normalized();
+    }
+
+    /** Ce vecteur multiplié par 2^−exposant : exact, sauf composantes devenues négligeables. */
+    private Vecteur ramene(int exposant) {
+        return new Vecteur(Math.scalb(x, -exposant), Math.scalb(y, -exposant), Math.scalb(z, -exposant));
+    }
+
+    public static Vecteur add(Vecteur u, Vecteur v) {
+        return u.add(v);
+    }
+
+    public static Vecteur sub(Vecteur u, Vecteur v) {
+        return u.sub(v);
+    }
+
+    public static Vecteur mul(Vecteur v, double k) {
+        return v.mul(k);
+    }
+
+    public static Vecteur div(Vecteur v, double k) {
+        return v.div(k);
+    }
+
+    public static Vecteur neg(Vecteur v) {
+        return v.neg();
+    }
+
+    public static double dot(Vecteur u, Vecteur v) {
+        return u.dot(v);
+    }
+
+    /**
+     * @return {@link #normalized() v.normalized()}
+     * @throws ArithmeticException si le vecteur est nul ou n'est pas fini
+     */
+    public static Vecteur normalize(Vecteur v) {
+        return v.normalized();
+    }
+}

@@ -1,0 +1,28 @@
+package lancer.contrat;
+
+import lancer.Couleur;
+
+/**
+ * Ce que l'air fait à la couleur que voit un rayon. Appelé une fois au bout de chaque rayon, le premier comme les réfléchis,
+ * par tous les fils à la fois : une atmosphère n'a pas d'état.
+ */
+public interface Atmosphere {
+
+    /** L'air de la base : il ne change rien. */
+    Atmosphere CLAIRE = new Claire();
+
+    /**
+     * @param vue la couleur au bout du rayon
+     * @param distance longueur de ce rayon, en unités de la scène ; +∞ si c'est le ciel
+     * @return la couleur à son départ, aux composantes finies
+     */
+    Couleur traverser(Couleur vue, double distance);
+
+    /** L'air transparent ; une classe nommée, car la première lambda coûterait au démarrage. */
+    final class Claire implements Atmosphere {
+        @Override
+        public Couleur traverser(Couleur vue, double distance) {
+            return vue;
+        }
+    }
+}

@@ -1,0 +1,37 @@
+package lancer.contrat;
+
+/** Ce qu'un fil a compté en dessinant. Chaque fil a les siens, additionnés à la fin. */
+public final class Compteurs {
+
+    /** Rayons partis de l'écran. */
+    public long primaires;
+
+    /** Rayons d'ombre : questions « cette lampe est-elle cachée de ce contact ? ». */
+    public long ombre;
+
+    /** Rayons réfléchis. */
+    public long reflechis;
+
+    /** Intersections d'un rayon et d'une sphère calculées. */
+    public long testsSpheres;
+
+    /** Nœuds ou cases de structures de recherche visités. */
+    public long noeudsVisites;
+
+    /** Pixels que l'échantillonnage a raffinés. */
+    public long pixelsRaffines;
+
+    public void ajouter(Compteurs autres) {
+        primaires += autres.primaires;
+        ombre += autres.ombre;
+        reflechis += autres.reflechis;
+        testsSpheres += autres.testsSpheres;
+        noeudsVisites += autres.noeudsVisites;
+        pixelsRaffines += autres.pixelsRaffines;
+    }
+
+    /** Le nombre de rayons de toutes sortes. */
+    public long rayons() {
+        return primaires + ombre + reflechis;
+    }
+}

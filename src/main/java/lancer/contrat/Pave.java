@@ -1,0 +1,39 @@
+package lancer.contrat;
+
+/** Un rectangle de pixels, confié tout entier à un fil. Immuable. */
+public final class Pave {
+
+    /** Côté d'un pavé entier, en pixels ; les pavés du bord sont plus petits. */
+    public static final int COTE = 32;
+
+    /** Première colonne et première ligne. */
+    public final int i0;
+    public final int j0;
+
+    /** Colonne et ligne qui suivent les dernières. */
+    public final int i1;
+    public final int j1;
+
+    public Pave(int i0, int j0, int i1, int j1) {
+        this.i0 = i0;
+        this.j0 = j0;
+        this.i1 = i1;
+        this.j1 = j1;
+    }
+
+    /** Nombre de pavés de l'image. */
+    public static int nombre(int largeur, int hauteur) {
+        return enColonnes(largeur) * ((hauteur + COTE - 1) / COTE);
+    }
+
+    /** Le pavé de rang {@code k}, dans l'ordre de la lecture. */
+    public static Pave deRang(int k, int largeur, int hauteur) {
+        int i0 = k % enColonnes(largeur) * COTE;
+        int j0 = k / enColonnes(largeur) * COTE;
+        return new Pave(i0, j0, Math.min(i0 + COTE, largeur), Math.min(j0 + COTE, hauteur));
+    }
+
+    private static int enColonnes(int largeur) {
+        return (largeur + COTE - 1) / COTE;
+    }
+}

@@ -1,0 +1,62 @@
+package lancer.contrat;
+
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+
+/**
+ * La seule porte de la vitesse : ce que les rayons demandent à la scène. {@link RechercheSimple} répond par les boucles du
+ * cours ; toute autre recherche doit donner la même image, au bit près.
+ */
+public interface Recherche {
+
+    /**
+     * Quel objet ce rayon rencontre-t-il d'abord ? Note le contact dans le rayon (+∞ si rien), sans égard à ce qui y était.
+     * De deux contacts à la même distance, celui de l'objet qui vient d'abord dans la scène.
+     *
+     * @param saufLui objet à ignorer, ou {@code null}
+     */
+    void plusProche(Rayon incident, Objet3D saufLui);
+
+    /**
+     * Un autre objet se trouve-t-il strictement entre la lampe et le contact ? Le rayon part de la lampe, comme le demande
+     * le cours, « Ombres portées ».
+     *
+     * @param contact un point autre que la lampe
+     * @param objet celui que le contact touche : il ne se cache pas lui-même
+     */
+    boolean estCachee(Lampe lampe, Point contact, Objet3D objet);
+
+    /** La même recherche pour un fil de plus, qui comptera dans {@code compteurs}. */
+    Recherche pourUnFil(Compteurs compteurs);
+
+    /**
+     * Ce que voit un fil à travers l'écran.
+     *
+     * @param lancer celui de ce fil
+     * @param profondeur nombre de réflexions permises
+     */
+    default Vue vue(Lancer lancer, int profondeur) {
+        return new VueSimple(lancer, profondeur);
+    }
+
+    /** Rayon par rayon, par {@link Lancer#getCouleurPixel}. */
+    final class VueSimple implements Vue {
+
+        private final Lancer lancer;
+        private final int profondeur;
+
+        VueSimple(Lancer lancer, int profondeur) {
+            this.lancer = lancer;
+            this.profondeur = profondeur;
+        }
+
+        @Override
+        public Couleur couleur(double xe, double ye) {
+            return lancer.getCouleurPixel(xe, ye, profondeur);
+        }
+    }
+}

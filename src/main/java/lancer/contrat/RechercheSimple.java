@@ -1,0 +1,57 @@
+package lancer.contrat;
+
+import java.util.List;
+import lancer.Constantes;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+
+/** Les deux boucles du cours : tous les objets, l'un après l'autre. */
+public final class RechercheSimple implements Recherche {
+
+    private final List<Objet3D> objets;
+    private final Compteurs compteurs;
+
+    public RechercheSimple(List<Objet3D> objets, Compteurs compteurs) {
+        this.objets = objets;
+        this.compteurs = compteurs;
+    }
+
+    @Override
+    public void plusProche(Rayon incident, Objet3D saufLui) {
+        Objet3D plusProche = null;
+        double distance = Constantes.INFINI;
+        for (Objet3D objet : objets) {
+            if (objet != saufLui) {
+                compteurs.testsSpheres++;
+                double d = objet.getIntersectionDistance(incident);
+                if (d < distance) {
+                    plusProche = objet;
+                    distance = d;
+                }
+            }
+        }
+        incident.setContact(plusProche, distance);
+    }
+
+    @Override
+    public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+        Rayon ombre = new Rayon(lampe.getPosition(), contact);
+        double distance = contact.sub(lampe.getPosition()).norme();
+        for (Objet3D autre : objets) {
+            if (autre != objet) {
+                compteurs.testsSpheres++;
+                if (autre.getIntersectionDistance(ombre) < distance) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    @Override
+    public Recherche pourUnFil(Compteurs compteurs) {
+        return new RechercheSimple(objets, compteurs);
+    }
+}

@@ -1,0 +1,24 @@
+package lancer.contrat;
+
+import lancer.Scene;
+import lancer.lecture.Section;
+
+/**
+ * Une variante du programme, dans un module à côté de la base. Elle met en œuvre un contrat ({@link Atmosphere},
+ * {@link Specularite} ou {@link Echantillonnage}) et se fait connaître par une ligne du fichier
+ * {@code META-INF/services/lancer.contrat.Variante} ; {@link java.util.ServiceLoader} la trouve, et la base n'en sait rien de plus.
+ */
+public interface Variante {
+
+    /** Le type de sa section dans les fichiers de scène, par exemple {@code Brume}. */
+    String getSection();
+
+    /**
+     * Pose ce que fait la variante dans une scène qui vient d'être lue.
+     *
+     * @param valeurs sa section, vide si la scène n'en a pas : chaque clé a donc une valeur par défaut. Une clé que cette
+     *     méthode ne demande pas est refusée ensuite, comme inconnue.
+     * @throws lancer.SceneFautive si une valeur ne va pas
+     */
+    void installer(Section valeurs, Scene scene);
+}

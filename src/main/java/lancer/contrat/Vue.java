@@ -1,0 +1,14 @@
+package lancer.contrat;
+
+import lancer.Couleur;
+
+/** Ce qu'un fil voit à travers l'écran : d'un point de l'écran à sa couleur. Une vue appartient à un seul fil. */
+public interface Vue {
+
+    /**
+     * @param xe en pixels depuis la gauche ; le centre du pixel i est i + 0,5
+     * @param ye en pixels depuis le haut
+     * @return la couleur, non limitée
+     */
+    Couleur couleur(double xe, double ye);
+}
