@@ -1,0 +1,285 @@
+package lancer.lecture;
+
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.SceneFautive;
+import lancer.Sphere;
+import org.ini4j.Config;
+import org.ini4j.InvalidFileFormatException;
+import org.ini4j.spi.IniHandler;
+import org.ini4j.spi.IniParser;
+
+/**
+ * D'un fichier INI aux objets, aux lampes et aux sections des variantes. ini4j ne sert ici qu'à découper les lignes
+ * ({@code IniParser}) ; ses substitutions, par où passe la CVE-2022-41404, ne sont jamais appelées.
+ */
+public final class LecteurScene {
+
+    /** Plus grande coordonnée d'un centre ou d'une lampe, en unités de la scène. */
+    private static final double COORDONNEE_MAX = 1e100;
+    private static final double RAYON_MIN = 1e-100;
+    private static final double RAYON_MAX = 1e100;
+    private static final double LUMIERE_MAX = 1e6;
+    private static final double NS_MAX = 1e9;
+
+    /** Les sections que lisent des variantes de la maison, présentes ou non. */
+    private static final String[] VARIANTES_CONNUES = {"Brume", "Antialias", "Blinn"};
+
+    private final String fichier;
+    private final Variantes variantes = new Variantes();
+    private final List<Objet3D> objets = new ArrayList<>();
+    private final List<Lampe> lampes = new ArrayList<>();
+    private final List<String> avertissements = new ArrayList<>();
+    private final Map<String, Section> sectionsVariantes = new HashMap<>();
+    private final Set<String> noms = new HashSet<>();
+    /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
+    private final Map<Couleur, Couleur> palette = new HashMap<>();
+    private Section courante;
+
+    public LecteurScene(String fichier) {
+        this.fichier = fichier;
+    }
+
+    /**
+     * @return ce lecteur, qui a lu le fichier en entier
+     * @throws SceneFautive si le fichier ne peut être utilisé
+     */
+    public LecteurScene lire() {
+        Lignes lignes = null;
+        try (InputStream entree = Files.newInputStream(trouver(fichier))) {
+            lignes = new Lignes(entree);
+            new Decoupeur().parse(lignes, new Sections(lignes));
+            return this;
+        } catch (InvalidFileFormatException e) {
+            throw illisible(e.getMessage(), lignes.getNumero());
+        } catch (CharacterCodingException e) {
+            throw refus(lignes.getNumero(), "octets qui ne sont pas de l'UTF-8", "un fichier enregistré en UTF-8", e);
+        } catch (IOException e) {
+            throw inutilisable(e);
+        }
+    }
+
+    /**
+     * Le chemin de la scène : tel quel, ou un dossier plus haut s'il est relatif et n'existe pas ici.
+     *
+     * @throws SceneFautive s'il n'existe pas, ou n'est pas un fichier
+     */
+    public static Path trouver(String fichier) {
+        Path chemin;
+        try {
+            chemin = Paths.get(fichier);
+        } catch (InvalidPathException e) {
+            throw new SceneFautive(Section.message(fichier, 0, null, null, "nom de fichier impossible", "un fichier de scène"), e);
+        }
+        Path plusHaut = Paths.get("..").resolve(chemin);
+        Path trouve = Files.exists(chemin) || chemin.isAbsolute() || !Files.exists(plusHaut) ? chemin : plusHaut;
+        String faute = !Files.exists(trouve) ? "fichier introuvable" : Files.isDirectory(trouve) ? "c'est un dossier" : null;
+        if (faute != null) {
+            throw new SceneFautive(Section.message(fichier, 0, null, null, faute, "un fichier de scène"));
+        }
+        return trouve;
+    }
+
+    public List<Objet3D> getObjets() {
+        return objets;
+    }
+
+    public List<Lampe> getLampes() {
+        return lampes;
+    }
+
+    public List<String> getAvertissements() {
+        return avertissements;
+    }
+
+    Variantes getVariantes() {
+        return variantes;
+    }
+
+    /** La section d'une variante, vide si le fichier n'en a pas. */
+    Section section(String type) {
+        Section section = sectionsVariantes.get(type.toLowerCase(Locale.ROOT));
+        return section != null ? section : new Section(fichier, type, 0);
+    }
+
+    /** Ini4j sans rien de ce qu'un fichier inconnu pourrait détourner ; le constructeur évite la recherche de services. */
+    private static final class Decoupeur extends IniParser {
+        Decoupeur() {
+            Config config = new Config();
+            config.setEscape(false);
+            config.setEscapeNewline(false);
+            config.setInclude(false);
+            config.setTree(false);
+            config.setGlobalSection(false);
+            config.setUnnamedSection(false);
+            config.setEmptyOption(false);
+            config.setEmptySection(true);
+            config.setLowerCaseOption(false);
+            config.setLowerCaseSection(false);
+            setConfig(config);
+        }
+    }
+
+    /** Ce qu'ini4j appelle à chaque ligne. */
+    private final class Sections implements IniHandler {
+
+        private final Lignes lignes;
+
+        Sections(Lignes lignes) {
+            this.lignes = lignes;
+        }
+
+        @Override
+        public void startSection(String nom) {
+            commencer(nom, lignes.getNumero());
+        }
+
+        @Override
+        public void handleOption(String cle, String valeur) {
+            courante.ajouter(cle, valeur, lignes.getNumero());
+        }
+
+        @Override
+        public void endSection() {
+            terminer();
+        }
+
+        @Override
+        public void startIni() {
+        }
+
+        @Override
+        public void endIni() {
+        }
+
+        @Override
+        public void handleComment(String commentaire) {
+        }
+    }
+
+    private void commencer(String nomEcrit, int ligne) {
+        String nom = unSeulBlanc(nomEcrit);
+        courante = new Section(fichier, nom, ligne);
+        String type = courante.getType();
+        String cle = type.toLowerCase(Locale.ROOT);
+        boolean variante = !estType(type, "Sphere") && !estType(type, "Lampe");
+        if (variante && !variantes.lisent(type) && !variantesConnue(type)) {
+            throw courante.fautive(ligne, null, "type de section inconnu", typesConnus());
+        }
+        if (!noms.add(cle + nom.substring(type.length()))) {
+            throw courante.fautive(ligne, null, "deux sections de ce nom", "un nom différent pour chaque section");
+        }
+        if (variante && sectionsVariantes.put(cle, courante) != null) {
+            throw courante.fautive(ligne, null, "deuxième section de ce type", "une seule section [" + type + "]");
+        }
+        if (variante && !variantes.lisent(type)) {
+            avertissements.add(Section.message(fichier, ligne, nom, null, "section laissée de côté",
+                    "la variante qui la lit, java -jar " + cle + "/target/" + cle + ".jar"));
+        }
+    }
+
+    private void terminer() {
+        String type = courante.getType();
+        if (estType(type, "Sphere")) {
+            objets.add(sphere(courante));
+        } else if (estType(type, "Lampe")) {
+            Lampe lampe = new Lampe(courante.point("position", COORDONNEE_MAX), courante.couleur("couleur", LUMIERE_MAX));
+            courante.verifierCles();
+            lampes.add(lampe);
+        }
+    }
+
+    private Sphere sphere(Section s) {
+        Sphere sphere = new Sphere(s.point("centre", COORDONNEE_MAX), s.reel("rayon", RAYON_MIN, RAYON_MAX));
+        sphere.setKd(commune(s.couleur("Kd", sphere.getKd(), 1)));
+        if (s.contient("Ks") && s.contient("Kr")) {
+            throw s.fautive("Kr", "synonyme de Ks, déjà donné", "Ks ou Kr, pas les deux");
+        }
+        sphere.setKs(commune(s.couleur(s.contient("Kr") ? "Kr" : "Ks", sphere.getKs(), 1)));
+        sphere.setNs(s.reel("ns", sphere.getNs(), 0, NS_MAX));
+        s.verifierCles();
+        return sphere;
+    }
+
+    private Couleur commune(Couleur couleur) {
+        Couleur deja = palette.putIfAbsent(couleur, couleur);
+        return deja != null ? deja : couleur;
+    }
+
+    private static boolean estType(String type, String attendu) {
+        return type.equalsIgnoreCase(attendu);
+    }
+
+    private static boolean variantesConnue(String type) {
+        for (String connue : VARIANTES_CONNUES) {
+            if (estType(type, connue)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private String typesConnus() {
+        StringBuilder types = new StringBuilder("Sphere, Lampe");
+        for (String connue : VARIANTES_CONNUES) {
+            types.append(", ").append(connue);
+        }
+        for (String presente : variantes.getSections()) {
+            if (!variantesConnue(presente)) {
+                types.append(", ").append(presente);
+            }
+        }
+        return types.toString();
+    }
+
+    private static String unSeulBlanc(String nom) {
+        StringBuilder s = new StringBuilder(nom.length());
+        for (int i = 0; i < nom.length(); i++) {
+            char c = nom.charAt(i);
+            if (!Section.blanc(c)) {
+                s.append(c);
+            } else if (!Section.blanc(nom.charAt(i - 1))) {
+                s.append(' ');
+            }
+        }
+        return s.toString();
+    }
+
+    /** Le message d'ini4j est anglais ; il finit par la ligne en cause. */
+    private SceneFautive illisible(String message, int ligne) {
+        String texte = message.substring(message.indexOf("): ") + 3);
+        if (courante == null && !texte.startsWith("[")) {
+            return refus(ligne, "avant toute section : " + Texte.cite(texte), "une section, par exemple [Sphere 1]", null);
+        }
+        return refus(ligne, "ligne illisible : " + Texte.cite(texte), "[Section], clé=valeur, ou un commentaire après ; ou #", null);
+    }
+
+    private SceneFautive refus(int ligne, String faute, String attendu, Throwable cause) {
+        return new SceneFautive(Section.message(fichier, ligne, null, null, faute, attendu), cause);
+    }
+
+    private SceneFautive inutilisable(IOException e) {
+        String faute = e instanceof NoSuchFileException || e instanceof FileNotFoundException ? "fichier introuvable"
+                : e instanceof AccessDeniedException ? "lecture interdite"
+                : "lecture impossible (" + Texte.abrege(String.valueOf(e.getMessage())) + ")";
+        return refus(0, faute, "un fichier de scène", e);
+    }
+}

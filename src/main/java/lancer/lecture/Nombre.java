@@ -1,0 +1,88 @@
+package lancer.lecture;
+
+/**
+ * L'écriture d'un nombre, dans les scènes comme en ligne de commande :
+ * {@code [+-]?(chiffres[.chiffres] | chiffres. | .chiffres)([eE][+-]?chiffres)?}, et rien d'autre : {@link Double#parseDouble}
+ * accepterait aussi « 1d », « 0x1p3 », « NaN » ou des blancs.
+ */
+public final class Nombre {
+
+    /** 10^k se représente exactement jusqu'à k = 22, et un entier jusqu'à 2^53. */
+    private static final double[] DIX = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14,
+        1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    private static final int CHIFFRES_EXACTS = 15;
+
+    private Nombre() {
+    }
+
+    /** Le nombre écrit, infini s'il déborde, NaN si ce n'en est pas un. */
+    public static double lire(String s) {
+        return lire(s, 0, s.length());
+    }
+
+    /**
+     * Le nombre écrit de {@code debut} (compris) à {@code fin} (exclu). Un entier court divisé ou multiplié par une puissance
+     * de dix exacte est déjà l'arrondi juste (Clinger, 1990) : c'est le cas de presque tous, et des millions à lire.
+     */
+    static double lire(String s, int debut, int fin) {
+        int i = debut;
+        boolean negatif = false;
+        if (i < fin && (s.charAt(i) == '+' || s.charAt(i) == '-')) {
+            negatif = s.charAt(i) == '-';
+            i++;
+        }
+        long mantisse = 0;
+        int chiffres = 0;
+        int decimales = 0;
+        boolean virgule = false;
+        for (; i < fin; i++) {
+            char c = s.charAt(i);
+            if (c >= '0' && c <= '9') {
+                chiffres++;
+                if (chiffres <= CHIFFRES_EXACTS) {
+                    mantisse = 10 * mantisse + (c - '0');
+                }
+                if (virgule) {
+                    decimales++;
+                }
+            } else if (c == '.' && !virgule) {
+                virgule = true;
+            } else {
+                break;
+            }
+        }
+        if (chiffres == 0) {
+            return Double.NaN;
+        }
+        if (i == fin && chiffres <= CHIFFRES_EXACTS) {
+            double valeur = mantisse / DIX[decimales];
+            return negatif ? -valeur : valeur;
+        }
+        if (i < fin && !exposant(s, i, fin)) {
+            return Double.NaN;
+        }
+        return Double.parseDouble(s.substring(debut, fin));
+    }
+
+    /** Vrai si le texte de {@code i} à {@code fin} est {@code [eE][+-]?chiffres}. */
+    private static boolean exposant(String s, int i, int fin) {
+        int k = i + 1;
+        if (s.charAt(i) != 'e' && s.charAt(i) != 'E') {
+            return false;
+        }
+        if (k < fin && (s.charAt(k) == '+' || s.charAt(k) == '-')) {
+            k++;
+        }
+        int premier = k;
+        while (k < fin && s.charAt(k) >= '0' && s.charAt(k) <= '9') {
+            k++;
+        }
+        return k == fin && k > premier;
+    }
+
+    /** Le nombre tel qu'on l'écrit à la main, sans « .0 » ni zéro inutile : 0, 0.05, 1e100. */
+    static String ecrire(double x) {
+        String s = x == Math.rint(x) && Math.abs(x) < 1e7 ? Long.toString((long) x) : Double.toString(x);
+        return s.replace(".0E", "e").replace('E', 'e');
+    }
+}

@@ -1,0 +1,236 @@
+package lancer.lecture;
+
+import java.util.ArrayList;
+import java.util.List;
+import lancer.Couleur;
+import lancer.Point;
+import lancer.SceneFautive;
+
+/**
+ * Une section d'un fichier de scène : des clés et leurs valeurs, lues avec leur type et leurs limites. Toute valeur refusée
+ * l'est par une {@link SceneFautive} d'une ligne. Une clé que personne n'a demandée est inconnue ({@link #verifierCles}).
+ */
+public final class Section {
+
+    private final String fichier;
+    private final String nom;
+    private final int ligne;
+    private final List<String> cles = new ArrayList<>(5);
+    private final List<String> valeurs = new ArrayList<>(5);
+    private final List<Integer> lignes = new ArrayList<>(5);
+    private long lues;
+    private final List<String> demandees = new ArrayList<>();
+
+    /**
+     * @param nom tel qu'écrit entre les crochets
+     * @param ligne celle des crochets, 0 si la section n'est pas dans le fichier
+     */
+    public Section(String fichier, String nom, int ligne) {
+        this.fichier = fichier;
+        this.nom = nom;
+        this.ligne = ligne;
+    }
+
+    /** Le premier mot du nom : ce que la section décrit. */
+    public String getType() {
+        int blanc = nom.indexOf(' ');
+        return blanc < 0 ? nom : nom.substring(0, blanc);
+    }
+
+    void ajouter(String cle, String valeur, int ligneCle) {
+        int deja = rang(cle);
+        if (deja >= 0) {
+            throw fautive(ligneCle, cle, "clé donnée deux fois, déjà ligne " + lignes.get(deja), "une seule fois chaque clé");
+        }
+        cles.add(cle);
+        valeurs.add(valeur);
+        lignes.add(ligneCle);
+    }
+
+    private int rang(String cle) {
+        for (int k = 0; k < cles.size(); k++) {
+            if (cles.get(k).equalsIgnoreCase(cle)) {
+                return k;
+            }
+        }
+        return -1;
+    }
+
+    /** Vrai si la section donne cette clé. La clé est alors connue, qu'on lise ou non sa valeur. */
+    public boolean contient(String cle) {
+        return demander(cle) >= 0;
+    }
+
+    private int demander(String cle) {
+        int k = rang(cle);
+        if (k >= 0 && k < Long.SIZE) {
+            lues |= 1L << k;
+        }
+        demandees.add(cle);
+        return k;
+    }
+
+    /**
+     * Le nombre de cette clé.
+     *
+     * @param defaut sa valeur si elle n'est pas donnée
+     * @param min plus petite valeur permise
+     * @param max plus grande valeur permise
+     */
+    public double reel(String cle, double defaut, double min, double max) {
+        int k = demander(cle);
+        return k < 0 ? defaut : nombres(k, 1, min, max, true)[0];
+    }
+
+    /** Comme {@link #reel(String, double, double, double)}, la clé étant obligatoire. */
+    public double reel(String cle, double min, double max) {
+        return nombres(obligatoire(cle, 1, min, max), 1, min, max, true)[0];
+    }
+
+    /** Comme {@link #reel(String, double, double, double)}, la valeur étant strictement positive. */
+    public double reelPositif(String cle, double defaut, double max) {
+        int k = demander(cle);
+        return k < 0 ? defaut : nombres(k, 1, 0, max, false)[0];
+    }
+
+    /** Comme {@link #reel(String, double, double, double)}, la valeur étant un nombre entier. */
+    public int entier(String cle, int defaut, int min, int max) {
+        int k = demander(cle);
+        if (k < 0) {
+            return defaut;
+        }
+        double valeur = nombres(k, 1, min, max, true)[0];
+        if (valeur != (int) valeur) {
+            throw fautive(cle, "n'est pas un nombre entier : " + Texte.cite(valeurs.get(k)), "un entier de " + min + " à " + max);
+        }
+        return (int) valeur;
+    }
+
+    /** La couleur de cette clé, trois nombres de {@code min} à {@code max}. */
+    public Couleur couleur(String cle, Couleur defaut, double max) {
+        int k = demander(cle);
+        return k < 0 ? defaut : couleur(nombres(k, 3, 0, max, true));
+    }
+
+    /** Comme {@link #couleur(String, Couleur, double)}, la clé étant obligatoire. */
+    public Couleur couleur(String cle, double max) {
+        return couleur(nombres(obligatoire(cle, 3, 0, max), 3, 0, max, true));
+    }
+
+    private static Couleur couleur(double[] n) {
+        return new Couleur(n[0], n[1], n[2]);
+    }
+
+    /** Le point de cette clé, obligatoire : trois coordonnées de −max à max. */
+    public Point point(String cle, double max) {
+        double[] n = nombres(obligatoire(cle, 3, -max, max), 3, -max, max, true);
+        return new Point(n[0], n[1], n[2]);
+    }
+
+    /** Le mot de cette clé, tel qu'écrit. */
+    public String mot(String cle, String defaut) {
+        int k = demander(cle);
+        return k < 0 ? defaut : valeurs.get(k);
+    }
+
+    private int obligatoire(String cle, int combien, double min, double max) {
+        int k = demander(cle);
+        if (k < 0) {
+            throw fautive(ligne, cle, "clé absente", attendu(combien, min, max, true));
+        }
+        return k;
+    }
+
+    private double[] nombres(int k, int combien, double min, double max, boolean minPermis) {
+        String texte = valeurs.get(k);
+        double[] nombres = new double[combien];
+        int trouves = 0;
+        int i = 0;
+        while (true) {
+            while (i < texte.length() && blanc(texte.charAt(i))) {
+                i++;
+            }
+            if (i == texte.length()) {
+                break;
+            }
+            int debut = i;
+            while (i < texte.length() && !blanc(texte.charAt(i))) {
+                i++;
+            }
+            double valeur = Nombre.lire(texte, debut, i);
+            String faute = null;
+            if (Double.isNaN(valeur)) {
+                faute = "n'est pas un nombre : ";
+            } else if (Double.isInfinite(valeur)) {
+                faute = "nombre trop grand : ";
+            } else if (!(minPermis ? valeur >= min : valeur > min) || valeur > max) {
+                faute = "hors limites : ";
+            }
+            if (faute != null) {
+                throw fautive(lignes.get(k), cles.get(k), faute + Texte.cite(texte.substring(debut, i)),
+                        attendu(combien, min, max, minPermis));
+            }
+            if (trouves < combien) {
+                nombres[trouves] = valeur;
+            }
+            trouves++;
+        }
+        if (trouves != combien) {
+            throw fautive(lignes.get(k), cles.get(k), trouves + (trouves > 1 ? " nombres" : " nombre") + " au lieu de " + combien
+                    + " : " + Texte.cite(texte), attendu(combien, min, max, minPermis));
+        }
+        return nombres;
+    }
+
+    static boolean blanc(char c) {
+        return c == ' ' || c == '\t';
+    }
+
+    private static String attendu(int combien, double min, double max, boolean minPermis) {
+        String nombres = combien == 1 ? "un nombre" : combien + " nombres séparés par des blancs, chacun";
+        boolean borne = max < Double.MAX_VALUE;
+        if (!minPermis) {
+            return nombres + " plus grand que " + Nombre.ecrire(min) + (borne ? ", au plus " + Nombre.ecrire(max) : "");
+        }
+        return borne ? nombres + " de " + Nombre.ecrire(min) + " à " + Nombre.ecrire(max)
+                : nombres + " d'au moins " + Nombre.ecrire(min);
+    }
+
+    /** Refuse les clés données que personne n'a demandées. */
+    public void verifierCles() {
+        for (int k = 0; k < cles.size(); k++) {
+            if (k >= Long.SIZE || (lues & 1L << k) == 0) {
+                StringBuilder connues = new StringBuilder();
+                for (String cle : demandees) {
+                    connues.append(connues.length() == 0 ? "" : ", ").append(cle);
+                }
+                throw fautive(lignes.get(k), cles.get(k), "clé inconnue", connues.toString());
+            }
+        }
+    }
+
+    /**
+     * De quoi refuser la valeur d'une clé pour une raison que cette classe ne connaît pas.
+     *
+     * @param cle présente ou non
+     * @param faute ce qui ne va pas
+     * @param attendu ce qu'il faudrait
+     */
+    public SceneFautive fautive(String cle, String faute, String attendu) {
+        int k = rang(cle);
+        return fautive(k < 0 ? ligne : lignes.get(k), cle, faute, attendu);
+    }
+
+    SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {
+        return new SceneFautive(message(fichier, ligneFaute, nom, cle, faute, attendu));
+    }
+
+    /** Le message de toute faute d'un fichier de scène ; {@code ligne} 0, {@code nom} et {@code cle} null : inconnus. */
+    static String message(String fichier, int ligne, String nom, String cle, String faute, String attendu) {
+        return Texte.echappe(fichier)
+                + (ligne > 0 ? ", ligne " + ligne : "")
+                + (nom != null ? ", [" + Texte.abrege(nom) + "]" : "")
+                + (cle != null ? ", " + Texte.abrege(cle) : "")
+                + " : " + faute + " ; attendu : " + attendu;
+    }
+}
