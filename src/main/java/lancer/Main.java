@@ -1,0 +1,179 @@
+package lancer;
+
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
+import lancer.commande.Aide;
+import lancer.commande.CodeSortie;
+import lancer.commande.Echec;
+import lancer.commande.Options;
+import lancer.contrat.Toile;
+import lancer.lecture.LecteurScene;
+import lancer.lecture.Texte;
+import lancer.sortie.BarreProgression;
+import lancer.sortie.Ecriture;
+import lancer.sortie.Fenetre;
+import lancer.sortie.FichierPfm;
+import lancer.sortie.FichierPng;
+import lancer.sortie.ImageMemoire;
+import lancer.sortie.Statistiques;
+
+/**
+ * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un fichier. AWT
+ * n'est touché que par {@link Fenetre}.
+ */
+public class Main implements Toile {
+
+    private final Options options;
+    private Scene scene;
+    private long lectureNs;
+    private long preparationNs;
+    private ImageMemoire image;
+    private Lancer lancer;
+
+    public Main(Options options) {
+        this.options = options;
+    }
+
+    /** @param args voir {@code --aide} */
+    public static void main(String[] args) {
+        int code = executer(args, System.out, System.err);
+        if (code != CodeSortie.FAIT) {
+            System.exit(code);
+        }
+    }
+
+    /**
+     * Le programme entier, sans quitter la machine virtuelle.
+     *
+     * @return le statut de sortie ; pour 1 et 2, une ligne a été écrite sur {@code erreur}
+     */
+    static int executer(String[] args, PrintStream sortie, PrintStream erreur) {
+        try {
+            Options options = Options.lire(args);
+            if (options.aide || options.version) {
+                sortie.println(options.aide ? Aide.texte() : Aide.version());
+                return CodeSortie.FAIT;
+            }
+            Main main = new Main(options);
+            if (options.versFichier()) {
+                main.versFichiers(sortie, erreur);
+            } else {
+                Fenetre.ouvrir(main, sortie, erreur);
+            }
+            return CodeSortie.FAIT;
+        } catch (Echec e) {
+            erreur.println("lancer : " + e.getMessage());
+            return e.getCode();
+        } catch (SceneFautive e) {
+            erreur.println("lancer : " + e.getMessage());
+            return CodeSortie.DEMANDE;
+        } catch (OutOfMemoryError e) {
+            erreur.println("lancer : mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …");
+            return CodeSortie.PANNE;
+        } catch (RuntimeException | Error e) {
+            erreur.println("lancer : échec du programme : " + Texte.echappe(e.toString()));
+            return CodeSortie.PANNE;
+        }
+    }
+
+    private void versFichiers(PrintStream sortie, PrintStream erreur) {
+        Ecriture png = options.image == null ? null : new Ecriture(options.image);
+        Ecriture pfm = options.lineaire == null ? null : new Ecriture(options.lineaire);
+        refuserMemeFichier(png, pfm);
+        lireScene(erreur);
+        Lancer lancer = preparer(options.largeur, options.hauteur);
+        image = new ImageMemoire(options.largeur, options.hauteur, pfm != null);
+        long[] traces = new long[options.repeter];
+        BarreProgression barre = System.console() == null ? null : new BarreProgression(lancer, erreur);
+        if (barre != null) {
+            barre.commencer();
+        }
+        try {
+            for (int k = 0; k < traces.length; k++) {
+                long debut = System.nanoTime();
+                lancer.TracerPixels(this, options.reflets, options.fils);
+                traces[k] = System.nanoTime() - debut;
+            }
+        } finally {
+            if (barre != null) {
+                barre.finir();
+            }
+        }
+        if (png != null) {
+            png.ecrire(image, FichierPng::ecrire);
+        }
+        if (pfm != null) {
+            pfm.ecrire(image, FichierPfm::ecrire);
+        }
+        if (options.statistiques) {
+            sortie.print(new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces));
+            sortie.flush();
+        }
+    }
+
+    /** Une sortie ne doit écraser ni la scène, ni l'autre sortie. */
+    private void refuserMemeFichier(Ecriture png, Ecriture pfm) {
+        Path scene = LecteurScene.trouver(options.scene);
+        if (png != null && memeFichier(png.getCible(), scene) || pfm != null && memeFichier(pfm.getCible(), scene)) {
+            throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : " + Texte.echappe(options.scene)
+                    + " ; attendu : un autre fichier");
+        }
+        if (png != null && pfm != null && memeFichier(png.getCible(), pfm.getCible())) {
+            throw new Echec(CodeSortie.DEMANDE, "--image et --lineaire écrivent le même fichier : "
+                    + Texte.echappe(options.image) + " ; attendu : deux fichiers");
+        }
+    }
+
+    private static boolean memeFichier(Path a, Path b) {
+        try {
+            return a.toAbsolutePath().normalize().equals(b.toAbsolutePath().normalize())
+                    || Files.exists(a) && Files.exists(b) && Files.isSameFile(a, b);
+        } catch (java.io.IOException e) {
+            return false;
+        }
+    }
+
+    /**
+     * Lit la scène demandée, et dit sur {@code erreur} ce qu'elle a de laissé de côté.
+     *
+     * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
+     */
+    public Scene lireScene(PrintStream erreur) {
+        long debut = System.nanoTime();
+        Scene nouvelle = new Scene(options.scene);
+        lectureNs = System.nanoTime() - debut;
+        for (String avertissement : nouvelle.getAvertissements()) {
+            erreur.println("lancer : " + avertissement);
+        }
+        nouvelle.setSeuil(options.seuil);
+        scene = nouvelle;
+        return nouvelle;
+    }
+
+    /** Prépare la scène lue pour une image de cette taille. */
+    private Lancer preparer(int largeur, int hauteur) {
+        long debut = System.nanoTime();
+        Camera camera = new Camera(largeur, hauteur);
+        preparationNs = System.nanoTime() - debut;
+        return new Lancer(scene, camera);
+    }
+
+    /**
+     * Dessine la scène, brouillon puis image, par {@link #drawPixel} : le travail du SwingWorker de la fenêtre.
+     *
+     * @throws CancellationException si le dessin a été arrêté
+     */
+    public void doTracerImage(int largeur, int hauteur) {
+        image = new ImageMemoire(largeur, hauteur, false);
+        lancer = preparer(largeur, hauteur);
+        lancer.TracerImage(this, options.reflets, options.fils);
+    }
+
+    /** Dessine un pixel de l'image en cours. */
+    @Override
+    public void drawPixel(Couleur coul, int xe, int ye) {
+        image.drawPixel(coul, xe, ye);
+    }
+}

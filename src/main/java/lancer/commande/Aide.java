@@ -1,0 +1,34 @@
+package lancer.commande;
+
+/** Les textes de {@code --aide} et de {@code --version}. */
+public final class Aide {
+
+    private Aide() {
+    }
+
+    public static String texte() {
+        return "Usage : java -jar target/lancer.jar [options] scenes/scene1.ini\n"
+                + "\n"
+                + "Dessine une scène par lancer de rayons : dans une fenêtre, ou dans un fichier.\n"
+                + "\n"
+                + "  --image FICHIER.png      écrit l'image, sans fenêtre ni écran\n"
+                + "  --lineaire FICHIER.pfm   écrit les couleurs non limitées (PFM, flottants) ; peut aller avec --image\n"
+                + "  --taille 800x600         taille de l'image, 1 à 16384 pixels de côté\n"
+                + "  --reflets 5              nombre de réflexions d'un rayon, 0 à 1000\n"
+                + "  --seuil 0.0009765625     reflets abandonnés sous ce produit des Ks ; 0 : jamais\n"
+                + "  --fils N                 nombre de fils d'exécution, 1 à 1024 ; sans elle, tous les cœurs\n"
+                + "  --repeter N              dessine N fois avant d'écrire, pour mesurer\n"
+                + "  --statistiques           après l'image, rayons et temps, une ligne « nom: valeur » chacun\n"
+                + "  --simple                 les boucles du cours au lieu de la recherche rapide : la même image\n"
+                + "  --aide, --help, -h       ce texte\n"
+                + "  --version                la version\n"
+                + "\n"
+                + "Une option s'écrit aussi --option=valeur, et l'ordre n'a pas d'importance.\n"
+                + "Statut de sortie : 0 fait, 1 la machine n'a pas pu, 2 demande fausse.";
+    }
+
+    public static String version() {
+        String version = Aide.class.getPackage().getImplementationVersion();
+        return "lancer " + (version != null ? version : "(non empaqueté)");
+    }
+}

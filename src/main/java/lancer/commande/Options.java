@@ -1,0 +1,199 @@
+package lancer.commande;
+
+import java.util.HashSet;
+import java.util.Set;
+import lancer.Constantes;
+import lancer.lecture.Nombre;
+import lancer.lecture.Texte;
+
+/** La ligne de commande, lue de gauche à droite : ce qui est demandé, ou un {@link Echec} qui dit pourquoi non. */
+public final class Options {
+
+    /** Plus grand côté d'une image, en pixels. */
+    public static final int COTE_MAX = 16384;
+
+    /** Plus grand nombre de pixels d'une image. */
+    public static final int PIXELS_MAX = 100_000_000;
+
+    private static final int REFLETS_MAX = 1000;
+    private static final int FILS_MAX = 1024;
+    private static final int REPETER_MAX = 100_000;
+
+    /** Demandes d'un texte, sans rien dessiner ; la première rencontrée l'emporte. */
+    public boolean aide;
+    public boolean version;
+
+    /** Fichiers à écrire, {@code null} si non demandés. */
+    public String image;
+    public String lineaire;
+
+    public int largeur = Constantes.LARGEUR_IMAGE;
+    public int hauteur = Constantes.HAUTEUR_IMAGE;
+    public int reflets = Constantes.MAX_REFLETS;
+    public double seuil = Constantes.SEUIL;
+    public int fils = Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors());
+    public int repeter = 1;
+    public boolean statistiques;
+
+    /** Vrai pour les boucles du cours, faux pour la recherche rapide. */
+    public boolean simple;
+
+    /** La scène, {@code null} si aucune n'est nommée. */
+    public String scene;
+
+    private final String[] arguments;
+    private int suivant;
+    private String valeurCollee;
+
+    private Options(String[] arguments) {
+        this.arguments = arguments;
+    }
+
+    /** @throws Echec si un argument ne va pas */
+    public static Options lire(String... arguments) {
+        Options options = new Options(arguments);
+        options.lire();
+        return options;
+    }
+
+    /** Vrai si un fichier est demandé : alors, pas de fenêtre. */
+    public boolean versFichier() {
+        return image != null || lineaire != null;
+    }
+
+    private void lire() {
+        Set<String> vues = new HashSet<>();
+        while (suivant < arguments.length && !aide && !version) {
+            String argument = arguments[suivant++];
+            if (!argument.startsWith("-")) {
+                if (scene != null) {
+                    throw faute("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(argument) + " ; attendu : une seule");
+                }
+                scene = argument;
+                continue;
+            }
+            int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
+            String nom = egal < 0 ? argument : argument.substring(0, egal);
+            valeurCollee = egal < 0 ? null : argument.substring(egal + 1);
+            if (!vues.add(nom)) {
+                throw faute("option donnée deux fois : " + Texte.abrege(nom) + " ; attendu : une seule fois chaque option");
+            }
+            option(nom);
+        }
+        if (versFichier() && scene == null && !aide && !version) {
+            throw faute("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
+        }
+    }
+
+    private void option(String nom) {
+        switch (nom) {
+            case "--image":
+                image = valeur(nom, "un fichier .png");
+                break;
+            case "--lineaire":
+                lineaire = valeur(nom, "un fichier .pfm");
+                break;
+            case "--taille":
+                taille(valeur(nom, "une taille, par exemple 800x600"));
+                break;
+            case "--reflets":
+                reflets = entier(nom, 0, REFLETS_MAX);
+                break;
+            case "--seuil":
+                seuil = seuil(valeur(nom, "un nombre positif ou nul"));
+                break;
+            case "--fils":
+                fils = entier(nom, 1, FILS_MAX);
+                break;
+            case "--repeter":
+                repeter = entier(nom, 1, REPETER_MAX);
+                break;
+            case "--statistiques":
+                sansValeur(nom);
+                statistiques = true;
+                break;
+            case "--simple":
+                sansValeur(nom);
+                simple = true;
+                break;
+            case "--aide":
+            case "--help":
+            case "-h":
+                sansValeur(nom);
+                aide = true;
+                break;
+            case "--version":
+                sansValeur(nom);
+                version = true;
+                break;
+            default:
+                throw faute("option inconnue : " + Texte.cite(nom) + " ; attendu : une de celles que montre --aide");
+        }
+    }
+
+    private String valeur(String nom, String attendu) {
+        String valeur = valeurCollee != null ? valeurCollee : suivant < arguments.length ? arguments[suivant++] : "";
+        // « --image --fils 2 » : un oubli, pas un fichier nommé « --fils »
+        if (valeur.isEmpty() || valeurCollee == null && valeur.startsWith("--")) {
+            throw faute("option sans sa valeur : " + nom + " ; attendu : " + attendu);
+        }
+        return valeur;
+    }
+
+    private void sansValeur(String nom) {
+        if (valeurCollee != null) {
+            throw faute("option qui ne prend pas de valeur : " + nom + " ; reçu : " + Texte.cite(valeurCollee));
+        }
+    }
+
+    private int entier(String nom, int min, int max) {
+        String attendu = "un entier de " + min + " à " + max;
+        String texte = valeur(nom, attendu);
+        long n = chiffres(texte);
+        if (n < min || n > max) {
+            throw horsLimites(nom, texte, attendu);
+        }
+        return (int) n;
+    }
+
+    /** L'entier écrit, −1 si ce n'en est pas un ; au-delà d'un milliard, un milliard. */
+    private static long chiffres(String texte) {
+        long n = 0;
+        for (int i = 0; i < texte.length(); i++) {
+            char c = texte.charAt(i);
+            if (c < '0' || c > '9') {
+                return -1;
+            }
+            n = Math.min(1_000_000_000, 10 * n + (c - '0'));
+        }
+        return texte.isEmpty() ? -1 : n;
+    }
+
+    private double seuil(String texte) {
+        double valeur = Nombre.lire(texte);
+        if (!(valeur >= 0 && valeur <= Double.MAX_VALUE)) {
+            throw horsLimites("--seuil", texte, "un nombre positif ou nul, par exemple 0.001");
+        }
+        return valeur;
+    }
+
+    private void taille(String texte) {
+        int x = texte.indexOf('x');
+        long l = x < 0 ? -1 : chiffres(texte.substring(0, x));
+        long h = x < 0 ? -1 : chiffres(texte.substring(x + 1));
+        if (l < 1 || l > COTE_MAX || h < 1 || h > COTE_MAX || l * h > PIXELS_MAX) {
+            throw horsLimites("--taille", texte, "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
+                    + " chacune, et au plus " + PIXELS_MAX + " pixels");
+        }
+        largeur = (int) l;
+        hauteur = (int) h;
+    }
+
+    private static Echec horsLimites(String nom, String texte, String attendu) {
+        return faute("valeur impossible pour " + nom + " : " + Texte.cite(texte) + " ; attendu : " + attendu);
+    }
+
+    private static Echec faute(String message) {
+        return new Echec(CodeSortie.DEMANDE, message);
+    }
+}

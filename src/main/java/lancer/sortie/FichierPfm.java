@@ -1,0 +1,27 @@
+package lancer.sortie;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+
+/** Une image au format PFM : les couleurs non limitées, flottants de 32 bits petit-boutistes, la ligne du bas d'abord. */
+public final class FichierPfm {
+
+    private FichierPfm() {
+    }
+
+    /** @param image une image qui a gardé ses couleurs non limitées */
+    public static void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {
+        int largeur = image.getLargeur();
+        // le signe de l'échelle dit l'ordre des octets : négatif, petit-boutiste
+        sortie.write(("PF\n" + largeur + " " + image.getHauteur() + "\n-1.0\n").getBytes(StandardCharsets.US_ASCII));
+        ByteBuffer ligne = ByteBuffer.allocate(3 * largeur * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
+        for (int j = image.getHauteur() - 1; j >= 0; j--) {
+            ligne.asFloatBuffer().put(image.getLineaire(), 3 * j * largeur, 3 * largeur);
+            sortie.write(ligne.array());
+        }
+        sortie.flush();
+    }
+}

@@ -1,0 +1,97 @@
+package lancer.sortie;
+
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.zip.CRC32;
+import java.util.zip.Deflater;
+
+/**
+ * Une image au format PNG (ISO/IEC 15948), 8 bits par composante, sans passer par ImageIO : charger AWT coûterait plus cher
+ * que de dessiner la scène du cours.
+ */
+public final class FichierPng {
+
+    private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    private static final int HUIT_BITS = 8;
+    private static final int ROUGE_VERT_BLEU = 2;
+    private static final byte FILTRE_GAUCHE = 1;
+
+    /** Taille d'un bloc de données compressées, en octets. */
+    private static final int BLOC = 1 << 16;
+
+    private FichierPng() {
+    }
+
+    public static void ecrire(ImageMemoire image, OutputStream fichier) throws IOException {
+        DataOutputStream sortie = new DataOutputStream(fichier);
+        sortie.write(SIGNATURE);
+        byte[] entete = new byte[13];
+        entier(entete, 0, image.getLargeur());
+        entier(entete, 4, image.getHauteur());
+        entete[8] = HUIT_BITS;
+        entete[9] = ROUGE_VERT_BLEU;
+        bloc(sortie, "IHDR", entete, entete.length);
+        pixels(sortie, image);
+        bloc(sortie, "IEND", new byte[0], 0);
+        sortie.flush();
+    }
+
+    private static void pixels(DataOutputStream sortie, ImageMemoire image) throws IOException {
+        Deflater compression = new Deflater(Deflater.BEST_SPEED);
+        try {
+            byte[] ligne = new byte[1 + 3 * image.getLargeur()];
+            byte[] tampon = new byte[BLOC];
+            int remplis = 0;
+            for (int j = 0; j < image.getHauteur(); j++) {
+                filtrer(image.getCodes(), j * image.getLargeur(), ligne);
+                compression.setInput(ligne);
+                if (j == image.getHauteur() - 1) {
+                    compression.finish();
+                }
+                while (!compression.needsInput() || j == image.getHauteur() - 1 && !compression.finished()) {
+                    remplis += compression.deflate(tampon, remplis, BLOC - remplis);
+                    if (remplis == BLOC) {
+                        bloc(sortie, "IDAT", tampon, remplis);
+                        remplis = 0;
+                    }
+                }
+            }
+            bloc(sortie, "IDAT", tampon, remplis);
+        } finally {
+            compression.end();
+        }
+    }
+
+    /** Chaque octet moins celui du pixel de gauche : un dégradé devient presque constant, et se comprime. */
+    private static void filtrer(int[] codes, int debut, byte[] ligne) {
+        ligne[0] = FILTRE_GAUCHE;
+        int gauche = 0;
+        int k = 1;
+        for (int i = debut; k < ligne.length; i++) {
+            int code = codes[i];
+            ligne[k++] = (byte) ((code >> 16) - (gauche >> 16));
+            ligne[k++] = (byte) ((code >> 8) - (gauche >> 8));
+            ligne[k++] = (byte) (code - gauche);
+            gauche = code;
+        }
+    }
+
+    private static void bloc(DataOutputStream sortie, String type, byte[] donnees, int longueur) throws IOException {
+        byte[] nom = type.getBytes(StandardCharsets.US_ASCII);
+        CRC32 controle = new CRC32();
+        controle.update(nom);
+        controle.update(donnees, 0, longueur);
+        sortie.writeInt(longueur);
+        sortie.write(nom);
+        sortie.write(donnees, 0, longueur);
+        sortie.writeInt((int) controle.getValue());
+    }
+
+    private static void entier(byte[] octets, int position, int valeur) {
+        for (int k = 0; k < 4; k++) {
+            octets[position + k] = (byte) (valeur >>> 24 - 8 * k);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package lancer.sortie;
+
+import lancer.Couleur;
+import lancer.contrat.Toile;
+
+/** Une image en mémoire : les codes à montrer, et si on le demande les couleurs non limitées. */
+public final class ImageMemoire implements Toile {
+
+    private final int largeur;
+    private final int hauteur;
+    private final int[] codes;
+    private final float[] lineaire;
+
+    /** @param avecLineaire vrai pour garder aussi les couleurs non limitées, 12 octets par pixel */
+    public ImageMemoire(int largeur, int hauteur, boolean avecLineaire) {
+        this.largeur = largeur;
+        this.hauteur = hauteur;
+        this.codes = new int[largeur * hauteur];
+        this.lineaire = avecLineaire ? new float[3 * largeur * hauteur] : null;
+    }
+
+    @Override
+    public void drawPixel(Couleur coul, int xe, int ye) {
+        int k = ye * largeur + xe;
+        codes[k] = coul.getCode();
+        if (lineaire != null) {
+            lineaire[3 * k] = (float) coul.r;
+            lineaire[3 * k + 1] = (float) coul.v;
+            lineaire[3 * k + 2] = (float) coul.b;
+        }
+    }
+
+    public int getLargeur() {
+        return largeur;
+    }
+
+    public int getHauteur() {
+        return hauteur;
+    }
+
+    /** Les codes {@code 0xFFRRGGBB}, ligne par ligne depuis le haut : le tableau même, 0 là où rien n'est dessiné. */
+    public int[] getCodes() {
+        return codes;
+    }
+
+    /** Les couleurs non limitées, trois composantes par pixel, ligne par ligne depuis le haut ; {@code null} si non gardées. */
+    public float[] getLineaire() {
+        return lineaire;
+    }
+}
