@@ -1,0 +1,52 @@
+# Ce que partagent le Makefile de la racine et ceux des variantes. Voir « make aide ».
+
+RACINE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
+MVN ?= mvn -B -ntp
+JAVA ?= java
+
+# La scène à montrer, les options du programme, et les variantes à mettre ensemble.
+SCENE ?= scenes/scene1.ini
+OPTIONS ?=
+VARIANTES ?= $(VARIANTE)
+
+# Sans UTF-8, Java montrerait « sph?re » et ne saurait ouvrir un fichier au nom accentué.
+ifeq ($(findstring UTF-8,$(LC_ALL)$(LC_CTYPE)$(LANG))$(findstring utf8,$(LC_ALL)$(LC_CTYPE)$(LANG)),)
+export LC_ALL := C.UTF-8
+endif
+
+BASE := $(RACINE)/target/lancer.jar
+JARS := $(if $(strip $(VARIANTES)),$(foreach v,$(VARIANTES),$(RACINE)/$(v)/target/$(v).jar),$(BASE))
+vide :=
+CHEMIN := $(subst $(vide) $(vide),:,$(strip $(JARS)))
+LANCER := $(JAVA) -cp $(CHEMIN) lancer.Main
+POMS := $(RACINE)/ensemble.xml $(RACINE)/pom.xml
+sources = $(shell find $(1)/src/main -type f 2>/dev/null)
+
+.DEFAULT_GOAL := run
+.PHONY: run outils
+
+# Une fenêtre, ou à défaut d'écran une image.
+run: $(JARS)
+	@if [ -n "$$DISPLAY" ] || [ "$$(uname)" = Darwin ]; then \
+	    $(LANCER) $(OPTIONS) $(SCENE); \
+	else \
+	    png=$(RACINE)/target/$$(basename $(SCENE) .ini).png; \
+	    $(LANCER) $(OPTIONS) --image $$png $(SCENE) && echo "Pas d'écran ici : l'image est dans $$png"; \
+	fi
+
+outils:
+	@command -v javac >/dev/null || { echo "Il faut un JDK, 11 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }
+	@command -v $(firstword $(MVN)) >/dev/null || { echo "Il faut Maven : sudo apt-get install maven" >&2; exit 1; }
+
+$(BASE): $(POMS) $(call sources,$(RACINE)) | outils
+	@echo "Construction de $@"
+	@$(MVN) -q -f $(RACINE)/ensemble.xml -pl :lancer -DskipTests package
+	@touch $@
+
+define jar_de_variante
+$(RACINE)/$(1)/target/$(1).jar: $(POMS) $(RACINE)/$(1)/pom.xml $(call sources,$(RACINE)) $(call sources,$(RACINE)/$(1)) | outils
+	@echo "Construction de $$@"
+	@$(MVN) -q -f $(RACINE)/ensemble.xml -pl :$(1) -am -DskipTests package
+	@touch $$@
+endef
+$(foreach v,$(sort $(VARIANTES) brume antialias blinn),$(eval $(call jar_de_variante,$(v))))
