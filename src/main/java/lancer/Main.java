@@ -86,7 +86,7 @@ public class Main implements Toile {
         Lancer lancer = preparer(options.largeur, options.hauteur);
         image = new ImageMemoire(options.largeur, options.hauteur, pfm != null);
         long[] traces = new long[options.repeter];
-        BarreProgression barre = System.console() == null ? null : new BarreProgression(lancer, erreur);
+        BarreProgression barre = BarreProgression.possible() ? new BarreProgression(lancer, erreur) : null;
         if (barre != null) {
             barre.commencer();
         }

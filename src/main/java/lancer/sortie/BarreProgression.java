@@ -1,6 +1,10 @@
 package lancer.sortie;
 
+import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
 import lancer.Lancer;
 
 /** Une barre sur l'erreur standard pendant un dessin qui dure ; rien si ce n'est pas un terminal, ou si c'est fini vite. */
@@ -11,6 +15,9 @@ public final class BarreProgression implements Runnable {
     /** Temps entre deux états de la barre, et avant le premier, en millisecondes. */
     private static final int PERIODE_MS = 200;
 
+    /** Ce vers quoi va l'erreur standard, sur Linux : Java ne sait pas le dire. */
+    private static final Path ERREUR_STANDARD = Paths.get("/proc/self/fd/2");
+
     private final Lancer lancer;
     private final PrintStream terminal;
     private Thread fil;
@@ -19,6 +26,16 @@ public final class BarreProgression implements Runnable {
     public BarreProgression(Lancer lancer, PrintStream terminal) {
         this.lancer = lancer;
         this.terminal = terminal;
+    }
+
+    /** Vrai si l'erreur standard est un terminal : ailleurs qu'un fichier ou un tube, une barre se lit. */
+    public static boolean possible() {
+        try {
+            String cible = Files.readSymbolicLink(ERREUR_STANDARD).toString();
+            return cible.startsWith("/dev/pts/") || cible.startsWith("/dev/tty");
+        } catch (IOException | UnsupportedOperationException e) {
+            return System.console() != null;
+        }
     }
 
     public void commencer() {
