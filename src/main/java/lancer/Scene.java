@@ -18,7 +18,7 @@ import lancer.lecture.Variantes;
  * Les objets, les lampes, et ce qu'un rayon y voit (cours, « Scène de sphères »). Une scène appartient à un seul fil :
  * {@link #pourUnFil()} en donne une vue de plus, sur les mêmes objets.
  */
-public class Scene {
+public final class Scene {
 
     private final List<Objet3D> objets;
     private final List<Lampe> lampes;
