@@ -12,11 +12,9 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -40,6 +38,9 @@ public final class LecteurScene {
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
 
+    private static final String[] CLES_SPHERE = {"centre", "rayon", "Kd", "Ks", "Kr", "ns"};
+    private static final String[] CLES_LAMPE = {"position", "couleur"};
+
     /** Les sections que lisent des variantes de la maison, présentes ou non. */
     private static final String[] VARIANTES_CONNUES = {"Brume", "Antialias", "Blinn"};
 
@@ -49,7 +50,8 @@ public final class LecteurScene {
     private final List<Lampe> lampes = new ArrayList<>();
     private final List<String> avertissements = new ArrayList<>();
     private final Map<String, Section> sectionsVariantes = new HashMap<>();
-    private final Set<String> noms = new HashSet<>();
+    /** Chaque nom de section, et sa ligne. */
+    private final Map<String, Integer> noms = new HashMap<>();
     /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
     private Section courante;
@@ -69,9 +71,11 @@ public final class LecteurScene {
             new Decoupeur().parse(lignes, new Sections(lignes));
             return this;
         } catch (InvalidFileFormatException e) {
-            throw illisible(e.getMessage(), lignes.getNumero());
+            throw illisible(lignes.getTexte().trim(), lignes.getNumero());
         } catch (CharacterCodingException e) {
-            throw refus(lignes.getNumero(), "octets qui ne sont pas de l'UTF-8", "un fichier enregistré en UTF-8", e);
+            throw pasUtf8(lignes, e);
+        } catch (Lignes.LigneTropLongue e) {
+            throw refus(lignes.getNumero(), null, "ligne trop longue", "un fichier de scène", e);
         } catch (IOException e) {
             throw inutilisable(e);
         }
@@ -176,19 +180,27 @@ public final class LecteurScene {
     }
 
     private void commencer(String nomEcrit, int ligne) {
+        if (nomEcrit.indexOf(']') >= 0) {
+            throw illisible("[" + nomEcrit + "]", ligne);
+        }
         String nom = unSeulBlanc(nomEcrit);
-        courante = new Section(fichier, nom, ligne);
-        String type = courante.getType();
+        String type = Section.type(nom);
+        String[] cles = estType(type, "Sphere") ? CLES_SPHERE : estType(type, "Lampe") ? CLES_LAMPE : null;
+        boolean variante = cles == null;
         String cle = type.toLowerCase(Locale.ROOT);
-        boolean variante = !estType(type, "Sphere") && !estType(type, "Lampe");
+        courante = new Section(fichier, nom, ligne, cles);
         if (variante && !variantes.lisent(type) && !variantesConnue(type)) {
             throw courante.fautive(ligne, null, "type de section inconnu", typesConnus());
         }
-        if (!noms.add(cle + nom.substring(type.length()))) {
-            throw courante.fautive(ligne, null, "deux sections de ce nom", "un nom différent pour chaque section");
+        Integer deja = noms.putIfAbsent(cle + nom.substring(type.length()), ligne);
+        if (deja != null) {
+            throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
+                    "un nom différent pour chaque section");
         }
-        if (variante && sectionsVariantes.put(cle, courante) != null) {
-            throw courante.fautive(ligne, null, "deuxième section de ce type", "une seule section [" + type + "]");
+        Section premiere = variante ? sectionsVariantes.put(cle, courante) : null;
+        if (premiere != null) {
+            throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne " + premiere.getLigne(),
+                    "une seule section " + type);
         }
         if (variante && !variantes.lisent(type)) {
             avertissements.add(Section.message(fichier, ligne, nom, null, "section laissée de côté",
@@ -202,7 +214,6 @@ public final class LecteurScene {
             objets.add(sphere(courante));
         } else if (estType(type, "Lampe")) {
             Lampe lampe = new Lampe(courante.point("position", COORDONNEE_MAX), courante.couleur("couleur", LUMIERE_MAX));
-            courante.verifierCles();
             lampes.add(lampe);
         }
     }
@@ -211,11 +222,10 @@ public final class LecteurScene {
         Sphere sphere = new Sphere(s.point("centre", COORDONNEE_MAX), s.reel("rayon", RAYON_MIN, RAYON_MAX));
         sphere.setKd(commune(s.couleur("Kd", sphere.getKd(), 1)));
         if (s.contient("Ks") && s.contient("Kr")) {
-            throw s.fautive("Kr", "synonyme de Ks, déjà donné", "Ks ou Kr, pas les deux");
+            throw s.ensemble("Ks", "Kr", "synonyme de", "Ks ou Kr, pas les deux");
         }
         sphere.setKs(commune(s.couleur(s.contient("Kr") ? "Kr" : "Ks", sphere.getKs(), 1)));
         sphere.setNs(s.reel("ns", sphere.getNs(), 0, NS_MAX));
-        s.verifierCles();
         return sphere;
     }
 
@@ -263,23 +273,42 @@ public final class LecteurScene {
         return s.toString();
     }
 
-    /** Le message d'ini4j est anglais ; il finit par la ligne en cause. */
-    private SceneFautive illisible(String message, int ligne) {
-        String texte = message.substring(message.indexOf("): ") + 3);
-        if (courante == null && !texte.startsWith("[")) {
-            return refus(ligne, "avant toute section : " + Texte.cite(texte), "une section, par exemple [Sphere 1]", null);
+    /** Le message d'ini4j est anglais, et ne dit pas pourquoi. */
+    private SceneFautive illisible(String texte, int ligne) {
+        String cite = " : " + Texte.cite(texte);
+        if (texte.startsWith("[")) {
+            int crochet = texte.indexOf(']');
+            return crochet < 0 ? refus(ligne, null, "crochet non fermé" + cite, "par exemple [Sphere 1]", null)
+                    : crochet < texte.length() - 1 ? refus(ligne, null, "du texte après le crochet" + cite,
+                            "[Section] seule sur sa ligne, comme un commentaire", null)
+                    : refus(ligne, null, "section sans nom" + cite, "par exemple [Sphere 1]", null);
         }
-        return refus(ligne, "ligne illisible : " + Texte.cite(texte), "[Section], clé=valeur, ou un commentaire après ; ou #", null);
+        if (courante == null) {
+            return refus(ligne, null, "avant toute section" + cite, "d'abord une section, par exemple [Sphere 1]", null);
+        }
+        return refus(ligne, courante.getNom(), "ligne illisible" + cite,
+                "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #", null);
     }
 
-    private SceneFautive refus(int ligne, String faute, String attendu, Throwable cause) {
-        return new SceneFautive(Section.message(fichier, ligne, null, null, faute, attendu), cause);
+    private SceneFautive pasUtf8(Lignes lignes, IOException cause) {
+        String attendu = "un fichier enregistré en UTF-8";
+        if (lignes.estUtf16()) {
+            return refus(lignes.getNumero(), null, "fichier en UTF-16", attendu, cause);
+        }
+        String texte = lignes.getTexte().trim();
+        boolean dansSection = courante != null && !texte.startsWith("[");
+        return refus(lignes.getNumero(), dansSection ? courante.getNom() : null,
+                "octets qui ne sont pas de l'UTF-8 : " + Texte.cite(texte), attendu, cause);
+    }
+
+    private SceneFautive refus(int ligne, String nom, String faute, String attendu, Throwable cause) {
+        return new SceneFautive(Section.message(fichier, ligne, nom, null, faute, attendu), cause);
     }
 
     private SceneFautive inutilisable(IOException e) {
         String faute = e instanceof NoSuchFileException || e instanceof FileNotFoundException ? "fichier introuvable"
                 : e instanceof AccessDeniedException ? "lecture interdite"
                 : "lecture impossible (" + Texte.abrege(String.valueOf(e.getMessage())) + ")";
-        return refus(0, faute, "un fichier de scène", e);
+        return refus(0, null, faute, "un fichier de scène", e);
     }
 }

@@ -12,12 +12,16 @@ import java.util.Arrays;
 /**
  * Un fichier UTF-8 donné ligne par ligne : ini4j lit une ligne à la fois, et le numéro de la dernière donnée est donc celui
  * de la ligne qu'il traite. Le fichier n'est jamais tout entier en mémoire. Une ligne de commentaire est donnée vide, sans
- * quoi ini4j garderait tous ceux qui se suivent.
+ * quoi ini4j garderait tous ceux qui se suivent. Un caractère de contrôle est donné par son code, comme {@link Texte} le
+ * montre : ini4j le ferait disparaître au bout d'une clé ou d'une valeur.
  */
 final class Lignes extends Reader {
 
     /** Taille des lectures, en octets. */
     private static final int TAMPON = 1 << 16;
+
+    /** Plus longue ligne, en octets : de quoi s'arrêter devant un fichier sans fin de ligne, {@code /dev/zero} par exemple. */
+    private static final int LIGNE_MAX = 1 << 28;
 
     private final InputStream entree;
     private byte[] octets = new byte[TAMPON];
@@ -28,6 +32,8 @@ final class Lignes extends Reader {
     private int longueur;
     private int donnes;
     private int numero;
+    private String texte;
+    private boolean utf16;
 
     Lignes(InputStream entree) {
         this.entree = entree;
@@ -36,6 +42,16 @@ final class Lignes extends Reader {
     /** Le numéro de la dernière ligne donnée, à partir de 1. */
     int getNumero() {
         return numero;
+    }
+
+    /** La dernière ligne donnée, telle que le fichier l'écrit ; ce qui n'y est pas de l'UTF-8 est remplacé. */
+    String getTexte() {
+        return texte != null ? texte : new String(ligne, 0, Math.max(0, longueur - 1));
+    }
+
+    /** Vrai si la dernière ligne donnée commence comme un fichier en UTF-16. */
+    boolean estUtf16() {
+        return utf16;
     }
 
     @Override
@@ -88,6 +104,9 @@ final class Lignes extends Reader {
             System.arraycopy(octets, debut, octets, 0, fin - debut);
             fin -= debut;
             debut = 0;
+        } else if (fin == LIGNE_MAX) {
+            numero++;
+            throw new LigneTropLongue();
         } else if (fin == octets.length) {
             octets = Arrays.copyOf(octets, 2 * octets.length);
         }
@@ -108,7 +127,7 @@ final class Lignes extends Reader {
         longueur = 0;
         donnes = 0;
         int premier = i;
-        while (i < a && octets[i] >= 0) {
+        while (i < a && (octets[i] >= ' ' || octets[i] == '\t')) {
             ligne[longueur++] = (char) octets[i++];
         }
         if (i < a) {
@@ -124,11 +143,36 @@ final class Lignes extends Reader {
         ligne[longueur++] = '\n';
     }
 
-    /** Une ligne qui n'est pas toute en ASCII. */
+    /** Une ligne qui n'est pas toute en ASCII visible. */
     private void decoderTout(int de, int a) throws CharacterCodingException {
-        CharBuffer texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets, de, a - de));
-        longueur = texte.remaining();
-        texte.get(ligne, 0, longueur);
+        CharBuffer decode;
+        try {
+            decode = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets, de, a - de));
+        } catch (CharacterCodingException e) {
+            int marque = a - de < 2 ? 0 : (octets[de] & 0xFF) << 8 | octets[de + 1] & 0xFF;
+            utf16 = numero == 1 && (marque == 0xFEFF || marque == 0xFFFE);
+            texte = new String(octets, de, a - de, StandardCharsets.UTF_8);
+            throw e;
+        }
+        longueur = 0;
+        while (decode.hasRemaining()) {
+            char c = decode.get();
+            if (longueur + 7 > ligne.length) {
+                ligne = Arrays.copyOf(ligne, 2 * ligne.length);
+            }
+            if (c >= ' ' || c == '\t') {
+                ligne[longueur++] = c;
+            } else {
+                String code = Texte.echappe(String.valueOf(c));
+                code.getChars(0, code.length(), ligne, longueur);
+                longueur += code.length();
+            }
+        }
+    }
+
+    /** Une ligne que personne n'a pu vouloir. */
+    static final class LigneTropLongue extends IOException {
+        private static final long serialVersionUID = 1;
     }
 
     @Override

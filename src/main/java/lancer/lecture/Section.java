@@ -8,13 +8,18 @@ import lancer.SceneFautive;
 
 /**
  * Une section d'un fichier de scène : des clés et leurs valeurs, lues avec leur type et leurs limites. Toute valeur refusée
- * l'est par une {@link SceneFautive} d'une ligne. Une clé que personne n'a demandée est inconnue ({@link #verifierCles}).
+ * l'est par une {@link SceneFautive} d'une ligne. Une clé inconnue est refusée dès qu'elle est lue si la section sait d'avance
+ * les siennes, sinon à la fin, si personne ne l'a demandée ({@link #verifierCles}).
  */
 public final class Section {
+
+    /** Aucune section n'en connaît tant ; au-delà, chercher les doublons coûterait trop cher. */
+    private static final int CLES_MAX = Long.SIZE;
 
     private final String fichier;
     private final String nom;
     private final int ligne;
+    private final String[] connues;
     private final List<String> cles = new ArrayList<>(5);
     private final List<String> valeurs = new ArrayList<>(5);
     private final List<Integer> lignes = new ArrayList<>(5);
@@ -26,13 +31,33 @@ public final class Section {
      * @param ligne celle des crochets, 0 si la section n'est pas dans le fichier
      */
     public Section(String fichier, String nom, int ligne) {
+        this(fichier, nom, ligne, null);
+    }
+
+    /** @param connues les seules clés permises ; {@code null} : celles qui seront demandées */
+    Section(String fichier, String nom, int ligne, String[] connues) {
         this.fichier = fichier;
         this.nom = nom;
         this.ligne = ligne;
+        this.connues = connues;
+    }
+
+    /** Le nom, tel qu'écrit entre les crochets. */
+    String getNom() {
+        return nom;
+    }
+
+    /** La ligne des crochets. */
+    int getLigne() {
+        return ligne;
     }
 
     /** Le premier mot du nom : ce que la section décrit. */
     public String getType() {
+        return type(nom);
+    }
+
+    static String type(String nom) {
         int blanc = nom.indexOf(' ');
         return blanc < 0 ? nom : nom.substring(0, blanc);
     }
@@ -42,9 +67,24 @@ public final class Section {
         if (deja >= 0) {
             throw fautive(ligneCle, cle, "clé donnée deux fois, déjà ligne " + lignes.get(deja), "une seule fois chaque clé");
         }
+        if (connues != null && !connue(cle)) {
+            throw fautive(ligneCle, cle, "clé inconnue", String.join(", ", connues));
+        }
+        if (cles.size() == CLES_MAX) {
+            throw fautive(ligneCle, cle, "trop de clés", "au plus " + CLES_MAX + " clés dans une section");
+        }
         cles.add(cle);
         valeurs.add(valeur);
         lignes.add(ligneCle);
+    }
+
+    private boolean connue(String cle) {
+        for (String connue : connues) {
+            if (connue.equalsIgnoreCase(cle)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private int rang(String cle) {
@@ -63,10 +103,12 @@ public final class Section {
 
     private int demander(String cle) {
         int k = rang(cle);
-        if (k >= 0 && k < Long.SIZE) {
+        if (k >= 0) {
             lues |= 1L << k;
         }
-        demandees.add(cle);
+        if (connues == null && !demandees.contains(cle)) {
+            demandees.add(cle);
+        }
         return k;
     }
 
@@ -160,7 +202,7 @@ public final class Section {
             double valeur = Nombre.lire(texte, debut, i);
             String faute = null;
             if (Double.isNaN(valeur)) {
-                faute = "n'est pas un nombre : ";
+                throw pasUnNombre(k, debut, i, attendu(combien, min, max, minPermis));
             } else if (Double.isInfinite(valeur)) {
                 faute = "nombre trop grand : ";
             } else if (!(minPermis ? valeur >= min : valeur > min) || valeur > max) {
@@ -176,10 +218,25 @@ public final class Section {
             trouves++;
         }
         if (trouves != combien) {
-            throw fautive(lignes.get(k), cles.get(k), trouves + (trouves > 1 ? " nombres" : " nombre") + " au lieu de " + combien
-                    + " : " + Texte.cite(texte), attendu(combien, min, max, minPermis));
+            String faute = trouves == 0 ? "valeur absente"
+                    : trouves + (trouves > 1 ? " nombres" : " nombre") + " au lieu de " + combien + " : " + Texte.cite(texte);
+            throw fautive(lignes.get(k), cles.get(k), faute, attendu(combien, min, max, minPermis));
         }
         return nombres;
+    }
+
+    /** Refuse le mot de {@code debut} à {@code fin}, en nommant les fautes les plus courantes. */
+    private SceneFautive pasUnNombre(int k, int debut, int fin, String attendu) {
+        String texte = valeurs.get(k);
+        String mot = texte.substring(debut, fin);
+        char premier = mot.charAt(0);
+        if (premier == ';' || premier == '#') {
+            return fautive(lignes.get(k), cles.get(k), "commentaire après une valeur : " + Texte.cite(texte.substring(debut)),
+                    "un commentaire seul sur sa ligne");
+        }
+        String faute = mot.indexOf(',') >= 0 ? "une virgule dans un nombre : " : "n'est pas un nombre : ";
+        return fautive(lignes.get(k), cles.get(k), faute + Texte.cite(mot),
+                attendu + (mot.indexOf(',') >= 0 ? ", avec un point décimal" : ""));
     }
 
     static boolean blanc(char c) {
@@ -199,12 +256,9 @@ public final class Section {
     /** Refuse les clés données que personne n'a demandées. */
     public void verifierCles() {
         for (int k = 0; k < cles.size(); k++) {
-            if (k >= Long.SIZE || (lues & 1L << k) == 0) {
-                StringBuilder connues = new StringBuilder();
-                for (String cle : demandees) {
-                    connues.append(connues.length() == 0 ? "" : ", ").append(cle);
-                }
-                throw fautive(lignes.get(k), cles.get(k), "clé inconnue", connues.toString());
+            if ((lues & 1L << k) == 0) {
+                throw fautive(lignes.get(k), cles.get(k), "clé inconnue",
+                        demandees.isEmpty() ? "aucune clé" : String.join(", ", demandees));
             }
         }
     }
@@ -219,6 +273,15 @@ public final class Section {
     public SceneFautive fautive(String cle, String faute, String attendu) {
         int k = rang(cle);
         return fautive(k < 0 ? ligne : lignes.get(k), cle, faute, attendu);
+    }
+
+    /** Deux clés qui ne vont pas ensemble : c'est la seconde écrite qui est de trop. */
+    SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
+        int a = rang(cle);
+        int b = rang(autre);
+        int k = Math.max(a, b);
+        return fautive(lignes.get(k), cles.get(k),
+                faute + " " + cles.get(Math.min(a, b)) + ", déjà ligne " + lignes.get(Math.min(a, b)), attendu);
     }
 
     SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {

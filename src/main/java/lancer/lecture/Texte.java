@@ -16,33 +16,50 @@ public final class Texte {
 
     /** Le texte sans caractère de contrôle, coupé à 60 caractères. */
     public static String abrege(String texte) {
-        if (texte.length() <= CITATION_MAX) {
-            return echappe(texte);
+        StringBuilder s = new StringBuilder();
+        int gardes = 0;
+        for (int i = 0; i < texte.length(); i += Character.charCount(texte.codePointAt(i))) {
+            echapper(texte.codePointAt(i), s);
+            if (s.length() > CITATION_MAX) {
+                s.setLength(gardes);
+                return s.append('…').toString();
+            }
+            if (s.length() < CITATION_MAX) {
+                gardes = s.length();
+            }
         }
-        // ne pas couper un caractère codé sur deux char
-        int fin = Character.isHighSurrogate(texte.charAt(CITATION_MAX - 2)) ? CITATION_MAX - 2 : CITATION_MAX - 1;
-        return echappe(texte.substring(0, fin)) + "…";
+        return s.toString();
     }
 
     /** Le texte, chaque caractère qui casserait ou brouillerait la ligne remplacé par son code. */
     public static String echappe(String texte) {
         StringBuilder s = new StringBuilder();
-        for (int i = 0; i < texte.length(); i++) {
-            char c = texte.charAt(i);
-            int type = Character.getType(c);
-            if (c == '\n') {
-                s.append("\\n");
-            } else if (c == '\r') {
-                s.append("\\r");
-            } else if (c == '\t') {
-                s.append("\\t");
-            } else if (type == Character.CONTROL || type == Character.FORMAT || type == Character.LINE_SEPARATOR
-                    || type == Character.PARAGRAPH_SEPARATOR) {
-                s.append("\\u").append(Integer.toHexString(0x10000 | c), 1, 5);
-            } else {
-                s.append(c);
-            }
+        for (int i = 0; i < texte.length(); i += Character.charCount(texte.codePointAt(i))) {
+            echapper(texte.codePointAt(i), s);
         }
         return s.toString();
+    }
+
+    private static void echapper(int c, StringBuilder s) {
+        if (c == '\n') {
+            s.append("\\n");
+        } else if (c == '\r') {
+            s.append("\\r");
+        } else if (c == '\t') {
+            s.append("\\t");
+        } else if (c == ' ' || visible(Character.getType(c))) {
+            s.appendCodePoint(c);
+        } else {
+            for (char unite : Character.toChars(c)) {
+                s.append("\\u").append(Integer.toHexString(0x10000 | unite), 1, 5);
+            }
+        }
+    }
+
+    /** Faux pour ce qui agit sur le terminal, ne se voit pas, ou ressemble à un blanc sans en être un. */
+    private static boolean visible(int type) {
+        return type != Character.CONTROL && type != Character.FORMAT && type != Character.SURROGATE
+                && type != Character.SPACE_SEPARATOR && type != Character.LINE_SEPARATOR
+                && type != Character.PARAGRAPH_SEPARATOR;
     }
 }
