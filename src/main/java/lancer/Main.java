@@ -53,7 +53,7 @@ public class Main implements Toile {
         try {
             Options options = Options.lire(args);
             if (options.aide || options.version) {
-                sortie.println(options.aide ? Aide.texte() : Aide.version());
+                dire(sortie, options.aide ? Aide.texte() : Aide.version());
                 return CodeSortie.FAIT;
             }
             Main main = new Main(options);
@@ -64,25 +64,39 @@ public class Main implements Toile {
             }
             return CodeSortie.FAIT;
         } catch (Echec e) {
-            erreur.println("lancer : " + e.getMessage());
+            avertir(erreur, e.getMessage());
             return e.getCode();
         } catch (SceneFautive e) {
-            erreur.println("lancer : " + e.getMessage());
+            avertir(erreur, e.getMessage());
             return CodeSortie.DEMANDE;
         } catch (OutOfMemoryError e) {
-            erreur.println("lancer : mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …");
+            avertir(erreur, "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …");
             return CodeSortie.PANNE;
         } catch (RuntimeException | Error e) {
-            erreur.println("lancer : échec du programme : " + Texte.echappe(e.toString()));
+            avertir(erreur, "échec du programme : " + e);
             return CodeSortie.PANNE;
         }
     }
 
+    /** Une ligne, quoi que contienne le message. */
+    private static void avertir(PrintStream erreur, String message) {
+        erreur.println("lancer : " + Texte.echappe(message));
+    }
+
+    /** @throws Echec si la sortie standard ne peut être écrite : un {@code PrintStream} ne le dit pas de lui-même */
+    private static void dire(PrintStream sortie, String texte) {
+        sortie.println(texte);
+        if (sortie.checkError()) {
+            throw new Echec(CodeSortie.PANNE, "sortie standard : écriture impossible");
+        }
+    }
+
     private void versFichiers(PrintStream sortie, PrintStream erreur) {
+        Path fichier = LecteurScene.trouver(options.scene);
         Ecriture png = options.image == null ? null : new Ecriture(options.image);
         Ecriture pfm = options.lineaire == null ? null : new Ecriture(options.lineaire);
-        refuserMemeFichier(png, pfm);
-        lireScene(erreur);
+        refuserMemeFichier(fichier, png, pfm);
+        lire();
         Lancer lancer = preparer(options.largeur, options.hauteur);
         image = new ImageMemoire(options.largeur, options.hauteur, pfm != null);
         long[] traces = new long[options.repeter];
@@ -108,14 +122,14 @@ public class Main implements Toile {
             pfm.ecrire(image, FichierPfm::ecrire);
         }
         if (options.statistiques) {
-            sortie.print(new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces));
-            sortie.flush();
+            dire(sortie, new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces).toString());
         }
+        // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
+        direAvertissements(erreur);
     }
 
     /** Une sortie ne doit écraser ni la scène, ni l'autre sortie. */
-    private void refuserMemeFichier(Ecriture png, Ecriture pfm) {
-        Path scene = LecteurScene.trouver(options.scene);
+    private void refuserMemeFichier(Path scene, Ecriture png, Ecriture pfm) {
         if (png != null && memeFichier(png.getCible(), scene) || pfm != null && memeFichier(pfm.getCible(), scene)) {
             throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : " + Texte.echappe(options.scene)
                     + " ; attendu : un autre fichier");
@@ -141,15 +155,23 @@ public class Main implements Toile {
      * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
      */
     public Scene lireScene(PrintStream erreur) {
+        lire();
+        direAvertissements(erreur);
+        return scene;
+    }
+
+    private void lire() {
         long debut = System.nanoTime();
         Scene nouvelle = new Scene(options.scene);
         lectureNs = System.nanoTime() - debut;
-        for (String avertissement : nouvelle.getAvertissements()) {
-            erreur.println("lancer : " + avertissement);
-        }
         nouvelle.setSeuil(options.seuil);
         scene = nouvelle;
-        return nouvelle;
+    }
+
+    private void direAvertissements(PrintStream erreur) {
+        for (String avertissement : scene.getAvertissements()) {
+            avertir(erreur, avertissement);
+        }
     }
 
     /** Prépare la scène lue pour une image de cette taille. */

@@ -69,6 +69,9 @@ public final class Options {
                 if (scene != null) {
                     throw faute("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(argument) + " ; attendu : une seule");
                 }
+                if (argument.isEmpty()) {
+                    throw faute("nom de scène vide ; attendu : un fichier, par exemple scenes/scene1.ini");
+                }
                 scene = argument;
                 continue;
             }

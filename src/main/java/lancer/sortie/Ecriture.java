@@ -2,6 +2,8 @@ package lancer.sortie;
 
 import java.io.BufferedOutputStream;
 import java.io.File;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
@@ -28,6 +30,14 @@ public final class Ecriture {
         void ecrire(ImageMemoire image, OutputStream sortie) throws IOException;
     }
 
+    private static final int TAMPON = 1 << 16;
+
+    /** La sortie standard nommée comme un fichier : l'ouvrir une seconde fois écraserait ce qui y est déjà écrit. */
+    private static final String SORTIE_STANDARD = "/dev/stdout";
+
+    /** Nombre de liens symboliques suivis l'un après l'autre, comme le fait Linux. */
+    private static final int LIENS_MAX = 40;
+
     private final String nom;
     private final Path cible;
 
@@ -38,32 +48,45 @@ public final class Ecriture {
     public Ecriture(String nom) {
         this.nom = nom;
         try {
-            Path chemin = Paths.get(nom);
-            cible = Files.exists(chemin) ? chemin.toRealPath() : destination(chemin);
+            cible = suivre(Paths.get(nom));
         } catch (InvalidPathException e) {
             throw impossible("nom de fichier impossible");
         } catch (IOException e) {
             throw impossible(raison(e));
         }
-        Path dossier = cible.toAbsolutePath().getParent();
         if (Files.isDirectory(cible)) {
             throw impossible("c'est un dossier");
         }
+        Path dossier = cible.toAbsolutePath().getParent();
         if (dossier == null || !Files.isDirectory(dossier)) {
             throw impossible("le dossier n'existe pas");
         }
-        if (!Files.isWritable(Files.exists(cible) && !Files.isRegularFile(cible) ? cible : dossier)) {
+        if (Files.exists(cible) && !Files.isWritable(cible) || !estSpecial() && !Files.isWritable(dossier)) {
             throw impossible("écriture interdite");
         }
     }
 
-    /** La cible d'un lien vers un fichier qui n'existe pas encore, ou le chemin même. */
-    private static Path destination(Path chemin) throws IOException {
+    /** Le fichier au bout des liens, qu'il existe ou non, dans le vrai dossier : deux écritures du même donnent le même. */
+    private static Path suivre(Path chemin) throws IOException {
         Path lien = chemin;
-        for (int suivis = 0; Files.isSymbolicLink(lien) && suivis < 40; suivis++) {
-            lien = lien.resolveSibling(Files.readSymbolicLink(lien));
+        for (int suivis = 0; Files.isSymbolicLink(lien); suivis++) {
+            if (suivis == LIENS_MAX) {
+                throw new IOException("trop de liens symboliques");
+            }
+            Path suivant = lien.resolveSibling(Files.readSymbolicLink(lien));
+            if (Files.exists(lien) && !Files.exists(suivant)) {
+                // un tube : /proc/self/fd/1 est un lien vers « pipe:[123] », qui n'est le nom de rien
+                return lien;
+            }
+            lien = suivant;
         }
-        return lien;
+        Path dossier = lien.toAbsolutePath().getParent();
+        return dossier == null ? lien : dossier.toRealPath().resolve(lien.getFileName());
+    }
+
+    /** Vrai pour ce qui n'est pas un fichier ordinaire : on y écrit, on ne le remplace pas. */
+    private boolean estSpecial() {
+        return nom.equals(SORTIE_STANDARD) || Files.exists(cible) && !Files.isRegularFile(cible);
     }
 
     /** Le fichier qui sera écrit, liens suivis. */
@@ -74,19 +97,27 @@ public final class Ecriture {
     /** @throws Echec si l'écriture échoue ; le fichier est alors comme avant */
     public void ecrire(ImageMemoire image, Format format) {
         try {
-            if (Files.exists(cible) && !Files.isRegularFile(cible)) {
-                try (OutputStream sortie = Files.newOutputStream(cible)) {
+            if (nom.equals(SORTIE_STANDARD)) {
+                // jamais fermée : les statistiques la suivent
+                OutputStream sortie = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out), TAMPON);
+                format.ecrire(image, sortie);
+                sortie.flush();
+                return;
+            }
+            if (estSpecial()) {
+                try (OutputStream sortie = new BufferedOutputStream(Files.newOutputStream(cible), TAMPON)) {
                     format.ecrire(image, sortie);
                 }
                 return;
             }
-            Path provisoire = cible.resolveSibling("." + cible.getFileName() + "." + System.nanoTime() + ".tmp");
+            // un nom court : celui de la cible peut déjà être aussi long que le système le permet
+            Path provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
             File aEffacer = provisoire.toFile();
             // Ctrl+C pendant l'écriture ne laisse rien derrière lui
             aEffacer.deleteOnExit();
             try {
                 try (OutputStream sortie = new BufferedOutputStream(
-                        Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), 1 << 16)) {
+                        Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), TAMPON)) {
                     format.ecrire(image, sortie);
                 }
                 Files.move(provisoire, cible, StandardCopyOption.REPLACE_EXISTING);
@@ -106,8 +137,31 @@ public final class Ecriture {
             return "le dossier n'existe pas";
         }
         String raison = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
-        return "No space left on device".equals(raison) ? "disque plein"
-                : raison == null ? "échec du système" : Texte.abrege(raison);
+        if (raison == null) {
+            return "échec du système";
+        }
+        // le système parle la langue de la machine : sur une machine française, la dernière branche suffit
+        switch (raison) {
+            case "No space left on device":
+            case "Aucun espace disponible sur le périphérique":
+            case "There is not enough space on the disk":
+            case "Espace insuffisant sur le disque":
+                return "disque plein";
+            case "Disk quota exceeded":
+                return "quota de disque dépassé";
+            case "File too large":
+                return "fichier trop grand";
+            case "File name too long":
+                return "nom de fichier trop long";
+            case "Read-only file system":
+                return "système de fichiers en lecture seule";
+            case "Not a directory":
+                return "le dossier n'existe pas";
+            case "Broken pipe":
+                return "plus personne ne lit";
+            default:
+                return Texte.abrege(raison);
+        }
     }
 
     private Echec impossible(String raison) {

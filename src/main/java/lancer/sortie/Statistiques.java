@@ -29,7 +29,7 @@ public final class Statistiques {
         this.tracesNs = tracesNs.clone();
     }
 
-    /** Les lignes {@code nom: valeur}. */
+    /** Les lignes {@code nom: valeur}, sans fin de ligne après la dernière. */
     @Override
     public String toString() {
         double trace = mediane(tracesNs);
@@ -44,7 +44,7 @@ public final class Statistiques {
         millisecondes(s, "preparation.ms", preparationNs);
         millisecondes(s, "trace.ms", trace);
         ligne(s, "rayons.par.seconde", Math.round(compteurs.rayons() / (Math.max(trace, 1) / 1e9)));
-        return s.toString();
+        return s.substring(0, s.length() - 1);
     }
 
     /** La médiane de la seconde moitié : au début, la machine virtuelle compile encore. */
