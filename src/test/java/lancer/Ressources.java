@@ -8,6 +8,8 @@ import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.nio.file.Paths;
 import lancer.contrat.Toile;
 
@@ -64,7 +66,11 @@ final class Ressources {
 
     /** Un fichier PFM de {@code src/test/resources}. */
     static Image pfm(String nom) {
-        try (DataInputStream entree = new DataInputStream(new BufferedInputStream(ouvrir(nom)))) {
+        return pfm(Paths.get(chemin(nom)));
+    }
+
+    static Image pfm(Path nom) {
+        try (DataInputStream entree = new DataInputStream(new BufferedInputStream(Files.newInputStream(nom)))) {
             if (!ligne(entree).equals("PF")) {
                 throw new IOException("pas un PFM en couleurs : " + nom);
             }

@@ -280,11 +280,12 @@ public final class LecteurScene {
             int crochet = texte.indexOf(']');
             return crochet < 0 ? refus(ligne, null, "crochet non fermé" + cite, "par exemple [Sphere 1]", null)
                     : crochet < texte.length() - 1 ? refus(ligne, null, "du texte après le crochet" + cite,
-                            "[Section] seule sur sa ligne, comme un commentaire", null)
+                            "[Section] seule sur sa ligne, un commentaire sur la sienne", null)
                     : refus(ligne, null, "section sans nom" + cite, "par exemple [Sphere 1]", null);
         }
         if (courante == null) {
-            return refus(ligne, null, "avant toute section" + cite, "d'abord une section, par exemple [Sphere 1]", null);
+            return refus(ligne, null, (texte.indexOf('=') > 0 ? "clé" : "texte") + " avant toute section" + cite,
+                    "d'abord une section, par exemple [Sphere 1]", null);
         }
         return refus(ligne, courante.getNom(), "ligne illisible" + cite,
                 "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #", null);

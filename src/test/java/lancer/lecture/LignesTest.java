@@ -1,0 +1,161 @@
+package lancer.lecture;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/** Le fichier donné ligne par ligne, sans jamais être tout entier en mémoire. */
+class LignesTest {
+
+    /** Un flux qui rend ses octets par petits bouts, au hasard. */
+    private static InputStream parBouts(byte[] octets, Random hasard) {
+        return new ByteArrayInputStream(octets) {
+            @Override
+            public synchronized int read(byte[] cible, int position, int nombre) {
+                return super.read(cible, position, Math.min(nombre, 1 + hasard.nextInt(4)));
+            }
+        };
+    }
+
+    /** Les lignes, chacune précédée du numéro qu'elle a quand elle est donnée. */
+    private static List<String> lire(InputStream entree) throws IOException {
+        List<String> lignes = new ArrayList<>();
+        Lignes source = new Lignes(entree);
+        char[] tampon = new char[10];
+        StringBuilder s = new StringBuilder();
+        for (int n = source.read(tampon, 0, 10); n >= 0; n = source.read(tampon, 0, 10)) {
+            s.append(tampon, 0, n);
+            if (s.charAt(s.length() - 1) == '\n') {
+                lignes.add(source.getNumero() + ":" + s.substring(0, s.length() - 1));
+                s.setLength(0);
+            }
+        }
+        assertEquals(0, s.length(), "une ligne sans fin");
+        return lignes;
+    }
+
+    private static List<String> lire(String texte) throws IOException {
+        byte[] octets = texte.getBytes(StandardCharsets.UTF_8);
+        List<String> lignes = lire(new ByteArrayInputStream(octets));
+        for (int graine = 0; graine < 20; graine++) {
+            assertEquals(lignes, lire(parBouts(octets, new Random(graine))), "graine " + graine);
+        }
+        return lignes;
+    }
+
+    private static void verifier(String texte, String... lignes) throws IOException {
+        assertArrayEquals(lignes, lire(texte).toArray(), texte);
+    }
+
+    @Test
+    void lesTroisFinsDeLigneSeValent() throws IOException {
+        verifier("");
+        verifier("a", "1:a");
+        verifier("a\n", "1:a");
+        verifier("a\r", "1:a");
+        verifier("a\r\n", "1:a");
+        verifier("a\nb\rc\r\nd", "1:a", "2:b", "3:c", "4:d");
+        verifier("\n\r\r\n\n", "1:", "2:", "3:", "4:");
+        verifier("é\r\nœ😀\r", "1:é", "2:œ😀");
+    }
+
+    @Test
+    void laMarqueUtf8NEstOteeQuAuDebut() throws IOException {
+        verifier("\ufeff", "1:");
+        verifier("\ufeffa\n\ufeffb", "1:a", "2:\ufeffb");
+        verifier("\ufeff\ufeffé", "1:\ufeffé");
+    }
+
+    @Test
+    void unCommentaireEstDonneVide() throws IOException {
+        verifier("; un\n \t# deux é\na ; b\n", "1:", "2:", "3:a ; b");
+    }
+
+    @Test
+    void unCaractereDeControleEstDonneParSonCode() throws IOException {
+        verifier("a\0\tb\u001b\n\f", "1:a\\u0000\tb\\u001b", "2:\\u000c");
+        verifier("; \0\n\0;", "1:", "2:\\u0000;");
+    }
+
+    @Test
+    void unOctetFauxEstRefuseASaLigne() {
+        byte[] octets = "a\n; caf\u00e9\nb".getBytes(StandardCharsets.ISO_8859_1);
+        Lignes lignes = new Lignes(new ByteArrayInputStream(octets));
+        char[] tampon = new char[100];
+        assertThrows(CharacterCodingException.class, () -> {
+            while (lignes.read(tampon, 0, 100) >= 0) {
+                assertEquals(1, lignes.getNumero());
+            }
+        });
+        assertEquals(2, lignes.getNumero());
+        assertEquals("; caf\ufffd", lignes.getTexte());
+        assertFalse(lignes.estUtf16());
+    }
+
+    @Test
+    void uneLigneTropLonguePourLeTamponEstDonneeEntiere() throws IOException {
+        StringBuilder longue = new StringBuilder();
+        for (int k = 0; k < 100_000; k++) {
+            longue.append(k % 7 == 0 ? "é" : "x").append(k % 1000 == 0 ? "\u0001" : "");
+        }
+        List<String> lignes = lire(new ByteArrayInputStream(("a\n" + longue + "\nb").getBytes(StandardCharsets.UTF_8)));
+        assertEquals(3, lignes.size());
+        assertEquals("2:" + longue.toString().replace("\u0001", "\\u0001"), lignes.get(1));
+        assertEquals("3:b", lignes.get(2));
+    }
+
+    /** Un flux de cent mégaoctets, qui n'existe nulle part : s'il était gardé, ou seulement ses commentaires, on le verrait. */
+    @Test
+    void unGrandFichierEstLuAuFil() throws IOException {
+        byte[] motif = "; un commentaire qui ne sert à rien\n\n  rayon=1\r\n".getBytes(StandardCharsets.UTF_8);
+        long[] donnes = {0};
+        int[] plusGrandeLecture = {0};
+        InputStream sansFin = new InputStream() {
+            @Override
+            public int read() {
+                throw new UnsupportedOperationException();
+            }
+
+            @Override
+            public int read(byte[] cible, int position, int nombre) {
+                plusGrandeLecture[0] = Math.max(plusGrandeLecture[0], cible.length);
+                if (donnes[0] > 100_000_000) {
+                    return -1;
+                }
+                int n = 0;
+                for (; n + motif.length <= nombre; n += motif.length) {
+                    System.arraycopy(motif, 0, cible, position + n, motif.length);
+                }
+                if (n == 0) {
+                    n = Math.min(nombre, motif.length);
+                    // la place manque : un commentaire plus court suffit
+                    Arrays.fill(cible, position, position + n, (byte) '\n');
+                }
+                donnes[0] += n;
+                return n;
+            }
+        };
+        Lignes lignes = new Lignes(sansFin);
+        char[] tampon = new char[1000];
+        int plusLongue = 0;
+        for (int n = lignes.read(tampon, 0, 1000); n >= 0; n = lignes.read(tampon, 0, 1000)) {
+            plusLongue = Math.max(plusLongue, n);
+        }
+        assertEquals("  rayon=1\n".length(), plusLongue);
+        assertTrue(lignes.getNumero() > 6_000_000);
+        assertEquals(1 << 16, plusGrandeLecture[0], "le tampon a grandi");
+    }
+}
