@@ -1,0 +1,183 @@
+package lancer.brume;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Essai;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class BrumeTest {
+
+    private static final double PRECISION = 1e-6;
+
+    @TempDir
+    Path dossier;
+
+    private Path scene(String... lignes) throws IOException {
+        return Essai.scene(dossier.resolve("scene.ini"), lignes);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "p1-quatre.ini | p1-quatre.brume.pfm        | couleur=0.8 0.8 0.8  | debut=0 | fin=30",
+        "p1-quatre.ini | p1-quatre.brume.pfm        |                      |         |       ",
+        "p2-sol.ini    | p2-sol.brume-densite.pfm   | couleur=0.7 0.75 0.8 | debut=2 | densite=0.08"})
+    void lesImagesDeReferenceSontRetrouvees(String ini, String pfm, String couleur, String debut, String loi) throws IOException {
+        List<String> lignes = new ArrayList<>(Arrays.asList(Essai.ressource(BrumeTest.class, "/reference/" + ini), "[Brume]"));
+        for (String ligne : Arrays.asList(couleur, debut, loi)) {
+            lignes.add(ligne == null ? "" : ligne);
+        }
+        float[] image = Essai.dessiner(dossier, scene(lignes.toArray(new String[0])), "--taille", "120x90", "--seuil", "0");
+        float[] reference = Essai.pfm(Essai.octets(BrumeTest.class, "/reference/" + pfm));
+        assertTrue(Essai.ecart(image, reference) <= PRECISION, () -> "écart " + Essai.ecart(image, reference));
+    }
+
+    @Test
+    void uneSceneSansSectionALaBrumeParDefaut() throws IOException {
+        String quatre = Essai.ressource(BrumeTest.class, "/reference/p1-quatre.ini");
+        float[] image = Essai.dessiner(dossier, scene(quatre), "--taille", "120x90", "--seuil", "0");
+        float[] reference = Essai.pfm(Essai.octets(BrumeTest.class, "/reference/p1-quatre.brume.pfm"));
+        assertTrue(Essai.ecart(image, reference) <= PRECISION);
+    }
+
+    /**
+     * Deux miroirs face à face, contacts sur l'axe à ±4, lampe en (0, 3, 0) : N·L = R·L = 4/5, la couleur locale c est la même
+     * à chaque contact. Le premier rayon a 4 unités, chaque rayon réfléchi 8 : une brume oubliée sur les reflets, ou une
+     * distance cumulée, donnent un autre nombre.
+     */
+    @ParameterizedTest
+    @CsvSource({"0, fin=20", "1, fin=20", "5, fin=20", "20, fin=20", "0, densite=0.1", "1, densite=0.1", "5, densite=0.1", "20, densite=0.1"})
+    void laBrumeEntreDeuxMiroirsAUneFormeClose(int n, String loi) throws IOException {
+        float[] image = Essai.dessiner(dossier, scene("[Sphere 1]", "centre=0 0 7", "rayon=3", "Kd=0.5 0.5 0.5", "Ks=0.5 0.5 0.5", "ns=2",
+                "[Sphere 2]", "centre=0 0 -7", "rayon=3", "Kd=0.5 0.5 0.5", "Ks=0.5 0.5 0.5", "ns=2",
+                "[Lampe 1]", "position=0 3 0", "couleur=1 1 1", "[Brume]", "couleur=0.9 0.6 0.3", loi),
+                "--taille", "1x1", "--reflets", String.valueOf(n), "--seuil", "0");
+        double k4 = loi.startsWith("fin") ? 0.2 : 1 - Math.exp(-0.4);
+        double k8 = loi.startsWith("fin") ? 0.4 : 1 - Math.exp(-0.8);
+        double c = 0.5 * 0.8 + 0.5 * 0.64;
+        double[] brume = {0.9, 0.6, 0.3};
+        for (int composante = 0; composante < 3; composante++) {
+            double F = brume[composante];
+            double v = 0;
+            for (int p = 0; p < n; p++) {
+                v = k8 * F + (1 - k8) * (c + (p == 0 ? 0 : 0.5 * v));
+            }
+            double attendu = k4 * F + (1 - k4) * (c + 0.5 * v);
+            assertEquals(attendu, image[composante], PRECISION);
+        }
+    }
+
+    @Test
+    void laOuIlNYARienOnNeVoitQueLaBrumeMemeSansDensite() throws IOException {
+        float[] image = Essai.dessiner(dossier, scene("[Brume]", "couleur=0.25 0.5 0.75", "densite=0"), "--taille", "3x2");
+        for (int k = 0; k < image.length; k++) {
+            assertEquals(0.25f * (k % 3 + 1), image[k]);
+        }
+    }
+
+    @Test
+    void uneBrumeSansDensiteNeChangePasLesObjets() throws IOException {
+        String boule = "[Sphere 1]\ncentre=0 0 6\nrayon=1\nKd=0.5 0.25 0.125\n[Lampe 1]\nposition=0 0 -10\ncouleur=1 1 1";
+        assertArrayEquals(new float[] {0.5f, 0.25f, 0.125f},
+                Essai.dessiner(dossier, scene(boule, "[Brume]", "densite=0"), "--taille", "1x1"), 1e-7f);
+        assertArrayEquals(new float[] {0.8f, 0.8f, 0.8f},
+                Essai.dessiner(dossier, scene(boule, "[Brume]", "debut=1", "fin=5"), "--taille", "1x1"), 1e-7f, "d = fin : brume seule");
+        assertArrayEquals(new float[] {0.5f, 0.25f, 0.125f},
+                Essai.dessiner(dossier, scene(boule, "[Brume]", "debut=5"), "--taille", "1x1"), 1e-7f, "d = debut : pas de brume");
+    }
+
+    @Test
+    void kResteEntreZeroEtUnEtNEstJamaisNaN() {
+        double[] valeurs = {0, Double.MIN_VALUE, 1e-300, 1e-9, 0.1, 1, 30, 1e9, 1e100, 1e300, Double.MAX_VALUE};
+        double precedent;
+        for (double debut : valeurs) {
+            for (double parametre : valeurs) {
+                List<LoiBrume> lois = new ArrayList<>();
+                lois.add(new LoiBrume.Exponentielle(debut, parametre));
+                if (parametre > debut) {
+                    lois.add(new LoiBrume.Lineaire(debut, parametre));
+                }
+                for (LoiBrume loi : lois) {
+                    precedent = 0;
+                    for (double d : valeurs) {
+                        double k = loi.k(d);
+                        assertTrue(k >= precedent && k <= 1, () -> loi.getClass() + " " + debut + " " + parametre + " en " + d + " : " + k);
+                        precedent = k;
+                    }
+                    Couleur vue = new Brume(new Couleur(1e6), loi).traverser(new Couleur(0.5), Constantes.INFINI);
+                    assertEquals(new Couleur(1e6), vue);
+                }
+            }
+        }
+    }
+
+    @Test
+    void unePetiteBrumeGardeSesChiffres() {
+        assertEquals(1e-12, new LoiBrume.Exponentielle(0, 1e-12).k(1), 1e-24);
+        assertEquals(3e-20, new LoiBrume.Exponentielle(0, 1e-20).k(3), 1e-35);
+    }
+
+    @Test
+    void lImageNeDependPasDuNombreDeFils() throws IOException {
+        Path scene = scene(Essai.ressource(BrumeTest.class, "/reference/p2-sol.ini"), "[Brume]", "densite=0.08");
+        float[] unFil = Essai.dessiner(dossier, scene, "--taille", "120x90", "--fils", "1");
+        for (String fils : Arrays.asList("2", "3", "7")) {
+            assertArrayEquals(unFil, Essai.dessiner(dossier, scene, "--taille", "120x90", "--fils", fils));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "debut=30             | 2 | debut   | la brume commencerait à « 30 » et finirait à « 30 » ; attendu : debut plus petit que fin (à défaut, 0 et 30)",
+        "fin=0                | 2 | fin     | la brume commencerait à « 0 » et finirait à « 0 » ; attendu : debut plus petit que fin (à défaut, 0 et 30)",
+        "fin=4~debut=5        | 3 | debut   | la brume commencerait à « 5 » et finirait à « 4 » ; attendu : debut plus petit que fin (à défaut, 0 et 30)",
+        "fin=20~densite=1     | 3 | densite | donnée en même temps que fin ; attendu : fin ou densite, pas les deux",
+        "densite=-0.1         | 2 | densite | hors limites : « -0.1 » ; attendu : un nombre d'au moins 0",
+        "densite=1e999        | 2 | densite | nombre trop grand : « 1e999 » ; attendu : un nombre d'au moins 0",
+        "densite=NaN          | 2 | densite | n'est pas un nombre : « NaN » ; attendu : un nombre d'au moins 0",
+        "debut=-1             | 2 | debut   | hors limites : « -1 » ; attendu : un nombre d'au moins 0",
+        "fin=-1               | 2 | fin     | hors limites : « -1 » ; attendu : un nombre d'au moins 0",
+        "couleur=1 1          | 2 | couleur | 2 nombres au lieu de 3 : « 1 1 » ; attendu : 3 nombres séparés par des blancs, chacun de 0 à 1000000",
+        "couleur=1 1 2e6      | 2 | couleur | hors limites : « 2e6 » ; attendu : 3 nombres séparés par des blancs, chacun de 0 à 1000000",
+        "densité=1            | 2 | densité | clé inconnue ; attendu : couleur, debut, densite, fin",
+        "densite=1~epaisseur=2| 3 | epaisseur | clé inconnue ; attendu : couleur, debut, densite, fin"})
+    void uneValeurImpossibleEstRefuseeEnUneLigne(String lignes, int ligne, String cle, String faute) throws IOException {
+        Path scene = scene("[Brume]", lignes.replace('~', '\n'));
+        Path image = dossier.resolve("image.pfm");
+        Essai essai = Essai.executer("--lineaire", image.toString(), scene.toString());
+        assertEquals("lancer : " + scene + ", ligne " + ligne + ", [Brume], " + cle + " : " + faute + System.lineSeparator(), essai.erreur);
+        assertEquals(2, essai.code);
+        assertTrue(!image.toFile().exists() && essai.sortie.isEmpty());
+    }
+
+    @Test
+    void deuxBrumesSontRefusees() throws IOException {
+        Path scene = scene("[Brume]", "[Brume 2]");
+        Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
+        assertEquals("lancer : " + scene + ", ligne 2, [Brume 2] : deuxième section de ce type ; attendu : une seule section [Brume]"
+                + System.lineSeparator(), essai.erreur);
+        assertEquals(2, essai.code);
+    }
+
+    @Test
+    void lesSectionsDesVariantesAbsentesSontNommeesUneFois() throws IOException {
+        Path scene = scene("[Blinn]", "facteur=2", "[Brume]", "[Antialias]");
+        Path image = dossier.resolve("image.pfm");
+        Essai essai = Essai.executer("--lineaire", image.toString(), "--taille", "1x1", scene.toString());
+        assertEquals(0, essai.code);
+        assertEquals(2, essai.erreur.split(System.lineSeparator()).length, essai.erreur);
+        assertTrue(essai.erreur.contains("[Blinn]") && essai.erreur.contains("[Antialias]") && !essai.erreur.contains("[Brume]"));
+        assertTrue(image.toFile().exists());
+    }
+}
