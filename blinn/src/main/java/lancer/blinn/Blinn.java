@@ -1,0 +1,49 @@
+package lancer.blinn;
+
+import lancer.Scene;
+import lancer.Vecteur;
+import lancer.contrat.Specularite;
+import lancer.contrat.Variante;
+import lancer.lecture.Section;
+
+/**
+ * Le reflet de Blinn (cours, « Reflet spéculaire de Blinn ») : max(0, N·H)^(facteur·ns), H étant la bissectrice de L et −V.
+ * Immuable.
+ */
+public final class Blinn implements Variante, Specularite {
+
+    private static final double FACTEUR = 1;
+
+    private final double facteur;
+
+    /** Le reflet d'une scène qui n'en dit rien. */
+    public Blinn() {
+        this(FACTEUR);
+    }
+
+    /** @param facteur ce qui multiplie ns, plus grand que 0 */
+    Blinn(double facteur) {
+        this.facteur = facteur;
+    }
+
+    @Override
+    public String getSection() {
+        return "Blinn";
+    }
+
+    @Override
+    public void installer(Section valeurs, Scene scene) {
+        scene.setSpecularite(new Blinn(valeurs.reelPositif("facteur", FACTEUR, Double.MAX_VALUE)));
+    }
+
+    @Override
+    public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
+        Vecteur H = L.sub(V);
+        double norme = H.norme();
+        // la lampe est droit derrière le contact : il n'y a pas de bissectrice, et rien à refléter
+        if (norme == 0) {
+            return 0;
+        }
+        return Specularite.puissance(N.dot(H) / norme, facteur * ns);
+    }
+}
