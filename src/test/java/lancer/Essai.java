@@ -1,13 +1,14 @@
 package lancer;
 
 import java.io.ByteArrayOutputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
 import java.io.UnsupportedEncodingException;
+import java.lang.reflect.Method;
 import java.net.URISyntaxException;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -34,56 +35,45 @@ public final class Essai {
         this.erreur = erreur;
     }
 
-    /** Le programme, dans cette machine virtuelle. */
+    /** Le programme, avec les classes de ce chemin, variantes comprises. */
     public static Essai executer(String... args) {
-        ByteArrayOutputStream sortie = new ByteArrayOutputStream();
-        ByteArrayOutputStream erreur = new ByteArrayOutputStream();
-        try {
-            int code = Main.executer(args, new PrintStream(sortie, true, "UTF-8"), new PrintStream(erreur, true, "UTF-8"));
-            return new Essai(code, sortie.toString("UTF-8"), erreur.toString("UTF-8"));
-        } catch (UnsupportedEncodingException e) {
-            throw new UncheckedIOException(e);
-        }
+        return executer(Main::executer, args);
     }
 
     /**
-     * Le programme dans une machine virtuelle à lui, avec les seules classes de la base, d'ini4j et de ces dossiers ou archives.
-     *
-     * @param classes ce qui s'ajoute au chemin des classes
+     * Le programme, avec les seules classes de la base, d'ini4j et de ces dossiers ou archives, comme {@code java -cp} : une
+     * variante qui est dans le chemin des classes des essais n'y est que si elle est nommée.
      */
-    public static Essai executerAvec(List<Path> classes, String... args) throws IOException, InterruptedException {
-        List<String> chemin = new ArrayList<>();
-        chemin.add(origine(Main.class).toString());
-        chemin.add(origine(org.ini4j.Config.class).toString());
+    public static Essai executerAvec(List<Path> classes, String... args) throws IOException {
+        List<URL> chemin = new ArrayList<>();
+        chemin.add(origine(Main.class).toUri().toURL());
+        chemin.add(origine(org.ini4j.Config.class).toUri().toURL());
         for (Path p : classes) {
-            chemin.add(p.toString());
+            chemin.add(p.toUri().toURL());
         }
-        List<String> commande = new ArrayList<>();
-        commande.add(Paths.get(System.getProperty("java.home"), "bin", "java").toString());
-        commande.add("-Dfile.encoding=UTF-8");
-        commande.add("-Dsun.stdout.encoding=UTF-8");
-        commande.add("-Dsun.stderr.encoding=UTF-8");
-        commande.add("-Dstdout.encoding=UTF-8");
-        commande.add("-Dstderr.encoding=UTF-8");
-        commande.add("-cp");
-        commande.add(String.join(File.pathSeparator, chemin));
-        commande.add("lancer.Main");
-        commande.addAll(Arrays.asList(args));
-        Path sortie = Files.createTempFile("essai", ".sortie");
-        Path erreur = Files.createTempFile("essai", ".erreur");
-        try {
-            Process processus = new ProcessBuilder(commande)
-                    .redirectOutput(sortie.toFile()).redirectError(erreur.toFile()).start();
-            int code = processus.waitFor();
-            return new Essai(code, texte(sortie), texte(erreur));
-        } finally {
-            Files.delete(sortie);
-            Files.delete(erreur);
+        try (URLClassLoader isole = new URLClassLoader(chemin.toArray(new URL[0]), ClassLoader.getSystemClassLoader().getParent())) {
+            Method executer = isole.loadClass(Main.class.getName())
+                    .getDeclaredMethod("executer", String[].class, PrintStream.class, PrintStream.class);
+            executer.setAccessible(true);
+            return executer((a, sortie, erreur) -> (int) executer.invoke(null, a, sortie, erreur), args);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
         }
     }
 
-    private static String texte(Path fichier) throws IOException {
-        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+    private interface Programme {
+        int executer(String[] args, PrintStream sortie, PrintStream erreur) throws ReflectiveOperationException;
+    }
+
+    private static Essai executer(Programme programme, String... args) {
+        ByteArrayOutputStream sortie = new ByteArrayOutputStream();
+        ByteArrayOutputStream erreur = new ByteArrayOutputStream();
+        try {
+            int code = programme.executer(args, new PrintStream(sortie, true, "UTF-8"), new PrintStream(erreur, true, "UTF-8"));
+            return new Essai(code, sortie.toString("UTF-8"), erreur.toString("UTF-8"));
+        } catch (ReflectiveOperationException | UnsupportedEncodingException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     /** Le dossier ou l'archive d'où vient cette classe. */
@@ -144,14 +134,25 @@ public final class Essai {
 
     /** Dessine une scène par la ligne de commande, et rend ses composantes non limitées ; tout avertissement est un échec. */
     public static float[] dessiner(Path dossier, Path scene, String... options) throws IOException {
-        Path image = dossier.resolve("image.pfm");
+        return dessinee(executer(arguments(dossier, scene, options)), dossier);
+    }
+
+    /** Comme {@link #dessiner}, avec les seules classes que dit {@link #executerAvec}. */
+    public static float[] dessinerAvec(List<Path> classes, Path dossier, Path scene, String... options) throws IOException {
+        return dessinee(executerAvec(classes, arguments(dossier, scene, options)), dossier);
+    }
+
+    private static String[] arguments(Path dossier, Path scene, String... options) {
         List<String> args = new ArrayList<>(Arrays.asList(options));
-        args.addAll(Arrays.asList("--lineaire", image.toString(), scene.toString()));
-        Essai essai = executer(args.toArray(new String[0]));
+        args.addAll(Arrays.asList("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString()));
+        return args.toArray(new String[0]);
+    }
+
+    private static float[] dessinee(Essai essai, Path dossier) throws IOException {
         if (essai.code != 0 || !essai.erreur.isEmpty()) {
             throw new AssertionError("statut " + essai.code + " : " + essai.erreur);
         }
-        return pfm(Files.readAllBytes(image));
+        return pfm(Files.readAllBytes(dossier.resolve("image.pfm")));
     }
 
     /** Le plus grand écart, composante par composante ; infini si les tailles diffèrent ou si un nombre n'est pas fini. */

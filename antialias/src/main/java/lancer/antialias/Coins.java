@@ -1,0 +1,62 @@
+package lancer.antialias;
+
+import lancer.Couleur;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Pave;
+import lancer.contrat.Toile;
+import lancer.contrat.Vue;
+
+/**
+ * La méthode du cours (« Anticrénelage ») : les quatre sous-pixels des coins d'abord, et tous les autres si ces quatre
+ * couleurs, limitées à [0, 1], diffèrent de plus que le seuil sur une composante. Immuable.
+ */
+final class Coins implements Echantillonnage {
+
+    private final int n;
+    private final double seuil;
+
+    /**
+     * @param n nombre de sous-pixels sur un côté
+     * @param seuil 0 : tous les sous-pixels, toujours
+     */
+    Coins(int n, double seuil) {
+        this.n = n;
+        this.seuil = seuil;
+    }
+
+    /** @return le nombre de pixels pour lesquels il a fallu plus que les quatre coins */
+    @Override
+    public int tracer(Pave pave, Vue vue, Toile toile) {
+        Grille grille = new Grille(n, vue);
+        int raffines = 0;
+        for (int j = pave.j0; j < pave.j1; j++) {
+            for (int i = pave.i0; i < pave.i1; i++) {
+                grille.commencer(i, j);
+                // jusqu'à n = 2, les coins sont déjà tous les sous-pixels
+                boolean complet = n > 2 && (seuil == 0 || contraste(grille) > seuil);
+                toile.drawPixel(complet || n < 2 ? grille.moyenne() : grille.moyenneDesCoins(), i, j);
+                raffines += complet ? 1 : 0;
+            }
+        }
+        return raffines;
+    }
+
+    /** Le plus grand écart entre les quatre coins, sur une composante. */
+    private double contraste(Grille grille) {
+        Couleur a = grille.voir(0, 0);
+        Couleur b = grille.voir(n - 1, 0);
+        Couleur c = grille.voir(0, n - 1);
+        Couleur d = grille.voir(n - 1, n - 1);
+        return Math.max(etendue(a.r, b.r, c.r, d.r), Math.max(etendue(a.v, b.v, c.v, d.v), etendue(a.b, b.b, c.b, d.b)));
+    }
+
+    private static double etendue(double a, double b, double c, double d) {
+        double min = Math.min(Math.min(a, b), Math.min(c, d));
+        double max = Math.max(Math.max(a, b), Math.max(c, d));
+        return limite(max) - limite(min);
+    }
+
+    private static double limite(double x) {
+        return Math.max(0, Math.min(1, x));
+    }
+}

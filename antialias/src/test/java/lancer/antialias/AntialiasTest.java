@@ -1,0 +1,111 @@
+package lancer.antialias;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import lancer.Essai;
+import lancer.blinn.Blinn;
+import lancer.brume.Brume;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** La variante par la ligne de commande, seule ou avec les deux autres. */
+class AntialiasTest {
+
+    private static final double PRECISION = 1e-6;
+    private static final List<Path> SEULE = Collections.singletonList(Essai.origine(Antialias.class));
+
+    @TempDir
+    Path dossier;
+
+    private Path scene(String... lignes) throws IOException {
+        return Essai.scene(dossier.resolve("scene.ini"), lignes);
+    }
+
+    private static String ini(String nom) throws IOException {
+        return Essai.ressource(AntialiasTest.class, "/reference/" + nom);
+    }
+
+    private static void assertReference(String pfm, float[] image) throws IOException {
+        double ecart = Essai.ecart(image, Essai.pfm(Essai.octets(AntialiasTest.class, "/reference/" + pfm)));
+        assertTrue(ecart <= PRECISION, () -> pfm + " : écart " + ecart);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"p1-quatre.ini, p1-quatre.antialias-3.pfm, 3", "p4-foule.ini, p4-foule.antialias-4.pfm, 4"})
+    void lesImagesDeReferenceSontRetrouvees(String ini, String pfm, int n) throws IOException {
+        Path scene = scene(ini(ini), "[Antialias]", "n=" + n, "seuil=0");
+        assertReference(pfm, Essai.dessinerAvec(SEULE, dossier, scene, "--taille", "120x90", "--seuil", "0"));
+    }
+
+    @Test
+    void lesTroisVariantesSeCombinent() throws IOException {
+        Path scene = scene(ini("p2-sol.ini"), "[Antialias]", "n=2", "seuil=0", "[Blinn]", "facteur=1", "[Brume]", "couleur=0.8 0.8 0.8",
+                "debut=3", "fin=40");
+        List<Path> toutes = Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class), Essai.origine(Blinn.class));
+        assertReference("p2-sol.tout.pfm", Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0"));
+        Collections.reverse(toutes);
+        assertReference("p2-sol.tout.pfm", Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"coins"})
+    void lImageEtLesComptesNeDependentPasDuNombreDeFils(String methode) throws IOException {
+        String scene = scene(ini("p1-quatre.ini"), "[Antialias]", "methode=" + methode).toString();
+        String image = dossier.resolve("image.pfm").toString();
+        float[] unFil = null;
+        String comptes = null;
+        for (String fils : Arrays.asList("1", "2", "3", "7", "64")) {
+            Essai essai = Essai.executer("--lineaire", image, "--taille", "120x90", "--statistiques", "--fils", fils, scene);
+            assertEquals("", essai.erreur);
+            float[] obtenue = Essai.pfm(Files.readAllBytes(dossier.resolve("image.pfm")));
+            String obtenus = essai.sortie.substring(0, essai.sortie.indexOf("lecture.ms"));
+            unFil = unFil == null ? obtenue : unFil;
+            comptes = comptes == null ? obtenus : comptes;
+            assertArrayEquals(unFil, obtenue);
+            assertEquals(comptes, obtenus);
+        }
+    }
+
+    @Test
+    void lesStatistiquesDisentCeQuiAEteRaffine() throws IOException {
+        Path scene = scene("[Antialias]", "n=5");
+        String image = dossier.resolve("image.pfm").toString();
+        Essai ciel = Essai.executerAvec(SEULE, "--lineaire", image, "--taille", "40x30", "--statistiques", scene.toString());
+        assertEquals(0, ciel.statistique("pixels.raffines"));
+        assertEquals(4 * 40 * 30, ciel.statistique("rayons.primaires"));
+        scene = scene(ini("p1-quatre.ini"), "[Antialias]", "n=5");
+        Essai quatre = Essai.executerAvec(SEULE, "--lineaire", image, "--taille", "40x30", "--statistiques", scene.toString());
+        long raffines = quatre.statistique("pixels.raffines");
+        assertTrue(raffines > 50 && raffines < 600, () -> raffines + " pixels raffinés");
+        assertEquals(4 * 40 * 30 + 21 * raffines, quatre.statistique("rayons.primaires"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "n=0          | n | hors limites : « 0 » ; attendu : un nombre de 1 à 64",
+        "n=65         | n | hors limites : « 65 » ; attendu : un nombre de 1 à 64",
+        "n=2.5        | n | n'est pas un nombre entier : « 2.5 » ; attendu : un entier de 1 à 64",
+        "n=trois      | n | n'est pas un nombre : « trois » ; attendu : un nombre de 1 à 64",
+        "seuil=-0.1   | seuil | hors limites : « -0.1 » ; attendu : un nombre d'au moins 0",
+        "seuil=0.1 0.1| seuil | 2 nombres au lieu de 1 : « 0.1 0.1 » ; attendu : un nombre d'au moins 0",
+        "methode=Halton | methode | méthode inconnue : « Halton » ; attendu : coins",
+        "methode=       | methode | méthode inconnue : «  » ; attendu : coins",
+        "rayons=9     | rayons | clé inconnue ; attendu : n, seuil, methode"})
+    void uneValeurImpossibleEstRefuseeEnUneLigne(String ligne, String cle, String faute) throws IOException {
+        Path scene = scene("[Antialias]", ligne);
+        Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
+        assertEquals("lancer : " + scene + ", ligne 2, [Antialias], " + cle + " : " + faute + System.lineSeparator(), essai.erreur);
+        assertEquals(2, essai.code);
+    }
+}

@@ -1,0 +1,197 @@
+package lancer.antialias;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Pave;
+import lancer.contrat.Vue;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Ce que la méthode du cours prend de rayons, et ce qu'elle manque. */
+class CoinsTest {
+
+    private static final Pave UN_PIXEL = new Pave(0, 0, 1, 1);
+
+    /** L'unique pixel que donne cet échantillonnage. */
+    private static Couleur pixel(Echantillonnage echantillonnage, Vue vue) {
+        Couleur[] vu = new Couleur[1];
+        echantillonnage.tracer(UN_PIXEL, vue, (couleur, i, j) -> vu[0] = couleur);
+        return vu[0];
+    }
+
+    /** Une vue qui ne dépend que du sous-pixel de n × n où elle est prise, et qui refuse tout autre point que son centre. */
+    private static Vue vue(int n, double... niveaux) {
+        return (xe, ye) -> {
+            int dx = (int) (xe * n);
+            int dy = (int) (ye * n);
+            assertEquals((dx + 0.5) / n, xe);
+            assertEquals((dy + 0.5) / n, ye);
+            return new Couleur(0, niveaux[dy * n + dx], 0);
+        };
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 5, 64})
+    void laMoyenneEstSommeeLigneParLigneEtNonLimitee(int n) {
+        double[] niveaux = new Random(n).doubles(n * n).toArray();
+        niveaux[n - 1] += 2;
+        double somme = 0;
+        for (double niveau : niveaux) {
+            somme += niveau;
+        }
+        assertEquals(somme / (n * n), pixel(new Coins(n, 0), vue(n, niveaux)).v);
+        assertEquals(somme / (n * n), pixel(new Coins(n, 1e-9), vue(n, niveaux)).v);
+    }
+
+    @Test
+    void desCoinsEgauxSuffisentEtLeurContrasteDoitDepasserLeSeuil() {
+        double[] milieu = {0.5, 9, 0.75, 9, 9, 9, 0.5, 9, 0.5};
+        assertEquals(2.25 / 4, pixel(new Coins(3, 0.25), vue(3, milieu)).v, "contraste égal au seuil");
+        milieu[2] = Math.nextUp(0.75);
+        assertEquals((2.25 + 45) / 9, pixel(new Coins(3, 0.25), vue(3, milieu)).v, 1e-15, "contraste au-dessus");
+        double[] eblouis = {2, 0, 3, 0, 0, 0, 5, 0, 6};
+        assertEquals(4, pixel(new Coins(3, 0.25), vue(3, eblouis)).v, "comparés une fois limités à 1, moyennés sans limite");
+        double[] sombres = {-2, 9, 0, 9, 9, 9, 0, 9, -2};
+        assertEquals(-1, pixel(new Coins(3, 0.25), vue(3, sombres)).v, "et de même à 0");
+    }
+
+    private static Compteurs compteurs(List<Sphere> spheres, int n, double seuil) {
+        Scene scene = new Scene(spheres, Collections.<Lampe>emptyList());
+        scene.setEchantillonnage(new Coins(n, seuil));
+        Lancer lancer = new Lancer(scene, new Camera(40, 30));
+        lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
+        return lancer.getCompteurs();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 0, 1, 0", "1, 0.05, 1, 0", "2, 0, 4, 0", "2, 0.05, 4, 0", "3, 0.05, 4, 0", "3, 0, 9, 1", "8, 0.05, 4, 0", "8, 0, 64, 1"})
+    void unPixelHomogeneCouteExactementQuatreRayons(int n, double seuil, int rayons, int raffines) {
+        Compteurs compteurs = compteurs(Collections.<Sphere>emptyList(), n, seuil);
+        assertEquals(rayons * 40 * 30, compteurs.primaires);
+        assertEquals(raffines * 40 * 30, compteurs.pixelsRaffines);
+    }
+
+    @Test
+    void unPixelDeBordCouteTousSesRayons() {
+        Compteurs compteurs = compteurs(Collections.singletonList(new Sphere(new Point(0, 0, 6), 1)), 4, 0.05);
+        assertEquals(4 * 40 * 30 + 12 * compteurs.pixelsRaffines, compteurs.primaires);
+    }
+
+    @Test
+    void leBrouillonNePrendPasUnRayonDePlus() {
+        Scene scene = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
+        scene.setEchantillonnage(new Coins(8, 0));
+        Lancer lancer = new Lancer(scene, new Camera(41, 31));
+        lancer.TracerBrouillon((couleur, i, j) -> { }, 5, 2);
+        assertEquals(11 * 8, lancer.getCompteurs().primaires);
+    }
+
+    /** L'image de 3 × 3 pixels d'une sphère, sous cet échantillonnage. */
+    private static Couleur[] image(List<Sphere> spheres, List<Lampe> lampes, Echantillonnage echantillonnage) {
+        Scene scene = new Scene(spheres, lampes);
+        scene.setEchantillonnage(echantillonnage);
+        Couleur[] image = new Couleur[9];
+        new Lancer(scene, new Camera(3, 3)).TracerPixels((couleur, i, j) -> image[3 * j + i] = couleur, 0, 1);
+        return image;
+    }
+
+    /** Une boule noire de 0,2 pixel de rayon au centre du pixel (1, 2), sous l'horizon. */
+    private static Sphere bille() {
+        Rayon vers = new Camera(3, 3).getRayon(1.5, 2.5);
+        double distance = new Vecteur(Camera.OEIL, vers.getP()).norme();
+        double pixel = Constantes.ECHELLE / 3;
+        return new Sphere(vers.getP().add(vers.getV().mul(3 * distance)), 4 * 0.2 * pixel);
+    }
+
+    @Test
+    void uneBilleEntreLesCoinsEstManquee() {
+        List<Lampe> nuit = Collections.emptyList();
+        List<Sphere> bille = Collections.singletonList(bille());
+        List<Sphere> rien = Collections.emptyList();
+        assertEquals(Arrays.asList(image(rien, nuit, new Coins(3, 0.05))), Arrays.asList(image(bille, nuit, new Coins(3, 0.05))));
+        // la grille complète voit la bille par son sous-pixel du milieu, et le ciel par les huit autres
+        Couleur ciel = image(rien, nuit, new Coins(3, 0))[7];
+        Couleur milieu = new Camera(3, 3).getRayon(1.5, 2.5).getSkyColor();
+        assertEquals(ciel.v - milieu.v / 9, image(bille, nuit, new Coins(3, 0))[7].v, 1e-15);
+        assertEquals(8 * 0.1 / 9, image(bille, nuit, new Coins(3, 0))[7].b, 1e-15);
+    }
+
+    @Test
+    void unRefletMinceEntreLesCoinsEstManque() {
+        Sphere boule = new Sphere(new Point(0, 0, 6), 3);
+        boule.setKs(new Couleur(1));
+        boule.setNs(1e4);
+        List<Lampe> lampe = Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(1)));
+        assertEquals(0, image(Collections.singletonList(boule), lampe, new Coins(3, 0.05))[4].v, 1e-9);
+        assertEquals(1.0 / 9, image(Collections.singletonList(boule), lampe, new Coins(3, 0))[4].v, 1e-9);
+    }
+
+    /** La part de disques de rayon rho (en pixels), jetés au hasard, qu'aucun point de l'image ne voit. */
+    private static double partManquee(Echantillonnage echantillonnage, double rho, int essais) {
+        Random hasard = new Random(39);
+        Pave voisinage = new Pave(0, 0, 3, 3);
+        int manques = 0;
+        for (int essai = 0; essai < essais; essai++) {
+            double x = 1 + hasard.nextDouble();
+            double y = 1 + hasard.nextDouble();
+            boolean[] vu = new boolean[1];
+            Vue disque = (xe, ye) -> new Couleur((xe - x) * (xe - x) + (ye - y) * (ye - y) < rho * rho ? 1 : 0);
+            echantillonnage.tracer(voisinage, disque, (couleur, i, j) -> vu[0] |= !couleur.estNoire());
+            manques += vu[0] ? 0 : 1;
+        }
+        return (double) manques / essais;
+    }
+
+    /** L'aire commune à deux disques de rayon rho dont les centres sont à la distance d. */
+    private static double lentille(double rho, double d) {
+        return d >= 2 * rho ? 0 : 2 * rho * rho * Math.acos(d / (2 * rho)) - d / 2 * Math.sqrt(4 * rho * rho - d * d);
+    }
+
+    /**
+     * Les coins des pixels forment des bouquets de quatre points à 1/n l'un de l'autre : un disque est vu s'il en contient un,
+     * soit une aire de 4πρ², moins ce que des disques voisins ont en commun dès que ρ dépasse 1/(2n) (et jusqu'à 1/(√2·n)).
+     */
+    @ParameterizedTest
+    @CsvSource({"3, 0.05", "3, 0.1", "3, 0.16", "3, 0.2", "3, 0.235", "4, 0.1", "4, 0.15", "8, 0.05", "8, 0.0883"})
+    void laProbabiliteDeManquerUnDisqueAUneFormeClose(int n, double rho) {
+        int essais = 20_000;
+        double attendue = 1 - 4 * Math.PI * rho * rho + 4 * lentille(rho, 1.0 / n);
+        double ecartType = Math.sqrt(attendue * (1 - attendue) / essais);
+        assertEquals(attendue, partManquee(new Coins(n, 0.05), rho, essais), 4 * ecartType);
+    }
+
+    @Test
+    void auBoutDeLaFormuleUnDisqueSurDeuxEstEncoreManque() {
+        for (int n : new int[] {3, 4, 8}) {
+            double rho = 1 / (Math.sqrt(2) * n);
+            double attendue = 1 - (Math.PI + 2) / (n * n);
+            assertEquals(attendue, 1 - 4 * Math.PI * rho * rho + 4 * lentille(rho, 1.0 / n), 1e-12);
+            assertEquals(attendue, partManquee(new Coins(n, 0.05), rho, 20_000), 0.015);
+            assertEquals(0, partManquee(new Coins(n, 0), rho, 2_000), "la grille complète n'en manque plus");
+        }
+    }
+
+    @Test
+    void laGrilleCompleteManqueMoins() {
+        double rho = 0.12;
+        assertEquals(1 - 9 * Math.PI * rho * rho, partManquee(new Coins(3, 0), rho, 20_000), 0.015);
+    }
+}
