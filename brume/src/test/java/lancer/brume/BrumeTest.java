@@ -165,7 +165,7 @@ class BrumeTest {
     void deuxBrumesSontRefusees() throws IOException {
         Path scene = scene("[Brume]", "[Brume 2]");
         Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
-        assertEquals("lancer : " + scene + ", ligne 2, [Brume 2] : deuxième section de ce type ; attendu : une seule section [Brume]"
+        assertEquals("lancer : " + scene + ", ligne 2, [Brume 2] : deuxième section de ce type, la première ligne 1 ; attendu : une seule section Brume"
                 + System.lineSeparator(), essai.erreur);
         assertEquals(2, essai.code);
     }
