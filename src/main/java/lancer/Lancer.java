@@ -1,5 +1,7 @@
 package lancer;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import lancer.contrat.Compteurs;
@@ -20,7 +22,9 @@ public class Lancer {
     private final AtomicInteger faits = new AtomicInteger();
     private volatile boolean arrete;
     private volatile Throwable echec;
+    private volatile boolean brouillonFait;
     private Compteurs compteurs = new Compteurs();
+    private long dureeNs;
 
     public Lancer(Scene scene, Camera camera) {
         this.scene = scene;
@@ -57,6 +61,7 @@ public class Lancer {
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
         TracerBrouillon(toile, profondeur, fils);
+        brouillonFait = true;
         TracerPixels(toile, profondeur, fils);
     }
 
@@ -80,24 +85,39 @@ public class Lancer {
         return (double) faits.get() / Pave.nombre(camera.getLargeur(), camera.getHauteur());
     }
 
+    /** Vrai dès que {@link #TracerImage} a fini le brouillon : chaque pixel de l'image a une couleur. */
+    public boolean isBrouillonFait() {
+        return brouillonFait;
+    }
+
     /** Ce que le dernier dessin achevé a compté, tous fils ensemble. */
     public Compteurs getCompteurs() {
         return compteurs;
     }
 
+    /** Le temps du dernier dessin achevé, en nanosecondes. */
+    public long getDureeNs() {
+        return dureeNs;
+    }
+
     /** La boucle sur l'image : chaque fil prend le premier pavé que personne n'a pris, jusqu'au dernier. */
     private void tracer(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
+        long debut = System.nanoTime();
         suivant.set(0);
         faits.set(0);
         echec = null;
         int utiles = Math.min(fils, Pave.nombre(camera.getLargeur(), camera.getHauteur()));
-        Fil[] equipe = new Fil[utiles];
-        for (int k = 0; k < utiles; k++) {
-            equipe[k] = new Fil(echantillonnage, toile, profondeur);
-            Thread t = new Thread(null, equipe[k], "lancer-" + (k + 1), PILE);
-            t.setDaemon(true);
-            equipe[k].thread = t;
-            t.start();
+        List<Fil> equipe = new ArrayList<>();
+        try {
+            for (int k = 0; k < utiles; k++) {
+                Fil fil = new Fil(echantillonnage, toile, profondeur, "lancer-" + (k + 1));
+                fil.thread.start();
+                equipe.add(fil);
+            }
+        } catch (RuntimeException | Error e) {
+            // plus de mémoire pour un fil : ceux qui sont partis ne doivent pas dessiner sans nous
+            echec = e;
+            arrete = true;
         }
         Compteurs total = new Compteurs();
         for (Fil fil : equipe) {
@@ -114,6 +134,7 @@ public class Lancer {
             throw new CancellationException("dessin arrêté");
         }
         compteurs = total;
+        dureeNs = System.nanoTime() - debut;
     }
 
     /** Le travail d'un fil : des pavés, vus à travers sa propre vue de la scène. */
@@ -123,12 +144,14 @@ public class Lancer {
         private final Toile toile;
         private final Scene scene = Lancer.this.scene.pourUnFil();
         private final Vue vue;
-        private Thread thread;
+        private final Thread thread;
 
-        Fil(Echantillonnage echantillonnage, Toile toile, int profondeur) {
+        Fil(Echantillonnage echantillonnage, Toile toile, int profondeur, String nom) {
             this.echantillonnage = echantillonnage;
             this.toile = toile;
             this.vue = scene.getRecherche().vue(new Lancer(scene, camera), profondeur);
+            this.thread = new Thread(null, this, nom, PILE);
+            this.thread.setDaemon(true);
         }
 
         @Override

@@ -1,7 +1,6 @@
 package lancer;
 
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import lancer.commande.Aide;
@@ -25,12 +24,15 @@ import lancer.sortie.Statistiques;
  */
 public class Main implements Toile {
 
+    /** Taille d'image au-delà de laquelle la fenêtre ne garde pas les couleurs non limitées : 48 Mo. */
+    private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
+
     private final Options options;
-    private Scene scene;
+    private volatile Scene scene;
     private long lectureNs;
     private long preparationNs;
-    private ImageMemoire image;
-    private Lancer lancer;
+    private volatile ImageMemoire image;
+    private volatile Lancer lancer;
 
     public Main(Options options) {
         this.options = options;
@@ -63,23 +65,26 @@ public class Main implements Toile {
                 Fenetre.ouvrir(main, sortie, erreur);
             }
             return CodeSortie.FAIT;
-        } catch (Echec e) {
-            avertir(erreur, e.getMessage());
-            return e.getCode();
-        } catch (SceneFautive e) {
-            avertir(erreur, e.getMessage());
-            return CodeSortie.DEMANDE;
-        } catch (OutOfMemoryError e) {
-            avertir(erreur, "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …");
-            return CodeSortie.PANNE;
         } catch (RuntimeException | Error e) {
-            avertir(erreur, "échec du programme : " + e);
-            return CodeSortie.PANNE;
+            direErreur(erreur, message(e));
+            return e instanceof Echec ? ((Echec) e).getCode()
+                    : e instanceof SceneFautive ? CodeSortie.DEMANDE : CodeSortie.PANNE;
         }
     }
 
+    /** Ce qu'il faut dire d'une panne. */
+    public static String message(Throwable panne) {
+        if (panne instanceof Echec || panne instanceof SceneFautive) {
+            return panne.getMessage();
+        }
+        if (panne instanceof OutOfMemoryError) {
+            return "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
+        }
+        return "échec du programme : " + Texte.echappe(panne.toString());
+    }
+
     /** Une ligne, quoi que contienne le message. */
-    private static void avertir(PrintStream erreur, String message) {
+    private static void direErreur(PrintStream erreur, String message) {
         erreur.println("lancer : " + Texte.echappe(message));
     }
 
@@ -96,7 +101,7 @@ public class Main implements Toile {
         Ecriture png = options.image == null ? null : new Ecriture(options.image);
         Ecriture pfm = options.lineaire == null ? null : new Ecriture(options.lineaire);
         refuserMemeFichier(fichier, png, pfm);
-        lire();
+        lireScene(options.scene);
         Lancer lancer = preparer(options.largeur, options.hauteur);
         image = new ImageMemoire(options.largeur, options.hauteur, pfm != null);
         long[] traces = new long[options.repeter];
@@ -125,52 +130,38 @@ public class Main implements Toile {
             dire(sortie, new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces).toString());
         }
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
-        direAvertissements(erreur);
+        avertir(erreur);
     }
 
     /** Une sortie ne doit écraser ni la scène, ni l'autre sortie. */
     private void refuserMemeFichier(Path scene, Ecriture png, Ecriture pfm) {
-        if (png != null && memeFichier(png.getCible(), scene) || pfm != null && memeFichier(pfm.getCible(), scene)) {
+        if (png != null && png.vise(scene) || pfm != null && pfm.vise(scene)) {
             throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : " + Texte.echappe(options.scene)
                     + " ; attendu : un autre fichier");
         }
-        if (png != null && pfm != null && memeFichier(png.getCible(), pfm.getCible())) {
+        if (png != null && pfm != null && png.vise(pfm.getCible())) {
             throw new Echec(CodeSortie.DEMANDE, "--image et --lineaire écrivent le même fichier : "
                     + Texte.echappe(options.image) + " ; attendu : deux fichiers");
         }
     }
 
-    private static boolean memeFichier(Path a, Path b) {
-        try {
-            return a.toAbsolutePath().normalize().equals(b.toAbsolutePath().normalize())
-                    || Files.exists(a) && Files.exists(b) && Files.isSameFile(a, b);
-        } catch (java.io.IOException e) {
-            return false;
-        }
-    }
-
     /**
-     * Lit la scène demandée, et dit sur {@code erreur} ce qu'elle a de laissé de côté.
+     * Lit une scène, qui devient celle à dessiner.
      *
      * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
      */
-    public Scene lireScene(PrintStream erreur) {
-        lire();
-        direAvertissements(erreur);
-        return scene;
-    }
-
-    private void lire() {
+    public void lireScene(String fichier) {
         long debut = System.nanoTime();
-        Scene nouvelle = new Scene(options.scene);
+        Scene nouvelle = new Scene(fichier);
         lectureNs = System.nanoTime() - debut;
         nouvelle.setSeuil(options.seuil);
         scene = nouvelle;
     }
 
-    private void direAvertissements(PrintStream erreur) {
+    /** Dit ce que la scène lue a de laissé de côté. */
+    public void avertir(PrintStream erreur) {
         for (String avertissement : scene.getAvertissements()) {
-            avertir(erreur, avertissement);
+            direErreur(erreur, avertissement);
         }
     }
 
@@ -188,9 +179,36 @@ public class Main implements Toile {
      * @throws CancellationException si le dessin a été arrêté
      */
     public void doTracerImage(int largeur, int hauteur) {
-        image = new ImageMemoire(largeur, hauteur, false);
-        lancer = preparer(largeur, hauteur);
-        lancer.TracerImage(this, options.reflets, options.fils);
+        // dans cet ordre : qui voit la nouvelle image ne voit plus l'ancien lancer
+        lancer = null;
+        image = new ImageMemoire(largeur, hauteur, (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE);
+        Lancer nouveau = preparer(largeur, hauteur);
+        lancer = nouveau;
+        nouveau.TracerImage(this, options.reflets, options.fils);
+    }
+
+    public Options getOptions() {
+        return options;
+    }
+
+    /** La scène à dessiner, {@code null} si aucune n'a encore été lue. */
+    public Scene getScene() {
+        return scene;
+    }
+
+    /** L'image que dessine, ou qu'a dessinée, {@link #doTracerImage} ; {@code null} avant la première. */
+    public ImageMemoire getImage() {
+        return image;
+    }
+
+    /** Ce qui dessine cette image ; {@code null} tant que la scène se prépare. */
+    public Lancer getLancer() {
+        return lancer;
+    }
+
+    /** Les comptes et les temps du dernier {@link #doTracerImage}, s'il est allé au bout ; le temps du brouillon n'en est pas. */
+    public Statistiques getStatistiques() {
+        return new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, lancer.getDureeNs());
     }
 
     /** Dessine un pixel de l'image en cours. */

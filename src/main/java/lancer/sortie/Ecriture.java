@@ -94,6 +94,16 @@ public final class Ecriture {
         return cible;
     }
 
+    /** Vrai si écrire écraserait cet autre fichier : le même nom, ou le même fichier sous un autre nom. */
+    public boolean vise(Path autre) {
+        try {
+            return cible.toAbsolutePath().normalize().equals(autre.toAbsolutePath().normalize())
+                    || Files.exists(cible) && Files.exists(autre) && Files.isSameFile(cible, autre);
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
     /** @throws Echec si l'écriture échoue ; le fichier est alors comme avant */
     public void ecrire(ImageMemoire image, Format format) {
         try {

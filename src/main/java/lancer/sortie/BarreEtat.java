@@ -1,0 +1,136 @@
+package lancer.sortie;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Point;
+import java.text.NumberFormat;
+import java.util.Locale;
+import javax.swing.BorderFactory;
+import javax.swing.Icon;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import lancer.Lancer;
+
+/** Le bas de la fenêtre : le pixel sous la souris, l'image, l'avancement, et un bouton pour arrêter ou reprendre. */
+final class BarreEtat extends JPanel {
+
+    private static final long serialVersionUID = 1;
+
+    private static final int MARGE = 6;
+    private static final int INTERLIGNE = 4;
+    private static final int POUR_MILLE = 1000;
+
+    private final JLabel pixel = new JLabel(" ");
+    private final JLabel resume = new JLabel(" ");
+    private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
+    private final JButton bouton = new JButton("Redessiner");
+    private final Pastille pastille = new Pastille();
+
+    BarreEtat(Fenetre fenetre) {
+        super(new BorderLayout(MARGE, INTERLIGNE));
+        setBorder(BorderFactory.createEmptyBorder(INTERLIGNE, MARGE, INTERLIGNE, MARGE));
+        pixel.setName("pixel");
+        resume.setName("resume");
+        avancement.setName("avancement");
+        bouton.setName("bouton");
+        avancement.setStringPainted(true);
+        avancement.setString("");
+        bouton.setFocusable(false);
+        bouton.addActionListener(e -> {
+            if (fenetre.enCours()) {
+                fenetre.arreter();
+            } else {
+                fenetre.recharger();
+            }
+        });
+        // la largeur du plus long de ses deux textes, pour que la barre ne bouge pas
+        bouton.setPreferredSize(bouton.getPreferredSize());
+        JPanel textes = new JPanel(new BorderLayout(MARGE, 0));
+        textes.add(pixel, BorderLayout.CENTER);
+        textes.add(resume, BorderLayout.LINE_END);
+        add(textes, BorderLayout.PAGE_START);
+        add(avancement, BorderLayout.CENTER);
+        add(bouton, BorderLayout.LINE_END);
+    }
+
+    /** C'est l'image qui fait la largeur de la fenêtre, pas ces textes. */
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(0, super.getPreferredSize().height);
+    }
+
+    void avancer(Tracage tracage) {
+        boolean fini = tracage.isDone();
+        boolean acheve = fini && !tracage.isCancelled() && tracage.getPanne() == null;
+        boolean sansMesure = !fini && tracage.getLancer() == null;
+        avancement.setIndeterminate(sansMesure);
+        avancement.setValue(acheve ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));
+        avancement.setString(tracage.getEtat());
+        bouton.setText(fini ? "Redessiner" : "Arrêter");
+    }
+
+    /** Dit ce qu'a coûté l'image achevée. */
+    void resumer(Tracage tracage) {
+        Lancer lancer = tracage.getLancer();
+        // l'espace fine des nombres français manque à bien des polices
+        String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons()).replace('\u202F', '\u00A0');
+        resumer(lancer.getCamera().getLargeur() + " × " + lancer.getCamera().getHauteur() + " pixels, " + rayons + " rayons, "
+                + String.format(Locale.FRANCE, "%.2f s", lancer.getDureeNs() / 1e9));
+    }
+
+    void resumer(String texte) {
+        resume.setText(texte);
+    }
+
+    /** @param ou le pixel sous la souris, ou {@code null} */
+    void montrerPixel(Point ou, ImageMemoire image) {
+        if (ou == null) {
+            pixel.setIcon(null);
+            pixel.setText(" ");
+            return;
+        }
+        int k = ou.y * image.getLargeur() + ou.x;
+        int code = image.getCodes()[k];
+        pastille.couleur = new Color(code);
+        String texte = "pixel " + ou.x + ", " + ou.y + " : " + String.format("#%06X", code & 0xFFFFFF)
+                + " = " + (code >> 16 & 0xFF) + " " + (code >> 8 & 0xFF) + " " + (code & 0xFF);
+        float[] lineaire = image.getLineaire();
+        if (lineaire != null) {
+            // avec un point, comme dans les fichiers de scène
+            texte += String.format(Locale.ROOT, " ← %.3f %.3f %.3f", lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]);
+        }
+        pixel.setIcon(pastille);
+        pixel.setText(texte);
+        pixel.repaint();
+    }
+
+    /** Un carré de la couleur du pixel. */
+    private static final class Pastille implements Icon {
+
+        private static final int COTE = 12;
+        private Color couleur = Color.BLACK;
+
+        @Override
+        public void paintIcon(Component c, Graphics g, int x, int y) {
+            g.setColor(couleur);
+            g.fillRect(x, y, COTE, COTE);
+            g.setColor(Color.GRAY);
+            g.drawRect(x, y, COTE - 1, COTE - 1);
+        }
+
+        @Override
+        public int getIconWidth() {
+            return COTE;
+        }
+
+        @Override
+        public int getIconHeight() {
+            return COTE;
+        }
+    }
+}

@@ -1,0 +1,141 @@
+package lancer.sortie;
+
+import java.awt.Dimension;
+import java.io.PrintStream;
+import java.util.Locale;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import javax.swing.SwingWorker;
+import lancer.Lancer;
+import lancer.Main;
+
+/** Un dessin pour la fenêtre : lit la scène s'il le faut, la prépare, et dessine brouillon et image, loin du fil des événements. */
+final class Tracage extends SwingWorker<Void, Void> {
+
+    private static final double NS_PAR_S = 1e9;
+
+    private final Main main;
+    private final String aLire;
+    private final Dimension taille;
+    private final Surveillance surveillance;
+    private final PrintStream sortie;
+    private final Consumer<Tracage> suite;
+    private final long debut = System.nanoTime();
+    private volatile long fin;
+    private volatile boolean lu;
+    private volatile boolean dessine;
+    private boolean lectureVue;
+
+    /**
+     * @param aLire la scène à lire, {@code null} pour redessiner celle qui est déjà lue
+     * @param taille celle de l'image, en pixels
+     * @param suite appelée sur le fil des événements quand c'est achevé, arrêté ou manqué
+     */
+    Tracage(Main main, String aLire, Dimension taille, Surveillance surveillance, PrintStream sortie, Consumer<Tracage> suite) {
+        this.main = main;
+        this.aLire = aLire;
+        this.taille = taille;
+        this.surveillance = surveillance;
+        this.sortie = sortie;
+        this.suite = suite;
+    }
+
+    @Override
+    protected Void doInBackground() {
+        try {
+            if (aLire != null) {
+                surveillance.suivre(aLire);
+                main.lireScene(aLire);
+                lu = true;
+            }
+            if (isCancelled()) {
+                return null;
+            }
+            dessine = true;
+            main.doTracerImage(taille.width, taille.height);
+        } finally {
+            fin = System.nanoTime();
+        }
+        if (main.getOptions().statistiques && !isCancelled()) {
+            sortie.print(main.getStatistiques());
+            sortie.flush();
+        }
+        return null;
+    }
+
+    @Override
+    protected void done() {
+        if (fin == 0) {
+            fin = System.nanoTime();
+        }
+        suite.accept(this);
+    }
+
+    /** Ce qui a empêché ce dessin fini d'aller au bout ; {@code null} s'il est achevé, ou arrêté sur demande. */
+    Throwable getPanne() {
+        if (isCancelled()) {
+            return null;
+        }
+        try {
+            get();
+            return null;
+        } catch (ExecutionException e) {
+            return e.getCause();
+        } catch (InterruptedException e) {
+            return e;
+        }
+    }
+
+    /** Ce qui dessine ; {@code null} tant que la scène se lit et se prépare. */
+    Lancer getLancer() {
+        return dessine ? main.getLancer() : null;
+    }
+
+    /** Vrai si la scène à lire ne l'est pas encore : à refaire si l'on interrompt ce dessin. */
+    boolean resteALire() {
+        return aLire != null && !lu && (isCancelled() || !isDone());
+    }
+
+    /** Vrai une seule fois, quand la scène vient d'être lue. */
+    boolean vientDeLire() {
+        if (!lu || lectureVue) {
+            return false;
+        }
+        lectureVue = true;
+        return true;
+    }
+
+    /** Le temps passé depuis la demande, en nanosecondes. */
+    long getDureeNs() {
+        return (fin != 0 ? fin : System.nanoTime()) - debut;
+    }
+
+    /** La part faite de l'image, de 0 à 1. */
+    double getAvancement() {
+        Lancer lancer = getLancer();
+        return lancer == null || !lancer.isBrouillonFait() ? 0 : lancer.getAvancement();
+    }
+
+    /** Où il en est, et depuis combien de temps. */
+    String getEtat() {
+        return etape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / NS_PAR_S);
+    }
+
+    private String etape() {
+        Lancer lancer = getLancer();
+        if (isCancelled()) {
+            return "arrêté à " + pourCent();
+        }
+        if (isDone()) {
+            return getPanne() == null ? "terminé" : "échec";
+        }
+        if (lancer == null) {
+            return aLire != null && !lu ? "lecture…" : "préparation…";
+        }
+        return lancer.isBrouillonFait() ? "dessin " + pourCent() : "brouillon";
+    }
+
+    private String pourCent() {
+        return (int) (100 * getAvancement()) + " %";
+    }
+}
