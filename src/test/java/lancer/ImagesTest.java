@@ -2,6 +2,10 @@ package lancer;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -11,6 +15,9 @@ class ImagesTest {
     /** Ce que l'arrondi de la double précision peut changer, et ce que les flottants du fichier peuvent perdre. */
     private static final double TOLERANCE = 1e-6;
 
+    @TempDir
+    Path dossier;
+
     @ParameterizedTest(name = "{0}, {2} réflexions")
     @CsvSource({
         "p1-quatre, p1-quatre, 5",
@@ -19,13 +26,11 @@ class ImagesTest {
         "p3-miroirs, p3-miroirs.reflets-0, 0",
         "p3-miroirs, p3-miroirs.reflets-12, 12",
         "p4-foule, p4-foule, 5"})
-    void laBaseDonneLImageDeReference(String scene, String image, int reflets) {
-        Ressources.Image attendue = Ressources.pfm("reference/" + image + ".pfm");
-        Scene lue = new Scene(Ressources.chemin("reference/" + scene + ".ini"));
-        lue.setSeuil(0);
-        Ressources.Image obtenue = new Ressources.Image(attendue.largeur, attendue.hauteur);
-        new Lancer(lue, new Camera(attendue.largeur, attendue.hauteur)).TracerPixels(obtenue, reflets, 2);
-        double ecart = obtenue.ecart(attendue);
+    void laBaseDonneLImageDeReference(String scene, String image, String reflets) throws IOException {
+        float[] attendue = Essai.pfm(Essai.octets(ImagesTest.class, "/reference/" + image + ".pfm"));
+        float[] obtenue = Essai.dessiner(dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")),
+                "--taille", "120x90", "--seuil", "0", "--reflets", reflets);
+        double ecart = Essai.ecart(attendue, obtenue);
         assertTrue(ecart <= TOLERANCE, "écart " + ecart);
     }
 }
