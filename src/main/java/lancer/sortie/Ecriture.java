@@ -97,8 +97,9 @@ public final class Ecriture {
     /** Vrai si écrire écraserait cet autre fichier : le même nom, ou le même fichier sous un autre nom. */
     public boolean vise(Path autre) {
         try {
-            return cible.toAbsolutePath().normalize().equals(autre.toAbsolutePath().normalize())
-                    || Files.exists(cible) && Files.exists(autre) && Files.isSameFile(cible, autre);
+            // de deux chemins qui existent, seul le système sait s'ils mènent au même fichier : « lien/.. » est trompeur
+            return Files.exists(cible) && Files.exists(autre) ? Files.isSameFile(cible, autre)
+                    : cible.equals(autre.toAbsolutePath().normalize());
         } catch (IOException e) {
             return false;
         }

@@ -1,0 +1,185 @@
+package lancer.commande;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import lancer.Constantes;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** La ligne de commande : ce qu'elle demande, ou la ligne qui dit pourquoi non. */
+class OptionsTest {
+
+    /** Les arguments, séparés par un blanc ; {@code ''} en est un, vide. */
+    private static String[] arguments(String ligne) {
+        String[] mots = ligne.split(" ");
+        for (int k = 0; k < mots.length; k++) {
+            mots[k] = mots[k].equals("''") ? "" : mots[k];
+        }
+        return mots;
+    }
+
+    private static void verifierRefus(String ligne, String message) {
+        Echec e = assertThrows(Echec.class, () -> Options.lire(arguments(ligne)), ligne);
+        assertEquals(CodeSortie.DEMANDE, e.getCode());
+        assertEquals(message, e.getMessage());
+    }
+
+    @Test
+    void sansOptionLesValeursSontCellesDuCours() {
+        Options o = Options.lire();
+        assertNull(o.scene);
+        assertFalse(o.versFichier());
+        assertEquals(Constantes.LARGEUR_IMAGE, o.largeur);
+        assertEquals(Constantes.HAUTEUR_IMAGE, o.hauteur);
+        assertEquals(Constantes.MAX_REFLETS, o.reflets);
+        assertEquals(1.0 / 1024, o.seuil);
+        assertEquals(Math.min(1024, Runtime.getRuntime().availableProcessors()), o.fils);
+        assertEquals(1, o.repeter);
+        assertFalse(o.statistiques);
+    }
+
+    @Test
+    void lOrdreEtLaFormeDesOptionsNImportentPas() {
+        String[][] paires = {{"--image", "a.png"}, {"--lineaire", "b.pfm"}, {"--taille", "30x20"}, {"--reflets", "7"},
+            {"--seuil", ".25"}, {"--fils", "3"}, {"--repeter", "2"}, {"--statistiques"}, {"s.ini"}};
+        Random hasard = new Random(6);
+        for (int essai = 0; essai < 200; essai++) {
+            List<String[]> melange = new ArrayList<>(Arrays.asList(paires));
+            Collections.shuffle(melange, hasard);
+            List<String> arguments = new ArrayList<>();
+            for (String[] paire : melange) {
+                if (paire.length == 2 && hasard.nextBoolean()) {
+                    arguments.add(paire[0] + "=" + paire[1]);
+                } else {
+                    arguments.addAll(Arrays.asList(paire));
+                }
+            }
+            Options o = Options.lire(arguments.toArray(new String[0]));
+            assertEquals("a.png b.pfm 30 20 7 0.25 3 2 true s.ini", o.image + " " + o.lineaire + " " + o.largeur + " " + o.hauteur
+                    + " " + o.reflets + " " + o.seuil + " " + o.fils + " " + o.repeter + " " + o.statistiques + " " + o.scene,
+                    arguments.toString());
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "--taille 1x1", "--taille 16384x1", "--taille 1x16384", "--taille 10000x10000", "--taille 16384x6103", "--taille 0800x0600",
+        "--reflets 0", "--reflets 1000", "--fils 1", "--fils 1024", "--repeter 1", "--repeter 100000",
+        "--seuil 0", "--seuil 1e308", "--seuil 1e-400", "--seuil +.5E-3", "--seuil 5.", "--seuil -0", "--seuil 4.9e-324",
+        "--image a=b.png s.ini", "--image=a=b.png s.ini", "--image=--x s.ini", "--image -x s.ini", "a=b.ini", "s.ini --statistiques"})
+    void uneValeurAuBordEstPermise(String ligne) {
+        Options.lire(arguments(ligne));
+    }
+
+    @Test
+    void leSigneEgalNeCoupeQuUneFois() {
+        assertEquals("a=b.png", Options.lire("--image=a=b.png", "s.ini").image);
+        assertEquals("--x", Options.lire("--image=--x", "s.ini").image);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--bidule", "-x", "-", "--", "--Image", "--imag", "--IMAGE=x", "-image", "--image-png",
+        "--bidule=3", "--fils4"})
+    void uneOptionInconnueEstRefusee(String option) {
+        String nom = option.startsWith("--") ? option.replaceAll("=.*", "") : option;
+        verifierRefus("s.ini " + option, "option inconnue : « " + nom + " » ; attendu : une de celles que montre --aide");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--image | un fichier .png", "--image= | un fichier .png", "--image '' | un fichier .png", "--image --fils 2 | un fichier .png",
+        "--lineaire | un fichier .pfm", "--taille | une taille, par exemple 800x600", "--taille= | une taille, par exemple 800x600",
+        "--reflets | un entier de 0 à 1000", "--seuil | un nombre positif ou nul", "--fils | un entier de 1 à 1024",
+        "--repeter --statistiques | un entier de 1 à 100000"})
+    void uneOptionSansSaValeurEstRefusee(String ligne, String attendu) {
+        String nom = ligne.replaceAll("[= ].*", "");
+        verifierRefus("s.ini " + ligne, "option sans sa valeur : " + nom + " ; attendu : " + attendu);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--image a --image b", "--image=a --image a", "--lineaire a --lineaire a", "--taille 1x1 --taille=1x1",
+        "--reflets 1 --reflets 1", "--seuil 0 --seuil 0", "--fils 1 --fils 2", "--repeter 1 --repeter 1",
+        "--statistiques --statistiques", "--simple --simple"})
+    void uneOptionDonneeDeuxFoisEstRefusee(String ligne) {
+        String nom = ligne.replaceAll("[= ].*", "");
+        verifierRefus("s.ini " + ligne, "option donnée deux fois : " + nom + " ; attendu : une seule fois chaque option");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0x1", "1x0", "16385x1", "1x16385", "10001x10000", "16384x16384", "800", "800x", "x600", "800X600", "800*600",
+        "800x600x1", "-1x5", "+1x5", "1.5x2", "1e2x3", "800,600", "99999999999999999999x1", "axb", "800×600", "0x10x0"})
+    void uneTailleImpossibleEstRefusee(String taille) {
+        verifierRefus("--taille " + taille, "valeur impossible pour --taille : « " + taille + " » ; attendu : LARGEURxHAUTEUR, "
+                + "par exemple 800x600, de 1 à 16384 chacune, et au plus 100000000 pixels");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--reflets | -1 | 0 à 1000", "--reflets | 1001 | 0 à 1000", "--reflets | 5.0 | 0 à 1000", "--reflets | cinq | 0 à 1000",
+        "--reflets | 4294967296 | 0 à 1000", "--reflets | 18446744073709551616 | 0 à 1000", "--reflets | +5 | 0 à 1000",
+        "--fils | 0 | 1 à 1024", "--fils | 1025 | 1 à 1024", "--fils | -2 | 1 à 1024", "--fils | ٣ | 1 à 1024",
+        "--repeter | 0 | 1 à 100000", "--repeter | 100001 | 1 à 100000", "--repeter | 1e3 | 1 à 100000"})
+    void unEntierHorsDeSonIntervalleEstRefuse(String nom, String valeur, String intervalle) {
+        String message = "valeur impossible pour " + nom + " : « " + valeur + " » ; attendu : un entier de " + intervalle;
+        verifierRefus(nom + " " + valeur, message);
+        verifierRefus(nom + "=" + valeur, message);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-1", "-1e-300", "1e400", "NaN", "Infinity", "0,5", "0x1", "1d", "un", "."})
+    void unSeuilImpossibleEstRefuse(String seuil) {
+        verifierRefus("--seuil " + seuil,
+                "valeur impossible pour --seuil : « " + seuil + " » ; attendu : un nombre positif ou nul, par exemple 0.001");
+    }
+
+    @Test
+    void uneOptionSansValeurNEnPrendPas() {
+        verifierRefus("--statistiques=oui", "option qui ne prend pas de valeur : --statistiques ; reçu : « oui »");
+        verifierRefus("--aide=", "option qui ne prend pas de valeur : --aide ; reçu : «  »");
+    }
+
+    @Test
+    void uneSortieSansSceneEstRefusee() {
+        String message = "aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini";
+        verifierRefus("--image a.png", message);
+        verifierRefus("--lineaire=a.pfm", message);
+    }
+
+    @Test
+    void uneSeuleSceneEstPermise() {
+        verifierRefus("a.ini --fils 2 b.ini", "plusieurs scènes : « a.ini » et « b.ini » ; attendu : une seule");
+        verifierRefus("a.ini a.ini", "plusieurs scènes : « a.ini » et « a.ini » ; attendu : une seule");
+        verifierRefus("''", "nom de scène vide ; attendu : un fichier, par exemple scenes/scene1.ini");
+    }
+
+    @Test
+    void laDemandeDAideLEmporteSurLaSuite() {
+        for (String demande : new String[] {"--aide", "--help", "-h"}) {
+            assertTrue(Options.lire("--image", "a.png", demande, "--bidule").aide);
+        }
+        assertTrue(Options.lire("--version").version);
+        verifierRefus("--bidule --aide", "option inconnue : « --bidule » ; attendu : une de celles que montre --aide");
+    }
+
+    @Test
+    void leTexteCiteEstCourtEtSansCaractereDeControle() {
+        StringBuilder long300 = new StringBuilder("\u001b");
+        for (int k = 0; k < 300; k++) {
+            long300.append('z');
+        }
+        String message = assertThrows(Echec.class, () -> Options.lire("--fils", long300.toString())).getMessage();
+        assertTrue(message.startsWith("valeur impossible pour --fils : « \\u001bzzz"), message);
+        assertTrue(message.length() < 150, message);
+    }
+}
