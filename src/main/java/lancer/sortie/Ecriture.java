@@ -7,6 +7,7 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -131,12 +132,21 @@ public final class Ecriture {
                         Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), TAMPON)) {
                     format.ecrire(image, sortie);
                 }
-                Files.move(provisoire, cible, StandardCopyOption.REPLACE_EXISTING);
+                remplacer(provisoire);
             } finally {
                 Files.deleteIfExists(provisoire);
             }
         } catch (IOException e) {
             throw impossible(raison(e));
+        }
+    }
+
+    /** D'un seul coup : {@code REPLACE_EXISTING} effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent. */
+    private void remplacer(Path provisoire) throws IOException {
+        try {
+            Files.move(provisoire, cible, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException e) {
+            Files.move(provisoire, cible, StandardCopyOption.REPLACE_EXISTING);
         }
     }
 
