@@ -66,7 +66,7 @@ final class BarreEtat extends JPanel {
 
     void avancer(Tracage tracage) {
         boolean fini = tracage.isDone();
-        boolean acheve = fini && !tracage.isCancelled() && tracage.getPanne() == null;
+        boolean acheve = tracage.isAcheve();
         boolean sansMesure = !fini && tracage.getLancer() == null;
         avancement.setIndeterminate(sansMesure);
         avancement.setValue(acheve ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));

@@ -1,5 +1,6 @@
 package lancer.sortie;
 
+import java.awt.Color;
 import java.awt.Component;
 import java.io.File;
 import java.util.Locale;
@@ -56,8 +57,10 @@ final class Dialogues {
 
     /** Pose l'apparence et la langue ; à appeler avant de créer le premier composant. */
     static void preparer() {
-        // l'apparence de secours, Metal, mettrait tout en gras
+        // l'apparence de secours, Metal, mettrait tout en gras, et l'avancement en blanc sur bleu pâle
         UIManager.put("swing.boldMetal", false);
+        UIManager.put("ProgressBar.selectionForeground", Color.BLACK);
+        UIManager.put("ProgressBar.selectionBackground", Color.BLACK);
         try {
             UIManager.setLookAndFeel(UIManager.getSystemLookAndFeelClassName());
         } catch (ReflectiveOperationException | UnsupportedLookAndFeelException | LinkageError e) {

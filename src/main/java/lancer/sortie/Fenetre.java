@@ -310,8 +310,7 @@ public final class Fenetre {
         }
         horloge.stop();
         Throwable panne = tracage.getPanne();
-        boolean achevee = panne == null && !tracage.isCancelled();
-        if (achevee) {
+        if (tracage.isAcheve()) {
             complete = main.getImage();
             barre.resumer(tracage);
             if (!fichierFautif) {

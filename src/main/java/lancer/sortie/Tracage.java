@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import javax.swing.SwingWorker;
 import lancer.Lancer;
 import lancer.Main;
+import lancer.SceneFautive;
 
 /** Un dessin pour la fenêtre : lit la scène s'il le faut, la prépare, et dessine brouillon et image, loin du fil des événements. */
 final class Tracage extends SwingWorker<Void, Void> {
@@ -71,9 +72,9 @@ final class Tracage extends SwingWorker<Void, Void> {
         suite.accept(this);
     }
 
-    /** Ce qui a empêché ce dessin fini d'aller au bout ; {@code null} s'il est achevé, ou arrêté sur demande. */
+    /** Ce qui a empêché ce dessin d'aller au bout ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
     Throwable getPanne() {
-        if (isCancelled()) {
+        if (isCancelled() || !isDone()) {
             return null;
         }
         try {
@@ -84,6 +85,11 @@ final class Tracage extends SwingWorker<Void, Void> {
         } catch (InterruptedException e) {
             return e;
         }
+    }
+
+    /** Vrai si l'image est entière. */
+    boolean isAcheve() {
+        return isDone() && !isCancelled() && getPanne() == null;
     }
 
     /** Ce qui dessine ; {@code null} tant que la scène se lit et se prépare. */
@@ -118,6 +124,9 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** Où il en est, et depuis combien de temps. */
     String getEtat() {
+        if (getPanne() instanceof SceneFautive) {
+            return "scène fautive";
+        }
         return etape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / NS_PAR_S);
     }
 

@@ -1,0 +1,440 @@
+package lancer;
+
+import static lancer.BancFenetre.attendre;
+import static lancer.BancFenetre.chercher;
+import static lancer.BancFenetre.composant;
+import static lancer.BancFenetre.pixelsSansFenetre;
+import static lancer.BancFenetre.pngSansFenetre;
+import static lancer.BancFenetre.surFilEvenements;
+import static lancer.BancFenetre.texte;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Dimension;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.AbstractButton;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.JProgressBar;
+import javax.swing.TransferHandler;
+import lancer.BancFenetre.MainLent;
+import lancer.sortie.ImageMemoire;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** La fenêtre, sur un vrai écran : ce qu'on y voit, et ce qu'elle fait des touches, des fichiers et de la souris. */
+@Tag("fenetre")
+@Timeout(120)
+class FenetreTest {
+
+    private static final int L = 320;
+    private static final int H = 240;
+    private static final String TAILLE = "--taille=" + L + "x" + H;
+    private static final String ROUGE = "[Sphere 1]\ncentre=0 0.2 6\nrayon=1\nKd=0.9 0.15 0.1\nKs=0.3 0.3 0.3\nns=40\n"
+            + "[Sphere 2]\ncentre=-1.2 -0.6 5\nrayon=0.5\nKd=0.1 0.6 0.2\nKs=0.2 0.2 0.2\nns=10\n"
+            + "[Lampe 1]\nposition=-4 6 -3\ncouleur=0.9 0.9 0.85\n";
+    private static final String BLEUE = ROUGE.replace("0.9 0.15 0.1", "0.1 0.2 0.9");
+    private static final String FAUTIVE = ROUGE.replace("rayon=1\n", "rayon=-1\n");
+
+    @TempDir
+    private Path dossier;
+    private Path scene;
+    private BancFenetre banc;
+
+    @BeforeEach
+    void ecrireLaScene() throws Exception {
+        scene = dossier.resolve("boule.ini");
+        ecrire(ROUGE);
+    }
+
+    @AfterEach
+    void fermer() throws Exception {
+        if (banc != null) {
+            banc.fermer();
+        }
+    }
+
+    private void ecrire(String texte) throws Exception {
+        Files.write(scene, texte.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private MainLent lente(String... options) {
+        String[] args = Arrays.copyOf(options, options.length + 2);
+        args[options.length] = TAILLE;
+        args[options.length + 1] = scene.toString();
+        return new MainLent(args);
+    }
+
+    private int[] attendue(int largeur, int hauteur) throws Exception {
+        return pixelsSansFenetre(dossier, scene, largeur, hauteur);
+    }
+
+    @Test
+    void leBrouillonParaitPuisLImageSAcheve() throws Exception {
+        Lancer lancer = new Lancer(new Scene(scene.toString()), new Camera(L, H));
+        ImageMemoire brouillon = new ImageMemoire(L, H, false);
+        lancer.TracerBrouillon(brouillon, Constantes.MAX_REFLETS, 1);
+        banc = new BancFenetre(lente().lent());
+        // le dernier pavé : l'image, ralentie, en est loin
+        int debut = (H - 16) * L;
+        attendre("le brouillon est à l'écran", () -> Arrays.equals(
+                Arrays.copyOfRange(brouillon.getCodes(), debut, L * H), Arrays.copyOfRange(banc.capture(), debut, L * H)));
+        assertTrue(banc.fenetre.enCours());
+        assertNull(banc.fenetre.getImageComplete());
+        banc.main.lent = false;
+        banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
+    }
+
+    @Test
+    void lImageEstCelleQuEcriraitLeProgrammeSansFenetre() throws Exception {
+        banc = new BancFenetre(lente());
+        assertArrayEquals(attendue(L, H), banc.imageAchevee().getCodes());
+        banc.attendreImage("l'écran montre les mêmes pixels", attendue(L, H));
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        assertEquals("", texte(banc.sortie) + texte(banc.erreur));
+    }
+
+    @Test
+    void changerDeTailleRedessineALaNouvelleTaille() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        for (int k = 0; k < 20; k++) {
+            int agrandi = 10 * k;
+            surFilEvenements(() -> {
+                banc.cadre.setSize(banc.cadre.getWidth() + agrandi % 70 - 30, banc.cadre.getHeight() + 3);
+                return null;
+            });
+        }
+        attendre("l'image a la taille du panneau", () -> banc.fenetre.getImageComplete() != null
+                && banc.fenetre.getImageComplete().getLargeur() == banc.panneau.getWidth()
+                && banc.fenetre.getImageComplete().getHauteur() == banc.panneau.getHeight());
+        Dimension taille = surFilEvenements(banc.panneau::getSize);
+        assertFalse(taille.equals(new Dimension(L, H)));
+        banc.attendreImage("sans trace des tailles abandonnées", attendue(taille.width, taille.height));
+    }
+
+    @Test
+    void lAncienneImageRemplitLaFenetreJusquAuBrouillonSuivant() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        int gris = banc.panneau.getBackground().getRGB();
+        // dans un seul événement : aucun dessin n'a pu être montré entre-temps
+        BufferedImage vue = surFilEvenements(() -> {
+            banc.cadre.setSize(banc.cadre.getWidth() + 150, banc.cadre.getHeight() + 100);
+            banc.cadre.validate();
+            BufferedImage image = new BufferedImage(banc.panneau.getWidth(), banc.panneau.getHeight(), BufferedImage.TYPE_INT_RGB);
+            banc.panneau.paint(image.createGraphics());
+            return image;
+        });
+        assertEquals(L + 150, vue.getWidth());
+        for (int code : BancFenetre.codes(vue)) {
+            assertFalse(code == gris || code == 0xFF000000, "ni gris ni noir entre deux images");
+        }
+    }
+
+    @Test
+    void echapArreteEtF5Recommence() throws Exception {
+        banc = new BancFenetre(lente().lent());
+        attendre("le brouillon est fait", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
+        JProgressBar avancement = chercher("avancement", JProgressBar.class);
+        assertTrue(surFilEvenements(avancement::getString).startsWith("arrêté à "));
+        attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
+        assertNull(banc.fenetre.getImageComplete());
+        banc.main.lent = false;
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("F5 recommence", attendue(L, H));
+        assertTrue(surFilEvenements(avancement::getString).startsWith("terminé"));
+    }
+
+    @Test
+    void leBoutonArreteEtRecommenceAussi() throws Exception {
+        banc = new BancFenetre(lente().lent());
+        AbstractButton bouton = chercher("bouton", AbstractButton.class);
+        attendre("il propose d'arrêter", () -> bouton.getText().equals("Arrêter"));
+        surFilEvenements(() -> {
+            bouton.doClick();
+            return null;
+        });
+        attendre("il propose de redessiner", () -> bouton.getText().equals("Redessiner") && !banc.fenetre.enCours());
+        banc.main.lent = false;
+        surFilEvenements(() -> {
+            bouton.doClick();
+            return null;
+        });
+        banc.attendreImage("il redessine", attendue(L, H));
+    }
+
+    @Test
+    void enregistrerLaSceneDansUnEditeurLaRedessine() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        ecrire(BLEUE);
+        banc.attendreImage("la boule est bleue", attendue(L, H));
+        // à la manière des éditeurs qui renomment, et à taille égale
+        Path nouveau = dossier.resolve("boule.ini.tmp");
+        Files.write(nouveau, BLEUE.replace("0.1 0.2 0.9", "0.9 0.9 0.1").getBytes(StandardCharsets.UTF_8));
+        Files.move(nouveau, scene, StandardCopyOption.REPLACE_EXISTING);
+        banc.attendreImage("la boule est jaune", attendue(L, H));
+    }
+
+    @Test
+    void uneFauteSeLitDansLaFenetreEtLaisseLImage() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        int[] avant = attendue(L, H);
+        ecrire(FAUTIVE);
+        banc.attendreMessage(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage());
+        assertArrayEquals(avant, banc.imageAchevee().getCodes());
+        ecrire(BLEUE);
+        banc.attendreMessage("");
+        banc.attendreImage("la faute corrigée, l'image suit", attendue(L, H));
+    }
+
+    @Test
+    void unePanneDuDessinSeLitDansLaFenetreQuiResteUtilisable() throws Exception {
+        String[] args = {TAILLE, scene.toString()};
+        CountDownLatch repare = new CountDownLatch(1);
+        banc = new BancFenetre(new MainLent(args) {
+            @Override
+            public void doTracerImage(int largeur, int hauteur) {
+                if (repare.getCount() > 0) {
+                    throw new IllegalStateException("objet\nmal fait");
+                }
+                super.doTracerImage(largeur, hauteur);
+            }
+        });
+        banc.attendreMessage("échec du programme : java.lang.IllegalStateException: objet\\nmal fait");
+        repare.countDown();
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreMessage("");
+        banc.attendreImage("l'image est là", attendue(L, H));
+        assertEquals("", texte(banc.erreur));
+    }
+
+    @Test
+    void ctrlSEcritLeMemePngEtDemandeAvantDeRemplacer() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        byte[] attendu = Files.readAllBytes(pngSansFenetre(dossier, scene, L, H));
+        Path png = dossier.resolve("image.png");
+        assertEquals("boule.png", enregistrerSous(png));
+        attendre("l'image est écrite", () -> Files.exists(png));
+        assertArrayEquals(attendu, Files.readAllBytes(png));
+
+        Files.write(png, new byte[] {42});
+        enregistrerSous(png);
+        repondre("Annuler");
+        assertArrayEquals(new byte[] {42}, Files.readAllBytes(png));
+        enregistrerSous(png);
+        repondre("Remplacer");
+        attendre("l'image est remplacée", () -> Arrays.equals(attendu, Files.readAllBytes(png)));
+    }
+
+    @Test
+    void laSceneElleMemeNEstJamaisEcrasee() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        enregistrerSous(scene);
+        banc.attendreMessage("la sortie est la scène elle-même");
+        assertArrayEquals(ROUGE.getBytes(StandardCharsets.UTF_8), Files.readAllBytes(scene));
+    }
+
+    @Test
+    void uneImageInacheveeNeSEnregistrePas() throws Exception {
+        banc = new BancFenetre(lente().lent());
+        banc.frapperCtrl('S');
+        banc.attendreMessage("L'image se dessine encore");
+        assertNull(chercher(null, JFileChooser.class));
+    }
+
+    /** Frappe Ctrl+S et choisit ce fichier ; rend le nom qui était proposé. */
+    private String enregistrerSous(Path fichier) throws Exception {
+        banc.frapperCtrl('S');
+        return choisir(fichier);
+    }
+
+    private String choisir(Path fichier) throws Exception {
+        JFileChooser choix = composant(null, JFileChooser.class);
+        String propose = surFilEvenements(() -> {
+            File selection = choix.getSelectedFile();
+            choix.setSelectedFile(fichier.toFile());
+            choix.approveSelection();
+            return selection == null ? null : selection.getName();
+        });
+        attendre("le dialogue est fermé", () -> !choix.isShowing());
+        return propose;
+    }
+
+    private void repondre(String texte) throws Exception {
+        JOptionPane question = composant(null, JOptionPane.class);
+        surFilEvenements(() -> {
+            question.setValue(texte);
+            return null;
+        });
+        attendre("la question est fermée", () -> !question.isShowing());
+    }
+
+    @Test
+    void ctrlOOuvreUneAutreScene() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        scene = dossier.resolve("autre.ini");
+        ecrire(BLEUE);
+        banc.frapperCtrl('O');
+        choisir(scene);
+        banc.attendreImage("l'autre scène", attendue(L, H));
+        assertEquals("lancer — autre.ini", banc.cadre.getTitle());
+        // c'est elle, maintenant, qui est surveillée
+        ecrire(ROUGE);
+        banc.attendreImage("l'autre scène, modifiée", attendue(L, H));
+    }
+
+    @Test
+    void deposerUnFichierOuvreLaScene() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        scene = dossier.resolve("autre.ini");
+        ecrire(BLEUE);
+        assertTrue(surFilEvenements(() -> banc.cadre.getRootPane().getTransferHandler().importData(
+                new TransferHandler.TransferSupport(banc.cadre.getRootPane(), fichierDepose(scene.toFile())))));
+        banc.attendreImage("la scène déposée", attendue(L, H));
+    }
+
+    private static Transferable fichierDepose(File fichier) {
+        return new Transferable() {
+            @Override
+            public DataFlavor[] getTransferDataFlavors() {
+                return new DataFlavor[] {DataFlavor.javaFileListFlavor};
+            }
+
+            @Override
+            public boolean isDataFlavorSupported(DataFlavor forme) {
+                return DataFlavor.javaFileListFlavor.equals(forme);
+            }
+
+            @Override
+            public Object getTransferData(DataFlavor forme) {
+                return Collections.singletonList(fichier);
+            }
+        };
+    }
+
+    @Test
+    void sansSceneLaFenetreSOuvreSurLeChoixDUnFichier() throws Exception {
+        banc = new BancFenetre(TAILLE);
+        assertEquals("lancer", banc.cadre.getTitle());
+        choisir(scene);
+        banc.attendreImage("la scène choisie", attendue(L, H));
+    }
+
+    @Test
+    void fermerNeLaisseAucunFil() throws Exception {
+        banc = new BancFenetre(lente().lent());
+        attendre("le brouillon est fait", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
+        banc.fermer();
+        assertFalse(surFilEvenements(banc.cadre::isDisplayable));
+        attendre("plus aucun fil du programme", () -> !BancFenetre.vivent("lancer-"));
+    }
+
+    @Test
+    void leFilDesEvenementsNAttendNiLaLectureNiLeDessin() throws Exception {
+        CountDownLatch lecture = new CountDownLatch(1);
+        String[] args = {TAILLE, scene.toString()};
+        banc = new BancFenetre(new MainLent(args) {
+            private boolean premiere = true;
+
+            @Override
+            public void lireScene(String fichier) {
+                if (!premiere) {
+                    attendreSansEtreInterrompu(lecture);
+                }
+                premiere = false;
+                super.lireScene(fichier);
+            }
+        }.lent());
+        attendre("le dessin a commencé", () -> banc.main.getLancer() != null);
+        repondA(50);
+        assertTrue(banc.fenetre.enCours(), "le dessin n'a pas eu à finir pour cela");
+        banc.frapper(KeyEvent.VK_F5);
+        JProgressBar avancement = chercher("avancement", JProgressBar.class);
+        attendre("la lecture se dit", () -> avancement.getString().startsWith("lecture…"));
+        banc.frapper(KeyEvent.VK_F5);
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("arrêté", () -> !banc.fenetre.enCours());
+        repondA(50);
+        assertEquals(1, lecture.getCount(), "la lecture n'a pas eu à finir pour cela");
+        lecture.countDown();
+        banc.main.lent = false;
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("et tout se remet en marche", attendue(L, H));
+    }
+
+    private static void repondA(int questions) throws Exception {
+        for (int k = 0; k < questions; k++) {
+            surFilEvenements(() -> null);
+        }
+    }
+
+    private static void attendreSansEtreInterrompu(CountDownLatch loquet) {
+        while (true) {
+            try {
+                loquet.await();
+                return;
+            } catch (InterruptedException e) {
+                // un disque lent ne s'interrompt pas
+            }
+        }
+    }
+
+    @Test
+    void laBarreDitLePixelSousLaSourisEtLeCoutDeLImage() throws Exception {
+        banc = new BancFenetre(lente("--statistiques"));
+        ImageMemoire image = banc.imageAchevee();
+        java.awt.Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        int k = 100 * L + 160;
+        String debut = String.format("pixel 160, 100 : #%06X = ", image.getCodes()[k] & 0xFFFFFF);
+        JLabel pixel = chercher("pixel", JLabel.class);
+        banc.robot.mouseMove(coin.x + 10, coin.y + 10);
+        attendre("le pixel se dit", () -> {
+            banc.robot.mouseMove(coin.x + 160, coin.y + 100);
+            return pixel.getText().startsWith(debut);
+        });
+        JLabel resume = chercher("resume", JLabel.class);
+        attendre("le coût se dit", () -> resume.getText().matches("320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s"));
+        String dit = texte(banc.sortie);
+        assertTrue(dit.startsWith("rayons.primaires: 76800\n"), dit);
+        assertEquals(10, dit.split("\n").length);
+    }
+
+    @Test
+    void uneSceneFautiveAuDepartNOuvrePasDeFenetre() throws Exception {
+        ecrire(FAUTIVE);
+        java.io.ByteArrayOutputStream erreur = new java.io.ByteArrayOutputStream();
+        assertEquals(2, Main.executer(new String[] {scene.toString()}, System.out, BancFenetre.flux(erreur)));
+        assertTrue(texte(erreur).matches("lancer : .*boule.ini.*rayon.*\\R"), texte(erreur));
+        assertNotNull(scene);
+    }
+}
