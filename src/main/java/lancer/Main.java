@@ -78,6 +78,10 @@ public class Main implements Toile {
             return panne.getMessage();
         }
         if (panne instanceof OutOfMemoryError) {
+            // la même erreur de Java dit deux manques ; celui-ci ne vient pas de la mémoire
+            if (String.valueOf(panne.getMessage()).contains("native thread")) {
+                return "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2";
+            }
             return "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
         }
         return "échec du programme : " + Texte.echappe(panne.toString());

@@ -234,6 +234,15 @@ class CommandeTest {
         verifierRefus(1, boucle + " : écriture impossible, trop de liens symboliques", executer("--image", boucle.toString()));
     }
 
+    @Test
+    void unePanneDeLaMachineDitQuoiFaire() {
+        assertEquals("trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2",
+                Main.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
+        assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Main.message(new OutOfMemoryError()));
+        assertEquals("échec du programme : java.lang.IllegalStateException: a\\nb",
+                Main.message(new IllegalStateException("a\nb")));
+    }
+
     // ce qui est écrit
 
     @Test
