@@ -165,8 +165,8 @@ class ProcessusTest {
     @Test
     void laMemoireEpuiseeSeDitEnUneLigne() throws Exception {
         assertEquals(1, statut(preparer(java("-Xmx16m", "--image=a.png", "--taille=10000x10000", SCENE))));
-        assertEquals("lancer : mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", erreur().trim()
-                .replaceAll("m.moire .puis.e", "mémoire épuisée").replaceAll("jar .+$", "jar …"));
+        // un terminal sans accents les remplace
+        assertTrue(erreur().matches("lancer : m.moire .puis.e ; donner plus . Java, par exemple java -Xmx2g -jar .+\r?\n"), erreur());
         assertFalse(Files.exists(dossier.resolve("a.png")));
     }
 
