@@ -6,7 +6,6 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.io.PrintStream;
-import java.io.UnsupportedEncodingException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.util.Random;
@@ -43,9 +42,7 @@ public final class Generateur {
         int statut;
         try (Writer sortie = new BufferedWriter(new OutputStreamWriter(
                 new FileOutputStream(FileDescriptor.out), StandardCharsets.UTF_8), 1 << 16)) {
-            statut = executer(args, sortie, new PrintStream(new FileOutputStream(FileDescriptor.err), true, "UTF-8"));
-        } catch (UnsupportedEncodingException e) {
-            throw new AssertionError(e);
+            statut = executer(args, sortie, System.err);
         } catch (IOException e) {
             System.err.println("Generateur : écriture impossible : " + e.getMessage());
             statut = 1;
