@@ -16,6 +16,25 @@ mesures/target/mesures.jar: $(POMS) mesures/pom.xml $(call sources,.) $(call sou
 	@$(MVN) -q -f ensemble.xml -pl :mesures -am -DskipTests package
 	@touch $@
 
+# Les images du README. Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
+VARIANTES_TOUTES := brume antialias blinn
+SCENES := scene1 diffus ombres miroirs bowling foule
+NEUVES := target/images
+
+images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/target/mesures.jar
+	@rm -rf $(NEUVES) && mkdir -p $(NEUVES)
+	@for s in $(SCENES); do \
+	    reflets=5; [ $$s = miroirs ] && reflets=40; \
+	    $(JAVA) -jar $(BASE) --reflets $$reflets --image $(NEUVES)/$$s.png scenes/$$s.ini || exit 1; \
+	done
+	@$(JAVA) -jar $(BASE) --image $(NEUVES)/brume-sans.png scenes/brume.ini 2>/dev/null
+	@$(JAVA) -jar brume/target/brume.jar --image $(NEUVES)/brume-avec.png scenes/brume.ini
+	@$(JAVA) -jar blinn/target/blinn.jar --image $(NEUVES)/blinn-avec.png scenes/bowling.ini
+	@cp $(NEUVES)/bowling.png $(NEUVES)/blinn-sans.png
+	@$(JAVA) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
+	@$(JAVA) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images $(NEUVES) images
+
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
