@@ -77,7 +77,7 @@ final class Dialogues {
         JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
         choix.setDialogTitle("Ouvrir une scène");
         choix.setFileFilter(new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
-        return choix.showOpenDialog(parent) == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
+        return choisi(parent, choix.showOpenDialog(parent), choix);
     }
 
     private static File dossierDesScenes(String actuelle) {
@@ -97,7 +97,7 @@ final class Dialogues {
         choix.setDialogTitle("Enregistrer l'image");
         choix.setFileFilter(new FileNameExtensionFilter("Images PNG (*.png)", "png"));
         choix.setSelectedFile(new File(propose, nom));
-        return choix.showSaveDialog(parent) == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
+        return choisi(parent, choix.showSaveDialog(parent), choix);
     }
 
     static boolean confirmerRemplacement(Component parent, File fichier) {
@@ -105,6 +105,13 @@ final class Dialogues {
         int reponse = JOptionPane.showOptionDialog(parent,
                 "Le fichier « " + Texte.echappe(fichier.getName()) + " » existe déjà. Le remplacer ?", "Enregistrer l'image",
                 JOptionPane.DEFAULT_OPTION, JOptionPane.WARNING_MESSAGE, null, reponses, reponses[1]);
+        parent.requestFocus();
         return reponse == 0;
+    }
+
+    private static File choisi(Component parent, int reponse, JFileChooser choix) {
+        // certains bureaux ne rendent pas le clavier à la fenêtre quand un dialogue se ferme
+        parent.requestFocus();
+        return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
     }
 }

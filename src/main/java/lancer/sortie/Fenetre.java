@@ -9,6 +9,7 @@ import java.awt.HeadlessException;
 import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
@@ -17,7 +18,9 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import lancer.Lancer;
 import lancer.Main;
@@ -56,6 +59,8 @@ public final class Fenetre {
     private String fichierMontre;
     private boolean fichierFautif;
     private Tracage courant;
+    /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
+    private boolean enCours;
     private Dimension taille = new Dimension();
     private ImageMemoire complete;
     private boolean fermee;
@@ -70,6 +75,8 @@ public final class Fenetre {
         this.fichierMontre = fichier;
         this.enregistrement = new Enregistrement(this);
         cadre.setJMenuBar(new MenuFenetre(this));
+        cadre.getRootPane().registerKeyboardAction(e -> arreter(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                JComponent.WHEN_IN_FOCUSED_WINDOW);
         cadre.add(panneau, BorderLayout.CENTER);
         cadre.add(barre, BorderLayout.PAGE_END);
         cadre.getRootPane().setTransferHandler(new DepotFichier(this));
@@ -165,12 +172,12 @@ public final class Fenetre {
 
     /** L'image montrée si elle est achevée ; {@code null} tant qu'un dessin est en cours, ou s'il a été arrêté. */
     public ImageMemoire getImageComplete() {
-        return !enCours() && complete == panneau.getImage() ? complete : null;
+        return !enCours && complete == panneau.getImage() ? complete : null;
     }
 
     /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
     public boolean enCours() {
-        return courant != null && !courant.isDone();
+        return enCours;
     }
 
     /** Le fichier de la scène montrée, {@code null} s'il n'y en a pas encore. */
@@ -205,7 +212,7 @@ public final class Fenetre {
     }
 
     void arreter() {
-        if (enCours()) {
+        if (enCours) {
             courant.cancel(true);
         }
     }
@@ -255,6 +262,7 @@ public final class Fenetre {
         annuler();
         taille = voulue;
         courant = new Tracage(main, lire ? fichier : null, taille, surveillance, sortie, this::finir);
+        enCours = true;
         dessins.execute(courant);
         horloge.start();
         observer();
@@ -273,7 +281,7 @@ public final class Fenetre {
         if (panneau.getTaillePixels().equals(taille)) {
             return;
         }
-        if (enCours()) {
+        if (enCours) {
             Lancer lancer = courant.getLancer();
             if (lancer == null || !lancer.isBrouillonFait() && courant.getDureeNs() < PATIENCE_NS) {
                 return;
@@ -308,6 +316,7 @@ public final class Fenetre {
         if (tracage != courant || fermee) {
             return;
         }
+        enCours = false;
         horloge.stop();
         Throwable panne = tracage.getPanne();
         if (tracage.isAcheve()) {

@@ -22,7 +22,8 @@ final class MenuFenetre extends JMenuBar {
         article(fichier, "Quitter", KeyEvent.VK_Q, ctrl, fenetre::fermer);
         JMenu dessin = menu("Dessin", KeyEvent.VK_D);
         article(dessin, "Relire la scène et redessiner", KeyEvent.VK_F5, 0, fenetre::recharger);
-        article(dessin, "Arrêter", KeyEvent.VK_ESCAPE, 0, fenetre::arreter);
+        // la touche est liée par la fenêtre : Java l'afficherait « Escape »
+        article(dessin, "Arrêter (Échap)", fenetre::arreter);
     }
 
     private JMenu menu(String nom, int touche) {
@@ -32,9 +33,12 @@ final class MenuFenetre extends JMenuBar {
     }
 
     private static void article(JMenu menu, String nom, int touche, int avec, Runnable action) {
+        article(menu, nom, action).setAccelerator(KeyStroke.getKeyStroke(touche, avec));
+    }
+
+    private static JMenuItem article(JMenu menu, String nom, Runnable action) {
         JMenuItem article = new JMenuItem(nom);
-        article.setAccelerator(KeyStroke.getKeyStroke(touche, avec));
         article.addActionListener(e -> action.run());
-        menu.add(article);
+        return menu.add(article);
     }
 }
