@@ -53,7 +53,7 @@ public final class Fenetre {
     private final Enregistrement enregistrement;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
     /** Un seul fil, donc un dessin à la fois : le suivant attend là que l'annulé ait vraiment fini d'écrire. */
-    private final ExecutorService dessins = Executors.newSingleThreadExecutor(new FilDemon("lancer-dessin"));
+    private final ExecutorService dessins;
 
     private String fichier;
     private String fichierMontre;
@@ -65,11 +65,13 @@ public final class Fenetre {
     private ImageMemoire complete;
     private boolean fermee;
 
-    private Fenetre(Main main, PrintStream sortie, List<String> variantes, Surveillance surveillance, Runnable fin) {
+    private Fenetre(Main main, PrintStream sortie, Surveillance surveillance, ExecutorService dessins, Tracage premier,
+            List<String> variantes, Runnable fin) {
         this.main = main;
         this.sortie = sortie;
         this.variantes = variantes;
         this.surveillance = surveillance;
+        this.dessins = dessins;
         this.fin = fin;
         this.fichier = main.getOptions().scene;
         this.fichierMontre = fichier;
@@ -110,8 +112,7 @@ public final class Fenetre {
             EventQueue.invokeLater(this::choisirScene);
         } else {
             avertir();
-            // avant de paraître : le brouillon se dessine pendant que l'écran ouvre la fenêtre
-            dessiner(false);
+            suivre(premier);
             cadre.setVisible(true);
         }
     }
@@ -136,12 +137,25 @@ public final class Fenetre {
             main.avertir(erreur);
         }
         exigerEcran();
+        ExecutorService dessins = Executors.newSingleThreadExecutor(new FilDemon("lancer-dessin"));
+        Tracage premier = null;
+        if (fichier != null) {
+            // sans attendre la fenêtre, qui sera plus longue à ouvrir que le brouillon à dessiner
+            Dimension taille = new Dimension(main.getOptions().largeur, main.getOptions().hauteur);
+            premier = new Tracage(main, null, taille, surveillance, sortie);
+            dessins.execute(premier);
+        }
+        return construire(main, sortie, surveillance, dessins, premier, fin);
+    }
+
+    private static Fenetre construire(Main main, PrintStream sortie, Surveillance surveillance, ExecutorService dessins,
+            Tracage premier, Runnable fin) {
         List<String> variantes = Variantes.noms();
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
                 Dialogues.preparer();
-                ouverte[0] = new Fenetre(main, sortie, variantes, surveillance, fin);
+                ouverte[0] = new Fenetre(main, sortie, surveillance, dessins, premier, variantes, fin);
             });
         } catch (InvocationTargetException e) {
             throw new Echec(CodeSortie.PANNE, Main.message(e.getCause()));
@@ -260,11 +274,17 @@ public final class Fenetre {
             return;
         }
         annuler();
-        taille = voulue;
-        courant = new Tracage(main, lire ? fichier : null, taille, surveillance, sortie, this::finir);
+        Tracage nouveau = new Tracage(main, lire ? fichier : null, voulue, surveillance, sortie);
+        dessins.execute(nouveau);
+        suivre(nouveau);
+    }
+
+    private void suivre(Tracage tracage) {
+        courant = tracage;
+        taille = tracage.getTaille();
         enCours = true;
-        dessins.execute(courant);
         horloge.start();
+        tracage.ensuite(this::finir);
         observer();
     }
 

@@ -20,7 +20,8 @@ final class Tracage extends SwingWorker<Void, Void> {
     private final Dimension taille;
     private final Surveillance surveillance;
     private final PrintStream sortie;
-    private final Consumer<Tracage> suite;
+    private Consumer<Tracage> suite;
+    private boolean rendu;
     private final long debut = System.nanoTime();
     private volatile long fin;
     private volatile boolean lu;
@@ -30,15 +31,29 @@ final class Tracage extends SwingWorker<Void, Void> {
     /**
      * @param aLire la scène à lire, {@code null} pour redessiner celle qui est déjà lue
      * @param taille celle de l'image, en pixels
-     * @param suite appelée sur le fil des événements quand c'est achevé, arrêté ou manqué
      */
-    Tracage(Main main, String aLire, Dimension taille, Surveillance surveillance, PrintStream sortie, Consumer<Tracage> suite) {
+    Tracage(Main main, String aLire, Dimension taille, Surveillance surveillance, PrintStream sortie) {
         this.main = main;
         this.aLire = aLire;
         this.taille = taille;
         this.surveillance = surveillance;
         this.sortie = sortie;
+    }
+
+    Dimension getTaille() {
+        return taille;
+    }
+
+    /**
+     * À appeler sur le fil des événements.
+     *
+     * @param suite appelée sur ce fil quand c'est achevé, arrêté ou manqué
+     */
+    void ensuite(Consumer<Tracage> suite) {
         this.suite = suite;
+        if (rendu) {
+            suite.accept(this);
+        }
     }
 
     @Override
@@ -69,7 +84,10 @@ final class Tracage extends SwingWorker<Void, Void> {
         if (fin == 0) {
             fin = System.nanoTime();
         }
-        suite.accept(this);
+        rendu = true;
+        if (suite != null) {
+            suite.accept(this);
+        }
     }
 
     /** Ce qui a empêché ce dessin d'aller au bout ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
