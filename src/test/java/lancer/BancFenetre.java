@@ -9,19 +9,25 @@ import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.FutureTask;
@@ -243,6 +249,41 @@ final class BancFenetre {
         if (!fin.await(PATIENCE_NS, TimeUnit.NANOSECONDS)) {
             fail("la fenêtre est fermée, et le programme ne finit pas");
         }
+    }
+
+    /** Le programme dans un processus à lui, sur le même écran. */
+    static ProcessBuilder processus(Path erreur, String... options) {
+        List<String> commande = new ArrayList<>();
+        commande.add(Paths.get(System.getProperty("java.home"), "bin", "java").toString());
+        commande.add("-Dfile.encoding=UTF-8");
+        commande.add("-cp");
+        commande.add(Essai.origine(Main.class) + File.pathSeparator + Essai.origine(org.ini4j.Config.class));
+        commande.addAll(Arrays.asList(options));
+        return new ProcessBuilder(commande).redirectOutput(erreur.toFile()).redirectErrorStream(true);
+    }
+
+    /** L'endroit de l'écran où se voit cette image, au pixel près, ou {@code null}. */
+    static Point trouver(Robot robot, int[] image, int largeur) {
+        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        int[] vu = codes(robot.createScreenCapture(ecran));
+        int hauteur = image.length / largeur;
+        for (int y = 0; y + hauteur <= ecran.height; y++) {
+            for (int x = 0; x + largeur <= ecran.width; x++) {
+                if (estLa(vu, y * ecran.width + x, ecran.width, image, largeur)) {
+                    return new Point(x, y);
+                }
+            }
+        }
+        return null;
+    }
+
+    private static boolean estLa(int[] vu, int debut, int pas, int[] image, int largeur) {
+        for (int k = 0; k < image.length; k++) {
+            if (vu[debut + k / largeur * pas + k % largeur] != image[k]) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Les fils du programme qui vivent encore et dont le nom commence ainsi. */

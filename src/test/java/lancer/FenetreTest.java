@@ -10,14 +10,16 @@ import static lancer.BancFenetre.texte;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Robot;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -28,6 +30,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
@@ -413,7 +416,7 @@ class FenetreTest {
     void laBarreDitLePixelSousLaSourisEtLeCoutDeLImage() throws Exception {
         banc = new BancFenetre(lente("--statistiques"));
         ImageMemoire image = banc.imageAchevee();
-        java.awt.Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
         int k = 100 * L + 160;
         String debut = String.format("pixel 160, 100 : #%06X = ", image.getCodes()[k] & 0xFFFFFF);
         JLabel pixel = chercher("pixel", JLabel.class);
@@ -430,11 +433,53 @@ class FenetreTest {
     }
 
     @Test
+    void unEcranDenseMontreUnPixelDImageParPixel() throws Exception {
+        BancFenetre.exigerEcran();
+        int[] attendue = attendue(2 * L, 2 * H);
+        Robot robot = new Robot();
+        Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
+                scene.toString()).start();
+        try {
+            attendre("l'image est à l'écran, deux fois plus grande et aussi nette",
+                    () -> BancFenetre.trouver(robot, attendue, 2 * L) != null);
+            Point ou = BancFenetre.trouver(robot, attendue, 2 * L);
+            robot.mouseMove(ou.x + L, ou.y + H);
+            attendre("Ctrl+Q termine le programme", () -> {
+                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+                robot.keyPress(KeyEvent.VK_CONTROL);
+                robot.keyPress(KeyEvent.VK_Q);
+                robot.keyRelease(KeyEvent.VK_Q);
+                robot.keyRelease(KeyEvent.VK_CONTROL);
+                return programme.waitFor(500, TimeUnit.MILLISECONDS);
+            });
+            assertEquals(0, programme.exitValue());
+            assertEquals(0, Files.size(dossier.resolve("dit.txt")));
+        } finally {
+            programme.destroyForcibly();
+        }
+    }
+
+    @Test
+    void sansEcranUneLigneProposeDeSePasserDeFenetre() throws Exception {
+        for (String affichage : new String[] {null, ":98765"}) {
+            Path dit = dossier.resolve("dit.txt");
+            ProcessBuilder programme = BancFenetre.processus(dit, "lancer.Main", scene.toString());
+            programme.environment().remove("DISPLAY");
+            if (affichage != null) {
+                programme.environment().put("DISPLAY", affichage);
+            }
+            assertEquals(1, programme.start().waitFor());
+            String ligne = new String(Files.readAllBytes(dit), StandardCharsets.UTF_8);
+            assertTrue(ligne.matches("lancer : .*--image.*\\R"), ligne);
+        }
+    }
+
+    @Test
     void uneSceneFautiveAuDepartNOuvrePasDeFenetre() throws Exception {
         ecrire(FAUTIVE);
-        java.io.ByteArrayOutputStream erreur = new java.io.ByteArrayOutputStream();
-        assertEquals(2, Main.executer(new String[] {scene.toString()}, System.out, BancFenetre.flux(erreur)));
-        assertTrue(texte(erreur).matches("lancer : .*boule.ini.*rayon.*\\R"), texte(erreur));
-        assertNotNull(scene);
+        Essai essai = Essai.executer(scene.toString());
+        assertEquals(2, essai.code);
+        assertTrue(essai.erreur.matches("lancer : .*boule.ini.*rayon.*\\R"), essai.erreur);
     }
 }

@@ -1,26 +1,12 @@
 package lancer.sortie;
 
-import java.awt.AWTError;
-import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
-import java.awt.Rectangle;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
-import java.awt.event.KeyEvent;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.io.File;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import javax.swing.JComponent;
 import javax.swing.JFrame;
-import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import lancer.Lancer;
 import lancer.Main;
@@ -28,6 +14,8 @@ import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
+import lancer.commande.Options;
+import lancer.lecture.Texte;
 import lancer.lecture.Variantes;
 
 /**
@@ -43,17 +31,14 @@ public final class Fenetre {
     private static final long PATIENCE_NS = 300_000_000;
 
     private final Main main;
-    private final PrintStream sortie;
+    private final Atelier atelier;
     private final List<String> variantes;
     private final Runnable fin;
-    private final JFrame cadre = new JFrame();
     private final PanneauImage panneau = new PanneauImage();
     private final BarreEtat barre = new BarreEtat(this);
-    private final Surveillance surveillance;
-    private final Enregistrement enregistrement;
+    private final JFrame cadre;
+    private final Enregistrement enregistrement = new Enregistrement(this);
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
-    /** Un seul fil, donc un dessin à la fois : le suivant attend là que l'annulé ait vraiment fini d'écrire. */
-    private final ExecutorService dessins;
 
     private String fichier;
     private String fichierMontre;
@@ -65,56 +50,24 @@ public final class Fenetre {
     private ImageMemoire complete;
     private boolean fermee;
 
-    private Fenetre(Main main, PrintStream sortie, Surveillance surveillance, ExecutorService dessins, Tracage premier,
-            List<String> variantes, Runnable fin) {
+    private Fenetre(Main main, Atelier atelier, Tracage premier, List<String> variantes, Runnable fin) {
         this.main = main;
-        this.sortie = sortie;
+        this.atelier = atelier;
         this.variantes = variantes;
-        this.surveillance = surveillance;
-        this.dessins = dessins;
         this.fin = fin;
-        this.fichier = main.getOptions().scene;
-        this.fichierMontre = fichier;
-        this.enregistrement = new Enregistrement(this);
-        cadre.setJMenuBar(new MenuFenetre(this));
-        cadre.getRootPane().registerKeyboardAction(e -> arreter(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                JComponent.WHEN_IN_FOCUSED_WINDOW);
-        cadre.add(panneau, BorderLayout.CENTER);
-        cadre.add(barre, BorderLayout.PAGE_END);
-        cadre.getRootPane().setTransferHandler(new DepotFichier(this));
-        cadre.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
-        cadre.addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent e) {
-                fermer();
-            }
-        });
-        panneau.setPreferredSize(new Dimension(main.getOptions().largeur, main.getOptions().hauteur));
-        panneau.suivreSouris(this::montrerPixel);
-        panneau.addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent e) {
-                suivreTaille();
-            }
-        });
-        // un écran d'une autre densité : les mêmes points, plus ou moins de pixels
-        panneau.addPropertyChangeListener("graphicsConfiguration", e -> suivreTaille());
-        cadre.pack();
-        Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        cadre.setSize(Math.min(cadre.getWidth(), ecran.width), Math.min(cadre.getHeight(), ecran.height));
-        cadre.setLocationRelativeTo(null);
-        cadre.validate();
+        fichier = main.getOptions().scene;
+        fichierMontre = fichier;
+        cadre = new Cadre(this, panneau, barre, taille(main.getOptions()));
         titrer();
-        surveillance.commencer(this::fichierChange);
-        if (fichier == null) {
+        atelier.surveiller(() -> EventQueue.invokeLater(() -> dessiner(true)));
+        if (premier == null) {
             panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
-            cadre.setVisible(true);
             EventQueue.invokeLater(this::choisirScene);
         } else {
             avertir();
             suivre(premier);
-            cadre.setVisible(true);
         }
+        cadre.setVisible(true);
     }
 
     /**
@@ -129,33 +82,21 @@ public final class Fenetre {
 
     /** Comme {@link #ouvrir(Main, PrintStream, PrintStream)}, mais fermer la fenêtre appelle {@code fin}, dans un autre fil. */
     public static Fenetre ouvrir(Main main, PrintStream sortie, PrintStream erreur, Runnable fin) {
-        Surveillance surveillance = new Surveillance();
+        Atelier atelier = new Atelier(main, sortie);
         String fichier = main.getOptions().scene;
         if (fichier != null) {
-            surveillance.suivre(fichier);
-            main.lireScene(fichier);
+            atelier.lire(fichier);
             main.avertir(erreur);
         }
-        exigerEcran();
-        ExecutorService dessins = Executors.newSingleThreadExecutor(new FilDemon("lancer-dessin"));
-        Tracage premier = null;
-        if (fichier != null) {
-            // sans attendre la fenêtre, qui sera plus longue à ouvrir que le brouillon à dessiner
-            Dimension taille = new Dimension(main.getOptions().largeur, main.getOptions().hauteur);
-            premier = new Tracage(main, null, taille, surveillance, sortie);
-            dessins.execute(premier);
-        }
-        return construire(main, sortie, surveillance, dessins, premier, fin);
-    }
-
-    private static Fenetre construire(Main main, PrintStream sortie, Surveillance surveillance, ExecutorService dessins,
-            Tracage premier, Runnable fin) {
+        Ecran.exiger();
+        // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
+        Tracage premier = fichier == null ? null : atelier.dessiner(null, taille(main.getOptions()));
         List<String> variantes = Variantes.noms();
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
                 Dialogues.preparer();
-                ouverte[0] = new Fenetre(main, sortie, surveillance, dessins, premier, variantes, fin);
+                ouverte[0] = new Fenetre(main, atelier, premier, variantes, fin);
             });
         } catch (InvocationTargetException e) {
             throw new Echec(CodeSortie.PANNE, Main.message(e.getCause()));
@@ -165,18 +106,8 @@ public final class Fenetre {
         return ouverte[0];
     }
 
-    private static void exigerEcran() {
-        boolean ecran;
-        try {
-            ecran = !GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (HeadlessException | AWTError | LinkageError e) {
-            // un DISPLAY sans serveur derrière, ou un Java sans ses bibliothèques d'écran
-            ecran = false;
-        }
-        if (!ecran) {
-            throw new Echec(CodeSortie.PANNE, "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
-        }
+    private static Dimension taille(Options options) {
+        return new Dimension(options.largeur, options.hauteur);
     }
 
     /** Le cadre, qui contient tout ce qui se voit. */
@@ -238,9 +169,8 @@ public final class Fenetre {
         }
         fermee = true;
         horloge.stop();
-        surveillance.terminer();
         annuler();
-        dessins.shutdown();
+        atelier.terminer();
         cadre.dispose();
         enregistrement.terminer(fin);
     }
@@ -255,15 +185,11 @@ public final class Fenetre {
     }
 
     void direErreur(String erreur) {
-        panneau.getBandeau().erreur(erreur);
+        panneau.getBandeau().erreur(Texte.echappe(erreur));
     }
 
     void direEtat(String etat) {
         barre.resumer(etat);
-    }
-
-    private void fichierChange() {
-        EventQueue.invokeLater(() -> dessiner(true));
     }
 
     /** Recommence le dessin à la taille du panneau ; l'ancienne image reste montrée jusqu'au brouillon de la nouvelle. */
@@ -274,9 +200,7 @@ public final class Fenetre {
             return;
         }
         annuler();
-        Tracage nouveau = new Tracage(main, lire ? fichier : null, voulue, surveillance, sortie);
-        dessins.execute(nouveau);
-        suivre(nouveau);
+        suivre(atelier.dessiner(lire ? fichier : null, voulue));
     }
 
     private void suivre(Tracage tracage) {
@@ -297,8 +221,8 @@ public final class Fenetre {
     }
 
     /** Refait l'image si le panneau n'a plus sa taille, en laissant au brouillon le temps de se montrer. */
-    private void suivreTaille() {
-        if (panneau.getTaillePixels().equals(taille)) {
+    void suivreTaille() {
+        if (courant == null || panneau.getTaillePixels().equals(taille)) {
             return;
         }
         if (enCours) {
@@ -363,7 +287,7 @@ public final class Fenetre {
         panneau.getBandeau().avis(scene == null ? "" : String.join("\n", scene.getAvertissements()));
     }
 
-    private void montrerPixel() {
+    void montrerPixel() {
         barre.montrerPixel(panneau.getPixelSouris(), panneau.getImage());
     }
 

@@ -84,6 +84,11 @@ final class PanneauImage extends JPanel {
             naissante = null;
             calque = null;
         } else if (image != naissante) {
+            if (fond == null) {
+                // pas encore de brouillon complet : ce qu'on en voit vaut mieux que du gris
+                montree = naissante;
+                fond = calque;
+            }
             naissante = image;
             calque = surCodes(image, ColorModel.getRGBdefault(), ROUGE, VERT, BLEU, OPACITE);
         }

@@ -159,10 +159,14 @@ final class Tracage extends SwingWorker<Void, Void> {
         if (lancer == null) {
             return aLire != null && !lu ? "lecture…" : "préparation…";
         }
-        return lancer.isBrouillonFait() ? "dessin " + pourCent() : "brouillon";
+        return lancer.isBrouillonFait() ? "dessin " + pourCent() : "brouillon " + pourCent(lancer.getAvancement());
     }
 
     private String pourCent() {
-        return (int) (100 * getAvancement()) + " %";
+        return pourCent(getAvancement());
+    }
+
+    private static String pourCent(double part) {
+        return (int) (100 * part) + " %";
     }
 }
