@@ -33,8 +33,10 @@ public final class Antialias implements Variante {
         switch (nom) {
             case "coins":
                 return new Coins(n, seuil);
+            case "partage":
+                return new Partage(n, seuil);
             default:
-                throw valeurs.fautive("methode", "méthode inconnue : " + Texte.cite(nom), "coins");
+                throw valeurs.fautive("methode", "méthode inconnue : " + Texte.cite(nom), "coins ou partage");
         }
     }
 }

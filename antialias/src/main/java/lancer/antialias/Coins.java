@@ -1,6 +1,5 @@
 package lancer.antialias;
 
-import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
@@ -41,22 +40,7 @@ final class Coins implements Echantillonnage {
         return raffines;
     }
 
-    /** Le plus grand écart entre les quatre coins, sur une composante. */
     private double contraste(Grille grille) {
-        Couleur a = grille.voir(0, 0);
-        Couleur b = grille.voir(n - 1, 0);
-        Couleur c = grille.voir(0, n - 1);
-        Couleur d = grille.voir(n - 1, n - 1);
-        return Math.max(etendue(a.r, b.r, c.r, d.r), Math.max(etendue(a.v, b.v, c.v, d.v), etendue(a.b, b.b, c.b, d.b)));
-    }
-
-    private static double etendue(double a, double b, double c, double d) {
-        double min = Math.min(Math.min(a, b), Math.min(c, d));
-        double max = Math.max(Math.max(a, b), Math.max(c, d));
-        return limite(max) - limite(min);
-    }
-
-    private static double limite(double x) {
-        return Math.max(0, Math.min(1, x));
+        return Contraste.entre(grille.voir(0, 0), grille.voir(n - 1, 0), grille.voir(0, n - 1), grille.voir(n - 1, n - 1));
     }
 }

@@ -59,7 +59,7 @@ class AntialiasTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"coins"})
+    @ValueSource(strings = {"coins", "partage"})
     void lImageEtLesComptesNeDependentPasDuNombreDeFils(String methode) throws IOException {
         String scene = scene(ini("p1-quatre.ini"), "[Antialias]", "methode=" + methode).toString();
         String image = dossier.resolve("image.pfm").toString();
@@ -99,8 +99,8 @@ class AntialiasTest {
         "n=trois      | n | n'est pas un nombre : « trois » ; attendu : un nombre de 1 à 64",
         "seuil=-0.1   | seuil | hors limites : « -0.1 » ; attendu : un nombre d'au moins 0",
         "seuil=0.1 0.1| seuil | 2 nombres au lieu de 1 : « 0.1 0.1 » ; attendu : un nombre d'au moins 0",
-        "methode=Halton | methode | méthode inconnue : « Halton » ; attendu : coins",
-        "methode=       | methode | méthode inconnue : «  » ; attendu : coins",
+        "methode=Halton | methode | méthode inconnue : « Halton » ; attendu : coins ou partage",
+        "methode=       | methode | méthode inconnue : «  » ; attendu : coins ou partage",
         "rayons=9     | rayons | clé inconnue ; attendu : n, seuil, methode"})
     void uneValeurImpossibleEstRefuseeEnUneLigne(String ligne, String cle, String faute) throws IOException {
         Path scene = scene("[Antialias]", ligne);
