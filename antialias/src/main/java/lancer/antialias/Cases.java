@@ -1,119 +1,108 @@
 package lancer.antialias;
 
-import java.util.Arrays;
 import lancer.Couleur;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
 /**
- * Le travail de {@link Partage} sur un pavé. Une case va du sous-pixel (x0, y0) au sous-pixel (x1, y1), comptés depuis le coin
- * du pavé ; elle répond de ceux de x0 à x1 − 1 et de y0 à y1 − 1, et des derniers du pavé. N'appartient qu'à un fil.
+ * Le travail de {@link Partage} sur un pavé. La case d'un pixel va de son premier sous-pixel à ceux des pixels suivants, à
+ * droite et en dessous ; aux bords du pavé, où rien ne suit, à son dernier. Une case de (x0, y0) à (x1, y1) répond des
+ * sous-pixels de x0 à x1 − 1 et de y0 à y1 − 1, et des derniers du pavé. N'appartient qu'à un fil.
  */
 final class Cases {
 
-    /** Le contraste qu'on suppose invisible entre quatre couleurs égales : sous ce seuil, toute case de la trame est coupée. */
+    /** Le contraste qu'on suppose invisible entre quatre couleurs égales : sous ce seuil, la case de tout pixel est coupée. */
     static final double PRUDENCE = 0.05;
 
     private final int n;
     private final double seuil;
     private final Pave pave;
-    private final Bande bande;
-    /** La trame : un sous-pixel par pixel, plus la dernière colonne et la dernière ligne du pavé, ligne par ligne. */
+    private final SousPixels sousPixels;
     private final int largeur;
     private final int hauteur;
-    private final Couleur[] trame;
-    /** Pour chaque pixel, ligne par ligne : si la case qui en part doit être coupée, la somme des sous-pixels, s'il est raffiné. */
-    private final boolean[] suspectes;
-    private final Couleur[] sommes;
-    private final boolean[] raffines;
+
+    /** Le pixel en cours, dans le pavé ; ses derniers sous-pixels ; la somme de ceux qui sont peints. */
+    private int i;
+    private int j;
+    private int finX;
+    private int finY;
+    private double r;
+    private double v;
+    private double b;
 
     Cases(int n, double seuil, Pave pave, Vue vue) {
         this.n = n;
         this.seuil = seuil;
         this.pave = pave;
-        bande = new Bande(n, pave, vue);
+        sousPixels = new SousPixels(n, pave, vue);
         largeur = pave.i1 - pave.i0;
         hauteur = pave.j1 - pave.j0;
-        trame = new Couleur[(largeur + 1) * (hauteur + 1)];
-        for (int j = 0; j <= hauteur; j++) {
-            for (int i = 0; i <= largeur; i++) {
-                trame[j * (largeur + 1) + i] =
-                        vue.couleur(pave.i0 + (sousPixel(i, largeur) + 0.5) / n, pave.j0 + (sousPixel(j, hauteur) + 0.5) / n);
-            }
-        }
-        suspectes = new boolean[largeur * hauteur];
-        sommes = new Couleur[largeur * hauteur];
-        raffines = new boolean[largeur * hauteur];
-        Arrays.fill(sommes, new Couleur());
     }
 
-    /** La colonne (ou la ligne) de sous-pixels de la trame, sur un pavé de {@code nombre} pixels. */
-    private int sousPixel(int k, int nombre) {
-        return Math.min(k * n, nombre * n - 1);
-    }
-
-    /** @return le nombre de pixels raffinés */
+    /** @return le nombre de pixels dont la case a été coupée */
     int tracer(Toile toile) {
-        for (int j = 0; j < hauteur; j++) {
-            for (int i = 0; i < largeur; i++) {
-                suspectes[j * largeur + i] = suspecte(i, j);
+        boolean[][] suspects = suspects();
+        int raffines = 0;
+        for (int y = 0; y < hauteur; y++) {
+            for (int x = 0; x < largeur; x++) {
+                commencer(x, y);
+                if (voisinSuspect(suspects)) {
+                    couper(0, 0, finX, finY);
+                    raffines++;
+                } else {
+                    interpoler(0, 0, finX, finY);
+                }
+                double aire = n * n;
+                toile.drawPixel(new Couleur(r / aire, v / aire, b / aire), pave.i0 + x, pave.j0 + y);
+            }
+            sousPixels.oublier(y);
+        }
+        return raffines;
+    }
+
+    private void commencer(int x, int y) {
+        i = x;
+        j = y;
+        finX = i + 1 < largeur ? n : n - 1;
+        finY = j + 1 < hauteur ? n : n - 1;
+        r = 0;
+        v = 0;
+        b = 0;
+    }
+
+    /** Pour chaque ligne et chaque colonne, vrai si la case du pixel dépasse à elle seule le seuil. */
+    private boolean[][] suspects() {
+        boolean[][] suspects = new boolean[hauteur][largeur];
+        for (int y = 0; y < hauteur; y++) {
+            for (int x = 0; x < largeur; x++) {
+                commencer(x, y);
+                suspects[y][x] = depasse(0, 0, finX, finY);
             }
         }
-        for (int j = 0; j < hauteur; j++) {
-            tracerRangee(j);
-        }
-        int nombre = 0;
-        for (int k = 0; k < sommes.length; k++) {
-            toile.drawPixel(sommes[k].div(n * n), pave.i0 + k % largeur, pave.j0 + k / largeur);
-            nombre += raffines[k] ? 1 : 0;
-        }
-        return nombre;
+        return suspects;
     }
 
-    /** Vrai si la case de la trame qui part de ce pixel dépasse le seuil à elle seule. */
-    private boolean suspecte(int i, int j) {
-        int k = j * (largeur + 1) + i;
-        double contraste = Contraste.entre(trame[k], trame[k + 1], trame[k + largeur + 1], trame[k + largeur + 2]);
-        return depasse(contraste, sousPixel(i + 1, largeur) - i * n, sousPixel(j + 1, hauteur) - j * n);
-    }
-
-    /** Le contraste compte pour autant que la case est grande : une petite ne change guère un pixel. */
-    private boolean depasse(double contraste, int dx, int dy) {
-        return (contraste + PRUDENCE) * Math.sqrt((double) dx * dy) / n > seuil;
-    }
-
-    private void tracerRangee(int j) {
-        if (j > 0) {
-            bande.descendre();
-        }
-        int y0 = j * n;
-        int y1 = sousPixel(j + 1, hauteur);
-        for (int i = 0; i <= largeur; i++) {
-            bande.poser(sousPixel(i, largeur), y0, trame[j * (largeur + 1) + i]);
-            bande.poser(sousPixel(i, largeur), y1, trame[(j + 1) * (largeur + 1) + i]);
-        }
-        for (int i = 0; i < largeur; i++) {
-            int x0 = i * n;
-            int x1 = sousPixel(i + 1, largeur);
-            if (voisineSuspecte(i, j)) {
-                couper(x0, y0, x1, y1);
-            } else {
-                interpoler(x0, y0, x1, y1, false);
-            }
-        }
-    }
-
-    /** Vrai si cette case de la trame ou l'une de ses huit voisines est suspecte : un détail y déborde souvent. */
-    private boolean voisineSuspecte(int i, int j) {
+    /** Vrai si le pixel en cours ou l'un de ses huit voisins est suspect : un détail déborde souvent de la case qui le trahit. */
+    private boolean voisinSuspect(boolean[][] suspects) {
         for (int y = Math.max(0, j - 1); y < Math.min(hauteur, j + 2); y++) {
             for (int x = Math.max(0, i - 1); x < Math.min(largeur, i + 2); x++) {
-                if (suspectes[y * largeur + x]) {
+                if (suspects[y][x]) {
                     return true;
                 }
             }
         }
         return false;
+    }
+
+    /** Vrai si contraste × côté dépasse le seuil : plus une case est petite, moins elle change le pixel. */
+    private boolean depasse(int x0, int y0, int x1, int y1) {
+        double contraste = Contraste.entre(voir(x0, y0), voir(x1, y0), voir(x0, y1), voir(x1, y1));
+        return (contraste + PRUDENCE) * Math.sqrt((double) (x1 - x0) * (y1 - y0)) / n > seuil;
+    }
+
+    private Couleur voir(int x, int y) {
+        return sousPixels.voir(i, j, x, y);
     }
 
     /** Peint une case en quatre, ou en deux si elle n'a qu'un sous-pixel de large ou de haut. */
@@ -134,38 +123,36 @@ final class Cases {
 
     private void peindre(int x0, int y0, int x1, int y1) {
         boolean divisible = x1 - x0 > 1 || y1 - y0 > 1;
-        double contraste = Contraste.entre(bande.voir(x0, y0), bande.voir(x1, y0), bande.voir(x0, y1), bande.voir(x1, y1));
-        if (divisible && depasse(contraste, x1 - x0, y1 - y0)) {
+        if (divisible && depasse(x0, y0, x1, y1)) {
             couper(x0, y0, x1, y1);
         } else {
-            interpoler(x0, y0, x1, y1, true);
+            interpoler(x0, y0, x1, y1);
         }
     }
 
     /**
-     * Ajoute à chaque pixel ceux de ses sous-pixels dont répond la case, interpolés entre ses quatre coins. La moyenne d'une
-     * fonction bilinéaire sur un rectangle est sa valeur au milieu : un seul calcul par pixel suffit.
+     * Ajoute au pixel les sous-pixels dont répond la case, interpolés entre ses quatre coins : autant de fois la valeur au
+     * milieu, puisque c'est la moyenne d'une fonction bilinéaire sur un rectangle.
      */
-    private void interpoler(int x0, int y0, int x1, int y1, boolean raffine) {
-        Couleur a = bande.voir(x0, y0);
-        Couleur b = bande.voir(x1, y0);
-        Couleur c = bande.voir(x0, y1);
-        Couleur d = bande.voir(x1, y1);
-        int finX = x1 == largeur * n - 1 ? x1 + 1 : x1;
-        int finY = y1 == hauteur * n - 1 ? y1 + 1 : y1;
-        for (int y = y0, ySuivant; y < finY; y = ySuivant) {
-            ySuivant = Math.min(finY, (y / n + 1) * n);
-            double fy = ((y + ySuivant - 1) / 2.0 - y0) / (y1 - y0);
-            for (int x = x0, xSuivant; x < finX; x = xSuivant) {
-                xSuivant = Math.min(finX, (x / n + 1) * n);
-                double fx = ((x + xSuivant - 1) / 2.0 - x0) / (x1 - x0);
-                int nombre = (xSuivant - x) * (ySuivant - y);
-                Couleur haut = a.mul(1 - fx).add(b.mul(fx));
-                Couleur bas = c.mul(1 - fx).add(d.mul(fx));
-                int pixel = y / n * largeur + x / n;
-                sommes[pixel] = sommes[pixel].add(haut.mul(1 - fy).add(bas.mul(fy)).mul(nombre));
-                raffines[pixel] |= raffine;
-            }
+    private void interpoler(int x0, int y0, int x1, int y1) {
+        int suivantX = x1 == n - 1 && x1 == finX ? n : x1;
+        int suivantY = y1 == n - 1 && y1 == finY ? n : y1;
+        double nombre = (suivantX - x0) * (suivantY - y0);
+        double fx = (suivantX - x0 - 1) / (2.0 * (x1 - x0));
+        double fy = (suivantY - y0 - 1) / (2.0 * (y1 - y0));
+        ajouter(x0, y0, nombre * (1 - fx) * (1 - fy));
+        ajouter(x1, y0, nombre * fx * (1 - fy));
+        ajouter(x0, y1, nombre * (1 - fx) * fy);
+        ajouter(x1, y1, nombre * fx * fy);
+    }
+
+    /** Un coin qui ne compte pas n'a pas à être vu. */
+    private void ajouter(int x, int y, double poids) {
+        if (poids > 0) {
+            Couleur couleur = voir(x, y);
+            r += poids * couleur.r;
+            v += poids * couleur.v;
+            b += poids * couleur.b;
         }
     }
 }

@@ -13,13 +13,16 @@ final class Contraste {
         return Math.max(etendue(a.r, b.r, c.r, d.r), Math.max(etendue(a.v, b.v, c.v, d.v), etendue(a.b, b.b, c.b, d.b)));
     }
 
+    /** Sans Math.min ni Math.max, dont le soin pour NaN et −0.0 doublerait le temps de la méthode. */
     private static double etendue(double a, double b, double c, double d) {
-        double min = Math.min(Math.min(a, b), Math.min(c, d));
-        double max = Math.max(Math.max(a, b), Math.max(c, d));
-        return limite(max) - limite(min);
+        double minAB = a < b ? a : b;
+        double maxAB = a < b ? b : a;
+        double minCD = c < d ? c : d;
+        double maxCD = c < d ? d : c;
+        return limite(maxAB < maxCD ? maxCD : maxAB) - limite(minAB < minCD ? minAB : minCD);
     }
 
     private static double limite(double x) {
-        return Math.max(0, Math.min(1, x));
+        return x < 0 ? 0 : x > 1 ? 1 : x;
     }
 }

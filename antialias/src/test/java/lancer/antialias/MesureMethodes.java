@@ -25,9 +25,8 @@ public final class MesureMethodes {
     private static final int LARGEUR = 120;
     private static final int HAUTEUR = 90;
     private static final int N_REFERENCE = 20;
-    private static final int[] COTES = {3, 4, 6, 8, 16};
-    private static final double[] SEUILS =
-        {0.005, 0.01, 0.016, 0.025, 0.03, 0.035, 0.04, 0.045, 0.05, 0.06, 0.08, 0.1, 0.125, 0.16, 0.2, 0.3, 0.4, 0.6};
+    private static final int[] COTES = {3, 4, 8, 16};
+    private static final double[] SEUILS = {0.01, 0.02, 0.03, 0.04, 0.048, 0.06, 0.08, 0.1, 0.15, 0.2, 0.3, 0.5};
     private static final double[] BUDGETS = {2, 3, 5, 6, 8, 12};
     private static final String[] METHODES = {"coins", "partage"};
 
