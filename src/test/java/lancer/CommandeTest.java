@@ -54,23 +54,23 @@ class CommandeTest {
 
     /** Dessine la scène en petit ; la demande doit aboutir, sans rien dire. */
     private static String dessiner(String... arguments) {
-        Execution e = executer(arguments);
-        assertEquals(0, e.statut, e.toString());
+        Essai e = executer(arguments);
+        assertEquals(0, e.code, e.toString());
         assertEquals("", e.erreur);
         return e.sortie;
     }
 
-    private static Execution executer(String... arguments) {
+    private static Essai executer(String... arguments) {
         String[] tous = Arrays.copyOf(arguments, arguments.length + 3);
         tous[arguments.length] = "--taille";
         tous[arguments.length + 1] = "40x30";
         tous[arguments.length + 2] = SCENE;
-        return Execution.de(tous);
+        return Essai.executer(tous);
     }
 
-    private static void verifierRefus(int statut, String message, Execution e) {
+    private static void verifierRefus(int statut, String message, Essai e) {
         assertEquals("lancer : " + message + System.lineSeparator(), e.erreur);
-        assertEquals(statut, e.statut);
+        assertEquals(statut, e.code);
         assertEquals("", e.sortie);
     }
 
@@ -101,16 +101,16 @@ class CommandeTest {
     @Test
     void lAideDitToutesLesOptions() {
         for (String demande : new String[] {"--aide", "--help", "-h"}) {
-            Execution e = Execution.de(demande);
-            assertEquals(0, e.statut);
+            Essai e = Essai.executer(demande);
+            assertEquals(0, e.code);
             assertEquals("", e.erreur);
             for (String option : "--image --lineaire --taille --reflets --seuil --fils --repeter --statistiques --aide --help -h --version"
                     .split(" ")) {
                 assertTrue(e.sortie.contains(option), option);
             }
         }
-        Execution version = Execution.de("--version");
-        assertEquals(0, version.statut);
+        Essai version = Essai.executer("--version");
+        assertEquals(0, version.code);
         assertTrue(version.sortie.startsWith("lancer "), version.toString());
     }
 
@@ -118,9 +118,9 @@ class CommandeTest {
 
     @Test
     void uneOptionFausseDonneUneLigneEtLeStatut2() {
-        verifierRefus(2, "option inconnue : « --bidule » ; attendu : une de celles que montre --aide", Execution.de("--bidule"));
+        verifierRefus(2, "option inconnue : « --bidule » ; attendu : une de celles que montre --aide", Essai.executer("--bidule"));
         verifierRefus(2, "aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini",
-                Execution.de("--image", png.toString()));
+                Essai.executer("--image", png.toString()));
         verifierFichiers();
     }
 
@@ -128,11 +128,11 @@ class CommandeTest {
     void uneSceneAbsenteOuUnDossierEstRefuse() {
         Path absente = dossier.resolve("absente.ini");
         verifierRefus(2, absente + " : fichier introuvable ; attendu : un fichier de scène",
-                Execution.de("--image", png.toString(), absente.toString()));
+                Essai.executer("--image", png.toString(), absente.toString()));
         verifierRefus(2, dossier + " : c'est un dossier ; attendu : un fichier de scène",
-                Execution.de("--image", png.toString(), dossier.toString()));
+                Essai.executer("--image", png.toString(), dossier.toString()));
         verifierRefus(2, "nulle-part/x.ini : fichier introuvable ; attendu : un fichier de scène",
-                Execution.de("--image", png.toString(), "nulle-part/x.ini"));
+                Essai.executer("--image", png.toString(), "nulle-part/x.ini"));
         verifierFichiers();
     }
 
@@ -147,12 +147,12 @@ class CommandeTest {
             lien("lien-relatif.png", Paths.get("s.ini")), lien("ici", dossier).resolve("s.ini"),
             Files.createLink(dossier.resolve("dur.png"), scene)};
         for (Path sortie : ecritures) {
-            verifierRefus(2, message, Execution.de("--image", sortie.toString(), scene.toString()));
-            verifierRefus(2, message, Execution.de("--lineaire=" + sortie, scene.toString()));
+            verifierRefus(2, message, Essai.executer("--image", sortie.toString(), scene.toString()));
+            verifierRefus(2, message, Essai.executer("--lineaire=" + sortie, scene.toString()));
         }
         assertArrayEquals(avant, Files.readAllBytes(scene));
         verifierRefus(2, "la sortie est la scène elle-même : " + dossier.resolve("lien.png") + " ; attendu : un autre fichier",
-                Execution.de("--image", scene.toString(), dossier.resolve("lien.png").toString()));
+                Essai.executer("--image", scene.toString(), dossier.resolve("lien.png").toString()));
     }
 
     @Test
@@ -163,7 +163,7 @@ class CommandeTest {
             lien("versImage", png), lien("versVers", Paths.get("versImage"))};
         for (Path autre : ecritures) {
             String attendu = " ; attendu : deux fichiers";
-            Execution e = executer("--image", png.toString(), "--lineaire", autre.toString());
+            Essai e = executer("--image", png.toString(), "--lineaire", autre.toString());
             verifierRefus(2, "--image et --lineaire écrivent le même fichier : " + png + attendu, e);
             e = executer("--lineaire", png.toString(), "--image", autre.toString());
             verifierRefus(2, "--image et --lineaire écrivent le même fichier : " + autre + attendu, e);
@@ -179,8 +179,8 @@ class CommandeTest {
         Files.copy(Paths.get(SCENE), dossier.resolve("a/s.ini"));
         // b est a/b : b/.. est a, et non ce dossier
         Path autre = lien("b", ailleurs).resolve("../s.ini");
-        Execution e = Execution.de("--taille=4x4", "--image", scene.toString(), autre.toString());
-        assertEquals(0, e.statut, e.toString());
+        Essai e = Essai.executer("--taille=4x4", "--image", scene.toString(), autre.toString());
+        assertEquals(0, e.code, e.toString());
         assertEquals(4, ImageIO.read(scene.toFile()).getWidth());
         assertArrayEquals(Files.readAllBytes(Paths.get(SCENE)), Files.readAllBytes(dossier.resolve("a/s.ini")));
     }
@@ -209,7 +209,7 @@ class CommandeTest {
     void unEchecNeDitQueLui() throws IOException {
         assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
         String scene = Ressources.chemin("valides/avertie-brume.ini");
-        verifierRefus(1, "/dev/full : écriture impossible, disque plein", Execution.de("--taille=4x4", "--image=/dev/full", scene));
+        verifierRefus(1, "/dev/full : écriture impossible, disque plein", Essai.executer("--taille=4x4", "--image=/dev/full", scene));
     }
 
     @Test
@@ -327,13 +327,13 @@ class CommandeTest {
     void lePngEtLePfmDisentLaMemeImage() throws IOException {
         dessiner("--image", png.toString(), "--lineaire", pfm.toString());
         BufferedImage image = ImageIO.read(png.toFile());
-        Ressources.Image lineaire = Ressources.pfm(pfm);
+        float[] c = Essai.pfm(Files.readAllBytes(pfm));
         assertEquals(40, image.getWidth());
         assertEquals(30, image.getHeight());
         for (int j = 0; j < 30; j++) {
             for (int i = 0; i < 40; i++) {
-                int k = 3 * (40 * j + i);
-                float[] c = lineaire.composantes;
+                // la ligne du bas est la première du PFM
+                int k = 3 * (40 * (29 - j) + i);
                 assertEquals(new Couleur(c[k], c[k + 1], c[k + 2]).getCode(), image.getRGB(i, j), "pixel " + i + ", " + j);
             }
         }
@@ -398,10 +398,10 @@ class CommandeTest {
     @Test
     void uneSectionQuePersonneNeLitEstNommeeUneFoisEtLImageDessinee() {
         String scene = Ressources.chemin("valides/avertie-brume.ini");
-        Execution e = Execution.de("--taille=8x6", "--repeter=3", "--image=" + png, "--lineaire=" + pfm, scene);
+        Essai e = Essai.executer("--taille=8x6", "--repeter=3", "--image=" + png, "--lineaire=" + pfm, scene);
         assertEquals("lancer : " + scene + ", ligne 4, [Brume dense] : section laissée de côté ; attendu : la variante qui la lit, "
                 + "java -jar brume/target/brume.jar" + System.lineSeparator(), e.erreur);
-        assertEquals(0, e.statut);
+        assertEquals(0, e.code);
         verifierFichiers("image.png", "image.pfm");
     }
 

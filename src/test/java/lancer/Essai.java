@@ -76,6 +76,12 @@ public final class Essai {
         }
     }
 
+    /** De quoi comprendre un essai qui échoue. */
+    @Override
+    public String toString() {
+        return "statut " + code + ", sortie « " + sortie + " », erreur « " + erreur + " »";
+    }
+
     /** Le dossier ou l'archive d'où vient cette classe. */
     public static Path origine(Class<?> classe) {
         try {

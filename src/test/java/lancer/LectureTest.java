@@ -68,10 +68,10 @@ class LectureTest {
     void uneSceneFautiveEstRefuseeEnUneLigne(Path scene) throws IOException {
         Path png = dossier.resolve("image.png");
         Path pfm = dossier.resolve("image.pfm");
-        Execution e = Execution.de("--image", png.toString(), "--lineaire", pfm.toString(), "--statistiques", scene.toString());
+        Essai e = Essai.executer("--image", png.toString(), "--lineaire", pfm.toString(), "--statistiques", scene.toString());
         assertEquals(attendu(scene), e.erreur);
         assertEquals(1, e.erreur.split("\r?\n").length, e.erreur);
-        assertEquals(2, e.statut);
+        assertEquals(2, e.code);
         assertEquals("", e.sortie);
         assertEquals(0, dossier.toFile().list().length, "des fichiers sont restés");
     }
@@ -80,10 +80,10 @@ class LectureTest {
     @MethodSource("valides")
     void uneSceneInhabituelleMaisJusteEstDessinee(Path scene) throws IOException {
         Path pfm = dossier.resolve("image.pfm");
-        Execution e = Execution.de("--lineaire", pfm.toString(), "--taille", "20x15", scene.toString());
+        Essai e = Essai.executer("--lineaire", pfm.toString(), "--taille", "20x15", scene.toString());
         assertEquals(attendu(scene), e.erreur);
-        assertEquals(0, e.statut);
-        for (float composante : Ressources.pfm(pfm).composantes) {
+        assertEquals(0, e.code);
+        for (float composante : Essai.pfm(Files.readAllBytes(pfm))) {
             assertTrue(Math.abs(composante) <= Float.MAX_VALUE, "un nombre de l'image n'est pas fini");
         }
     }
@@ -218,13 +218,13 @@ class LectureTest {
                 }
             }
             Files.write(fichier, abime.toByteArray());
-            Execution e = Execution.de("--lineaire=" + pfm, "--taille=3x2", "--fils=1", fichier.toString());
+            Essai e = Essai.executer("--lineaire=" + pfm, "--taille=3x2", "--fils=1", fichier.toString());
             String cas = "essai " + essai + ", graine " + graine + " : " + e;
-            if (e.statut == 0) {
+            if (e.code == 0) {
                 assertEquals("", e.erreur, cas);
                 assertTrue(Files.deleteIfExists(pfm), cas);
             } else {
-                assertEquals(2, e.statut, cas);
+                assertEquals(2, e.code, cas);
                 assertTrue(e.erreur.matches("lancer : \\Q" + fichier + "\\E, ligne [0-9]+[^\\p{Cntrl}]* : [^\\p{Cntrl}]+ ; attendu : "
                         + "[^\\p{Cntrl}]+\r?\n"), cas);
                 assertFalse(Files.exists(pfm), cas);

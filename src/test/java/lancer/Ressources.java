@@ -1,19 +1,11 @@
 package lancer;
 
-import java.io.BufferedInputStream;
-import java.io.DataInputStream;
-import java.io.IOException;
 import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.nio.file.Paths;
 import lancer.contrat.Toile;
 
-/** Les fichiers des tests, et une image PFM lue ou dessinée. */
+/** Les fichiers des tests, et une image dessinée en couleurs non limitées. */
 final class Ressources {
 
     private Ressources() {
@@ -62,40 +54,5 @@ final class Ressources {
             }
             return pire;
         }
-    }
-
-    /** Un fichier PFM de {@code src/test/resources}. */
-    static Image pfm(String nom) {
-        return pfm(Paths.get(chemin(nom)));
-    }
-
-    static Image pfm(Path nom) {
-        try (DataInputStream entree = new DataInputStream(new BufferedInputStream(Files.newInputStream(nom)))) {
-            if (!ligne(entree).equals("PF")) {
-                throw new IOException("pas un PFM en couleurs : " + nom);
-            }
-            String[] taille = ligne(entree).split(" ");
-            Image image = new Image(Integer.parseInt(taille[0]), Integer.parseInt(taille[1]));
-            if (Double.parseDouble(ligne(entree)) >= 0) {
-                throw new IOException("gros-boutiste : " + nom);
-            }
-            byte[] octets = new byte[4 * 3 * image.largeur];
-            for (int j = image.hauteur - 1; j >= 0; j--) {
-                entree.readFully(octets);
-                ByteBuffer.wrap(octets).order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer()
-                        .get(image.composantes, 3 * j * image.largeur, 3 * image.largeur);
-            }
-            return image;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static String ligne(DataInputStream entree) throws IOException {
-        StringBuilder s = new StringBuilder();
-        for (int c = entree.readUnsignedByte(); c != '\n'; c = entree.readUnsignedByte()) {
-            s.append((char) c);
-        }
-        return s.toString();
     }
 }
