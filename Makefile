@@ -30,7 +30,6 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	@$(JAVA) -jar $(BASE) --image $(NEUVES)/brume-sans.png scenes/brume.ini 2>/dev/null
 	@$(JAVA) -jar brume/target/brume.jar --image $(NEUVES)/brume-avec.png scenes/brume.ini
 	@$(JAVA) -jar blinn/target/blinn.jar --image $(NEUVES)/blinn-avec.png scenes/bowling.ini
-	@cp $(NEUVES)/bowling.png $(NEUVES)/blinn-sans.png
 	@$(JAVA) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
 	@$(JAVA) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images $(NEUVES) images
