@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.AWTError;
+import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
@@ -206,13 +207,7 @@ final class BancFenetre {
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
         attendre(quoi, () -> fenetre.getImageComplete() != null && Arrays.equals(fenetre.getImageComplete().getCodes(), codes));
-        attendre(quoi + ", à l'écran", () -> Arrays.equals(capture(), codes));
-    }
-
-    /** Ce que l'écran montre à la place du panneau, ligne par ligne. */
-    int[] capture() {
-        Rectangle ou = new Rectangle(panneau.getLocationOnScreen(), panneau.getSize());
-        return codes(robot.createScreenCapture(ou));
+        attendre(quoi + ", à l'écran", () -> trouver(codes, panneau.getWidth()) != null);
     }
 
     static int[] codes(BufferedImage image) {
@@ -262,10 +257,13 @@ final class BancFenetre {
         return new ProcessBuilder(commande).redirectOutput(erreur.toFile()).redirectErrorStream(true);
     }
 
-    /** L'endroit de l'écran où se voit cette image, au pixel près, ou {@code null}. */
-    static Point trouver(Robot robot, int[] image, int largeur) {
+    /**
+     * L'endroit de l'écran où se voit cette image, au pixel près, ou {@code null}. L'écran entier est fouillé : sans
+     * gestionnaire de fenêtres, il arrive que Java se trompe sur l'endroit où est la sienne.
+     */
+    static Point trouver(int[] image, int largeur) throws AWTException {
         Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
-        int[] vu = codes(robot.createScreenCapture(ecran));
+        int[] vu = codes(new Robot().createScreenCapture(ecran));
         int hauteur = image.length / largeur;
         for (int y = 0; y + hauteur <= ecran.height; y++) {
             for (int x = 0; x + largeur <= ecran.width; x++) {

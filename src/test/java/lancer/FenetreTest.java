@@ -36,6 +36,7 @@ import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
+import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import lancer.BancFenetre.MainLent;
 import lancer.sortie.ImageMemoire;
@@ -100,9 +101,8 @@ class FenetreTest {
         lancer.TracerBrouillon(brouillon, Constantes.MAX_REFLETS, 1);
         banc = new BancFenetre(lente().lent());
         // le dernier pavé : l'image, ralentie, en est loin
-        int debut = (H - 16) * L;
-        attendre("le brouillon est à l'écran", () -> Arrays.equals(
-                Arrays.copyOfRange(brouillon.getCodes(), debut, L * H), Arrays.copyOfRange(banc.capture(), debut, L * H)));
+        int[] bas = Arrays.copyOfRange(brouillon.getCodes(), (H - 16) * L, H * L);
+        attendre("le brouillon est à l'écran", () -> BancFenetre.trouver(bas, L) != null);
         assertTrue(banc.fenetre.enCours());
         assertNull(banc.fenetre.getImageComplete());
         banc.main.lent = false;
@@ -281,6 +281,8 @@ class FenetreTest {
 
     private String choisir(Path fichier) throws Exception {
         JFileChooser choix = composant(null, JFileChooser.class);
+        // comme quelqu'un : d'abord le clavier est au dialogue, et ce qui fut frappé avant ne va plus à la fenêtre
+        attendre("le clavier est au dialogue", () -> SwingUtilities.getWindowAncestor(choix).isFocused());
         String propose = surFilEvenements(() -> {
             File selection = choix.getSelectedFile();
             choix.setSelectedFile(fichier.toFile());
@@ -313,6 +315,23 @@ class FenetreTest {
         // c'est elle, maintenant, qui est surveillée
         ecrire(ROUGE);
         banc.attendreImage("l'autre scène, modifiée", attendue(L, H));
+    }
+
+    @Test
+    void uneToucheQuiSeRepeteNOuvreQuUnDialogue() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        scene = dossier.resolve("autre.ini");
+        ecrire(BLEUE);
+        banc.frapper(KeyEvent.VK_CONTROL);
+        banc.robot.keyPress(KeyEvent.VK_CONTROL);
+        for (int k = 0; k < 3; k++) {
+            banc.robot.keyPress(KeyEvent.VK_O);
+            banc.robot.keyRelease(KeyEvent.VK_O);
+        }
+        banc.robot.keyRelease(KeyEvent.VK_CONTROL);
+        choisir(scene);
+        banc.attendreImage("rien ne la recouvre", attendue(L, H));
     }
 
     @Test
@@ -416,7 +435,8 @@ class FenetreTest {
     void laBarreDitLePixelSousLaSourisEtLeCoutDeLImage() throws Exception {
         banc = new BancFenetre(lente("--statistiques"));
         ImageMemoire image = banc.imageAchevee();
-        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        banc.attendreImage("l'image est à l'écran", image.getCodes());
+        Point coin = BancFenetre.trouver(image.getCodes(), L);
         int k = 100 * L + 160;
         String debut = String.format("pixel 160, 100 : #%06X = ", image.getCodes()[k] & 0xFFFFFF);
         JLabel pixel = chercher("pixel", JLabel.class);
@@ -441,8 +461,8 @@ class FenetreTest {
                 scene.toString()).start();
         try {
             attendre("l'image est à l'écran, deux fois plus grande et aussi nette",
-                    () -> BancFenetre.trouver(robot, attendue, 2 * L) != null);
-            Point ou = BancFenetre.trouver(robot, attendue, 2 * L);
+                    () -> BancFenetre.trouver(attendue, 2 * L) != null);
+            Point ou = BancFenetre.trouver(attendue, 2 * L);
             robot.mouseMove(ou.x + L, ou.y + H);
             attendre("Ctrl+Q termine le programme", () -> {
                 robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);

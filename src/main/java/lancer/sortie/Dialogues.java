@@ -52,6 +52,9 @@ final class Dialogues {
         {"FileChooser.cancelButtonToolTipText", "Fermer sans rien choisir"},
     };
 
+    /** Vrai tant qu'un choix de fichier est à l'écran : une touche qui se répète en ouvrirait un autre par-dessus. */
+    private static boolean ouvert;
+
     private Dialogues() {
     }
 
@@ -74,10 +77,13 @@ final class Dialogues {
 
     /** @param actuelle la scène déjà ouverte, dont le dossier est proposé, ou {@code null} */
     static File choisirScene(Component parent, String actuelle) {
+        if (ouvert) {
+            return null;
+        }
         JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
         choix.setDialogTitle("Ouvrir une scène");
         choix.setFileFilter(new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
-        return choisi(parent, choix.showOpenDialog(parent), choix);
+        return choisir(parent, choix, JFileChooser.OPEN_DIALOG);
     }
 
     private static File dossierDesScenes(String actuelle) {
@@ -92,12 +98,15 @@ final class Dialogues {
 
     /** @param dossier celui du dernier enregistrement, ou {@code null} */
     static File choisirImage(Component parent, File dossier, String nom) {
+        if (ouvert) {
+            return null;
+        }
         File propose = dossier != null ? dossier : new File("").getAbsoluteFile();
         JFileChooser choix = new JFileChooser(propose);
         choix.setDialogTitle("Enregistrer l'image");
         choix.setFileFilter(new FileNameExtensionFilter("Images PNG (*.png)", "png"));
         choix.setSelectedFile(new File(propose, nom));
-        return choisi(parent, choix.showSaveDialog(parent), choix);
+        return choisir(parent, choix, JFileChooser.SAVE_DIALOG);
     }
 
     static boolean confirmerRemplacement(Component parent, File fichier) {
@@ -109,9 +118,15 @@ final class Dialogues {
         return reponse == 0;
     }
 
-    private static File choisi(Component parent, int reponse, JFileChooser choix) {
-        // certains bureaux ne rendent pas le clavier à la fenêtre quand un dialogue se ferme
-        parent.requestFocus();
-        return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
+    private static File choisir(Component parent, JFileChooser choix, int genre) {
+        ouvert = true;
+        try {
+            int reponse = genre == JFileChooser.SAVE_DIALOG ? choix.showSaveDialog(parent) : choix.showOpenDialog(parent);
+            return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
+        } finally {
+            ouvert = false;
+            // certains bureaux ne rendent pas le clavier à la fenêtre quand un dialogue se ferme
+            parent.requestFocus();
+        }
     }
 }
