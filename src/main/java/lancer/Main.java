@@ -7,9 +7,11 @@ import lancer.commande.Aide;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
+import lancer.contrat.RechercheSimple;
 import lancer.contrat.Toile;
 import lancer.lecture.LecteurScene;
 import lancer.lecture.Texte;
+import lancer.rapide.Preparation;
 import lancer.sortie.BarreProgression;
 import lancer.sortie.Ecriture;
 import lancer.sortie.Fenetre;
@@ -173,6 +175,8 @@ public class Main implements Toile {
     private Lancer preparer(int largeur, int hauteur) {
         long debut = System.nanoTime();
         Camera camera = new Camera(largeur, hauteur);
+        scene.setRecherche(options.simple
+                ? new RechercheSimple(scene.getObjets(), scene.getCompteurs()) : Preparation.pour(scene, camera));
         preparationNs = System.nanoTime() - debut;
         return new Lancer(scene, camera);
     }

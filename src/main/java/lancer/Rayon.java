@@ -38,7 +38,7 @@ public class Rayon {
      * @param v direction, déjà de longueur 1
      * @param produitKs produit des Ks rencontrés jusqu'à {@code p} compris
      */
-    Rayon(Point p, Vecteur v, Couleur produitKs) {
+    public Rayon(Point p, Vecteur v, Couleur produitKs) {
         this.P = p;
         this.V = v;
         this.produitKs = produitKs;

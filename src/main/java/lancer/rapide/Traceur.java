@@ -1,0 +1,334 @@
+package lancer.rapide;
+
+import java.util.List;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
+import lancer.contrat.Atmosphere;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Specularite;
+import lancer.contrat.Vue;
+
+/**
+ * Les équations de {@link Objet3D#getColor}, {@link Scene#getCouleurVue} et {@link Rayon}, sur des nombres et en boucle : les
+ * mêmes opérations dans le même ordre, donc les mêmes bits. Écrites deux fois parce que les vecteurs immuables de la version
+ * lisible, rappelée par {@code --simple}, coûtent plus de la moitié d'une image (mesuré : scène du cours, 800 × 600, deux
+ * fils) ; {@code IdentiteTest} compare les deux sur chaque pixel. Appartient à un fil ; rien n'est alloué par rayon, sauf la
+ * couleur rendue.
+ */
+final class Traceur implements Vue {
+
+    /** Entre ces carrés, {@link Vecteur#normalized} divise par une racine ; ailleurs c'est à lui de faire. */
+    private static final double NORME2_MIN = 0x1.0p-900;
+    private static final double NORME2_MAX = 0x1.0p1000;
+
+    private final Scene scene;
+    private final Camera camera;
+    /** Vrai si la caméra est celle de la base, dont on connaît le calcul. */
+    private final boolean cameraConnue;
+    private final int profondeur;
+    private final double seuil;
+    private final Atmosphere atmosphere;
+    private final boolean claire;
+    private final Specularite specularite;
+    private final boolean phong;
+
+    private final RechercheRapide recherche;
+    private final Spheres spheres;
+    private final Voisins premiers;
+    private final Voisins suivants;
+    private final Obstacles[] obstacles;
+    private final double[] lampes;
+    private final Lampe[] objetsLampes;
+    private final Sonde sonde;
+    private final Compteurs compteurs;
+
+    /** Le rayon qui part du contact. */
+    private double rx;
+    private double ry;
+    private double rz;
+
+    /** Par niveau de réflexion : couleur propre du contact, Ks, longueur du rayon qui y mène. */
+    private static final int PAS_NIVEAU = 7;
+    private double[] niveaux = new double[PAS_NIVEAU * 8];
+
+    Traceur(RechercheRapide recherche, Sonde sonde, Lancer lancer, int profondeur) {
+        this.recherche = recherche;
+        this.profondeur = profondeur;
+        this.sonde = sonde;
+        scene = lancer.getScene();
+        compteurs = scene.getCompteurs();
+        camera = lancer.getCamera();
+        cameraConnue = camera.getClass() == Camera.class;
+        seuil = scene.getSeuil();
+        atmosphere = scene.getAtmosphere();
+        claire = atmosphere == Atmosphere.CLAIRE;
+        specularite = scene.getSpecularite();
+        phong = specularite == Specularite.PHONG;
+        spheres = recherche.getSpheres();
+        premiers = recherche.premiers(camera);
+        suivants = recherche.suivants();
+        obstacles = recherche.obstacles();
+        List<Lampe> liste = scene.getLampes();
+        objetsLampes = liste.toArray(new Lampe[0]);
+        lampes = new double[6 * liste.size()];
+        for (int l = 0; l < objetsLampes.length; l++) {
+            Point p = objetsLampes[l].getPosition();
+            Couleur c = objetsLampes[l].getCouleur();
+            double[] nombres = {p.x, p.y, p.z, c.r, c.v, c.b};
+            System.arraycopy(nombres, 0, lampes, 6 * l, 6);
+        }
+    }
+
+    @Override
+    public Couleur couleur(double xe, double ye) {
+        compteurs.primaires++;
+        double px;
+        double py;
+        double pz;
+        double vx;
+        double vy;
+        double vz;
+        if (cameraConnue) {
+            px = camera.getX(xe);
+            py = camera.getY(ye);
+            pz = 0;
+            vx = px - Camera.OEIL.x;
+            vy = py - Camera.OEIL.y;
+            vz = pz - Camera.OEIL.z;
+            // la focale garde cette norme loin des extrêmes
+            double inverse = 1 / Math.sqrt(vx * vx + vy * vy + vz * vz);
+            vx *= inverse;
+            vy *= inverse;
+            vz *= inverse;
+        } else {
+            Rayon rayon = camera.getRayon(xe, ye);
+            px = rayon.getP().x;
+            py = rayon.getP().y;
+            pz = rayon.getP().z;
+            vx = rayon.getV().x;
+            vy = rayon.getV().y;
+            vz = rayon.getV().z;
+        }
+        double produitR = 1;
+        double produitV = 1;
+        double produitB = 1;
+        int niveau = 0;
+        int sauf = -1;
+        double r;
+        double v;
+        double b;
+        while (true) {
+            int k = (niveau == 0 ? premiers : suivants).plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
+            double distance = sonde.distance;
+            if (spheres.autres.length > 0) {
+                Rayon rayon = new Rayon(new Point(px, py, pz), new Vecteur(vx, vy, vz), new Couleur(produitR, produitV, produitB));
+                Objet3D autre = recherche.autrePlusProche(rayon, distance, k, null);
+                if (autre != null) {
+                    // une forme que ce paquet ne connaît pas : sa couleur est son affaire, réflexions comprises
+                    PointContact contact = rayon.calcContact();
+                    Couleur c = atmosphere.traverser(
+                            autre.getColor(scene, rayon, contact, profondeur - niveau), contact.distance);
+                    r = c.r;
+                    v = c.v;
+                    b = c.b;
+                    break;
+                }
+            }
+            if (k < 0) {
+                // Rayon.getSkyColor
+                if (vy > 0) {
+                    double bas = 1 - vy;
+                    r = 0.7 * bas;
+                    v = 0.7 * bas;
+                    b = bas + vy;
+                } else {
+                    r = 0.5;
+                    v = 0.4 + 0.2 * vy;
+                    b = 0.1;
+                }
+                if (!claire) {
+                    Couleur c = atmosphere.traverser(new Couleur(r, v, b), Constantes.INFINI);
+                    r = c.r;
+                    v = c.v;
+                    b = c.b;
+                }
+                break;
+            }
+            px += vx * distance;
+            py += vy * distance;
+            pz += vz * distance;
+            if (PAS_NIVEAU * (niveau + 1) > niveaux.length) {
+                niveaux = java.util.Arrays.copyOf(niveaux, 2 * niveaux.length);
+            }
+            int n = PAS_NIVEAU * niveau;
+            niveaux[n + 6] = distance;
+            eclairer(k, n, px, py, pz, vx, vy, vz);
+            double ksR = niveaux[n + 3];
+            double ksV = niveaux[n + 4];
+            double ksB = niveaux[n + 5];
+            produitR *= ksR;
+            produitV *= ksV;
+            produitB *= ksB;
+            if (niveau >= profondeur || ksR == 0 && ksV == 0 && ksB == 0
+                    || !(Math.max(produitR, Math.max(produitV, produitB)) >= seuil)) {
+                r = niveaux[n];
+                v = niveaux[n + 1];
+                b = niveaux[n + 2];
+                if (!claire) {
+                    Couleur c = atmosphere.traverser(new Couleur(r, v, b), distance);
+                    r = c.r;
+                    v = c.v;
+                    b = c.b;
+                }
+                break;
+            }
+            compteurs.reflechis++;
+            niveau++;
+            sauf = k;
+            vx = rx;
+            vy = ry;
+            vz = rz;
+        }
+        return replier(niveau, r, v, b);
+    }
+
+
+    /** Du dernier contact au premier, dans l'ordre où la récursion le ferait. */
+    private Couleur replier(int niveau, double r, double v, double b) {
+        double[] t = niveaux;
+        for (int n = PAS_NIVEAU * (niveau - 1); n >= 0; n -= PAS_NIVEAU) {
+            r = t[n] + t[n + 3] * r;
+            v = t[n + 1] + t[n + 4] * v;
+            b = t[n + 2] + t[n + 5] * b;
+            if (!claire) {
+                Couleur c = atmosphere.traverser(new Couleur(r, v, b), t[n + 6]);
+                r = c.r;
+                v = c.v;
+                b = c.b;
+            }
+        }
+        return new Couleur(r, v, b);
+    }
+
+    /** La couleur propre du contact et son Ks, au niveau n ; la direction du reflet dans (rx, ry, rz). */
+    private void eclairer(int k, int n, double px, double py, double pz, double vx, double vy, double vz) {
+        double[] g = spheres.geometrie;
+        int s = Spheres.PAS * k;
+        double nx = px - g[s];
+        double ny = py - g[s + 1];
+        double nz = pz - g[s + 2];
+        double carre = nx * nx + ny * ny + nz * nz;
+        if (carre >= NORME2_MIN && carre <= NORME2_MAX) {
+            double inverse = 1 / Math.sqrt(carre);
+            nx *= inverse;
+            ny *= inverse;
+            nz *= inverse;
+        } else {
+            Vecteur N = spheres.objet(k).getNormale(new Point(px, py, pz));
+            nx = N.x;
+            ny = N.y;
+            nz = N.z;
+        }
+        double deuxVN = 2 * (vx * nx + vy * ny + vz * nz);
+        double ux = vx - nx * deuxVN;
+        double uy = vy - ny * deuxVN;
+        double uz = vz - nz * deuxVN;
+        double carreR = ux * ux + uy * uy + uz * uz;
+        if (carreR >= NORME2_MIN && carreR <= NORME2_MAX) {
+            double inverse = 1 / Math.sqrt(carreR);
+            ux *= inverse;
+            uy *= inverse;
+            uz *= inverse;
+        } else {
+            Vecteur R = new Vecteur(ux, uy, uz).normalized();
+            ux = R.x;
+            uy = R.y;
+            uz = R.z;
+        }
+        rx = ux;
+        ry = uy;
+        rz = uz;
+
+        double[] m = spheres.matieres;
+        int a = spheres.matiere[k];
+        double kdR = m[a];
+        double kdV = m[a + 1];
+        double kdB = m[a + 2];
+        double ksR = m[a + 3];
+        double ksV = m[a + 4];
+        double ksB = m[a + 5];
+        boolean mate = ksR == 0 && ksV == 0 && ksB == 0;
+        double r = 0;
+        double v = 0;
+        double b = 0;
+        double[] l = lampes;
+        for (int i = 0, j = 0; j < l.length; i++, j += 6) {
+            double lx = l[j] - px;
+            double ly = l[j + 1] - py;
+            double lz = l[j + 2] - pz;
+            if (!(nx * lx + ny * ly + nz * lz > 0)) {
+                continue;
+            }
+            double carreL = lx * lx + ly * ly + lz * lz;
+            double versLampe;
+            if (carreL >= NORME2_MIN && carreL <= NORME2_MAX) {
+                versLampe = Math.sqrt(carreL);
+                double inverse = 1 / versLampe;
+                lx *= inverse;
+                ly *= inverse;
+                lz *= inverse;
+            } else {
+                Vecteur L = new Vecteur(lx, ly, lz);
+                versLampe = L.norme();
+                L = L.normalized();
+                lx = L.x;
+                ly = L.y;
+                lz = L.z;
+            }
+            double diffus = Math.min(1, nx * lx + ny * ly + nz * lz);
+            double kR = l[j + 3];
+            double kV = l[j + 4];
+            double kB = l[j + 5];
+            double aR = kdR * kR * diffus;
+            double aV = kdV * kV * diffus;
+            double aB = kdB * kB * diffus;
+            if (!mate) {
+                double ns = m[a + 6];
+                double eclat = phong ? Specularite.puissance(ux * lx + uy * ly + uz * lz, ns)
+                        : specularite.eclat(new Vecteur(vx, vy, vz), new Vecteur(nx, ny, nz), new Vecteur(lx, ly, lz),
+                                new Vecteur(ux, uy, uz), ns);
+                aR += ksR * kR * eclat;
+                aV += ksV * kV * eclat;
+                aB += ksB * kB * eclat;
+            }
+            if (aR == 0 && aV == 0 && aB == 0) {
+                continue;
+            }
+            // le rayon d'ombre part de la lampe, en sens inverse de L : mêmes longueurs, mêmes bits
+            compteurs.ombre++;
+            if (obstacles[i].cachee(sonde, l[j], l[j + 1], l[j + 2], -lx, -ly, -lz, versLampe, k)
+                    || spheres.autres.length > 0
+                    && recherche.autreCache(objetsLampes[i].getPosition(), new Point(px, py, pz), versLampe, null)) {
+                continue;
+            }
+            r += aR;
+            v += aV;
+            b += aB;
+        }
+        niveaux[n] = r;
+        niveaux[n + 1] = v;
+        niveaux[n + 2] = b;
+        niveaux[n + 3] = ksR;
+        niveaux[n + 4] = ksV;
+        niveaux[n + 5] = ksB;
+    }
+}

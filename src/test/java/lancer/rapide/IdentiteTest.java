@@ -1,0 +1,121 @@
+package lancer.rapide;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.io.File;
+import java.util.Map;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.contrat.Atmosphere;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
+import lancer.contrat.RechercheSimple;
+import lancer.contrat.Specularite;
+import org.junit.jupiter.api.Test;
+
+/** L'image rapide est l'image lisible, au bit près, pour autant de rayons, quel que soit le nombre de fils. */
+class IdentiteTest {
+
+    private static final int LARGEUR = 61;
+    private static final int HAUTEUR = 47;
+    private static final int FOULE = 60;
+
+    @Test
+    void scenesDeReference() {
+        File[] fichiers = new File("src/test/resources/reference").listFiles((dossier, nom) -> nom.endsWith(".ini"));
+        assertTrue(fichiers.length >= 4);
+        for (File fichier : fichiers) {
+            comparer(fichier.getName(), new Scene(fichier.getPath()), 12);
+        }
+    }
+
+    @Test
+    void scenesDEssai() {
+        for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(FOULE).entrySet()) {
+            comparer(e.getKey(), e.getValue(), 5);
+        }
+    }
+
+    @Test
+    void longueursExtremes() {
+        for (Map.Entry<String, Scene> e : ScenesDEssai.extremes(FOULE).entrySet()) {
+            comparer(e.getKey(), e.getValue(), 5);
+        }
+    }
+
+    @Test
+    void reflexionsSansFin() {
+        Scene scene = ScenesDEssai.toutes(FOULE).get("tout dans une sphère");
+        scene.setSeuil(0);
+        comparer("mille réflexions", scene, 1000);
+        comparer("aucune réflexion", scene, 0);
+    }
+
+    @Test
+    void autresContrats() {
+        Scene scene = ScenesDEssai.toutes(FOULE).get("foule");
+        scene.setAtmosphere(new Voile());
+        scene.setSpecularite((V, N, L, R, ns) -> Specularite.puissance(N.dot(L.sub(V).normalized()), ns / 2));
+        comparer("voile et autre reflet", scene, 5);
+    }
+
+    /** Une atmosphère qui ne commute avec rien. */
+    private static final class Voile implements Atmosphere {
+        @Override
+        public Couleur traverser(Couleur vue, double distance) {
+            double k = 1 - Math.exp(-distance / 10);
+            return new Couleur(0.8 * k + (1 - k) * vue.r, 0.7 * k + (1 - k) * vue.v, 0.6 * k + (1 - k) * vue.b);
+        }
+    }
+
+    static void comparer(String nom, Scene scene, int profondeur) {
+        Camera camera = new Camera(LARGEUR, HAUTEUR);
+        scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
+        Dessin lisible = new Dessin(scene, camera, profondeur, 2);
+        Compteurs premiers = null;
+        for (int fils : new int[] {1, 2, 7}) {
+            scene.setRecherche(Preparation.pour(scene, camera));
+            Dessin rapide = new Dessin(scene, camera, profondeur, fils);
+            rapide.verifier(nom + ", " + fils + " fils", lisible);
+            premiers = premiers == null ? rapide.compteurs : premiers;
+            assertEquals(premiers.testsSpheres, rapide.compteurs.testsSpheres, nom + ", sphères, fils");
+            assertEquals(premiers.noeudsVisites, rapide.compteurs.noeudsVisites, nom + ", nœuds, fils");
+        }
+    }
+
+    /** Une image et ses comptes. */
+    static final class Dessin {
+
+        final Couleur[] pixels;
+        final Compteurs compteurs;
+        private final int largeur;
+
+        Dessin(Scene scene, Camera camera, int profondeur, int fils) {
+            largeur = camera.getLargeur();
+            pixels = new Couleur[largeur * camera.getHauteur()];
+            Lancer lancer = new Lancer(scene, camera);
+            lancer.TracerPixels((couleur, i, j) -> pixels[j * largeur + i] = couleur, profondeur, fils);
+            compteurs = lancer.getCompteurs();
+        }
+
+        static Dessin de(Scene scene, Camera camera, Recherche recherche, int profondeur) {
+            scene.setRecherche(recherche);
+            return new Dessin(scene, camera, profondeur, 2);
+        }
+
+        void verifier(String nom, Dessin attendu) {
+            for (int k = 0; k < pixels.length; k++) {
+                if (!pixels[k].equals(attendu.pixels[k])) {
+                    fail(nom + " : pixel (" + k % largeur + ", " + k / largeur + ") " + pixels[k] + ", lisible " + attendu.pixels[k]);
+                }
+            }
+            assertEquals(attendu.compteurs.primaires, compteurs.primaires, nom + ", primaires");
+            assertEquals(attendu.compteurs.ombre, compteurs.ombre, nom + ", ombre");
+            assertEquals(attendu.compteurs.reflechis, compteurs.reflechis, nom + ", réfléchis");
+        }
+    }
+}

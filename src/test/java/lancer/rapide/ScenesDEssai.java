@@ -1,0 +1,229 @@
+package lancer.rapide;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+
+/** Des scènes faites pour nuire : chacune attaque un raccourci. Toujours les mêmes, le hasard a sa graine. */
+final class ScenesDEssai {
+
+    private final List<Objet3D> objets = new ArrayList<>();
+    private final List<Lampe> lampes = new ArrayList<>();
+    private final Random hasard;
+
+    private ScenesDEssai(long graine) {
+        hasard = new Random(graine);
+    }
+
+    /** Toutes, par leur nom, d'au plus {@code taille} sphères ou à peu près. */
+    static Map<String, Scene> toutes(int taille) {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
+        scenes.put("vide", new ScenesDEssai(0).deuxLampes().scene());
+        scenes.put("une sphère", new ScenesDEssai(0).sphere(0, 0, 6, 1).deuxLampes().scene());
+        scenes.put("sans lampe", new ScenesDEssai(1).foule(taille, 3, 0.2, 0.5).scene());
+        scenes.put("foule", new ScenesDEssai(2).foule(taille, 3, 0.05, 0.2).deuxLampes().scene());
+        scenes.put("foule qui s'interpénètre", new ScenesDEssai(3).foule(taille, 2, 0.3, 1).deuxLampes().scene());
+        scenes.put("tailles sauvages", new ScenesDEssai(4).taillesSauvages(taille, 3).deuxLampes().scene());
+        scenes.put("lampes partout", new ScenesDEssai(5).foule(taille, 2, 0.1, 0.5).lampesPartout().scene());
+        scenes.put("sol immense", new ScenesDEssai(6).sphere(0, -1001.5, 8, 1000).foule(taille, 2, 0.05, 0.3).deuxLampes().scene());
+        scenes.put("lampe sur le sol", new ScenesDEssai(7).sphere(0, -1001.5, 8, 1000).foule(taille, 2, 0.1, 0.3)
+                .lampe(0, -1.5, 8).lampe(0, 30, 8).scene());
+        scenes.put("écran dans une sphère", new ScenesDEssai(8).sphere(0, 0, 0, 3).foule(taille, 2, 0.1, 0.3).deuxLampes().scene());
+        scenes.put("œil dans une sphère", new ScenesDEssai(9).sphere(0, 0, -3.8, 0.5).foule(taille, 2, 0.1, 0.3).deuxLampes().scene());
+        scenes.put("tout dans une sphère", new ScenesDEssai(10).sphere(0, 0, 0, 50).foule(taille, 3, 0.1, 0.3).deuxLampes().scene());
+        scenes.put("amas", new ScenesDEssai(11).amas(taille, 4, 0.02).deuxLampes().scene());
+        scenes.put("amas dispersés", new ScenesDEssai(12).amas(taille, 40, 0.1).deuxLampes().scene());
+        scenes.put("boules tangentes", new ScenesDEssai(13).tangentes(taille).deuxLampes().scene());
+        scenes.put("presque jumelles", new ScenesDEssai(14).presqueJumelles(taille).deuxLampes().scene());
+        scenes.put("loin de tout", new ScenesDEssai(15).foule(taille, 3, 0.05, 0.3).sphere(1e6, 1e6, 1e6, 10).lampe(1e9, 1e9, -1e9).scene());
+        scenes.put("poussière", new ScenesDEssai(16).foule(taille, 3, 1e-4, 1e-3).sphere(0, 0, 7, 1).deuxLampes().scene());
+        scenes.put("un plan d'élève", new ScenesDEssai(17).plan(-1.2).foule(taille, 2, 0.1, 0.4).plan(-1.2).deuxLampes().scene());
+        scenes.put("une fille de Sphere", new ScenesDEssai(18).filles().foule(taille, 2, 0.1, 0.4).deuxLampes().scene());
+        scenes.put("mates et noires", new ScenesDEssai(19).mates(taille).deuxLampes().scene());
+        return scenes;
+    }
+
+    /** Des longueurs que le carré d'un flottant court ne tient pas. */
+    static Map<String, Scene> extremes(int taille) {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
+        scenes.put("1e100", new ScenesDEssai(30).sphere(0, 0, 1e100, 1e99).sphere(1e99, 1e99, 1e100, 1e98).foule(taille, 2, 0.1, 0.4)
+                .lampe(1e100, 1e100, -1e100).lampe(3, 4, -2).scene());
+        scenes.put("1e-100", new ScenesDEssai(31).sphere(0, 0, 6, 1e-100).sphere(0, 0, 6.1, 1e-50).sphere(0.1, 0, 7, 1)
+                .lampe(1e-100, 1e-90, 1e-80).lampe(3, 4, -2).scene());
+        scenes.put("1e30", new ScenesDEssai(32).foule(taille, 2, 0.1, 0.4).sphere(0, -1e30, 0, 1e30).sphere(0, 0, 4e37, 1e37)
+                .lampe(0, 1e38, -1e38).lampe(3, 4, -2).scene());
+        scenes.put("1e15", new ScenesDEssai(33).foule(taille, 2, 0.1, 0.4).sphere(0, -1e15 - 2, 0, 1e15).lampe(0, 1e16, 0).lampe(3, 4, -2).scene());
+        scenes.put("rayon 1e100", new ScenesDEssai(34).sphere(0, 0, 0, 1e100).sphere(0, 0, 8, 1).deuxLampes().scene());
+        return scenes;
+    }
+
+    /** Scènes hostiles aux grilles et aux cartes, pour leurs comptes. */
+    static Map<String, Scene> hostiles(int taille) {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
+        scenes.put("sol immense", new ScenesDEssai(40).sphere(0, -1001.5, 8, 1000).foule(taille, 2, 0.01, 0.05).deuxLampes().scene());
+        scenes.put("six amas sur 80", new ScenesDEssai(41).amas(taille, 40, 0.4).deuxLampes().scene());
+        scenes.put("deux amas minuscules", new ScenesDEssai(42).amas(taille, 4, 0.005).deuxLampes().scene());
+        scenes.put("boules mêlées, lampes partout", new ScenesDEssai(43).foule(taille, 2, 0.2, 0.6).lampesPartout().scene());
+        scenes.put("tailles sauvages", new ScenesDEssai(44).taillesSauvages(taille, 4).deuxLampes().scene());
+        scenes.put("un sol et une boîte lointaine", new ScenesDEssai(45).foule(taille, 2, 0.01, 0.05).sphere(500, 0, 900, 3)
+                .sphere(0, -1e4 - 2, 8, 1e4).lampe(0, 5000, 0).lampe(3, 4, -2).scene());
+        scenes.put("vingt grosses", new ScenesDEssai(46).foule(20, 4, 1, 3).foule(taille, 3, 0.005, 0.02).lampesPartout().scene());
+        scenes.put("foule", new ScenesDEssai(47).foule(taille, 3, 0.02, 0.05).deuxLampes().scene());
+        return scenes;
+    }
+
+    private Scene scene() {
+        return new Scene(objets, lampes);
+    }
+
+    private double entre(double a, double b) {
+        return a + (b - a) * hasard.nextDouble();
+    }
+
+    private <T extends Objet3D> T peint(T objet) {
+        objet.setKd(new Couleur(hasard.nextDouble(), hasard.nextDouble(), hasard.nextDouble()));
+        objet.setKs(new Couleur(0.3 + 0.1 * hasard.nextInt(4)));
+        objet.setNs(hasard.nextInt(3) == 0 ? 7.5 : hasard.nextInt(100));
+        return objet;
+    }
+
+    private ScenesDEssai sphere(double x, double y, double z, double rayon) {
+        objets.add(peint(new Sphere(new Point(x, y, z), rayon)));
+        return this;
+    }
+
+    private ScenesDEssai lampe(double x, double y, double z) {
+        lampes.add(new Lampe(new Point(x, y, z), new Couleur(entre(0.3, 1), entre(0.3, 1), entre(0.3, 1))));
+        return this;
+    }
+
+    private ScenesDEssai deuxLampes() {
+        return lampe(-10, 15, -12).lampe(12, 8, -5);
+    }
+
+    /** Au milieu, au centre d'une boule, à sa surface, à l'œil, sur l'écran, au loin, derrière. */
+    private ScenesDEssai lampesPartout() {
+        Sphere s = (Sphere) objets.get(objets.size() / 2);
+        Point c = s.getCentre();
+        return lampe(0, 0, 8).lampe(c.x, c.y, c.z).lampe(c.x + s.getRayon(), c.y, c.z).lampe(c.x, c.y + s.getRayon() / 2, c.z)
+                .lampe(0, 0, -3.7320508075688776).lampe(0.1, 0.2, 0).lampe(-300, 20, 40).lampe(0.5, 0.5, 30);
+    }
+
+    private ScenesDEssai foule(int n, double cote, double rMin, double rMax) {
+        for (int k = 0; k < n; k++) {
+            sphere(entre(-cote, cote), entre(-0.75 * cote, 0.75 * cote), entre(8 - cote, 8 + cote), entre(rMin, rMax));
+        }
+        return this;
+    }
+
+    private ScenesDEssai taillesSauvages(int n, double decades) {
+        for (int k = 0; k < n; k++) {
+            sphere(entre(-3, 3), entre(-2, 2), entre(5, 12), Math.pow(10, -entre(0, decades)));
+        }
+        return this;
+    }
+
+    private ScenesDEssai amas(int n, double cote, double etendue) {
+        for (int k = 0; k < 6; k++) {
+            double x = entre(-cote, cote);
+            double y = entre(-cote, cote);
+            double z = 6 + entre(0, 2 * cote);
+            for (int i = 0; i < n / 6; i++) {
+                sphere(x + etendue * cote * hasard.nextGaussian() / 2, y + etendue * cote * hasard.nextGaussian() / 2,
+                        z + etendue * cote * hasard.nextGaussian() / 2, cote * etendue * entre(0.02, 0.1));
+            }
+        }
+        return this;
+    }
+
+    /** Un empilement cubique de boules qui se touchent exactement. */
+    private ScenesDEssai tangentes(int n) {
+        int c = (int) Math.ceil(Math.cbrt(n));
+        for (int k = 0; k < c * c * c; k++) {
+            sphere(k % c * 0.5 - 1.5, k / c % c * 0.5 - 1.5, 6 + k / (c * c) * 0.5, 0.25);
+        }
+        return this;
+    }
+
+    /** Mêmes distances en des points entiers : l'ordre de la scène départage. */
+    private ScenesDEssai presqueJumelles(int n) {
+        for (int k = 0; k < n / 4 + 1; k++) {
+            double x = Math.rint(entre(-8, 8)) / 4;
+            double y = Math.rint(entre(-8, 8)) / 4;
+            sphere(x, y, 8, 0.5).sphere(x, y, 8.25, 0.75).sphere(x, y, 8, 0.5).sphere(x, y, 8 + 1e-15, 0.5);
+        }
+        return this;
+    }
+
+    private ScenesDEssai plan(double hauteur) {
+        objets.add(peint(new Plan(hauteur)));
+        return this;
+    }
+
+    private ScenesDEssai filles() {
+        objets.add(peint(new Demie(new Point(0, 0, 6), 1)));
+        objets.add(peint(new Demie(new Point(1, 0.3, 7), 1)));
+        return this;
+    }
+
+    private ScenesDEssai mates(int n) {
+        foule(n, 2, 0.2, 0.5);
+        for (int k = 0; k < objets.size(); k++) {
+            objets.get(k).setKs(k % 3 == 0 ? new Couleur() : k % 3 == 1 ? new Couleur(1, 0, 0) : new Couleur(1e-3));
+            if (k % 5 == 0) {
+                objets.get(k).setKd(new Couleur());
+            }
+            objets.get(k).setNs(k % 4 == 0 ? 0 : 5);
+        }
+        return this;
+    }
+
+    /** Le plan horizontal qu'écrirait un élève. */
+    static final class Plan extends Objet3D {
+        private final double hauteur;
+
+        Plan(double hauteur) {
+            this.hauteur = hauteur;
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            double t = (hauteur - incident.getP().y) / incident.getV().y;
+            double d = t > 0 ? t : Double.POSITIVE_INFINITY;
+            incident.setContact(this, d);
+            return d;
+        }
+
+        @Override
+        public Vecteur getNormale(Point contact) {
+            return new Vecteur(0, 1, 0);
+        }
+    }
+
+    /** Une sphère dont on ne voit que le haut. */
+    static final class Demie extends Sphere {
+        Demie(Point centre, double rayon) {
+            super(centre, rayon);
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            double d = super.getIntersectionDistance(incident);
+            if (d < Double.POSITIVE_INFINITY && incident.getP().y + d * incident.getV().y < getCentre().y) {
+                d = Double.POSITIVE_INFINITY;
+                incident.setContact(this, d);
+            }
+            return d;
+        }
+    }
+}
