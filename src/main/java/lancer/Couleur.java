@@ -74,7 +74,8 @@ public final class Couleur {
         }
         double niveau = composante * 255;
         int entier = (int) niveau;
-        return niveau - entier >= 0.5 ? entier + 1 : entier;
+        // 1 à partir de la moitié, sans branche : elle serait prise une fois sur deux
+        return entier + (int) (2 * (niveau - entier));
     }
 
     public static Couleur add(Couleur c, Couleur d) {
