@@ -51,6 +51,10 @@ final class Traceur implements Vue {
     private final Sonde sonde;
     private final Compteurs compteurs;
 
+    /** La dernière ordonnée : les pixels d'une ligne l'ont en commun. */
+    private double derniereYe = Double.NaN;
+    private double derniereY;
+
     /** Le rayon qui part du contact. */
     private double rx;
     private double ry;
@@ -99,7 +103,11 @@ final class Traceur implements Vue {
         double vz;
         if (cameraConnue) {
             px = camera.getX(xe);
-            py = camera.getY(ye);
+            if (ye != derniereYe) {
+                derniereYe = ye;
+                derniereY = camera.getY(ye);
+            }
+            py = derniereY;
             pz = 0;
             vx = px - Camera.OEIL.x;
             vy = py - Camera.OEIL.y;

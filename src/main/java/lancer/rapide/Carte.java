@@ -1,0 +1,212 @@
+package lancer.rapide;
+
+import java.util.Arrays;
+
+/**
+ * Ce que l'on voit d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la plus
+ * lointaine. Une case qu'une sphère couvre tout entière a une coupe : ce qui est au-delà est caché, et n'y est pas noté.
+ */
+final class Carte {
+
+    /** Une sphère dont le point est aussi près de la surface n'est notée dans aucune case, mais partout. */
+    private static final double CONTRE_LA_SURFACE = 1e-9;
+
+    /** Marge des distances de coupe : les distances calculées sous une coupe sont justes à 1e-10 près. */
+    private static final double MARGE_COUPE = 1e-7;
+
+    /** Entrées par case au-delà desquelles la carte n'en est plus une. */
+    private static final int ENTREES_PAR_CASE = 8;
+
+    private static final int SANS_COUPE = 0;
+    private static final int COUPE = 1;
+    private static final int COUPE_DEVANT_L_ECRAN = 2;
+
+    private final Face[] faces;
+
+    /** Première entrée de chaque case, et pour chaque entrée une sphère et une distance qu'aucun de ses points ne précède. */
+    final int[] debut;
+    final int[] entrees;
+    final float[] pres;
+
+    /** Pour chaque case, la distance de coupe (+∞ sans coupe) et la sphère qui coupe. */
+    final float[] coupe;
+    final int[] coupeuse;
+
+    /** Les sphères qui contiennent le point, ou qu'il touche : à examiner toujours. */
+    final int[] partout;
+
+    /** Faux si les cases débordent : les sphères sont trop serrées, vues de ce point. */
+    final boolean bonne;
+
+    /** La carte d'un point. @param deLOeil vrai si les rayons partent de l'écran : ce qui le coupe n'en couvre rien */
+    static Carte duPoint(Spheres spheres, double ox, double oy, double oz, Face[] faces, boolean deLOeil) {
+        return new Carte(spheres, ox, oy, oz, 0, -1, faces, deLOeil ? COUPE_DEVANT_L_ECRAN : COUPE);
+    }
+
+    /** La carte de tout ce que voit la surface de la sphère {@code depart}, elle-même exceptée ; sans coupe. */
+    static Carte deLaSurface(Spheres spheres, int depart, double marge, Face[] faces) {
+        double[] g = spheres.geometrie;
+        int s = Spheres.PAS * depart;
+        return new Carte(spheres, g[s], g[s + 1], g[s + 2], g[s + 3] + marge, depart, faces, SANS_COUPE);
+    }
+
+    private Carte(Spheres spheres, double ox, double oy, double oz, double grossi, int sauf, Face[] faces, int coupes) {
+        this.faces = faces;
+        int n = spheres.nombre;
+        int parFace = faces[0].colonnes * faces[0].lignes;
+        int cases = faces.length * parFace;
+        coupe = new float[cases];
+        coupeuse = new int[cases];
+        Arrays.fill(coupe, Float.POSITIVE_INFINITY);
+        int[] tete = new int[cases];
+        int[] queue = new int[cases];
+        Arrays.fill(tete, -1);
+        Entrees liste = new Entrees(Math.max(64, cases));
+        long maximum = coupes == SANS_COUPE ? Long.MAX_VALUE : (long) ENTREES_PAR_CASE * cases + n;
+        int[] toujours = new int[4];
+        int nToujours = 0;
+        double[] g = spheres.geometrie;
+        long[] ordre = parDistance(spheres, ox, oy, oz, grossi);
+        for (int o = 0; o < n && liste.nombre <= maximum; o++) {
+            int k = (int) ordre[o];
+            float proche = Float.intBitsToFloat((int) (ordre[o] >>> 32));
+            int s = Spheres.PAS * k;
+            double x = g[s] - ox;
+            double y = g[s + 1] - oy;
+            double z = g[s + 2] - oz;
+            double loin = Math.sqrt(x * x + y * y + z * z);
+            double r = (g[s + 3] + grossi) / loin;
+            if (k == sauf) {
+                continue;
+            }
+            if (!(loin > 1e-120 && loin < 1e140 && r < 1 - CONTRE_LA_SURFACE)) {
+                if (nToujours == toujours.length) {
+                    toujours = Arrays.copyOf(toujours, 2 * nToujours);
+                }
+                toujours[nToujours++] = k;
+                continue;
+            }
+            x /= loin;
+            y /= loin;
+            z /= loin;
+            boolean peutCouper = coupes == COUPE || coupes == COUPE_DEVANT_L_ECRAN && g[s + 2] - g[s + 3] > 1e-9 * (loin + g[s + 3]);
+            for (int f = 0; f < faces.length; f++) {
+                Face face = faces[f];
+                if (!face.silhouette(x, y, z, r)) {
+                    continue;
+                }
+                for (int j = face.ligne0; j <= face.ligne1; j++) {
+                    int ligne = f * parFace + j * face.colonnes;
+                    int a = face.a[j];
+                    for (int i = face.de[j]; i <= a; i++) {
+                        int c = ligne + i;
+                        if (proche > coupe[c]) {
+                            continue;
+                        }
+                        int nouvelle = liste.ajouter(k, proche);
+                        if (tete[c] < 0) {
+                            tete[c] = nouvelle;
+                        } else {
+                            liste.suivante[queue[c]] = nouvelle;
+                        }
+                        queue[c] = nouvelle;
+                        if (peutCouper && i >= face.couvertDe[j] && i <= face.couvertA[j]) {
+                            float d = Etendue.enHaut(face.entree(i, j, x, y, z, r) * loin * (1 + MARGE_COUPE));
+                            if (d < coupe[c]) {
+                                coupe[c] = d;
+                                coupeuse[c] = k;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        bonne = liste.nombre <= maximum;
+        partout = Arrays.copyOf(toujours, nToujours);
+        entrees = new int[liste.nombre];
+        pres = new float[liste.nombre];
+        debut = new int[cases + 1];
+        int e = 0;
+        for (int c = 0; c < cases; c++) {
+            debut[c] = e;
+            // ce qu'une sphère venue plus tard a fini par couvrir ne sert plus
+            for (int q = tete[c]; q >= 0 && liste.proche[q] <= coupe[c]; q = q == queue[c] ? -1 : liste.suivante[q]) {
+                entrees[e] = liste.sphere[q];
+                pres[e++] = liste.proche[q];
+            }
+        }
+        debut[cases] = e;
+    }
+
+    /** Les numéros des sphères dans la moitié basse, par distance croissante ; celle-ci, arrondie vers 0, dans la haute. */
+    private static long[] parDistance(Spheres spheres, double ox, double oy, double oz, double grossi) {
+        double[] g = spheres.geometrie;
+        long[] ordre = new long[spheres.nombre];
+        for (int k = 0; k < ordre.length; k++) {
+            int s = Spheres.PAS * k;
+            double x = g[s] - ox;
+            double y = g[s + 1] - oy;
+            double z = g[s + 2] - oz;
+            double d = Math.sqrt(x * x + y * y + z * z);
+            double r = g[s + 3] + grossi;
+            double proche = d - r - 1e-9 * (d + r);
+            ordre[k] = (long) Float.floatToRawIntBits(proche > 0 ? Etendue.enBas(proche) : 0) << 32 | k;
+        }
+        Arrays.sort(ordre);
+        return ordre;
+    }
+
+    /** La case de cette direction, -1 si aucune sphère ne peut y être. */
+    int caseDe(double x, double y, double z) {
+        if (faces.length == 1) {
+            return faces[0].caseDe(x, y, z);
+        }
+        double ax = Math.abs(x);
+        double ay = Math.abs(y);
+        double az = Math.abs(z);
+        int f = az >= ax && az >= ay ? z > 0 ? 4 : 5 : ay >= ax ? y > 0 ? 2 : 3 : x > 0 ? 0 : 1;
+        return f * faces[0].colonnes * faces[0].lignes + faces[f].caseDe(x, y, z);
+    }
+
+    /** La case du point (u, v) d'une carte d'une seule face. */
+    int casePlane(double u, double v) {
+        return faces[0].casePlane(u, v);
+    }
+
+    /** Combien d'entrées une question examine, si les questions se répartissent comme les entrées. */
+    double entreesParQuestion() {
+        double carres = 0;
+        for (int c = 0; c + 1 < debut.length; c++) {
+            double n = debut[c + 1] - debut[c];
+            carres += n * n;
+        }
+        return partout.length + (entrees.length == 0 ? 0 : carres / entrees.length);
+    }
+
+    /** Des entrées chaînées, dont le nombre n'est pas connu d'avance. */
+    private static final class Entrees {
+
+        int nombre;
+        int[] sphere;
+        float[] proche;
+        int[] suivante;
+
+        Entrees(int places) {
+            sphere = new int[places];
+            proche = new float[places];
+            suivante = new int[places];
+        }
+
+        int ajouter(int k, float p) {
+            if (nombre == sphere.length) {
+                int places = nombre + (nombre >> 1);
+                sphere = Arrays.copyOf(sphere, places);
+                proche = Arrays.copyOf(proche, places);
+                suivante = Arrays.copyOf(suivante, places);
+            }
+            sphere[nombre] = k;
+            proche[nombre] = p;
+            return nombre++;
+        }
+    }
+}

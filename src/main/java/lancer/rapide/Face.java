@@ -1,0 +1,229 @@
+package lancer.rapide;
+
+/**
+ * Une fenêtre découpée en cases, vue d'un point : la case d'une direction, et les cases que couvre la silhouette d'une sphère.
+ * Dans le repère de la face, une direction (x, y, z), z &gt; 0, y tombe en u = x/z, v = y/z.
+ */
+final class Face {
+
+    /**
+     * Élargissement des silhouettes, en u et v. Les directions et les silhouettes sont calculées à 1e-15 près, et les arrondis de
+     * {@link lancer.Sphere#distance} grossissent une sphère de 4e-15 au plus, vue d'ici.
+     */
+    static final double MARGE = 4e-12;
+
+    /** Une sphère dont z dépasse r de moins de cette part de sa distance n'a pas d'ellipse pour silhouette. */
+    private static final double RASANTE = 1e-3;
+
+    /** Le repère, ligne par ligne. */
+    private final double[] e;
+    private final double u0;
+    private final double v0;
+    private final double u1;
+    private final double v1;
+    private final double du;
+    private final double dv;
+    private final double parDu;
+    private final double parDv;
+    final int colonnes;
+    final int lignes;
+
+    /** Demi-angle d'un cône qui contient une case, au plus. */
+    private final double demiCase;
+
+    /** La silhouette en cours : première et dernière ligne, et pour chacune les colonnes touchées et couvertes. */
+    int ligne0;
+    int ligne1;
+    int[] de;
+    int[] a;
+    int[] couvertDe;
+    int[] couvertA;
+
+    Face(double[] repere, double u0, double v0, double u1, double v1, int colonnes, int lignes) {
+        this.e = repere;
+        this.u0 = u0;
+        this.v0 = v0;
+        this.u1 = u1;
+        this.v1 = v1;
+        this.colonnes = colonnes;
+        this.lignes = lignes;
+        du = (u1 - u0) / colonnes;
+        dv = (v1 - v0) / lignes;
+        parDu = 1 / du;
+        parDv = 1 / dv;
+        demiCase = Math.sqrt(du * du + dv * dv) / 2 + MARGE;
+        de = new int[lignes];
+        a = new int[lignes];
+        couvertDe = new int[lignes];
+        couvertA = new int[lignes];
+    }
+
+    /** La case de cette direction, -1 si elle n'est pas dans la fenêtre. */
+    int caseDe(double x, double y, double z) {
+        double w = e[6] * x + e[7] * y + e[8] * z;
+        if (!(w > 0)) {
+            return -1;
+        }
+        double parW = 1 / w;
+        return casePlane((e[0] * x + e[1] * y + e[2] * z) * parW, (e[3] * x + e[4] * y + e[5] * z) * parW);
+    }
+
+    /** La case de ce point de la fenêtre, -1 s'il n'y est pas. */
+    int casePlane(double u, double v) {
+        double i = (u - u0) * parDu;
+        double j = (v - v0) * parDv;
+        return i >= 0 && j >= 0 && i <= colonnes && j <= lignes
+                ? Math.min((int) j, lignes - 1) * colonnes + Math.min((int) i, colonnes - 1) : -1;
+    }
+
+    /**
+     * Cherche les cases que touche cette sphère, et parmi elles celles qu'elle couvre tout entières.
+     *
+     * @param x le centre, vu du point, toutes les longueurs divisées par sa distance ; x² + y² + z² = 1
+     * @param r le rayon, moins de 1
+     * @return faux si elle n'en touche aucune
+     */
+    boolean silhouette(double x, double y, double z, double r) {
+        double cx = e[0] * x + e[1] * y + e[2] * z;
+        double cy = e[3] * x + e[4] * y + e[5] * z;
+        double cz = e[6] * x + e[7] * y + e[8] * z;
+        // hors de la pyramide de la fenêtre : au-delà d'un de ses quatre côtés, ou derrière
+        double rm = r + MARGE * 4;
+        if (cz < -rm || cx - u1 * cz > rm * Math.sqrt(1 + u1 * u1) || u0 * cz - cx > rm * Math.sqrt(1 + u0 * u0)
+                || cy - v1 * cz > rm * Math.sqrt(1 + v1 * v1) || v0 * cz - cy > rm * Math.sqrt(1 + v0 * v0)) {
+            return false;
+        }
+        return cz > r + RASANTE ? ellipse(cx, cy, cz, r) : cone(cx, cy, cz, r);
+    }
+
+    /**
+     * La silhouette est l'ellipse (cx u + cy v + cz)² = K (u² + v² + 1), K = 1 − r². À v donné, son bord est en
+     * (cx m ± √(K (cz² − r²)(v+ − v)(v − v−))) / (cy² + cz² − r²), m = cy v + cz : rien ne s'y soustrait qui se ressemble.
+     */
+    private boolean ellipse(double cx, double cy, double cz, double r) {
+        double q = cz * cz - r * r;
+        double ru = r * Math.sqrt(cx * cx + q);
+        double rv = r * Math.sqrt(cy * cy + q);
+        double uMin = (cx * cz - ru) / q;
+        double uMax = (cx * cz + ru) / q;
+        double vMin = (cy * cz - rv) / q;
+        double vMax = (cy * cz + rv) / q;
+        if (uMax + MARGE < u0 || uMin - MARGE > u1 || vMax + MARGE < v0 || vMin - MARGE > v1) {
+            return false;
+        }
+        int colonne0 = rang((uMin - MARGE - u0) * parDu, colonnes);
+        int colonne1 = rang((uMax + MARGE - u0) * parDu, colonnes);
+        ligne0 = rang((vMin - MARGE - v0) * parDv, lignes);
+        ligne1 = rang((vMax + MARGE - v0) * parDv, lignes);
+        if (colonne1 - colonne0 <= 1 && ligne1 - ligne0 <= 1) {
+            for (int j = ligne0; j <= ligne1; j++) {
+                de[j] = colonne0;
+                a[j] = colonne1;
+                couvertDe[j] = 0;
+                couvertA[j] = -1;
+            }
+            return true;
+        }
+        double kq = (1 - r * r) * q;
+        double parA = 1 / (cy * cy + q);
+        double vDeMin = cy * (1 + uMin * uMin) / (cz + cx * uMin);
+        double vDeMax = cy * (1 + uMax * uMax) / (cz + cx * uMax);
+        // déplacer le bord d'une marge, c'est ajouter ou retrancher cela sous la racine
+        double ecart = MARGE * (vMax - vMin) + MARGE * MARGE;
+        double g0 = Double.POSITIVE_INFINITY;
+        double d0 = Double.NEGATIVE_INFINITY;
+        double gc0 = Double.POSITIVE_INFINITY;
+        double dc0 = Double.NEGATIVE_INFINITY;
+        for (int j = ligne0 - 1; j <= ligne1; j++) {
+            double v = v0 + (j + 1) * dv;
+            double milieu = cx * (cy * v + cz) * parA;
+            double produit = (vMax - v) * (v - vMin);
+            double g1 = Double.POSITIVE_INFINITY;
+            double d1 = Double.NEGATIVE_INFINITY;
+            double gc1 = Double.POSITIVE_INFINITY;
+            double dc1 = Double.NEGATIVE_INFINITY;
+            if (produit + ecart >= 0) {
+                double racine = Math.sqrt(kq * (produit + ecart)) * parA;
+                g1 = milieu - racine - MARGE;
+                d1 = milieu + racine + MARGE;
+                if (produit > ecart) {
+                    racine = Math.sqrt(kq * (produit - ecart)) * parA;
+                    gc1 = milieu - racine + MARGE;
+                    dc1 = milieu + racine - MARGE;
+                }
+            }
+            if (j >= ligne0) {
+                double gauche = vDeMin >= v - dv - MARGE && vDeMin <= v + MARGE ? uMin - MARGE : Math.min(g0, g1);
+                double droite = vDeMax >= v - dv - MARGE && vDeMax <= v + MARGE ? uMax + MARGE : Math.max(d0, d1);
+                de[j] = rang((gauche - u0) * parDu, colonnes);
+                a[j] = rang((droite - u0) * parDu, colonnes);
+                // une case est couverte si ses quatre coins le sont : l'ellipse est convexe
+                couvertDe[j] = (int) Math.ceil((Math.max(gc0, gc1) - u0) * parDu);
+                couvertA[j] = (int) Math.floor((Math.min(dc0, dc1) - u0) * parDu) - 1;
+            }
+            g0 = g1;
+            d0 = d1;
+            gc0 = gc1;
+            dc0 = dc1;
+        }
+        return true;
+    }
+
+    /** Une sphère si grosse que sa silhouette n'est pas une ellipse : son cône contre celui de chaque case. */
+    private boolean cone(double cx, double cy, double cz, double r) {
+        double alpha = Math.asin(Math.min(1, r));
+        double touche = alpha + demiCase < Math.PI ? Math.cos(alpha + demiCase) : -1;
+        double couvre = alpha > demiCase ? Math.cos(alpha - demiCase) : 2;
+        ligne0 = 0;
+        ligne1 = lignes - 1;
+        for (int j = 0; j < lignes; j++) {
+            double v = v0 + (j + 0.5) * dv;
+            int premier = colonnes;
+            int dernier = -1;
+            int premierCouvert = colonnes;
+            int dernierCouvert = -1;
+            for (int i = 0; i < colonnes; i++) {
+                double u = u0 + (i + 0.5) * du;
+                double cosinus = (cx * u + cy * v + cz) / Math.sqrt(u * u + v * v + 1);
+                if (cosinus >= touche) {
+                    premier = Math.min(premier, i);
+                    dernier = i;
+                }
+                if (cosinus >= couvre) {
+                    premierCouvert = Math.min(premierCouvert, i);
+                    dernierCouvert = i;
+                }
+            }
+            // une silhouette est convexe : entre deux cases couvertes, tout l'est
+            de[j] = premier;
+            a[j] = dernier;
+            couvertDe[j] = premierCouvert;
+            couvertA[j] = dernierCouvert;
+        }
+        return true;
+    }
+
+    /**
+     * La plus grande distance, vue du point, à laquelle un rayon de cette case entre dans la sphère qui la couvre. C'est à un
+     * coin : la distance d'entrée croît avec l'angle au centre.
+     */
+    double entree(int i, int j, double x, double y, double z, double r) {
+        double cx = e[0] * x + e[1] * y + e[2] * z;
+        double cy = e[3] * x + e[4] * y + e[5] * z;
+        double cz = e[6] * x + e[7] * y + e[8] * z;
+        double ua = u0 + i * du;
+        double ub = ua + du;
+        double va = v0 + j * dv;
+        double vb = va + dv;
+        double b = Math.min(Math.min((cx * ua + cy * va + cz) / Math.sqrt(ua * ua + va * va + 1),
+                (cx * ub + cy * va + cz) / Math.sqrt(ub * ub + va * va + 1)),
+                Math.min((cx * ua + cy * vb + cz) / Math.sqrt(ua * ua + vb * vb + 1),
+                (cx * ub + cy * vb + cz) / Math.sqrt(ub * ub + vb * vb + 1)));
+        double k = 1 - r * r;
+        return k / (b + Math.sqrt(Math.max(0, b * b - k)));
+    }
+
+    private static int rang(double x, int n) {
+        return x <= 0 ? 0 : x >= n ? n - 1 : (int) x;
+    }
+}

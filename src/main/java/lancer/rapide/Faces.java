@@ -1,0 +1,102 @@
+package lancer.rapide;
+
+/** Les fenêtres par où une lampe voit la scène : une seule, ajustée, si elle la voit tout entière d'un côté ; sinon six, d'un cube. */
+final class Faces {
+
+    /** Plus grande ouverture d'une seule fenêtre, en u et v : 63 degrés de part et d'autre. */
+    private static final double OUVERTURE = 2;
+
+    private static final double[][] CUBE = {
+        {0, 1, 0, 0, 0, 1, 1, 0, 0}, {0, 1, 0, 0, 0, 1, -1, 0, 0},
+        {0, 0, 1, 1, 0, 0, 0, 1, 0}, {0, 0, 1, 1, 0, 0, 0, -1, 0},
+        {1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, -1}};
+
+    private Faces() {
+    }
+
+    /** @param cases nombre de cases, toutes fenêtres ensemble, à peu près */
+    static Face[] pour(Spheres spheres, double ox, double oy, double oz, int cases) {
+        Face seule = ajustee(spheres, ox, oy, oz, cases);
+        if (seule != null) {
+            return new Face[] {seule};
+        }
+        return cube((int) Math.ceil(Math.sqrt(cases / 6.0)));
+    }
+
+    /** Les six faces d'un cube, dans l'ordre +x, −x, +y, −y, +z, −z. */
+    static Face[] cube(int cote) {
+        Face[] faces = new Face[CUBE.length];
+        double bord = 1 + Face.MARGE;
+        for (int f = 0; f < faces.length; f++) {
+            faces[f] = new Face(CUBE[f], -bord, -bord, bord, bord, cote, cote);
+        }
+        return faces;
+    }
+
+    /** La fenêtre tournée vers le milieu des sphères, juste assez grande pour leurs silhouettes ; {@code null} si c'est trop. */
+    private static Face ajustee(Spheres spheres, double ox, double oy, double oz, int cases) {
+        double[] g = spheres.geometrie;
+        Etendue boite = new Etendue();
+        for (int s = 0; s < g.length; s += Spheres.PAS) {
+            boite.ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
+        }
+        double[] e = repere((boite.xMin + boite.xMax) / 2 - ox, (boite.yMin + boite.yMax) / 2 - oy, (boite.zMin + boite.zMax) / 2 - oz);
+        if (e == null) {
+            return null;
+        }
+        double u0 = OUVERTURE;
+        double u1 = -OUVERTURE;
+        double v0 = OUVERTURE;
+        double v1 = -OUVERTURE;
+        for (int s = 0; s < g.length; s += Spheres.PAS) {
+            double x = g[s] - ox;
+            double y = g[s + 1] - oy;
+            double z = g[s + 2] - oz;
+            double r = g[s + 3];
+            double cx = e[0] * x + e[1] * y + e[2] * z;
+            double cy = e[3] * x + e[4] * y + e[5] * z;
+            double cz = e[6] * x + e[7] * y + e[8] * z;
+            if (!(cz > 1.01 * r && cz > OUVERTURE / 10 * r)) {
+                return null;
+            }
+            double q = (cz - r) * (cz + r);
+            double ru = r * Math.sqrt(cx * cx + q);
+            double rv = r * Math.sqrt(cy * cy + q);
+            u0 = Math.min(u0, (cx * cz - ru) / q);
+            u1 = Math.max(u1, (cx * cz + ru) / q);
+            v0 = Math.min(v0, (cy * cz - rv) / q);
+            v1 = Math.max(v1, (cy * cz + rv) / q);
+        }
+        if (!(u0 > -OUVERTURE && u1 < OUVERTURE && v0 > -OUVERTURE && v1 < OUVERTURE)) {
+            return null;
+        }
+        u0 -= 4 * Face.MARGE;
+        v0 -= 4 * Face.MARGE;
+        u1 += 4 * Face.MARGE;
+        v1 += 4 * Face.MARGE;
+        double cote = Math.sqrt((u1 - u0) * (v1 - v0) / cases);
+        return new Face(e, u0, v0, u1, v1, Math.max(1, Math.min(cases, (int) ((u1 - u0) / cote))),
+                Math.max(1, Math.min(cases, (int) ((v1 - v0) / cote))));
+    }
+
+    /** Trois directions perpendiculaires, la troisième celle-ci ; {@code null} si elle n'en est pas une. */
+    private static double[] repere(double x, double y, double z) {
+        double n = Math.sqrt(x * x + y * y + z * z);
+        if (!(n > 1e-120 && n < 1e140)) {
+            return null;
+        }
+        x /= n;
+        y /= n;
+        z /= n;
+        // une direction qui en est loin, puis deux produits vectoriels
+        boolean versX = Math.abs(x) < 0.6;
+        double ax = versX ? 0 : -z;
+        double ay = versX ? z : 0;
+        double az = versX ? -y : x;
+        double m = Math.sqrt(ax * ax + ay * ay + az * az);
+        ax /= m;
+        ay /= m;
+        az /= m;
+        return new double[] {ax, ay, az, y * az - z * ay, z * ax - x * az, x * ay - y * ax, x, y, z};
+    }
+}

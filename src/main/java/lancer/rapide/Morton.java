@@ -1,0 +1,42 @@
+package lancer.rapide;
+
+import java.util.Arrays;
+
+/** Un ordre où des sphères voisines dans l'espace le sont en mémoire : les bits de x, y et z entrelacés (Morton, 1966). */
+final class Morton {
+
+    private static final int BITS = 10;
+
+    private Morton() {
+    }
+
+    /** Les numéros des sphères, dans cet ordre. */
+    static int[] ordre(Spheres spheres, Etendue boite) {
+        double[] g = spheres.geometrie;
+        long[] cles = new long[spheres.nombre];
+        double cote = Math.max(boite.xMax - boite.xMin, Math.max(boite.yMax - boite.yMin, boite.zMax - boite.zMin));
+        double echelle = (1 << BITS) / cote;
+        for (int k = 0; k < cles.length; k++) {
+            int s = Spheres.PAS * k;
+            long code = etale((g[s] - boite.xMin) * echelle) | etale((g[s + 1] - boite.yMin) * echelle) << 1
+                    | etale((g[s + 2] - boite.zMin) * echelle) << 2;
+            cles[k] = code << 32 | k;
+        }
+        Arrays.sort(cles);
+        int[] ordre = new int[cles.length];
+        for (int k = 0; k < ordre.length; k++) {
+            ordre[k] = (int) cles[k];
+        }
+        return ordre;
+    }
+
+    /** Les bits d'un entier, écartés de deux zéros. */
+    private static long etale(double x) {
+        int n = Math.max(0, Math.min((1 << BITS) - 1, (int) x));
+        n = (n | n << 16) & 0x030000FF;
+        n = (n | n << 8) & 0x0300F00F;
+        n = (n | n << 4) & 0x030C30C3;
+        n = (n | n << 2) & 0x09249249;
+        return n;
+    }
+}

@@ -1,0 +1,92 @@
+package lancer.rapide;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Map;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.contrat.Compteurs;
+import org.junit.jupiter.api.Test;
+
+/** Aucun rayon inutile, et aucune scène où chercher coûte beaucoup plus que dans un arbre. Des comptes, jamais des temps. */
+class ComptesTest {
+
+    private static final Camera CAMERA = new Camera(80, 60);
+    private static final double AU_PLUS = 1.5;
+
+    private static Sphere boule(double z, double kd, double ks) {
+        Sphere s = new Sphere(new Point(0, 0, z), 1);
+        s.setKd(new Couleur(kd));
+        s.setKs(new Couleur(ks));
+        return s;
+    }
+
+    private static Compteurs compter(Scene scene, int profondeur) {
+        return IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA), profondeur).compteurs;
+    }
+
+    @Test
+    void pasDeRayonDOmbreVersUneLampeDerriereLaSurface() {
+        Scene scene = new Scene(Collections.singletonList(boule(6, 1, 0)),
+                Collections.singletonList(new Lampe(new Point(0, 0, 100), new Couleur(1))));
+        assertEquals(0, compter(scene, 5).ombre);
+    }
+
+    @Test
+    void unRayonDOmbreParContactEclaire() {
+        Scene scene = new Scene(Collections.singletonList(boule(6, 1, 0)),
+                Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(1))));
+        Compteurs c = compter(scene, 5);
+        assertTrue(c.ombre > 0 && c.ombre < c.primaires / 4, "ombre : " + c.ombre);
+        assertEquals(0, c.reflechis, "Ks nul");
+    }
+
+    @Test
+    void pasDeRayonDOmbreDontLApportEstNoir() {
+        Scene scene = new Scene(Collections.singletonList(boule(6, 0, 0)),
+                Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(1))));
+        assertEquals(0, compter(scene, 5).ombre);
+    }
+
+    @Test
+    void pasDeRefletSousLeSeuil() {
+        Scene scene = new Scene(Arrays.asList(boule(6, 1, 0.0009), boule(12, 1, 0.0009)), Collections.<Lampe>emptyList());
+        assertEquals(0, compter(scene, 5).reflechis);
+        scene.setSeuil(0);
+        assertTrue(compter(scene, 5).reflechis > 0);
+        assertEquals(0, compter(scene, 0).reflechis, "profondeur nulle");
+    }
+
+    @Test
+    void peuDeSpheresPresqueAucuneRecherche() {
+        Scene scene = new Scene(Arrays.asList(boule(6, 1, 0.5), boule(12, 1, 0.5)),
+                Collections.singletonList(new Lampe(new Point(3, 3, 0), new Couleur(1))));
+        Compteurs c = compter(scene, 5);
+        assertTrue(c.testsSpheres < c.rayons() / 2, c.testsSpheres + " sphères examinées pour " + c.rayons() + " rayons");
+    }
+
+    @Test
+    void scenesHostilesAuPlusUneFoisEtDemieLArbre() {
+        Preparation.Reglage arbre = new Preparation.Reglage();
+        arbre.arbreSeul = true;
+        for (Map.Entry<String, Scene> e : ScenesDEssai.hostiles(3000).entrySet()) {
+            Scene scene = e.getValue();
+            IdentiteTest.Dessin oracle = IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA, arbre), 5);
+            IdentiteTest.Dessin rapide = IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA), 5);
+            rapide.verifier(e.getKey(), oracle);
+            double rapport = (double) cout(rapide.compteurs) / cout(oracle.compteurs);
+            assertTrue(rapport <= AU_PLUS, e.getKey() + " : " + rapport + " fois le coût de l'arbre");
+        }
+    }
+
+    private static long cout(Compteurs c) {
+        return c.testsSpheres + c.noeudsVisites;
+    }
+}
