@@ -127,10 +127,10 @@ public class Main implements Toile {
             }
         }
         if (png != null) {
-            png.ecrire(image, FichierPng::ecrire);
+            png.ecrire(image, new FichierPng.Format());
         }
         if (pfm != null) {
-            pfm.ecrire(image, FichierPfm::ecrire);
+            pfm.ecrire(image, new FichierPfm.Format());
         }
         if (options.statistiques) {
             dire(sortie, new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces).toString());

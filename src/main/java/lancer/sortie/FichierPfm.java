@@ -12,6 +12,14 @@ public final class FichierPfm {
     private FichierPfm() {
     }
 
+    /** Ce format, pour une {@link Ecriture} : une classe nommée, la première lambda du programme coûterait 20 ms au démarrage. */
+    public static final class Format implements Ecriture.Format {
+        @Override
+        public void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {
+            FichierPfm.ecrire(image, sortie);
+        }
+    }
+
     /** @param image une image qui a gardé ses couleurs non limitées */
     public static void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {
         int largeur = image.getLargeur();

@@ -24,6 +24,14 @@ public final class FichierPng {
     private FichierPng() {
     }
 
+    /** Ce format, pour une {@link Ecriture} : une classe nommée, la première lambda du programme coûterait 20 ms au démarrage. */
+    public static final class Format implements Ecriture.Format {
+        @Override
+        public void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {
+            FichierPng.ecrire(image, sortie);
+        }
+    }
+
     public static void ecrire(ImageMemoire image, OutputStream fichier) throws IOException {
         DataOutputStream sortie = new DataOutputStream(fichier);
         sortie.write(SIGNATURE);
