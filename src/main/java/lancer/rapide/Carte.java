@@ -8,8 +8,12 @@ import java.util.Arrays;
  */
 final class Carte {
 
-    /** Une sphère dont le point est aussi près de la surface n'est notée dans aucune case, mais partout. */
+    /** Une sphère dont le point est aussi près de la surface est notée dans toutes les cases. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
+
+    /** Entre ces distances, les carrés se calculent sans détour. */
+    private static final double LOIN_MIN = 1e-120;
+    private static final double LOIN_MAX = 1e140;
 
     /** Marge des distances de coupe : les distances calculées sous une coupe sont justes à 1e-10 près. */
     private static final double MARGE_COUPE = 1e-7;
@@ -31,9 +35,6 @@ final class Carte {
     /** Pour chaque case, la distance de coupe (+∞ sans coupe) et la sphère qui coupe. */
     final float[] coupe;
     final int[] coupeuse;
-
-    /** Les sphères qui contiennent le point, ou qu'il touche : à examiner toujours. */
-    final int[] partout;
 
     /** Faux si les cases débordent : les sphères sont trop serrées, vues de ce point. */
     final boolean bonne;
@@ -58,13 +59,8 @@ final class Carte {
         coupe = new float[cases];
         coupeuse = new int[cases];
         Arrays.fill(coupe, Float.POSITIVE_INFINITY);
-        int[] tete = new int[cases];
-        int[] queue = new int[cases];
-        Arrays.fill(tete, -1);
-        Entrees liste = new Entrees(Math.max(64, cases));
+        Entrees liste = new Entrees(cases);
         long maximum = coupes == SANS_COUPE ? Long.MAX_VALUE : (long) ENTREES_PAR_CASE * cases + n;
-        int[] toujours = new int[4];
-        int nToujours = 0;
         double[] g = spheres.geometrie;
         long[] ordre = parDistance(spheres, ox, oy, oz, grossi);
         for (int o = 0; o < n && liste.nombre <= maximum; o++) {
@@ -79,11 +75,11 @@ final class Carte {
             if (k == sauf) {
                 continue;
             }
-            if (!(loin > 1e-120 && loin < 1e140 && r < 1 - CONTRE_LA_SURFACE)) {
-                if (nToujours == toujours.length) {
-                    toujours = Arrays.copyOf(toujours, 2 * nToujours);
+            if (!(loin > LOIN_MIN && loin < LOIN_MAX && r < 1 - CONTRE_LA_SURFACE)) {
+                // le point y est, ou presque : à examiner partout, d'abord
+                for (int c = 0; c < cases && liste.nombre <= maximum; c++) {
+                    liste.noter(c, k, 0);
                 }
-                toujours[nToujours++] = k;
                 continue;
             }
             x /= loin;
@@ -103,13 +99,7 @@ final class Carte {
                         if (proche > coupe[c]) {
                             continue;
                         }
-                        int nouvelle = liste.ajouter(k, proche);
-                        if (tete[c] < 0) {
-                            tete[c] = nouvelle;
-                        } else {
-                            liste.suivante[queue[c]] = nouvelle;
-                        }
-                        queue[c] = nouvelle;
+                        liste.noter(c, k, proche);
                         if (peutCouper && i >= face.couvertDe[j] && i <= face.couvertA[j]) {
                             float d = Etendue.enHaut(face.entree(i, j, x, y, z, r) * loin * (1 + MARGE_COUPE));
                             if (d < coupe[c]) {
@@ -122,7 +112,6 @@ final class Carte {
             }
         }
         bonne = liste.nombre <= maximum;
-        partout = Arrays.copyOf(toujours, nToujours);
         entrees = new int[liste.nombre];
         pres = new float[liste.nombre];
         debut = new int[cases + 1];
@@ -130,7 +119,7 @@ final class Carte {
         for (int c = 0; c < cases; c++) {
             debut[c] = e;
             // ce qu'une sphère venue plus tard a fini par couvrir ne sert plus
-            for (int q = tete[c]; q >= 0 && liste.proche[q] <= coupe[c]; q = q == queue[c] ? -1 : liste.suivante[q]) {
+            for (int q = liste.tete[c]; q >= 0 && liste.proche[q] <= coupe[c]; q = liste.apres(q, c)) {
                 entrees[e] = liste.sphere[q];
                 pres[e++] = liste.proche[q];
             }
@@ -150,7 +139,7 @@ final class Carte {
             double d = Math.sqrt(x * x + y * y + z * z);
             double r = g[s + 3] + grossi;
             double proche = d - r - 1e-9 * (d + r);
-            ordre[k] = (long) Float.floatToRawIntBits(proche > 0 ? Etendue.enBas(proche) : 0) << 32 | k;
+            ordre[k] = (long) Float.floatToRawIntBits(proche > 0 && d < LOIN_MAX ? Etendue.enBas(proche) : 0) << 32 | k;
         }
         Arrays.sort(ordre);
         return ordre;
@@ -173,31 +162,26 @@ final class Carte {
         return faces[0].casePlane(u, v);
     }
 
-    /** Combien d'entrées une question examine, si les questions se répartissent comme les entrées. */
-    double entreesParQuestion() {
-        double carres = 0;
-        for (int c = 0; c + 1 < debut.length; c++) {
-            double n = debut[c + 1] - debut[c];
-            carres += n * n;
-        }
-        return partout.length + (entrees.length == 0 ? 0 : carres / entrees.length);
-    }
-
-    /** Des entrées chaînées, dont le nombre n'est pas connu d'avance. */
+    /** Les entrées de chaque case, chaînées dans l'ordre où elles viennent : leur nombre n'est pas connu d'avance. */
     private static final class Entrees {
 
         int nombre;
+        final int[] tete;
+        private final int[] queue;
         int[] sphere;
         float[] proche;
-        int[] suivante;
+        private int[] suivante;
 
-        Entrees(int places) {
-            sphere = new int[places];
-            proche = new float[places];
-            suivante = new int[places];
+        Entrees(int cases) {
+            tete = new int[cases];
+            queue = new int[cases];
+            Arrays.fill(tete, -1);
+            sphere = new int[cases + 64];
+            proche = new float[cases + 64];
+            suivante = new int[cases + 64];
         }
 
-        int ajouter(int k, float p) {
+        void noter(int c, int k, float p) {
             if (nombre == sphere.length) {
                 int places = nombre + (nombre >> 1);
                 sphere = Arrays.copyOf(sphere, places);
@@ -206,7 +190,16 @@ final class Carte {
             }
             sphere[nombre] = k;
             proche[nombre] = p;
-            return nombre++;
+            if (tete[c] < 0) {
+                tete[c] = nombre;
+            } else {
+                suivante[queue[c]] = nombre;
+            }
+            queue[c] = nombre++;
+        }
+
+        int apres(int q, int c) {
+            return q == queue[c] ? -1 : suivante[q];
         }
     }
 }

@@ -27,24 +27,12 @@ final class CarteLampe implements Obstacles {
         Carte q = carte;
         int tests = 0;
         boolean cachee = false;
-        for (int k : q.partout) {
-            if (k != sauf && !cachee) {
-                tests++;
-                int s = Spheres.PAS * k;
-                cachee = Sphere.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]) < distance;
-            }
-        }
-        int c = cachee ? -1 : q.caseDe(vx, vy, vz);
+        int c = q.caseDe(vx, vy, vz);
         if (c >= 0) {
             sonde.compteurs.noeudsVisites++;
             if (distance > q.coupe[c]) {
-                if (q.coupeuse[c] != sauf) {
-                    sonde.compteurs.testsSpheres += tests;
-                    return true;
-                }
-                // un arrondi : le contact est sur la sphère qui coupe, un rien plus loin qu'elle
-                sonde.compteurs.testsSpheres += tests;
-                return secours.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
+                // ou bien le contact est sur la sphère qui coupe, un rien plus loin qu'elle par un arrondi
+                return q.coupeuse[c] != sauf || secours.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
             }
             int fin = q.debut[c + 1];
             for (int e = q.debut[c]; e < fin && q.pres[e] < distance; e++) {

@@ -32,7 +32,7 @@ final class CarteOeil implements Voisins {
         sonde.compteurs.noeudsVisites++;
         int debut = q.debut[c];
         int fin = q.debut[c + 1];
-        if (debut == fin && q.partout.length == 0) {
+        if (debut == fin) {
             sonde.distance = Constantes.INFINI;
             return -1;
         }
@@ -41,15 +41,7 @@ final class CarteOeil implements Voisins {
         double avance = Camera.FOCALE / vz * (1 + 1e-12);
         double distance = Constantes.INFINI;
         int trouvee = -1;
-        int tests = q.partout.length;
-        for (int k : q.partout) {
-            int s = Spheres.PAS * k;
-            double d = Sphere.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-            if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
-                distance = d;
-                trouvee = k;
-            }
-        }
+        int tests = 0;
         for (int e = debut; e < fin && q.pres[e] - avance <= distance; e++) {
             int k = q.entrees[e];
             tests++;

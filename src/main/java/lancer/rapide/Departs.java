@@ -42,15 +42,7 @@ final class Departs implements Voisins {
         double[] g = spheres.geometrie;
         double distance = Constantes.INFINI;
         int trouvee = -1;
-        int tests = q.partout.length;
-        for (int k : q.partout) {
-            int s = Spheres.PAS * k;
-            double d = Sphere.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-            if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
-                distance = d;
-                trouvee = k;
-            }
-        }
+        int tests = 0;
         int c = q.caseDe(vx, vy, vz);
         int fin = q.debut[c + 1];
         for (int e = q.debut[c]; e < fin && q.pres[e] <= distance; e++) {
