@@ -174,10 +174,20 @@ public class Main implements Toile {
     /** Prépare la scène lue pour une image de cette taille. */
     private Lancer preparer(int largeur, int hauteur) {
         long debut = System.nanoTime();
-        Camera camera = new Camera(largeur, hauteur);
-        scene.setRecherche(options.simple
-                ? new RechercheSimple(scene.getObjets(), scene.getCompteurs()) : Preparation.pour(scene, camera));
+        Lancer nouveau = preparer(scene, largeur, hauteur, options.simple);
         preparationNs = System.nanoTime() - debut;
+        return nouveau;
+    }
+
+    /**
+     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure aussi.
+     *
+     * @param simple vrai pour les boucles du cours
+     */
+    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
+        Camera camera = new Camera(largeur, hauteur);
+        scene.setRecherche(simple
+                ? new RechercheSimple(scene.getObjets(), scene.getCompteurs()) : Preparation.pour(scene, camera));
         return new Lancer(scene, camera);
     }
 
