@@ -3,7 +3,7 @@ include commun.mk
 N ?= 1000000
 XVFB := xvfb-run -a -s "-screen 0 1280x800x24"
 
-.PHONY: test images scene-geante aide propre
+.PHONY: test images scene-geante bench aide propre
 
 # Tout, tous modules ; les fenêtres s'ouvrent sur un écran à elles, pas sur celui de l'utilisateur.
 test: outils
@@ -40,6 +40,10 @@ scene-geante: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Generateur foule $(N) > target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
+# Le banc d'essai ; BANC="--scenes foule --secondes 60" pour choisir.
+bench: mesures/target/mesures.jar
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Banc $(BANC)
+
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -47,6 +51,7 @@ aide:
 	@echo "make test                  tous les tests de tous les modules"
 	@echo "make images                refait les images du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
+	@echo "make bench                 dessine de 10 à 1000000 boules, vérifie et mesure ; BANC=\"--scenes foule\" pour choisir"
 	@echo "make propre                efface ce qui est construit"
 
 propre: outils
