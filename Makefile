@@ -3,7 +3,7 @@ include commun.mk
 N ?= 1000000
 XVFB := xvfb-run -a -s "-screen 0 1280x800x24"
 
-.PHONY: test images scene-geante bench aide propre
+.PHONY: test images scene-geante bench noyaux aide propre
 
 # Tout, tous modules ; les fenêtres s'ouvrent sur un écran à elles, pas sur celui de l'utilisateur.
 test: outils
@@ -44,6 +44,10 @@ scene-geante: mesures/target/mesures.jar
 bench: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Banc $(BANC)
 
+# Les noyaux, par JMH ; JMH="-f 3 -i 10 Intersection" pour ses options et le choix des noyaux.
+noyaux: mesures/target/mesures.jar
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux $(JMH)
+
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -52,6 +56,7 @@ aide:
 	@echo "make images                refait les images du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
 	@echo "make bench                 dessine de 10 à 1000000 boules, vérifie et mesure ; BANC=\"--scenes foule\" pour choisir"
+	@echo "make noyaux                mesure une intersection, une recherche, un éclairement ; JMH=\"-f 3\" pour ses options"
 	@echo "make propre                efface ce qui est construit"
 
 propre: outils

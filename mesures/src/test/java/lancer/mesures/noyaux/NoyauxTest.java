@@ -1,0 +1,112 @@
+package lancer.mesures.noyaux;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.openjdk.jmh.runner.options.CommandLineOptions;
+
+@DisplayName("Les noyaux")
+class NoyauxTest {
+
+    @Test
+    @DisplayName("JMH les mesure tous, chacun avec son erreur")
+    void jmhLesMesureTous() throws Exception {
+        ByteArrayOutputStream sortie = new ByteArrayOutputStream();
+        Noyaux.mesurer(new CommandLineOptions("-f", "0", "-wi", "0", "-i", "2", "-r", "5ms"), new PrintStream(sortie, true, "UTF-8"));
+        String texte = sortie.toString("UTF-8");
+        assertEquals(9, texte.split("\\R").length - 2, texte);
+        for (String noyau : new String[] {"NoyauIntersection.distance +cas=touche", "NoyauIntersection.distance +cas=manque",
+            "NoyauIntersection.distance +cas=dedans", "NoyauRecherche.plusProche +recherche=simple",
+            "NoyauRecherche.plusProche +recherche=programme", "NoyauRecherche.estCachee +recherche=simple",
+            "NoyauRecherche.estCachee +recherche=programme", "NoyauContact.couleur +ns=40 ", "NoyauContact.couleur +ns=40.5"}) {
+            assertTrue(texte.matches("(?s).*\n" + noyau + " +[0-9.]+ +± [0-9.?]+ +ns/op.*"), noyau + " dans :\n" + texte);
+        }
+    }
+
+    @Test
+    @DisplayName("Le rayon touche, manque, ou part de l'intérieur, comme le nom du cas le dit")
+    void lesCasSontCeuxQuIlsDisent() {
+        for (String cas : new String[] {"touche", "manque", "dedans"}) {
+            NoyauIntersection noyau = new NoyauIntersection();
+            noyau.cas = cas;
+            noyau.semer();
+            assertEquals(cas.equals("manque") ? 0 : NoyauIntersection.SPHERES, noyau.touchees(), cas);
+            assertEquals(cas.equals("dedans") ? NoyauIntersection.SPHERES : 0, noyau.autourDuDepart(), cas);
+            assertEquals(cas.equals("manque"), Double.isInfinite(noyau.distance()), cas);
+        }
+    }
+
+    @Test
+    @DisplayName("Les deux recherches répondent la même chose")
+    void lesDeuxRecherchesRepondentLaMemeChose() throws IOException {
+        NoyauRecherche simple = new NoyauRecherche();
+        simple.recherche = "simple";
+        simple.preparer();
+        NoyauRecherche programme = new NoyauRecherche();
+        programme.recherche = "programme";
+        programme.preparer();
+        assertEquals(simple.estCachee(), programme.estCachee());
+        assertTrue(simple.estCachee() > 0 && simple.estCachee() < NoyauRecherche.RAYONS, "ombres et lumières");
+        assertEquals(simple.plusProche(), programme.plusProche());
+    }
+
+    @Test
+    @DisplayName("Une recherche qui se trompe n'est pas mesurée")
+    void uneRechercheFausseNEstPasMesuree() {
+        NoyauRecherche noyau = new NoyauRecherche();
+        noyau.recherche = "programme";
+        IllegalStateException refus = assertThrows(IllegalStateException.class, () -> noyau.preparer(SansOmbre::new));
+        assertTrue(refus.getMessage().contains("aucun temps"), refus.getMessage());
+    }
+
+    /** Juste, sauf que rien n'y cache jamais rien. */
+    private static final class SansOmbre implements Recherche {
+
+        private final Recherche autre;
+
+        SansOmbre(Recherche autre) {
+            this.autre = autre;
+        }
+
+        @Override
+        public void plusProche(Rayon incident, Objet3D saufLui) {
+            autre.plusProche(incident, saufLui);
+        }
+
+        @Override
+        public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+            return false;
+        }
+
+        @Override
+        public Recherche pourUnFil(Compteurs compteurs) {
+            return new SansOmbre(autre.pourUnFil(compteurs));
+        }
+    }
+
+    @Test
+    @DisplayName("Chaque contact est éclairé, et pas deux pareillement")
+    void lesContactsSontEclaires() {
+        NoyauContact noyau = new NoyauContact();
+        noyau.ns = 40;
+        noyau.preparer();
+        for (int k = 0; k < NoyauContact.CONTACTS; k++) {
+            assertNotEquals(new Couleur(), noyau.couleur(k), "contact " + k);
+        }
+        assertNotEquals(noyau.couleur(0), noyau.couleur(1));
+    }
+}
