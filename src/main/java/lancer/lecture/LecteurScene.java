@@ -13,7 +13,6 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -120,7 +119,7 @@ public final class LecteurScene {
 
     /** La section d'une variante, vide si le fichier n'en a pas. */
     Section section(String type) {
-        Section section = sectionsVariantes.get(type.toLowerCase(Locale.ROOT));
+        Section section = sectionsVariantes.get(Texte.minuscules(type));
         return section != null ? section : new Section(fichier, type, 0);
     }
 
@@ -187,7 +186,7 @@ public final class LecteurScene {
         String type = Section.type(nom);
         String[] cles = estType(type, "Sphere") ? CLES_SPHERE : estType(type, "Lampe") ? CLES_LAMPE : null;
         boolean variante = cles == null;
-        String cle = type.toLowerCase(Locale.ROOT);
+        String cle = Texte.minuscules(type);
         courante = new Section(fichier, nom, ligne, cles);
         if (variante && !variantes.lisent(type) && !variantesConnue(type)) {
             throw courante.fautive(ligne, null, "type de section inconnu", typesConnus());
@@ -235,7 +234,7 @@ public final class LecteurScene {
     }
 
     private static boolean estType(String type, String attendu) {
-        return type.equalsIgnoreCase(attendu);
+        return Texte.memeMot(type, attendu);
     }
 
     private static boolean variantesConnue(String type) {

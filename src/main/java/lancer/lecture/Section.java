@@ -80,7 +80,7 @@ public final class Section {
 
     private boolean connue(String cle) {
         for (String connue : connues) {
-            if (connue.equalsIgnoreCase(cle)) {
+            if (Texte.memeMot(connue, cle)) {
                 return true;
             }
         }
@@ -89,7 +89,7 @@ public final class Section {
 
     private int rang(String cle) {
         for (int k = 0; k < cles.size(); k++) {
-            if (cles.get(k).equalsIgnoreCase(cle)) {
+            if (Texte.memeMot(cles.get(k), cle)) {
                 return k;
             }
         }

@@ -9,6 +9,36 @@ public final class Texte {
     private Texte() {
     }
 
+    /**
+     * Vrai si deux mots ne diffèrent que par la casse. Une lettre ASCII n'y est égale qu'à elle-même, grande ou
+     * petite, au contraire de {@link String#equalsIgnoreCase} pour qui le signe du kelvin est un k.
+     */
+    static boolean memeMot(String a, String b) {
+        if (a.length() != b.length()) {
+            return false;
+        }
+        for (int i = 0; i < a.length(); i++) {
+            if (minuscule(a.charAt(i)) != minuscule(b.charAt(i))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Le mot tel que tous ceux que {@link #memeMot} dit égaux le donnent. */
+    static String minuscules(String mot) {
+        char[] lettres = mot.toCharArray();
+        for (int i = 0; i < lettres.length; i++) {
+            lettres[i] = minuscule(lettres[i]);
+        }
+        return new String(lettres);
+    }
+
+    private static char minuscule(char c) {
+        char minuscule = Character.toLowerCase(c);
+        return minuscule < 128 && c >= 128 ? c : minuscule;
+    }
+
     /** Le texte entre guillemets, caractères de contrôle échappés, coupé à 60 caractères. */
     public static String cite(String texte) {
         return "« " + abrege(texte) + " »";

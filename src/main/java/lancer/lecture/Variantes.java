@@ -19,7 +19,7 @@ public final class Variantes {
 
     boolean lisent(String type) {
         for (Variante variante : presentes) {
-            if (variante.getSection().equalsIgnoreCase(type)) {
+            if (Texte.memeMot(variante.getSection(), type)) {
                 return true;
             }
         }
