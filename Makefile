@@ -37,7 +37,7 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Generateur foule $(N) > target/geante.ini
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Generateur foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
 # Le banc d'essai ; BANC="--scenes foule --secondes 60" pour choisir.

@@ -25,14 +25,17 @@ sources = $(shell find $(1)/src/main -type f 2>/dev/null)
 .DEFAULT_GOAL := run
 .PHONY: run outils
 
-# Une fenêtre, ou à défaut d'écran une image.
+# Une fenêtre, ou à défaut d'écran une image : là où DISPLAY manque, ou nomme un écran qui ne répond pas (statut 1).
 run: $(JARS)
-	@if [ -n "$$DISPLAY" ] || [ "$$(uname)" = Darwin ]; then \
-	    $(LANCER) $(OPTIONS) $(SCENE); \
-	else \
-	    png=$(RACINE)/target/$$(basename $(SCENE) .ini).png; \
-	    $(LANCER) $(OPTIONS) --image $$png $(SCENE) && echo "Pas d'écran ici : l'image est dans $$png"; \
-	fi
+	@case "$(OPTIONS)" in \
+	    *--image*|*--lineaire*|*--aide*|*--version*) $(LANCER) $(OPTIONS) "$(SCENE)"; exit;; \
+	esac; \
+	if [ -n "$$DISPLAY" ] || [ "$$(uname)" = Darwin ]; then \
+	    $(LANCER) $(OPTIONS) "$(SCENE)"; statut=$$?; \
+	    [ $$statut = 1 ] || exit $$statut; \
+	fi; \
+	png="$(RACINE)/target/$$(basename "$(SCENE)" .ini).png"; \
+	$(LANCER) $(OPTIONS) --image "$$png" "$(SCENE)" && echo "Pas d'écran ici : l'image est dans $$png"
 
 outils:
 	@command -v javac >/dev/null || { echo "Il faut un JDK, 11 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }
