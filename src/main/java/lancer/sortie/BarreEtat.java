@@ -14,6 +14,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
+import javax.swing.SwingConstants;
 import lancer.Lancer;
 
 /** Le bas de la fenêtre : le pixel sous la souris, l'image, l'avancement, et un bouton pour arrêter ou reprendre. */
@@ -29,7 +30,7 @@ final class BarreEtat extends JPanel {
     private final JLabel resume = new JLabel(" ");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
     private final JButton bouton = new JButton("Redessiner");
-    private final Pastille pastille = new Pastille();
+    private final transient Pastille pastille = new Pastille();
 
     BarreEtat(Fenetre fenetre) {
         super(new BorderLayout(MARGE, INTERLIGNE));
@@ -51,8 +52,10 @@ final class BarreEtat extends JPanel {
         // la largeur du plus long de ses deux textes, pour que la barre ne bouge pas
         bouton.setPreferredSize(bouton.getPreferredSize());
         JPanel textes = new JPanel(new BorderLayout(MARGE, 0));
-        textes.add(pixel, BorderLayout.CENTER);
-        textes.add(resume, BorderLayout.LINE_END);
+        // dans une fenêtre étroite, c'est le résumé qui est coupé, pas la couleur du pixel
+        resume.setHorizontalAlignment(SwingConstants.TRAILING);
+        textes.add(pixel, BorderLayout.LINE_START);
+        textes.add(resume, BorderLayout.CENTER);
         add(textes, BorderLayout.PAGE_START);
         add(avancement, BorderLayout.CENTER);
         add(bouton, BorderLayout.LINE_END);

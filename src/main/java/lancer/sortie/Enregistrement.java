@@ -77,7 +77,7 @@ final class Enregistrement {
     private void ecrire(ImageMemoire image, Ecriture ecriture, File cible) {
         try {
             ecriture.ecrire(image, FichierPng::ecrire);
-            EventQueue.invokeLater(() -> fenetre.direEtat("enregistrée : " + Texte.echappe(cible.getName())));
+            EventQueue.invokeLater(() -> fenetre.direEnregistree(Texte.echappe(cible.getName())));
         } catch (RuntimeException | Error e) {
             EventQueue.invokeLater(() -> fenetre.direErreur(Main.message(e)));
         }

@@ -188,6 +188,14 @@ public final class Fenetre {
         panneau.getBandeau().erreur(Texte.echappe(erreur));
     }
 
+    /** Une image est enregistrée : un échec d'avant n'a plus à se lire. */
+    void direEnregistree(String nom) {
+        if (!fichierFautif) {
+            panneau.getBandeau().effacerErreur();
+        }
+        direEtat("enregistrée : " + nom);
+    }
+
     void direEtat(String etat) {
         barre.resumer(etat);
     }

@@ -73,7 +73,7 @@ final class Tracage extends SwingWorker<Void, Void> {
             fin = System.nanoTime();
         }
         if (main.getOptions().statistiques && !isCancelled()) {
-            sortie.print(main.getStatistiques());
+            sortie.println(main.getStatistiques());
             sortie.flush();
         }
         return null;
