@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import java.util.Arrays;
 import java.util.List;
 import lancer.Camera;
 import lancer.Constantes;
@@ -20,9 +21,10 @@ import lancer.contrat.Vue;
 /**
  * Les équations de {@link Objet3D#getColor}, {@link Scene#getCouleurVue} et {@link Rayon}, sur des nombres et en boucle : les
  * mêmes opérations dans le même ordre, donc les mêmes bits. Écrites deux fois parce que les vecteurs immuables de la version
- * lisible, rappelée par {@code --simple}, coûtent plus de la moitié d'une image (mesuré : scène du cours, 800 × 600, deux
- * fils) ; {@code IdentiteTest} compare les deux sur chaque pixel. Appartient à un fil ; rien n'est alloué par rayon, sauf la
- * couleur rendue.
+ * lisible, que {@code --simple} rappelle, coûtent 40 % d'une image (mesuré avec la même boucle sur les sphères : scène du cours,
+ * 800 × 600, deux fils, 90 ms contre 53) ; {@code IdentiteTest} compare les deux sur chaque pixel. Appartient à un fil ; rien
+ * n'est alloué par rayon, sauf la couleur rendue. Découpé en méthodes que le compilateur avale vite : une première image ne dure
+ * que le temps d'en compiler quatre.
  */
 final class Traceur implements Vue {
 
@@ -38,6 +40,8 @@ final class Traceur implements Vue {
     private final double seuil;
     private final Atmosphere atmosphere;
     private final boolean claire;
+    /** Vrai si un rayon qui ne rencontre aucune sphère peut voir autre chose que le ciel. */
+    private final boolean particuliere;
     private final Specularite specularite;
     private final boolean phong;
 
@@ -60,6 +64,11 @@ final class Traceur implements Vue {
     private double ry;
     private double rz;
 
+    /** Ce que voit le rayon en cours. */
+    private double r;
+    private double v;
+    private double b;
+
     /** Par niveau de réflexion : couleur propre du contact, Ks, longueur du rayon qui y mène. */
     private static final int PAS_NIVEAU = 7;
     private double[] niveaux = new double[PAS_NIVEAU * 8];
@@ -78,6 +87,7 @@ final class Traceur implements Vue {
         specularite = scene.getSpecularite();
         phong = specularite == Specularite.PHONG;
         spheres = recherche.getSpheres();
+        particuliere = !claire || spheres.autres.length > 0;
         premiers = recherche.premiers(camera);
         suivants = recherche.suivants();
         obstacles = recherche.obstacles();
@@ -95,89 +105,67 @@ final class Traceur implements Vue {
     @Override
     public Couleur couleur(double xe, double ye) {
         compteurs.primaires++;
-        double px;
-        double py;
-        double pz;
-        double vx;
-        double vy;
-        double vz;
-        if (cameraConnue) {
-            px = camera.getX(xe);
-            if (ye != derniereYe) {
-                derniereYe = ye;
-                derniereY = camera.getY(ye);
-            }
-            py = derniereY;
-            pz = 0;
-            vx = px - Camera.OEIL.x;
-            vy = py - Camera.OEIL.y;
-            vz = pz - Camera.OEIL.z;
-            // la focale garde cette norme loin des extrêmes
-            double inverse = 1 / Math.sqrt(vx * vx + vy * vy + vz * vz);
-            vx *= inverse;
-            vy *= inverse;
-            vz *= inverse;
-        } else {
+        if (!cameraConnue) {
             Rayon rayon = camera.getRayon(xe, ye);
-            px = rayon.getP().x;
-            py = rayon.getP().y;
-            pz = rayon.getP().z;
-            vx = rayon.getV().x;
-            vy = rayon.getV().y;
-            vz = rayon.getV().z;
+            Point P = rayon.getP();
+            Vecteur V = rayon.getV();
+            return vue(P.x, P.y, P.z, V.x, V.y, V.z);
         }
+        if (ye != derniereYe) {
+            derniereYe = ye;
+            derniereY = camera.getY(ye);
+        }
+        double px = camera.getX(xe);
+        double py = derniereY;
+        double vx = px - Camera.OEIL.x;
+        double vy = py - Camera.OEIL.y;
+        double vz = 0 - Camera.OEIL.z;
+        // la focale garde cette norme loin des extrêmes
+        double inverse = 1 / Math.sqrt(vx * vx + vy * vy + vz * vz);
+        return vue(px, py, 0, vx * inverse, vy * inverse, vz * inverse);
+    }
+
+    private Couleur vue(double px, double py, double pz, double vx, double vy, double vz) {
+        int k = premiers.plusProche(sonde, px, py, pz, vx, vy, vz, -1);
+        if (k < 0 && !particuliere) {
+            ciel(vy);
+            return new Couleur(r, v, b);
+        }
+        int niveau = suivre(k, px, py, pz, vx, vy, vz);
+        replier(niveau);
+        return new Couleur(r, v, b);
+    }
+
+    /**
+     * Suit un rayon dont la première sphère est connue, jusqu'au dernier contact. Laisse dans (r, v, b) la couleur que voit le
+     * dernier rayon, et dans {@link #niveaux} de quoi replier les précédents.
+     *
+     * @param k la première sphère, -1 s'il n'y en a pas ; sa distance est dans la sonde
+     * @return le nombre de réflexions
+     */
+    private int suivre(int k, double px, double py, double pz, double vx, double vy, double vz) {
         double produitR = 1;
         double produitV = 1;
         double produitB = 1;
         int niveau = 0;
-        int sauf = -1;
-        double r;
-        double v;
-        double b;
         while (true) {
-            int k = (niveau == 0 ? premiers : suivants).plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
             double distance = sonde.distance;
-            if (spheres.autres.length > 0) {
-                Rayon rayon = new Rayon(new Point(px, py, pz), new Vecteur(vx, vy, vz), new Couleur(produitR, produitV, produitB));
-                Objet3D autre = recherche.autrePlusProche(rayon, distance, k, null);
-                if (autre != null) {
-                    // une forme que ce paquet ne connaît pas : sa couleur est son affaire, réflexions comprises
-                    PointContact contact = rayon.calcContact();
-                    Couleur c = atmosphere.traverser(
-                            autre.getColor(scene, rayon, contact, profondeur - niveau), contact.distance);
-                    r = c.r;
-                    v = c.v;
-                    b = c.b;
-                    break;
-                }
+            if (spheres.autres.length > 0 && autre(k, niveau, new Rayon(new Point(px, py, pz), new Vecteur(vx, vy, vz),
+                    new Couleur(produitR, produitV, produitB)))) {
+                return niveau;
             }
             if (k < 0) {
-                // Rayon.getSkyColor
-                if (vy > 0) {
-                    double bas = 1 - vy;
-                    r = 0.7 * bas;
-                    v = 0.7 * bas;
-                    b = bas + vy;
-                } else {
-                    r = 0.5;
-                    v = 0.4 + 0.2 * vy;
-                    b = 0.1;
-                }
-                if (!claire) {
-                    Couleur c = atmosphere.traverser(new Couleur(r, v, b), Constantes.INFINI);
-                    r = c.r;
-                    v = c.v;
-                    b = c.b;
-                }
-                break;
+                ciel(vy);
+                traverser(Constantes.INFINI);
+                return niveau;
             }
             px += vx * distance;
             py += vy * distance;
             pz += vz * distance;
-            if (PAS_NIVEAU * (niveau + 1) > niveaux.length) {
-                niveaux = java.util.Arrays.copyOf(niveaux, 2 * niveaux.length);
-            }
             int n = PAS_NIVEAU * niveau;
+            if (n == niveaux.length) {
+                niveaux = Arrays.copyOf(niveaux, 2 * n);
+            }
             niveaux[n + 6] = distance;
             eclairer(k, n, px, py, pz, vx, vy, vz);
             double ksR = niveaux[n + 3];
@@ -191,40 +179,67 @@ final class Traceur implements Vue {
                 r = niveaux[n];
                 v = niveaux[n + 1];
                 b = niveaux[n + 2];
-                if (!claire) {
-                    Couleur c = atmosphere.traverser(new Couleur(r, v, b), distance);
-                    r = c.r;
-                    v = c.v;
-                    b = c.b;
-                }
-                break;
+                traverser(distance);
+                return niveau;
             }
             compteurs.reflechis++;
             niveau++;
-            sauf = k;
             vx = rx;
             vy = ry;
             vz = rz;
+            k = suivants.plusProche(sonde, px, py, pz, vx, vy, vz, k);
         }
-        return replier(niveau, r, v, b);
     }
 
+    /**
+     * Vrai si le rayon rencontre d'abord un objet que ce paquet ne connaît pas : sa couleur est son affaire, réflexions
+     * comprises.
+     */
+    private boolean autre(int k, int niveau, Rayon rayon) {
+        Objet3D autre = recherche.autrePlusProche(rayon, sonde.distance, k, null);
+        if (autre == null) {
+            return false;
+        }
+        PointContact contact = rayon.calcContact();
+        poser(atmosphere.traverser(autre.getColor(scene, rayon, contact, profondeur - niveau), contact.distance));
+        return true;
+    }
+
+    /** {@link Rayon#getSkyColor}. */
+    private void ciel(double vy) {
+        if (vy > 0) {
+            double bas = 1 - vy;
+            r = 0.7 * bas;
+            v = 0.7 * bas;
+            b = bas + vy;
+        } else {
+            r = 0.5;
+            v = 0.4 + 0.2 * vy;
+            b = 0.1;
+        }
+    }
+
+    private void traverser(double distance) {
+        if (!claire) {
+            poser(atmosphere.traverser(new Couleur(r, v, b), distance));
+        }
+    }
+
+    private void poser(Couleur c) {
+        r = c.r;
+        v = c.v;
+        b = c.b;
+    }
 
     /** Du dernier contact au premier, dans l'ordre où la récursion le ferait. */
-    private Couleur replier(int niveau, double r, double v, double b) {
+    private void replier(int niveau) {
         double[] t = niveaux;
         for (int n = PAS_NIVEAU * (niveau - 1); n >= 0; n -= PAS_NIVEAU) {
             r = t[n] + t[n + 3] * r;
             v = t[n + 1] + t[n + 4] * v;
             b = t[n + 2] + t[n + 5] * b;
-            if (!claire) {
-                Couleur c = atmosphere.traverser(new Couleur(r, v, b), t[n + 6]);
-                r = c.r;
-                v = c.v;
-                b = c.b;
-            }
+            traverser(t[n + 6]);
         }
-        return new Couleur(r, v, b);
     }
 
     /** La couleur propre du contact et son Ks, au niveau n ; la direction du reflet dans (rx, ry, rz). */
@@ -275,9 +290,9 @@ final class Traceur implements Vue {
         double ksV = m[a + 4];
         double ksB = m[a + 5];
         boolean mate = ksR == 0 && ksV == 0 && ksB == 0;
-        double r = 0;
-        double v = 0;
-        double b = 0;
+        double propreR = 0;
+        double propreV = 0;
+        double propreB = 0;
         double[] l = lampes;
         for (int i = 0, j = 0; j < l.length; i++, j += 6) {
             double lx = l[j] - px;
@@ -328,13 +343,13 @@ final class Traceur implements Vue {
                     && recherche.autreCache(objetsLampes[i].getPosition(), new Point(px, py, pz), versLampe, null)) {
                 continue;
             }
-            r += aR;
-            v += aV;
-            b += aB;
+            propreR += aR;
+            propreV += aV;
+            propreB += aB;
         }
-        niveaux[n] = r;
-        niveaux[n + 1] = v;
-        niveaux[n + 2] = b;
+        niveaux[n] = propreR;
+        niveaux[n + 1] = propreV;
+        niveaux[n + 2] = propreB;
         niveaux[n + 3] = ksR;
         niveaux[n + 4] = ksV;
         niveaux[n + 5] = ksB;
