@@ -7,11 +7,11 @@ package lancer;
 public class Vecteur extends Tuple {
 
     /**
-     * Entre ces deux carrés, la norme se calcule sans détour : au-dessous, les carrés des composantes perdraient des
+     * Carrés de norme entre lesquels la norme se calcule sans détour : au-dessous, les carrés des composantes perdraient des
      * chiffres (le plus petit double normal est 2^-1022) ; au-dessus, leur somme pourrait déborder.
      */
-    private static final double NORME2_MIN = 0x1.0p-900;
-    private static final double NORME2_MAX = 0x1.0p1000;
+    public static final double NORME2_MIN = 0x1.0p-900;
+    public static final double NORME2_MAX = 0x1.0p1000;
 
     /** Le vecteur nul. */
     public Vecteur() {
@@ -60,7 +60,7 @@ public class Vecteur extends Tuple {
     /** Longueur du vecteur, juste aussi là où son carré n'est pas représentable (1e-200, 1e200). */
     public double norme() {
         double carre = norme2();
-        if (carre >= NORME2_MIN && carre <= NORME2_MAX) {
+        if (ordinaire(carre)) {
             return Math.sqrt(carre);
         }
         double plusGrande = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
@@ -78,7 +78,7 @@ public class Vecteur extends Tuple {
      */
     public Vecteur normalized() {
         double carre = norme2();
-        if (carre >= NORME2_MIN && carre <= NORME2_MAX) {
+        if (ordinaire(carre)) {
             return mul(1 / Math.sqrt(carre));
         }
         double plusGrande = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
@@ -86,6 +86,10 @@ public class Vecteur extends Tuple {
             throw new ArithmeticException("vecteur sans direction, impossible à normaliser : " + this);
         }
         return ramene(Math.getExponent(plusGrande)).normalized();
+    }
+
+    private static boolean ordinaire(double carre) {
+        return carre >= NORME2_MIN && carre <= NORME2_MAX;
     }
 
     /** Ce vecteur multiplié par 2^−exposant : exact, sauf composantes devenues négligeables. */

@@ -28,10 +28,6 @@ import lancer.contrat.Vue;
  */
 final class Traceur implements Vue {
 
-    /** Entre ces carrés, {@link Vecteur#normalized} divise par une racine ; ailleurs c'est à lui de faire. */
-    private static final double NORME2_MIN = 0x1.0p-900;
-    private static final double NORME2_MAX = 0x1.0p1000;
-
     private final Scene scene;
     private final Camera camera;
     /** Vrai si la caméra est celle de la base, dont on connaît le calcul. */
@@ -250,7 +246,7 @@ final class Traceur implements Vue {
         double ny = py - g[s + 1];
         double nz = pz - g[s + 2];
         double carre = nx * nx + ny * ny + nz * nz;
-        if (carre >= NORME2_MIN && carre <= NORME2_MAX) {
+        if (carre >= Vecteur.NORME2_MIN && carre <= Vecteur.NORME2_MAX) {
             double inverse = 1 / Math.sqrt(carre);
             nx *= inverse;
             ny *= inverse;
@@ -266,7 +262,7 @@ final class Traceur implements Vue {
         double uy = vy - ny * deuxVN;
         double uz = vz - nz * deuxVN;
         double carreR = ux * ux + uy * uy + uz * uz;
-        if (carreR >= NORME2_MIN && carreR <= NORME2_MAX) {
+        if (carreR >= Vecteur.NORME2_MIN && carreR <= Vecteur.NORME2_MAX) {
             double inverse = 1 / Math.sqrt(carreR);
             ux *= inverse;
             uy *= inverse;
@@ -303,7 +299,7 @@ final class Traceur implements Vue {
             }
             double carreL = lx * lx + ly * ly + lz * lz;
             double versLampe;
-            if (carreL >= NORME2_MIN && carreL <= NORME2_MAX) {
+            if (carreL >= Vecteur.NORME2_MIN && carreL <= Vecteur.NORME2_MAX) {
                 versLampe = Math.sqrt(carreL);
                 double inverse = 1 / versLampe;
                 lx *= inverse;
