@@ -3,9 +3,11 @@ package lancer;
 import java.io.InputStream;
 import java.net.URISyntaxException;
 import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.List;
 import lancer.contrat.Toile;
 
-/** Les fichiers des tests, et une image dessinée en couleurs non limitées. */
+/** Les fichiers des tests, de quoi composer une scène, et une image dessinée en couleurs non limitées. */
 final class Ressources {
 
     private Ressources() {
@@ -54,5 +56,29 @@ final class Ressources {
             }
             return pire;
         }
+    }
+
+    static Sphere boule(double x, double y, double z, double rayon, double kd, double ks, double ns) {
+        Sphere boule = new Sphere(new Point(x, y, z), rayon);
+        boule.setKd(new Couleur(kd));
+        boule.setKs(new Couleur(ks));
+        boule.setNs(ns);
+        return boule;
+    }
+
+    static Scene scene(List<? extends Objet3D> objets, Lampe... lampes) {
+        Scene scene = new Scene(objets, Arrays.asList(lampes));
+        scene.setSeuil(0);
+        return scene;
+    }
+
+    static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {
+        Image image = new Image(largeur, hauteur);
+        new Lancer(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
+        return image;
+    }
+
+    static boolean memesBits(Image a, Image b) {
+        return Arrays.equals(a.composantes, b.composantes);
     }
 }

@@ -1,0 +1,122 @@
+package lancer;
+
+import static lancer.Ressources.boule;
+import static lancer.Ressources.image;
+import static lancer.Ressources.memesBits;
+import static lancer.Ressources.scene;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import org.junit.jupiter.api.Test;
+
+/** Ce qui ne doit changer l'image d'aucun bit, et ce qu'en font le brouillon et l'arrêt. */
+class DessinTest {
+
+    @Test
+    void uneSceneSymetriqueDonneUneImageSymetriqueAuBit() {
+        List<Sphere> boules = new ArrayList<>();
+        boules.add(boule(0, 0.3, 6, 1, 0.5, 0.4, 20));
+        for (int cote = -1; cote <= 1; cote += 2) {
+            boules.add(boule(cote * 1.3, -0.2, 5, 0.6, 0.6, 0.3, 40));
+            boules.add(boule(cote * 0.8, 0.9, 4, 0.3, 0.2, 0.7, 90));
+        }
+        Ressources.Image image = image(scene(boules, new Lampe(new Point(0, 5, -2), new Couleur(0.8))), 101, 77, 5, 2);
+        for (int j = 0; j < 77; j++) {
+            for (int i = 0; i < 101; i++) {
+                assertEquals(image.composantes[3 * (j * 101 + i)], image.composantes[3 * (j * 101 + 100 - i)], 0f);
+            }
+        }
+    }
+
+    @Test
+    void uneJumelleNeChangePasUnBit() {
+        Scene sans = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
+        List<Objet3D> doubles = new ArrayList<>(sans.getObjets());
+        for (Objet3D objet : sans.getObjets()) {
+            Sphere s = (Sphere) objet;
+            doubles.add(boule(s.getCentre().x, s.getCentre().y, s.getCentre().z, s.getRayon(), 1, 1, 1));
+        }
+        Scene avec = new Scene(doubles, sans.getLampes());
+        assertTrue(memesBits(image(sans, 60, 45, 5, 1), image(avec, 60, 45, 5, 1)));
+    }
+
+    @Test
+    void lOrdreDesSpheresNeChangePasUnBit() {
+        Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
+        List<Objet3D> envers = new ArrayList<>(scene.getObjets());
+        Collections.reverse(envers);
+        assertTrue(memesBits(image(scene, 60, 45, 5, 1), image(new Scene(envers, scene.getLampes()), 60, 45, 5, 1)));
+    }
+
+    @Test
+    void leNombreDeFilsNeChangeNiUnBitNiUnCompte() {
+        Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
+        Camera camera = new Camera(100, 75);
+        Ressources.Image attendue = null;
+        long[] comptes = null;
+        for (int fils : new int[] {1, 2, 3, 7, 64}) {
+            Ressources.Image image = new Ressources.Image(100, 75);
+            Lancer lancer = new Lancer(scene, camera);
+            lancer.TracerPixels(image, 5, fils);
+            long[] obtenus = {lancer.getCompteurs().primaires, lancer.getCompteurs().ombre, lancer.getCompteurs().reflechis,
+                lancer.getCompteurs().testsSpheres, lancer.getCompteurs().noeudsVisites};
+            if (attendue != null) {
+                assertTrue(memesBits(attendue, image), fils + " fils");
+                assertTrue(Arrays.equals(comptes, obtenus), fils + " fils : " + Arrays.toString(obtenus));
+            }
+            attendue = image;
+            comptes = obtenus;
+        }
+        assertEquals(7500, comptes[0]);
+    }
+
+    @Test
+    void leBrouillonPrendLeCentreDeChaqueCarreEtUneReflexionAuPlus() {
+        Scene scene = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
+        int largeur = 30;
+        int hauteur = 22;
+        Camera camera = new Camera(largeur, hauteur);
+        Ressources.Image brouillon = new Ressources.Image(largeur, hauteur);
+        new Lancer(scene, camera).TracerBrouillon(brouillon, 5, 2);
+        Lancer temoin = new Lancer(scene, camera);
+        for (int j = 0; j < hauteur; j++) {
+            for (int i = 0; i < largeur; i++) {
+                double xe = (i / 4 * 4 + Math.min(i / 4 * 4 + 4, largeur)) / 2.0;
+                double ye = (j / 4 * 4 + Math.min(j / 4 * 4 + 4, hauteur)) / 2.0;
+                Couleur attendue = temoin.getCouleurPixel(xe, ye, 1);
+                assertEquals((float) attendue.r, brouillon.composantes[3 * (j * largeur + i)], "pixel " + i + ", " + j);
+            }
+        }
+    }
+
+    @Test
+    void unDessinArreteNeFinitPas() {
+        Scene scene = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
+        Lancer lancer = new Lancer(scene, new Camera(64, 64));
+        int[] pixels = new int[1];
+        boolean arrete = false;
+        try {
+            lancer.TracerPixels((coul, xe, ye) -> {
+                pixels[0]++;
+                lancer.arreter();
+            }, 5, 1);
+        } catch (CancellationException e) {
+            arrete = true;
+        }
+        assertTrue(arrete);
+        assertEquals(1, pixels[0], "l'arrêt agit au pixel suivant");
+    }
+
+    @Test
+    void lesTaillesExtremesNOntQueDesNombresFinis() {
+        for (int[] taille : new int[][] {{1, 1}, {1, 500}, {500, 1}, {33, 65}}) {
+            Ressources.Image image = image(new Scene(Ressources.chemin("reference/p1-quatre.ini")), taille[0], taille[1], 5, 2);
+            assertEquals(0, image.ecart(image), Arrays.toString(taille));
+        }
+    }
+}
