@@ -47,7 +47,8 @@ final class Cases {
         for (int y = 0; y < hauteur; y++) {
             for (int x = 0; x < largeur; x++) {
                 commencer(x, y);
-                if (voisinSuspect(suspects)) {
+                boolean divisible = finX > 1 || finY > 1;
+                if (divisible && voisinSuspect(suspects)) {
                     couper(0, 0, finX, finY);
                     raffines++;
                 } else {

@@ -177,12 +177,13 @@ class PartageTest {
 
     /**
      * Là où elle échoue : au-dessus de {@link Cases#PRUDENCE}, il n'y a qu'un point par pixel, et un disque de rayon ρ ≤ 1/2 est
-     * manqué avec la probabilité 1 − πρ² ; juste au-dessous, quatre points à un demi-pixel l'un de l'autre, et 1 − 4πρ² pour
-     * ρ ≤ 1/4.
+     * manqué avec la probabilité 1 − πρ² ; juste au-dessous, quatre points par pixel, séparés d'au moins ⌊n/2⌋/n, et 1 − 4πρ²
+     * pour ρ ≤ ⌊n/2⌋/(2n) : 1/4 si n est pair, 1/6 si n = 3.
      */
     @ParameterizedTest
-    @CsvSource({"0.06, 0.2, 1", "0.06, 0.45, 1", "0.04, 0.1, 4", "0.04, 0.24, 4"})
-    void laProbabiliteDeManquerUnDisqueAUneFormeClose(double seuil, double rho, int points) {
+    @CsvSource({"8, 0.06, 0.2, 1", "8, 0.06, 0.45, 1", "8, 0.04, 0.1, 4", "8, 0.04, 0.24, 4", "3, 0.06, 0.45, 1", "3, 0.04, 0.16, 4",
+        "5, 0.04, 0.19, 4"})
+    void laProbabiliteDeManquerUnDisqueAUneFormeClose(int n, double seuil, double rho, int points) {
         Random hasard = new Random(39);
         Pave voisinage = new Pave(0, 0, 4, 4);
         int essais = 5_000;
@@ -191,7 +192,7 @@ class PartageTest {
             double x = 1.5 + hasard.nextDouble();
             double y = 1.5 + hasard.nextDouble();
             boolean[] vu = new boolean[1];
-            new Partage(8, seuil).tracer(voisinage, (xe, ye) -> {
+            new Partage(n, seuil).tracer(voisinage, (xe, ye) -> {
                 boolean dedans = (xe - x) * (xe - x) + (ye - y) * (ye - y) < rho * rho;
                 vu[0] |= dedans;
                 return new Couleur(dedans ? 1 : 1e-6 * xe);
