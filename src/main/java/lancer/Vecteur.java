@@ -11,6 +11,8 @@ public class Vecteur extends Tuple {
      * chiffres (le plus petit double normal est 2^-1022) ; au-dessus, leur somme pourrait déborder.
      */
     public static final double NORME2_MIN = 0x1.0p-900;
+
+    /** Voir {@link #NORME2_MIN}. */
     public static final double NORME2_MAX = 0x1.0p1000;
 
     /** Le vecteur nul. */
