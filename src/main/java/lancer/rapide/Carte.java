@@ -1,6 +1,8 @@
 package lancer.rapide;
 
 import java.util.Arrays;
+import lancer.Constantes;
+import lancer.Sphere;
 
 /**
  * Ce que l'on voit d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la plus
@@ -25,6 +27,11 @@ final class Carte {
     private static final int COUPE = 1;
     private static final int COUPE_DEVANT_L_ECRAN = 2;
 
+    /** Réponse de {@link #plusProche} pour une direction qui n'est d'aucune case. */
+    static final int HORS = -2;
+
+    private final Spheres spheres;
+    private final int parFace;
     private final Face[] faces;
 
     /** Première entrée de chaque case, et pour chaque entrée une sphère et une distance qu'aucun de ses points ne précède. */
@@ -52,9 +59,10 @@ final class Carte {
     }
 
     private Carte(Spheres spheres, double ox, double oy, double oz, double grossi, int sauf, Face[] faces, int coupes) {
+        this.spheres = spheres;
         this.faces = faces;
         int n = spheres.nombre;
-        int parFace = faces[0].colonnes * faces[0].lignes;
+        parFace = faces[0].colonnes * faces[0].lignes;
         int cases = faces.length * parFace;
         coupe = new float[cases];
         coupeuse = new int[cases];
@@ -145,21 +153,59 @@ final class Carte {
         return ordre;
     }
 
+    /**
+     * La sphère que rencontre d'abord un rayon, parmi celles que note la case d'une direction. Une seule
+     * boucle pour l'œil et pour les départs : la compiler une fois au lieu de cinq prend 30 ms de moins à la première image de la
+     * scène du cours, sur 240.
+     *
+     * @param x la direction vue du point de la carte ; d'une carte d'une seule face, (x, y) est le point de sa fenêtre
+     * @param avance de combien l'origine du rayon est en avant du point de la carte, au plus
+     * @return son numéro, -1 si le rayon n'en rencontre pas, {@link #HORS} si la direction n'est pas dans la carte
+     */
+    int plusProche(Sonde sonde, double x, double y, double z, double avance, double px, double py, double pz, double vx,
+            double vy, double vz) {
+        int c;
+        if (faces.length == 1) {
+            c = faces[0].casePlane(x, y);
+        } else {
+            int f = Faces.duCube(x, y, z);
+            c = f * parFace + faces[f].caseDe(x, y, z);
+        }
+        sonde.distance = Constantes.INFINI;
+        sonde.compteurs.noeudsVisites++;
+        if (c < 0) {
+            return HORS;
+        }
+        int premiere = debut[c];
+        int fin = debut[c + 1];
+        if (premiere == fin) {
+            return -1;
+        }
+        double[] g = spheres.geometrie;
+        double distance = Constantes.INFINI;
+        int trouvee = -1;
+        int e = premiere;
+        for (; e < fin && pres[e] - avance <= distance; e++) {
+            int k = entrees[e];
+            int s = Spheres.PAS * k;
+            double d = Sphere.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+            if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
+                distance = d;
+                trouvee = k;
+            }
+        }
+        sonde.compteurs.testsSpheres += e - premiere;
+        sonde.distance = distance;
+        return trouvee;
+    }
+
     /** La case de cette direction, -1 si aucune sphère ne peut y être. */
     int caseDe(double x, double y, double z) {
         if (faces.length == 1) {
             return faces[0].caseDe(x, y, z);
         }
-        double ax = Math.abs(x);
-        double ay = Math.abs(y);
-        double az = Math.abs(z);
-        int f = az >= ax && az >= ay ? z > 0 ? 4 : 5 : ay >= ax ? y > 0 ? 2 : 3 : x > 0 ? 0 : 1;
-        return f * faces[0].colonnes * faces[0].lignes + faces[f].caseDe(x, y, z);
-    }
-
-    /** La case du point (u, v) d'une carte d'une seule face. */
-    int casePlane(double u, double v) {
-        return faces[0].casePlane(u, v);
+        int f = Faces.duCube(x, y, z);
+        return f * parFace + faces[f].caseDe(x, y, z);
     }
 
     /** Les entrées de chaque case, chaînées dans l'ordre où elles viennent : leur nombre n'est pas connu d'avance. */

@@ -1,8 +1,5 @@
 package lancer.rapide;
 
-import lancer.Constantes;
-import lancer.Sphere;
-
 /**
  * Les reflets dans une poignée de sphères : pour chacune, une {@link Carte} de ce qu'un rayon qui la quitte peut rencontrer,
  * d'où qu'il parte de sa surface. Un rayon qui part de la sphère A et touche B passe à moins de rA + rB du centre de B, vu de
@@ -16,13 +13,11 @@ final class Departs implements Voisins {
     /** Grossissement de plus : le contact d'où part le rayon n'est sur la sphère qu'à quelques arrondis près. */
     private static final double MARGE = 1e-9;
 
-    private final Spheres spheres;
     private final Carte[] cartes;
     private final Voisins secours;
     private final double departMax;
 
     Departs(Spheres spheres, double portee, Voisins secours) {
-        this.spheres = spheres;
         this.secours = secours;
         departMax = 2 * portee;
         cartes = new Carte[spheres.nombre];
@@ -38,26 +33,6 @@ final class Departs implements Voisins {
         if (sauf < 0 || !(Math.max(Math.abs(px), Math.max(Math.abs(py), Math.abs(pz))) <= departMax)) {
             return secours.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
         }
-        Carte q = cartes[sauf];
-        double[] g = spheres.geometrie;
-        double distance = Constantes.INFINI;
-        int trouvee = -1;
-        int tests = 0;
-        int c = q.caseDe(vx, vy, vz);
-        int fin = q.debut[c + 1];
-        for (int e = q.debut[c]; e < fin && q.pres[e] <= distance; e++) {
-            int k = q.entrees[e];
-            tests++;
-            int s = Spheres.PAS * k;
-            double d = Sphere.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-            if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
-                distance = d;
-                trouvee = k;
-            }
-        }
-        sonde.compteurs.noeudsVisites++;
-        sonde.compteurs.testsSpheres += tests;
-        sonde.distance = distance;
-        return trouvee;
+        return cartes[sauf].plusProche(sonde, vx, vy, vz, 0, px, py, pz, vx, vy, vz);
     }
 }

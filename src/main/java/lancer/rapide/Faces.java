@@ -33,6 +33,14 @@ final class Faces {
         return faces;
     }
 
+    /** La face d'un cube que traverse cette direction. */
+    static int duCube(double x, double y, double z) {
+        double ax = Math.abs(x);
+        double ay = Math.abs(y);
+        double az = Math.abs(z);
+        return az >= ax && az >= ay ? z > 0 ? 4 : 5 : ay >= ax ? y > 0 ? 2 : 3 : x > 0 ? 0 : 1;
+    }
+
     /** La fenêtre tournée vers le milieu des sphères, juste assez grande pour leurs silhouettes ; {@code null} si c'est trop. */
     private static Face ajustee(Spheres spheres, double ox, double oy, double oz, int cases) {
         double[] g = spheres.geometrie;

@@ -134,7 +134,7 @@ public final class Preparation {
         Face face = new Face(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, -u, -v, u, v,
                 (int) Math.ceil(camera.getLargeur() / cote), (int) Math.ceil(camera.getHauteur() / cote));
         Carte carte = Carte.duPoint(spheres, Camera.OEIL.x, Camera.OEIL.y, Camera.OEIL.z, new Face[] {face}, true);
-        return carte.bonne ? new CarteOeil(spheres, carte, general) : general;
+        return carte.bonne ? new CarteOeil(carte, general) : general;
     }
 
     /**

@@ -23,8 +23,8 @@ import lancer.contrat.Vue;
  * mêmes opérations dans le même ordre, donc les mêmes bits. Écrites deux fois parce que les vecteurs immuables de la version
  * lisible, que {@code --simple} rappelle, coûtent 40 % d'une image (mesuré avec la même boucle sur les sphères : scène du cours,
  * 800 × 600, deux fils, 90 ms contre 53) ; {@code IdentiteTest} compare les deux sur chaque pixel. Appartient à un fil ; rien
- * n'est alloué par rayon, sauf la couleur rendue. Découpé en méthodes que le compilateur avale vite : une première image ne dure
- * que le temps d'en compiler quatre.
+ * n'est alloué par rayon, sauf la couleur rendue. Une première image ne dure que le temps de compiler ce qu'elle exécute :
+ * {@link #couleur} et {@link #eclairer}, trop longues pour être incorporées à celles qui les appellent, le sont une fois chacune.
  */
 final class Traceur implements Vue {
 
@@ -101,45 +101,44 @@ final class Traceur implements Vue {
     @Override
     public Couleur couleur(double xe, double ye) {
         compteurs.primaires++;
-        if (!cameraConnue) {
+        double px;
+        double py;
+        double pz;
+        double vx;
+        double vy;
+        double vz;
+        if (cameraConnue) {
+            if (ye != derniereYe) {
+                derniereYe = ye;
+                derniereY = camera.getY(ye);
+            }
+            px = camera.getX(xe);
+            py = derniereY;
+            pz = 0;
+            vx = px - Camera.OEIL.x;
+            vy = py - Camera.OEIL.y;
+            vz = 0 - Camera.OEIL.z;
+            // la focale garde cette norme loin des extrêmes
+            double inverse = 1 / Math.sqrt(vx * vx + vy * vy + vz * vz);
+            vx *= inverse;
+            vy *= inverse;
+            vz *= inverse;
+        } else {
             Rayon rayon = camera.getRayon(xe, ye);
             Point P = rayon.getP();
             Vecteur V = rayon.getV();
-            return vue(P.x, P.y, P.z, V.x, V.y, V.z);
+            px = P.x;
+            py = P.y;
+            pz = P.z;
+            vx = V.x;
+            vy = V.y;
+            vz = V.z;
         }
-        if (ye != derniereYe) {
-            derniereYe = ye;
-            derniereY = camera.getY(ye);
-        }
-        double px = camera.getX(xe);
-        double py = derniereY;
-        double vx = px - Camera.OEIL.x;
-        double vy = py - Camera.OEIL.y;
-        double vz = 0 - Camera.OEIL.z;
-        // la focale garde cette norme loin des extrêmes
-        double inverse = 1 / Math.sqrt(vx * vx + vy * vy + vz * vz);
-        return vue(px, py, 0, vx * inverse, vy * inverse, vz * inverse);
-    }
-
-    private Couleur vue(double px, double py, double pz, double vx, double vy, double vz) {
         int k = premiers.plusProche(sonde, px, py, pz, vx, vy, vz, -1);
         if (k < 0 && !particuliere) {
             ciel(vy);
             return new Couleur(r, v, b);
         }
-        int niveau = suivre(k, px, py, pz, vx, vy, vz);
-        replier(niveau);
-        return new Couleur(r, v, b);
-    }
-
-    /**
-     * Suit un rayon dont la première sphère est connue, jusqu'au dernier contact. Laisse dans (r, v, b) la couleur que voit le
-     * dernier rayon, et dans {@link #niveaux} de quoi replier les précédents.
-     *
-     * @param k la première sphère, -1 s'il n'y en a pas ; sa distance est dans la sonde
-     * @return le nombre de réflexions
-     */
-    private int suivre(int k, double px, double py, double pz, double vx, double vy, double vz) {
         double produitR = 1;
         double produitV = 1;
         double produitB = 1;
@@ -148,12 +147,12 @@ final class Traceur implements Vue {
             double distance = sonde.distance;
             if (spheres.autres.length > 0 && autre(k, niveau, new Rayon(new Point(px, py, pz), new Vecteur(vx, vy, vz),
                     new Couleur(produitR, produitV, produitB)))) {
-                return niveau;
+                break;
             }
             if (k < 0) {
                 ciel(vy);
                 traverser(Constantes.INFINI);
-                return niveau;
+                break;
             }
             px += vx * distance;
             py += vy * distance;
@@ -176,7 +175,7 @@ final class Traceur implements Vue {
                 v = niveaux[n + 1];
                 b = niveaux[n + 2];
                 traverser(distance);
-                return niveau;
+                break;
             }
             compteurs.reflechis++;
             niveau++;
@@ -185,6 +184,10 @@ final class Traceur implements Vue {
             vz = rz;
             k = suivants.plusProche(sonde, px, py, pz, vx, vy, vz, k);
         }
+        if (niveau > 0) {
+            replier(niveau);
+        }
+        return new Couleur(r, v, b);
     }
 
     /**
@@ -230,7 +233,9 @@ final class Traceur implements Vue {
     /** Du dernier contact au premier, dans l'ordre où la récursion le ferait. */
     private void replier(int niveau) {
         double[] t = niveaux;
-        for (int n = PAS_NIVEAU * (niveau - 1); n >= 0; n -= PAS_NIVEAU) {
+        int n = PAS_NIVEAU * niveau;
+        while (n != 0) {
+            n -= PAS_NIVEAU;
             r = t[n] + t[n + 3] * r;
             v = t[n + 1] + t[n + 4] * v;
             b = t[n + 2] + t[n + 5] * b;
