@@ -162,6 +162,11 @@ public final class Preparation {
         return suivants;
     }
 
+    /** Pour un rayon qui part de n'importe où : {@link Departs} ne connaît que ceux qui quittent la sphère à ignorer. */
+    Voisins deNImporteOu() {
+        return suivants instanceof Departs ? general : suivants;
+    }
+
     Obstacles[] obstacles() {
         return obstacles;
     }

@@ -48,7 +48,7 @@ final class RechercheRapide implements Recherche {
     public void plusProche(Rayon incident, Objet3D saufLui) {
         Point P = incident.getP();
         Vecteur V = incident.getV();
-        int k = preparation.suivants().plusProche(sonde, P.x, P.y, P.z, V.x, V.y, V.z, spheres.numero(saufLui));
+        int k = preparation.deNImporteOu().plusProche(sonde, P.x, P.y, P.z, V.x, V.y, V.z, spheres.numero(saufLui));
         double distance = sonde.distance;
         if (spheres.autres.length == 0 || autrePlusProche(incident, distance, k, saufLui) == null) {
             incident.setContact(k < 0 ? null : spheres.objet(k), distance);
