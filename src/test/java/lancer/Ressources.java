@@ -6,6 +6,7 @@ import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import lancer.contrat.Toile;
+import lancer.rapide.Preparation;
 
 /** Les fichiers des tests, de quoi composer une scène, et une image dessinée en couleurs non limitées. */
 final class Ressources {
@@ -75,6 +76,14 @@ final class Ressources {
     static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {
         Image image = new Image(largeur, hauteur);
         new Lancer(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
+        return image;
+    }
+
+    /** La même, par la recherche rapide : celle que montre le programme sans {@code --simple}. */
+    static Image imageRapide(Scene scene, Camera camera, int reflets) {
+        scene.setRecherche(Preparation.pour(scene, camera));
+        Image image = new Image(camera.getLargeur(), camera.getHauteur());
+        new Lancer(scene, camera).TracerPixels(image, reflets, 2);
         return image;
     }
 

@@ -1,0 +1,108 @@
+package lancer;
+
+import java.math.BigDecimal;
+import java.math.BigInteger;
+import java.math.MathContext;
+
+/**
+ * L'intersection d'un rayon et d'une sphère sans arrondi : les doubles du cas sont pris tels quels, les sommes et les produits
+ * sont exacts, et la seule racine a 60 chiffres. Lent, et seul juge des méthodes rapides.
+ */
+final class Exact {
+
+    private static final int CHIFFRES = 60;
+    private static final MathContext PRECIS = new MathContext(CHIFFRES);
+
+    /** La distance exacte, arrondie au double le plus proche ; +∞ s'il n'y a pas de contact. */
+    final double distance;
+
+    /**
+     * La demi-corde, +∞ si la droite ne touche pas la sphère. Près de 0, un chiffre perdu sur les données en coûte beaucoup au
+     * résultat.
+     */
+    final double demiCorde;
+
+    /** De combien la droite entre dans la sphère, r − l, l étant sa distance au centre ; négatif si elle passe à côté. */
+    final double enfoncement;
+
+    /** Le rayon part de {@code p} vers {@code vers} ; sa direction est la différence exacte, que rien n'arrondit. */
+    Exact(Point p, Point vers, Point centre, double rayon) {
+        // une puissance de deux ramène la scène près de 1 : rien n'en change, et les nombres s'écrivent en peu de chiffres
+        int e = Math.getExponent(Math.max(Math.max(norme(p), norme(vers)), Math.max(norme(centre), rayon)));
+        BigDecimal[] d = difference(p, vers, e);
+        BigDecimal[] f = difference(p, centre, e);
+        BigDecimal r = nombre(rayon, e);
+        BigDecimal a = scalaire(d, d);
+        BigDecimal b = scalaire(f, d);
+        BigDecimal c = scalaire(f, f).subtract(r.multiply(r));
+        BigDecimal discriminant = b.multiply(b).subtract(a.multiply(c));
+        BigDecimal l = racine(scalaire(f, f).multiply(a).subtract(b.multiply(b)).divide(a, PRECIS));
+        enfoncement = reel(r.subtract(l), e);
+        if (discriminant.signum() < 0) {
+            demiCorde = Double.POSITIVE_INFINITY;
+            distance = Double.POSITIVE_INFINITY;
+            return;
+        }
+        BigDecimal racine = racine(discriminant);
+        BigDecimal norme = racine(a);
+        demiCorde = reel(racine.divide(norme, PRECIS), e);
+        BigDecimal t = null;
+        if (c.signum() > 0) {
+            t = b.signum() > 0 ? c.divide(b.add(racine), PRECIS) : null;
+        } else if (b.signum() > 0) {
+            t = b.add(racine).divide(a, PRECIS);
+        } else if (c.signum() < 0) {
+            t = c.divide(b.subtract(racine), PRECIS);
+        }
+        distance = t == null ? Double.POSITIVE_INFINITY : reel(t.multiply(norme, PRECIS), e);
+    }
+
+    /**
+     * Ce que l'arrondi des données permet, {@code K}·u·(1 + r/h)(|P − C| + r) : V, ramené à 1, et P − C ne sont connus qu'à
+     * une part u près, et une demi-corde h en fait r/h fois plus.
+     */
+    double tolerance(double K, Point p, Point centre, double r) {
+        return K * 0x1p-53 * (1 + r / demiCorde) * (new Vecteur(p, centre).norme() + r);
+    }
+
+    private static double norme(Tuple t) {
+        return Math.max(Math.abs(t.x), Math.max(Math.abs(t.y), Math.abs(t.z)));
+    }
+
+    /** Le nombre x/2^e, sans arrondi. */
+    private static BigDecimal nombre(double x, int e) {
+        double petit = Math.scalb(x, -e);
+        if (Math.scalb(petit, e) != x) {
+            throw new ArithmeticException("trop petit auprès du reste pour être ramené sans arrondi : " + x);
+        }
+        return new BigDecimal(petit);
+    }
+
+    private static double reel(BigDecimal x, int e) {
+        return Math.scalb(x.doubleValue(), e);
+    }
+
+    private static BigDecimal[] difference(Point a, Point b, int e) {
+        return new BigDecimal[] {nombre(b.x, e).subtract(nombre(a.x, e)), nombre(b.y, e).subtract(nombre(a.y, e)),
+            nombre(b.z, e).subtract(nombre(a.z, e))};
+    }
+
+    private static BigDecimal scalaire(BigDecimal[] u, BigDecimal[] v) {
+        return u[0].multiply(v[0]).add(u[1].multiply(v[1])).add(u[2].multiply(v[2]));
+    }
+
+    /** La racine carrée, à {@link #CHIFFRES} chiffres ; Java 8 n'en a pas. */
+    private static BigDecimal racine(BigDecimal x) {
+        if (x.signum() == 0) {
+            return x;
+        }
+        int exposant = x.precision() - x.scale();
+        int k = CHIFFRES + 5 - exposant / 2;
+        BigInteger n = x.scaleByPowerOfTen(2 * k).toBigInteger();
+        BigInteger s = BigInteger.ONE.shiftLeft(n.bitLength() / 2 + 1);
+        for (BigInteger t = s.add(n.divide(s)).shiftRight(1); t.compareTo(s) < 0; t = s.add(n.divide(s)).shiftRight(1)) {
+            s = t;
+        }
+        return new BigDecimal(s).scaleByPowerOfTen(-k);
+    }
+}
