@@ -1,0 +1,196 @@
+package lancer;
+
+import static lancer.Ressources.boule;
+import static lancer.Ressources.image;
+import static lancer.Ressources.memesBits;
+import static lancer.Ressources.scene;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
+import lancer.contrat.RechercheSimple;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Où les façons courantes de demander « cette lampe est-elle cachée ? » échouent. Le contact calculé n'est jamais exactement sur
+ * sa sphère : le rayon d'ombre la retrouve tout près de lui, devant ou derrière, au gré des arrondis. Toutes les recettes sont des
+ * façons de ne pas voir cette rencontre ; la nôtre est la seule qui n'ait pas d'unité de longueur : ne pas la demander.
+ */
+class LimitesOmbreTest {
+
+    private static final int COTE = 101;
+
+    /** Une réponse naïve à la question de l'ombre ; pour le reste, les boucles du cours. */
+    private abstract static class Naive implements Recherche {
+
+        final List<Objet3D> objets;
+        private final Recherche plusProche;
+
+        Naive(List<Objet3D> objets) {
+            this.objets = objets;
+            this.plusProche = new RechercheSimple(objets, new Compteurs());
+        }
+
+        @Override
+        public void plusProche(Rayon incident, Objet3D saufLui) {
+            plusProche.plusProche(incident, saufLui);
+        }
+
+        @Override
+        public Recherche pourUnFil(Compteurs compteurs) {
+            return this;
+        }
+    }
+
+    /** Le nombre de pixels noirs d'une scène que l'on regarde de la lampe : il ne devrait pas y en avoir. */
+    private static int noirs(Scene scene) {
+        Ressources.Image image = image(scene, COTE, COTE, 0, 1);
+        int noirs = 0;
+        for (int k = 0; k < image.composantes.length; k += 3) {
+            noirs += image.composantes[k + 2] == 0 ? 1 : 0;
+        }
+        return noirs;
+    }
+
+    private static Scene vueDeLaLampe(Sphere... boules) {
+        return scene(Arrays.asList(boules), new Lampe(Camera.OEIL, new Couleur(1)));
+    }
+
+    /** Du contact vers la lampe, tout ce que le rayon touche, selon le manuel, cache, l'objet éclairé compris : l'acné. */
+    private static final class SansExclure extends Naive {
+
+        private final double epsilon;
+
+        /** @param epsilon les rencontres plus proches que cela ne comptent pas */
+        SansExclure(List<Objet3D> objets, double epsilon) {
+            super(objets);
+            this.epsilon = epsilon;
+        }
+
+        @Override
+        public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+            Rayon ombre = new Rayon(contact, lampe.getPosition());
+            double distance = contact.sub(lampe.getPosition()).norme();
+            for (Objet3D autre : objets) {
+                Sphere s = (Sphere) autre;
+                double t = LimitesIntersectionTest.duManuel(contact, ombre.getV(), s.getCentre(), s.getRayon());
+                if (t > epsilon && t < distance) {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+
+    @Test
+    void sansExclureLaSurfaceDeDepartElleSOmbreElleMeme() {
+        Scene scene = vueDeLaLampe(boule(0, 0, 5, 1.5, 1, 0, 1));
+        assertEquals(0, noirs(scene));
+        scene.setRecherche(new SansExclure(scene.getObjets(), 0));
+        assertTrue(noirs(scene) > 200, noirs(scene) + " points noirs");
+    }
+
+    /** Un epsilon de 1e-6 couvre les arrondis d'une scène de quelques unités, ni ceux d'un grand sol, ni rien d'une petite scène. */
+    @Test
+    void unEpsilonFixeNeGueritQueLesScenesDeSaTaille() {
+        Scene moyenne = vueDeLaLampe(boule(0, 0, 5, 1.5, 1, 0, 1));
+        moyenne.setRecherche(new SansExclure(moyenne.getObjets(), 1e-6));
+        assertEquals(0, noirs(moyenne), "il guérit celle-ci");
+        Scene grande = vueDeLaLampe(boule(0, -1e11 - 1, 5, 1e11, 1, 0, 1));
+        assertEquals(0, noirs(grande));
+        grande.setRecherche(new SansExclure(grande.getObjets(), 1e-6));
+        assertTrue(noirs(grande) > 50, noirs(grande) + " points noirs : de près, la racine du manuel se trompe de u·1e11 = 1e-5");
+        // une bille posée à 2e-7 du contact devrait le cacher
+        Sphere mur = boule(0, 0, 5, 1, 1, 0, 1);
+        Scene petite = scene(Arrays.asList(mur, boule(0, 0, 4 - 3e-7, 1e-7, 1, 0, 1)), new Lampe(new Point(), new Couleur(1)));
+        assertTrue(petite.estCachee(petite.getLampes().get(0), new Point(0, 0, 4), mur));
+        petite.setRecherche(new SansExclure(petite.getObjets(), 1e-6));
+        assertFalse(petite.estCachee(petite.getLampes().get(0), new Point(0, 0, 4), mur), "la lumière passe à travers");
+    }
+
+    /** Ignorer tout ce qui est trop près du départ, pour ignorer le départ : de deux boules qui se frôlent, l'autre disparaît. */
+    @Test
+    void exclureLeDepartParLaDistanceExclutAussiLeVoisin() {
+        Sphere a = boule(0, 0, 5, 1, 1, 0, 1);
+        Sphere b = boule(0, 0, 3 - 1e-5, 1, 1, 0, 1);
+        Scene scene = scene(Arrays.asList(a, b));
+        Rayon quitte = new Rayon(new Point(0, 0, 4), new Vecteur(0, 0, -1));
+        Objet3D naif = null;
+        for (Objet3D objet : scene.getObjets()) {
+            double t = objet.getIntersectionDistance(quitte);
+            naif = t > 1e-4 && t < Constantes.INFINI ? objet : naif;
+        }
+        assertEquals(null, naif, "b est à 1e-5");
+        PointContact contact = scene.getClosestIntersection(quitte, a);
+        assertSame(b, contact.objet);
+        assertEquals(1e-5, contact.distance, 1e-15);
+    }
+
+    /** Sans s'arrêter à la lampe, le rayon d'ombre trouve aussi ce qui est derrière elle. */
+    @Test
+    void oublierLaDistanceDeLaLampeFaitOmbrerCeQuiEstDerriereElle() {
+        Sphere boule = boule(0, 0, 5, 1.5, 1, 0, 1);
+        Scene scene = vueDeLaLampe(boule, boule(0, 0, -9, 2, 1, 0, 1));
+        assertEquals(0, noirs(scene));
+        scene.setRecherche(new Naive(scene.getObjets()) {
+            @Override
+            public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+                Rayon versLaLampe = new Rayon(contact, lampe.getPosition());
+                for (Objet3D autre : objets) {
+                    if (autre != objet && autre.getIntersectionDistance(versLaLampe) < Constantes.INFINI) {
+                        return true;
+                    }
+                }
+                return false;
+            }
+        });
+        assertTrue(noirs(scene) > 3_000, noirs(scene) + " points noirs");
+    }
+
+    /** Un objet de plus, à la même place, n'est pas le départ : il le cache au gré des arrondis. D'où l'oubli des jumelles, à la lecture. */
+    @Test
+    void uneJumelleQuOnGardeFaitDeLAcne() {
+        Sphere boule = boule(0, 0, 5, 1.5, 1, 0, 1);
+        Sphere jumelle = boule(0, 0, 5, 1.5, 1, 0, 1);
+        Scene scene = vueDeLaLampe(boule, jumelle);
+        assertEquals(0, noirs(scene));
+        assertTrue(memesBits(image(vueDeLaLampe(boule), COTE, COTE, 0, 1), image(scene, COTE, COTE, 0, 1)));
+        scene.setRecherche(new RechercheSimple(Arrays.<Objet3D>asList(boule, jumelle), new Compteurs()));
+        assertTrue(noirs(scene) > 20, noirs(scene) + " points noirs");
+    }
+
+    /**
+     * « Le premier objet vu de la lampe est-il celui-ci ? » (le cours) vaut ce que vaut l'intersection. D'une lampe à un milliard,
+     * le discriminant du manuel ne sait plus si le rayon touche la boule : ici elle manque, et le contact passe pour caché.
+     */
+    @Test
+    void lePremierObjetVuDUneLampeLointaineDemandeUneIntersectionJuste() {
+        Sphere boule = boule(0, 0, 5, 1, 1, 0, 1);
+        Vecteur soleil = new Vecteur(-1, 2, -3).normalized();
+        Point lampe = new Point().add(soleil.mul(1e9));
+        int manquees = 0;
+        int justes = 0;
+        for (int k = 0; k < 5_000; k++) {
+            double y = 1 - (2 * k + 1.0) / 5_000;
+            double rho = Math.sqrt(1 - y * y);
+            Vecteur n = new Vecteur(rho * Math.cos(2.4 * k), y, rho * Math.sin(2.4 * k));
+            if (n.dot(soleil) > 0.1) {
+                Point contact = boule.getCentre().add(n);
+                Rayon ombre = new Rayon(lampe, contact);
+                Vecteur PC = new Vecteur(boule.getCentre(), lampe);
+                double b = PC.dot(ombre.getV());
+                manquees += b * b - (PC.dot(PC) - 1) < 0 ? 1 : 0;
+                boolean cachee = scene(Collections.singletonList(boule)).getClosestIntersection(ombre) == null;
+                assertFalse(cachee, "point " + k);
+                justes++;
+            }
+        }
+        assertTrue(manquees > justes / 10, manquees + " contacts sur " + justes + " passent pour cachés");
+    }
+}
