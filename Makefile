@@ -11,13 +11,15 @@ test: outils
 	    { echo "Les tests de la fenêtre ont besoin de Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1; }
 	$(XVFB) $(MVN) -f ensemble.xml -Dfenetre.exigee=true verify
 
-mesures/target/mesures.jar: $(POMS) mesures/pom.xml $(call sources,.) $(call sources,mesures) | outils
+VARIANTES_TOUTES := brume antialias blinn
+MODULES := . mesures $(VARIANTES_TOUTES)
+
+mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MODULES),$(call sources,$(m))) | outils
 	@echo "Construction de $@"
 	@$(MVN) -q -f ensemble.xml -pl :mesures -am -DskipTests package
 	@touch $@
 
 # Les images du README. Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
-VARIANTES_TOUTES := brume antialias blinn
 SCENES := scene1 diffus ombres miroirs bowling foule
 NEUVES := target/images
 

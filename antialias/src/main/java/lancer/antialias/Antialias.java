@@ -16,6 +16,26 @@ public final class Antialias implements Variante {
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
 
+    /**
+     * La méthode du cours : quatre coins d'abord, tous les sous-pixels s'ils diffèrent.
+     *
+     * @param n nombre de sous-pixels sur un côté, de 1 à 64
+     * @param seuil 0 : tous les sous-pixels, toujours
+     */
+    public static Echantillonnage coins(int n, double seuil) {
+        return new Coins(n, seuil);
+    }
+
+    /**
+     * La méthode qui partage les sous-pixels entre voisins, et interpole là où tout se ressemble.
+     *
+     * @param n nombre de sous-pixels sur un côté, de 1 à 64
+     * @param seuil 0 : tous les sous-pixels, toujours
+     */
+    public static Echantillonnage partage(int n, double seuil) {
+        return new Partage(n, seuil);
+    }
+
     @Override
     public String getSection() {
         return "Antialias";
@@ -32,9 +52,9 @@ public final class Antialias implements Variante {
         String nom = valeurs.mot("methode", "coins");
         switch (nom) {
             case "coins":
-                return new Coins(n, seuil);
+                return coins(n, seuil);
             case "partage":
-                return new Partage(n, seuil);
+                return partage(n, seuil);
             default:
                 throw valeurs.fautive("methode", "méthode inconnue : " + Texte.cite(nom), "coins ou partage");
         }

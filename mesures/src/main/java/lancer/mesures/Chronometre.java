@@ -57,7 +57,7 @@ final class Chronometre {
         int largeur = reglages.largeur;
         int hauteur = reglages.hauteur;
         long debut = System.nanoTime();
-        Scene scene = new Scene(fichier.toString());
+        Scene scene = Scenes.lire(fichier);
         long lue = System.nanoTime();
         Lancer lancer = preparation.preparer(scene, largeur, hauteur);
         long prete = System.nanoTime();

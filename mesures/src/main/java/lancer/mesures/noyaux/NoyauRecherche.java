@@ -21,6 +21,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.mesures.Generateur;
+import lancer.mesures.Scenes;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -123,7 +124,7 @@ public class NoyauRecherche {
             try (BufferedWriter sortie = Files.newBufferedWriter(fichier, StandardCharsets.UTF_8)) {
                 Generateur.foule(sortie, BOULES, Generateur.GRAINE);
             }
-            return new Scene(fichier.toString());
+            return Scenes.lire(fichier);
         } finally {
             Files.delete(fichier);
         }

@@ -1,0 +1,74 @@
+package lancer.mesures;
+
+import java.util.Arrays;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.contrat.Toile;
+
+/** Une image de couleurs non limitées, en double précision : ce que le programme calcule, avant l'écran. */
+public final class ImageLineaire implements Toile {
+
+    private final int largeur;
+    private final int hauteur;
+
+    /** Rouge, vert, bleu de chaque pixel, ligne par ligne depuis le haut. */
+    private final double[] composantes;
+
+    /**
+     * @param largeur en pixels, au moins 1
+     * @param hauteur en pixels, au moins 1
+     */
+    public ImageLineaire(int largeur, int hauteur) {
+        this.largeur = largeur;
+        this.hauteur = hauteur;
+        composantes = new double[3 * largeur * hauteur];
+    }
+
+    /**
+     * Tous les pixels de ce que dessine {@code lancer}.
+     *
+     * @param profondeur nombre de réflexions permises
+     * @param fils nombre de fils ; l'image n'en dépend pas
+     */
+    public static ImageLineaire de(Lancer lancer, int profondeur, int fils) {
+        ImageLineaire image = new ImageLineaire(lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur());
+        lancer.TracerPixels(image, profondeur, fils);
+        return image;
+    }
+
+    @Override
+    public void drawPixel(Couleur coul, int xe, int ye) {
+        int k = 3 * (ye * largeur + xe);
+        composantes[k] = coul.r;
+        composantes[k + 1] = coul.v;
+        composantes[k + 2] = coul.b;
+    }
+
+    public int getLargeur() {
+        return largeur;
+    }
+
+    public int getHauteur() {
+        return hauteur;
+    }
+
+    /** Trois composantes par pixel, ligne par ligne depuis le haut : le tableau même. */
+    public double[] getComposantes() {
+        return composantes;
+    }
+
+    /** Le pixel de rang {@code k}, dans l'ordre de la lecture. */
+    public Couleur getCouleur(int k) {
+        return new Couleur(composantes[3 * k], composantes[3 * k + 1], composantes[3 * k + 2]);
+    }
+
+    /** Plus rien n'est dessiné : un pixel que le prochain dessin oublierait se verra. */
+    void effacer() {
+        Arrays.fill(composantes, Double.NaN);
+    }
+
+    /** Mêmes bits partout : ni la tolérance d'un écran, ni l'égalité de 0 et −0. */
+    public boolean memesBits(ImageLineaire autre) {
+        return largeur == autre.largeur && Arrays.equals(composantes, autre.composantes);
+    }
+}

@@ -1,0 +1,39 @@
+package lancer.mesures;
+
+import java.nio.file.Path;
+import lancer.Scene;
+import lancer.contrat.Atmosphere;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Specularite;
+
+/** Les scènes telles que la base les voit : les variantes du chemin des classes sont là pour être mesurées, non pour s'y installer. */
+public final class Scenes {
+
+    private Scenes() {
+    }
+
+    /**
+     * Lit une scène, sans variante.
+     *
+     * @throws lancer.SceneFautive si le fichier ne peut être utilisé
+     */
+    public static Scene lire(Path fichier) {
+        Scene lue = new Scene(fichier.toString());
+        boolean nue = lue.getAtmosphere() == Atmosphere.CLAIRE && lue.getSpecularite() == Specularite.PHONG
+                && lue.getEchantillonnage() == Echantillonnage.CENTRE;
+        return nue ? lue : nue(lue);
+    }
+
+    /** Mêmes objets et mêmes lampes, rien d'autre. */
+    public static Scene nue(Scene scene) {
+        return new Scene(scene.getObjets(), scene.getLampes());
+    }
+
+    /** Mêmes objets, mêmes lampes, même air, mêmes reflets ; l'échantillonnage et le seuil sont ceux de la base. */
+    static Scene copie(Scene scene) {
+        Scene copie = nue(scene);
+        copie.setAtmosphere(scene.getAtmosphere());
+        copie.setSpecularite(scene.getSpecularite());
+        return copie;
+    }
+}
