@@ -12,18 +12,18 @@ import java.time.temporal.ChronoUnit;
 import java.util.stream.Stream;
 
 /** Sur quoi et quand l'on mesure : sans cela, un temps ne se compare à aucun autre. */
-final class Circonstances {
+public final class Circonstances {
 
     /** Ce qui n'a pu être su. */
     private static final String INCONNU = "inconnu";
 
-    final String machine = processeur();
-    final int coeurs = Runtime.getRuntime().availableProcessors();
-    final String jvm = System.getProperty("java.vm.name") + " " + System.getProperty("java.version");
-    final String date = LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString();
+    public final String machine = processeur();
+    public final int coeurs = Runtime.getRuntime().availableProcessors();
+    public final String jvm = System.getProperty("java.vm.name") + " " + System.getProperty("java.version");
+    public final String date = LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString();
 
     /** Le commit mesuré, suivi de « + » si les sources ne sont plus les siennes. */
-    final String commit = commit();
+    public final String commit = commit();
 
     private static String processeur() {
         Path linux = Paths.get("/proc/cpuinfo");

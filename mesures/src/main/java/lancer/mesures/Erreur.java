@@ -60,7 +60,8 @@ public final class Erreur {
         return Math.sqrt(somme / a.length);
     }
 
-    private static double ecart(Couleur a, Couleur b) {
+    /** Le plus grand écart d'une composante. */
+    static double ecart(Couleur a, Couleur b) {
         return Math.max(Math.abs(a.r - b.r), Math.max(Math.abs(a.v - b.v), Math.abs(a.b - b.b)));
     }
 

@@ -12,7 +12,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** Le journal des mesures : une ligne de plus pour chaque scène mesurée, jamais une de moins. */
-final class FichierCsv {
+public final class FichierCsv {
 
     static final List<String> COLONNES = Arrays.asList("date", "commit", "machine", "coeurs", "jvm", "scene", "spheres", "largeur",
             "hauteur", "fils", "primaires", "ombre", "reflechis", "pixels_verifies", "repetitions", "lecture_ms", "preparation_ms",
@@ -48,7 +48,8 @@ final class FichierCsv {
         return String.format(Locale.ROOT, "%.3f", ns / NS_PAR_MS);
     }
 
-    static String ligne(Object... valeurs) {
+    /** Une ligne, sans sa fin : les champs s'y séparent par des virgules (RFC 4180). */
+    public static String ligne(Object... valeurs) {
         return Arrays.stream(valeurs).map(v -> champ(v.toString())).collect(Collectors.joining(","));
     }
 

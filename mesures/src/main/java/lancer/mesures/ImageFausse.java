@@ -1,11 +1,11 @@
 package lancer.mesures;
 
 /** Une image qui n'est pas celle du chemin lisible : son temps ne vaut rien. */
-final class ImageFausse extends RuntimeException {
+public final class ImageFausse extends RuntimeException {
 
     private static final long serialVersionUID = 1;
 
-    ImageFausse(String message) {
+    public ImageFausse(String message) {
         super(message);
     }
 }

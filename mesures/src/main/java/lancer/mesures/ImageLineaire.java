@@ -63,7 +63,7 @@ public final class ImageLineaire implements Toile {
     }
 
     /** Plus rien n'est dessiné : un pixel que le prochain dessin oublierait se verra. */
-    void effacer() {
+    public void effacer() {
         Arrays.fill(composantes, Double.NaN);
     }
 

@@ -3,12 +3,12 @@ package lancer.mesures;
 import java.util.Arrays;
 
 /** Des temps rangés : leur milieu, et comment ils s'en écartent. */
-final class Repartition {
+public final class Repartition {
 
     private final long[] tries;
 
     /** @param temps au moins un, dans un ordre quelconque */
-    Repartition(long... temps) {
+    public Repartition(long... temps) {
         if (temps.length == 0) {
             throw new IllegalArgumentException("aucun temps");
         }
@@ -16,27 +16,27 @@ final class Repartition {
         Arrays.sort(tries);
     }
 
-    int nombre() {
+    public int nombre() {
         return tries.length;
     }
 
-    double mediane() {
+    public double mediane() {
         return quantile(0.5);
     }
 
-    double premierQuartile() {
+    public double premierQuartile() {
         return quantile(0.25);
     }
 
-    double troisiemeQuartile() {
+    public double troisiemeQuartile() {
         return quantile(0.75);
     }
 
-    long min() {
+    public long min() {
         return tries[0];
     }
 
-    long max() {
+    public long max() {
         return tries[tries.length - 1];
     }
 

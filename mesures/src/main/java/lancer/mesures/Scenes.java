@@ -30,7 +30,7 @@ public final class Scenes {
     }
 
     /** Mêmes objets, mêmes lampes, même air, mêmes reflets ; l'échantillonnage et le seuil sont ceux de la base. */
-    static Scene copie(Scene scene) {
+    public static Scene copie(Scene scene) {
         Scene copie = nue(scene);
         copie.setAtmosphere(scene.getAtmosphere());
         copie.setSpecularite(scene.getSpecularite());

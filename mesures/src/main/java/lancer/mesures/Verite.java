@@ -1,78 +1,82 @@
 package lancer.mesures;
 
+import lancer.Lancer;
 import lancer.Main;
 import lancer.Scene;
+import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 
 /**
  * L'image qu'aurait donnée un calcul sans limite, ou ce qui en approche, et de combien elle s'en écarte peut-être encore : la
- * même avec moitié moins de peine en diffère de {@link #reste}. Comme la différence diminue à chaque doublement, c'est plus que
- * ce qui reste à gagner en doublant toujours, dès lors qu'elle diminue au moins de moitié.
+ * même avec moitié moins d'effort en diffère de {@link #reste}. Si la différence diminue au moins de moitié à chaque doublement,
+ * doubler sans fin ne la changerait pas davantage.
  */
 public final class Verite {
 
     /** Réflexions permises là où elles ne devraient pas être limitées : le plus que l'on puisse demander au programme. */
     public static final int PROFONDEUR = 1000;
 
-    /** Sous-pixels d'un côté au-delà desquels on ne va pas : 4096 rayons par pixel. */
+    /** Sous-pixels d'un côté au-delà desquels on ne va pas : 4096 rayons par pixel, après 1024, 256 et 64. */
     public static final int N_MAX = 64;
 
-    private static final int N_MIN = 4;
+    private static final int N_MIN = 8;
 
     /** L'image elle-même. */
     public final ImageLineaire image;
 
-    /** Ce qu'il a fallu : sous-pixels d'un côté, ou réflexions permises. */
+    /** Ce que l'on s'est permis : sous-pixels d'un côté, ou réflexions. */
     public final int effort;
 
     /** Écart quadratique moyen avec l'image de moitié moins d'effort, en couleurs linéaires. */
     public final double reste;
 
-    private Verite(ImageLineaire image, int effort, double reste) {
+    /** Les rayons qu'il a fallu. */
+    public final Compteurs compteurs;
+
+    private Verite(ImageLineaire image, int effort, ImageLineaire moitie, Compteurs compteurs) {
         this.image = image;
         this.effort = effort;
-        this.reste = reste;
+        this.reste = Erreur.rmse(moitie, image);
+        this.compteurs = compteurs;
     }
 
     /**
      * La moyenne sur chaque pixel, avec ces limites-là de réflexion : la vérité des anticrénelages. Le nombre de sous-pixels
-     * double tant que l'image change.
+     * double, dans chaque pixel, tant que sa couleur change de plus que la tolérance.
      *
      * @param scene ses objets, ses lampes, son air et ses reflets ; elle n'est pas changée
      * @param profondeur nombre de réflexions permises
      * @param seuil sous lequel un reflet n'est plus suivi
-     * @param cible ce que {@link #reste} ne doit pas dépasser, si {@link #N_MAX} le permet
+     * @param tolerance sur une composante linéaire ; 1/255 est un pas de l'écran
+     * @param nMax sous-pixels d'un côté, au plus ; 16 au moins
      */
-    public static Verite desPixels(Scene scene, int largeur, int hauteur, int profondeur, double seuil, double cible) {
-        ImageLineaire image = dessiner(scene, new Moyenne(N_MIN), largeur, hauteur, profondeur, seuil);
-        for (int n = 2 * N_MIN; ; n *= 2) {
-            ImageLineaire meilleure = dessiner(scene, new Moyenne(n), largeur, hauteur, profondeur, seuil);
-            double reste = Erreur.rmse(image, meilleure);
-            if (reste <= cible || n == N_MAX) {
-                return new Verite(meilleure, n, reste);
-            }
-            image = meilleure;
-        }
+    public static Verite desPixels(Scene scene, int largeur, int hauteur, int profondeur, double seuil, double tolerance,
+            int nMax) {
+        ImageLineaire moitie = new ImageLineaire(largeur, hauteur);
+        Lancer lancer = preparer(scene, new Doublement(N_MIN, nMax, tolerance, moitie), largeur, hauteur, seuil);
+        return new Verite(dessiner(lancer, profondeur), nMax, moitie, lancer.getCompteurs());
     }
 
     /** Un rayon par pixel, ni profondeur ni seuil ne l'arrêtant : la vérité des limites de réflexion. */
     public static Verite sansLimite(Scene scene, int largeur, int hauteur) {
-        ImageLineaire moitie = dessiner(scene, Echantillonnage.CENTRE, largeur, hauteur, PROFONDEUR / 2, 0);
-        ImageLineaire image = dessiner(scene, Echantillonnage.CENTRE, largeur, hauteur, PROFONDEUR, 0);
-        return new Verite(image, PROFONDEUR, Erreur.rmse(moitie, image));
+        ImageLineaire moitie = dessiner(preparer(scene, Echantillonnage.CENTRE, largeur, hauteur, 0), PROFONDEUR / 2);
+        Lancer lancer = preparer(scene, Echantillonnage.CENTRE, largeur, hauteur, 0);
+        return new Verite(dessiner(lancer, PROFONDEUR), PROFONDEUR, moitie, lancer.getCompteurs());
     }
 
     /** La moyenne sur chaque pixel, ni profondeur ni seuil n'arrêtant un rayon : la vérité de toute l'image. */
-    public static Verite complete(Scene scene, int largeur, int hauteur, double cible) {
-        return desPixels(scene, largeur, hauteur, PROFONDEUR, 0, cible);
+    public static Verite complete(Scene scene, int largeur, int hauteur, double tolerance) {
+        return desPixels(scene, largeur, hauteur, PROFONDEUR, 0, tolerance, N_MAX);
     }
 
-    private static ImageLineaire dessiner(Scene scene, Echantillonnage echantillonnage, int largeur, int hauteur, int profondeur,
-            double seuil) {
+    private static Lancer preparer(Scene scene, Echantillonnage echantillonnage, int largeur, int hauteur, double seuil) {
         Scene copie = Scenes.copie(scene);
         copie.setEchantillonnage(echantillonnage);
         copie.setSeuil(seuil);
-        return ImageLineaire.de(Main.preparer(copie, largeur, hauteur, false), profondeur,
-                Runtime.getRuntime().availableProcessors());
+        return Main.preparer(copie, largeur, hauteur, false);
+    }
+
+    private static ImageLineaire dessiner(Lancer lancer, int profondeur) {
+        return ImageLineaire.de(lancer, profondeur, Runtime.getRuntime().availableProcessors());
     }
 }

@@ -1,7 +1,6 @@
 package lancer.mesures;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Paths;
@@ -11,7 +10,6 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Main;
 import lancer.Point;
 import lancer.Scene;
@@ -38,30 +36,48 @@ class VeriteTest {
         return ImageLineaire.de(Main.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
     }
 
-    @Test
-    @DisplayName("du ciel seul est celle de la formule : un dégradé que les sous-pixels suivent au carré de leur pas")
-    void leCielSeul() {
-        Scene vide = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
-        Verite fine = Verite.desPixels(vide, LARGEUR, HAUTEUR, 5, 0, 0);
-        assertEquals(Verite.N_MAX, fine.effort);
-        // la formule du milieu : l'erreur d'une moyenne de n × n points décroît comme 1/n² là où la fonction est lisse
-        double reste = Erreur.rmse(image(vide, new Moyenne(4), 5), image(vide, new Moyenne(8), 5));
-        double moitie = Erreur.rmse(image(vide, new Moyenne(8), 5), image(vide, new Moyenne(16), 5));
-        assertTrue(reste < 2e-4 && moitie < reste, reste + " puis " + moitie);
-        Couleur haut = new Lancer(vide, new Camera(LARGEUR, HAUTEUR)).getCouleurPixel(20, 0.5, 5);
-        assertEquals(haut.r, fine.image.getCouleur(20).r, 1e-3);
+    /** Tous les sous-pixels, partout. */
+    private static Verite entiere(Scene scene, int n) {
+        return Verite.desPixels(scene, LARGEUR, HAUTEUR, 5, Constantes.SEUIL, -1, n);
     }
 
     @Test
-    @DisplayName("ne s'arrête de doubler que si deux images de suite se ressemblent assez, et dit de combien")
-    void elleDouble() {
+    @DisplayName("est, au bit près, la grille complète du module antialias, là où chaque pixel double jusqu'au bout")
+    void laMoyenneEstCelleDeLAntialias() {
         Scene scene = cours();
-        Verite grossiere = Verite.desPixels(scene, LARGEUR, HAUTEUR, 5, Constantes.SEUIL, 1);
-        assertEquals(8, grossiere.effort);
-        Verite fine = Verite.desPixels(scene, LARGEUR, HAUTEUR, 5, Constantes.SEUIL, grossiere.reste * 0.9);
-        assertTrue(fine.effort > 8, "n = " + fine.effort);
-        assertTrue(fine.reste <= grossiere.reste * 0.9);
-        assertEquals(fine.reste, Erreur.rmse(image(scene, new Moyenne(fine.effort / 2), 5), fine.image));
+        assertTrue(entiere(scene, 16).image.memesBits(image(scene, Antialias.coins(16, 0), 5)));
+        assertTrue(entiere(scene, 32).image.memesBits(image(scene, Antialias.coins(32, 0), 5)));
+    }
+
+    @Test
+    @DisplayName("dit de combien elle diffère de l'image de moitié moins de sous-pixels")
+    void leResteEstCeluiDUnDoublement() {
+        Scene scene = cours();
+        Verite verite = entiere(scene, 32);
+        assertEquals(Erreur.rmse(image(scene, Antialias.coins(16, 0), 5), verite.image), verite.reste);
+        assertTrue(verite.reste < entiere(scene, 16).reste, "elle s'approche de quelque chose");
+    }
+
+    @Test
+    @DisplayName("ne double pas là où rien ne change, et n'y perd pas plus que la tolérance")
+    void elleNeDoublePasPartout() {
+        Scene scene = cours();
+        double tolerance = 0.1 / 255;
+        Verite partout = entiere(scene, 32);
+        Verite ailleurs = Verite.desPixels(scene, LARGEUR, HAUTEUR, 5, Constantes.SEUIL, tolerance, 32);
+        assertTrue(3 * ailleurs.compteurs.primaires < 2 * partout.compteurs.primaires, ailleurs.compteurs.primaires + " rayons");
+        double ecart = Erreur.rmse(ailleurs.image, partout.image);
+        assertTrue(ecart < tolerance, ecart * 255 + " pas");
+    }
+
+    @Test
+    @DisplayName("du ciel seul s'arrête aussitôt : un dégradé ne demande rien")
+    void leCielSeul() {
+        Scene vide = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
+        Verite verite = Verite.desPixels(vide, LARGEUR, HAUTEUR, 5, 0, 1e-4, 64);
+        // l'horizon est un bord du ciel, entre deux lignes de pixels
+        assertEquals((8 * 8 + 16 * 16) * LARGEUR * HAUTEUR, verite.compteurs.primaires);
+        assertTrue(verite.reste < 1e-5);
     }
 
     @Test
@@ -71,24 +87,16 @@ class VeriteTest {
         Sphere boule = new Sphere(new Point(0, 0, 4), 0.5);
         boule.setKd(new Couleur(1));
         Scene scene = new Scene(Collections.singletonList(boule), Collections.<Lampe>emptyList());
-        Verite verite = Verite.desPixels(scene, LARGEUR, HAUTEUR, 5, 0, 0);
+        Verite verite = Verite.desPixels(scene, LARGEUR, HAUTEUR, 5, 0, 1e-4, 64);
         Scene vide = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
-        Verite ciel = Verite.desPixels(vide, LARGEUR, HAUTEUR, 5, 0, 0);
+        Verite ciel = Verite.desPixels(vide, LARGEUR, HAUTEUR, 5, 0, 1e-4, 64);
         double aire = 0;
         for (int k = 0; k < LARGEUR * HAUTEUR; k++) {
             aire += 1 - verite.image.getCouleur(k).r / ciel.image.getCouleur(k).r;
         }
         double distance = 4 - Camera.OEIL.z;
         double rayon = Camera.FOCALE * 0.5 / Math.sqrt(distance * distance - 0.25) * LARGEUR / Constantes.ECHELLE;
-        assertEquals(Math.PI * rayon * rayon, aire, 0.02);
-    }
-
-    @Test
-    @DisplayName("de tous les sous-pixels est, au bit près, la grille complète du module antialias")
-    void laMoyenneEstCelleDeLAntialias() {
-        Scene scene = cours();
-        assertTrue(image(scene, new Moyenne(3), 5).memesBits(image(scene, Antialias.coins(3, 0), 5)));
-        assertFalse(image(scene, new Moyenne(3), 5).memesBits(image(scene, new Moyenne(4), 5)));
+        assertEquals(Math.PI * rayon * rayon, aire, 0.05);
     }
 
     @Test
