@@ -3,7 +3,7 @@ include commun.mk
 N ?= 1000000
 XVFB := xvfb-run -a -s "-screen 0 1280x800x24"
 
-.PHONY: test images scene-geante bench noyaux aide propre
+.PHONY: test images scene-geante bench noyaux mesures aide propre
 
 # Tout, tous modules ; les fenêtres s'ouvrent sur un écran à elles, pas sur celui de l'utilisateur.
 test: outils
@@ -50,6 +50,11 @@ bench: mesures/target/mesures.jar
 noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux $(JMH)
 
+# Les courbes de vitesse et de précision, de mesures faites maintenant ; interrompue, la même commande reprend où elle en était.
+# MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer.
+mesures: mesures/target/mesures.jar
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
+
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -59,6 +64,8 @@ aide:
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
 	@echo "make bench                 dessine de 10 à 1000000 boules, vérifie et mesure ; BANC=\"--scenes foule\" pour choisir"
 	@echo "make noyaux                mesure une intersection, une recherche, un éclairement ; JMH=\"-f 3\" pour ses options"
+	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; dix minutes au plus"
+	@echo "make mesures RAPIDE=1      une partie, en moins d'une minute, dans mesures/target/vitesse-rapide"
 	@echo "make propre                efface ce qui est construit"
 
 propre: outils

@@ -177,6 +177,16 @@ public final class Preparation {
         return l < 0 ? obstacleGeneral : obstacles[l];
     }
 
+    /** Les structures choisies, par leurs noms : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */
+    @Override
+    public String toString() {
+        StringBuilder noms = new StringBuilder(premiers.getClass().getSimpleName() + " " + suivants.getClass().getSimpleName());
+        for (Obstacles obstacle : obstacles) {
+            noms.append(' ').append(obstacle.getClass().getSimpleName());
+        }
+        return noms.toString();
+    }
+
     /** Ce qu'un test peut imposer. */
     static final class Reglage {
 

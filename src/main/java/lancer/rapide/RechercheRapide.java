@@ -115,4 +115,10 @@ final class RechercheRapide implements Recherche {
     public Vue vue(Lancer lancer, int profondeur) {
         return new Traceur(this, sonde, lancer, profondeur);
     }
+
+    /** Ce que {@link Preparation} a choisi pour cette scène. */
+    @Override
+    public String toString() {
+        return preparation.toString();
+    }
 }

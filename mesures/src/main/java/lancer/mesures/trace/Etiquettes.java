@@ -1,0 +1,86 @@
+package lancer.mesures.trace;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Écrit des noms à côté de points, là où rien n'est déjà dessiné ; un nom qui n'a pas de place n'est pas écrit. */
+final class Etiquettes {
+
+    /** Directions essayées, par préférence : à droite, au-dessus à droite, puis de loin en loin. */
+    private static final double[][] DIRECTIONS = {{1, 0}, {1, -1}, {-1, 0}, {1, 1}, {0, -1}, {-1, -1}, {0, 1}, {-1, 1}};
+    private static final double[] DISTANCES = {16, 24, 40, 60, 84};
+    private static final double[] PRES = {16};
+
+    /** Au-delà, un fil relie le nom au point. */
+    private static final double FIL = 30;
+
+    private final Graphics2D g;
+    private final Rectangle2D cadre;
+    private final List<Rectangle2D> pris = new ArrayList<>();
+
+    Etiquettes(Graphics2D g, Rectangle2D cadre) {
+        this.g = g;
+        this.cadre = cadre;
+    }
+
+    /** Rien ne sera écrit ici. */
+    void reserver(double x, double y, double demiCote) {
+        pris.add(new Rectangle2D.Double(x - demiCote, y - demiCote, 2 * demiCote, 2 * demiCote));
+    }
+
+    /** Rien ne sera écrit le long de ce trait. */
+    void reserver(double x0, double y0, double x1, double y1) {
+        double longueur = Math.hypot(x1 - x0, y1 - y0);
+        for (double t = 0; t <= longueur; t += 6) {
+            reserver(x0 + (x1 - x0) * t / longueur, y0 + (y1 - y0) * t / longueur, 3);
+        }
+    }
+
+    /**
+     * @param depart rayon de ce qui est dessiné autour du point, en plus du point lui-même
+     * @param loin vrai si le nom peut être écrit plus loin, au bout d'un fil
+     * @return faux s'il n'y avait pas de place
+     */
+    boolean ecrire(String texte, double x, double y, double depart, Font police, Color couleur, boolean loin) {
+        FontMetrics mesures = g.getFontMetrics(police);
+        double largeur = mesures.stringWidth(texte);
+        double hauteur = mesures.getAscent();
+        for (double distance : loin ? DISTANCES : PRES) {
+            for (double[] d : DIRECTIONS) {
+                double norme = Math.hypot(d[0], d[1]);
+                double cx = x + d[0] / norme * (distance + depart) + d[0] * largeur / 2;
+                double cy = y + d[1] / norme * (distance + depart) + d[1] * hauteur / 2;
+                Rectangle2D place = new Rectangle2D.Double(cx - largeur / 2 - 2, cy - hauteur / 2, largeur + 4, hauteur);
+                if (cadre.contains(place) && pris.stream().noneMatch(p -> p.intersects(place))) {
+                    pris.add(place);
+                    if (distance > FIL) {
+                        fil(x, y, place, depart);
+                    }
+                    g.setFont(police);
+                    g.setColor(couleur);
+                    g.drawString(texte, (float) (cx - largeur / 2), (float) (cy + hauteur / 2 - mesures.getDescent() / 2.0));
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private void fil(double x, double y, Rectangle2D place, double depart) {
+        double px = Math.max(place.getMinX(), Math.min(place.getMaxX(), x));
+        double py = Math.max(place.getMinY(), Math.min(place.getMaxY(), y));
+        double norme = Math.hypot(px - x, py - y);
+        double debut = depart + 4;
+        if (norme > debut) {
+            g.setColor(Style.GRIS);
+            g.setStroke(Style.trait(1.2f));
+            g.draw(new Line2D.Double(x + (px - x) * debut / norme, y + (py - y) * debut / norme, px, py));
+        }
+    }
+}

@@ -1,0 +1,24 @@
+package lancer.mesures.trace;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Des marques de même couleur et de même forme, et leur nom dans la légende. */
+public final class Serie {
+
+    final String nom;
+    final Color couleur;
+    final Forme forme;
+    final boolean reliee;
+    final List<Marque> marques;
+
+    /** @param reliee vrai si un trait joint les marques, dans l'ordre donné */
+    public Serie(String nom, Color couleur, Forme forme, boolean reliee, List<Marque> marques) {
+        this.nom = nom;
+        this.couleur = couleur;
+        this.forme = forme;
+        this.reliee = reliee;
+        this.marques = new ArrayList<>(marques);
+    }
+}

@@ -1,0 +1,120 @@
+package lancer.mesures.trace;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Stroke;
+import java.math.RoundingMode;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
+import java.util.Locale;
+
+/**
+ * L'apparence de toutes les courbes : les mêmes tailles partout, des couleurs que distinguent ceux qui voient mal le rouge ou
+ * le vert (M. Okabe et K. Ito, <i>Color Universal Design</i>, 2008), des caractères lisibles une fois l'image réduite de moitié.
+ */
+public final class Style {
+
+    /** Taille d'une planche, en pixels. Le README la montre deux fois plus petite. */
+    public static final int LARGEUR = 1600;
+    public static final int HAUTEUR = 1000;
+
+    /** La palette d'Okabe et Ito. */
+    public static final Color NOIR = new Color(0x000000);
+    public static final Color ORANGE = new Color(0xE69F00);
+    public static final Color CIEL = new Color(0x56B4E9);
+    public static final Color VERT = new Color(0x009E73);
+    public static final Color JAUNE = new Color(0xF0E442);
+    public static final Color BLEU = new Color(0x0072B2);
+    public static final Color VERMILLON = new Color(0xD55E00);
+    public static final Color POURPRE = new Color(0xCC79A7);
+
+    /** Pour ce qui aide à lire sans être une mesure. */
+    public static final Color ENCRE = new Color(0x222222);
+    public static final Color GRIS = new Color(0x707070);
+    public static final Color GRILLE = new Color(0xE2E2E2);
+    public static final Color FRONT = new Color(0xBDBDBD);
+    public static final Color BANDE = new Color(0xF3F3F3);
+
+    static {
+        // avant la première police : une machine sans écran, ou à l'écran muet, refuserait de dessiner
+        System.setProperty("java.awt.headless", "true");
+    }
+
+    static final Font TITRE = police(Font.BOLD, 36);
+    static final Font CONSTAT = police(Font.BOLD, 25);
+    static final Font SOUS_TITRE = police(Font.PLAIN, 23);
+    static final Font AXE = police(Font.PLAIN, 25);
+    static final Font GRADUATION = police(Font.PLAIN, 24);
+    static final Font ETIQUETTE = police(Font.PLAIN, 22);
+    static final Font ETIQUETTE_DEFAUT = police(Font.BOLD, 23);
+    static final Font LEGENDE = police(Font.PLAIN, 24);
+    static final Font NOTE = police(Font.PLAIN, 18);
+
+    static final Stroke TRAIT = trait(3f);
+    static final Stroke TRAIT_FIN = trait(2f);
+    static final Stroke TRAIT_FRONT = trait(11f);
+    static final Stroke POINTILLE = new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 1, new float[] {3, 8}, 0);
+
+    /** Blanc autour de la planche et entre ses parties, en pixels. */
+    static final int MARGE = 28;
+
+    private Style() {
+    }
+
+    private static Font police(int graisse, int taille) {
+        return new Font(Font.SANS_SERIF, graisse, taille);
+    }
+
+    static BasicStroke trait(float epaisseur) {
+        return new BasicStroke(epaisseur, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    }
+
+    /** Un nombre à la française : virgule, espace entre les milliers, trois chiffres significatifs au plus sous mille. */
+    public static String nombre(double valeur) {
+        double absolue = Math.abs(valeur);
+        if (absolue != 0 && absolue < 1e-4) {
+            return puissance(valeur);
+        }
+        int entiers = absolue < 1e-12 ? 1 : (int) Math.floor(Math.log10(absolue) + 1e-9) + 1;
+        return decimales(valeur, Math.max(0, 3 - entiers));
+    }
+
+    /** « 10⁵ », « 2,5 × 10⁻⁷ ». */
+    static String puissance(double valeur) {
+        int exposant = (int) Math.floor(Math.log10(Math.abs(valeur)) + 1e-9);
+        double mantisse = valeur / Math.pow(10, exposant);
+        String devant = Math.round(mantisse * 10) == 10 ? "" : decimales(mantisse, 1) + " × ";
+        return devant + "10" + enExposant(exposant);
+    }
+
+    /** Un nombre à la française, à deux chiffres significatifs : ce qui se lit dans un titre. */
+    public static String arrondi(double valeur) {
+        double absolue = Math.abs(valeur);
+        if (absolue == 0 || absolue >= 10) {
+            return decimales(valeur, 0);
+        }
+        int decimales = absolue >= 1 ? 1 : 1 - (int) Math.floor(Math.log10(absolue));
+        return decimales(valeur, decimales);
+    }
+
+    /** Un nombre à la française, avec tant de décimales au plus. */
+    public static String decimales(double valeur, int decimales) {
+        DecimalFormatSymbols symboles = new DecimalFormatSymbols(Locale.ROOT);
+        symboles.setDecimalSeparator(',');
+        symboles.setGroupingSeparator('\u00A0');
+        symboles.setMinusSign('\u2212');
+        DecimalFormat format = new DecimalFormat("#,##0", symboles);
+        format.setMaximumFractionDigits(decimales);
+        format.setRoundingMode(RoundingMode.HALF_UP);
+        return format.format(valeur);
+    }
+
+    private static String enExposant(int exposant) {
+        StringBuilder s = new StringBuilder();
+        for (char c : Integer.toString(exposant).toCharArray()) {
+            s.append(c == '-' ? '\u207B' : "\u2070\u00B9\u00B2\u00B3\u2074\u2075\u2076\u2077\u2078\u2079".charAt(c - '0'));
+        }
+        return s.toString();
+    }
+}

@@ -1,0 +1,67 @@
+package lancer.mesures.trace;
+
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/** Des images et leurs légendes, trois par ligne : une partie d'une {@link Planche}. */
+public final class Vignettes implements Contenu {
+
+    private static final int COLONNES = 3;
+
+    private final List<BufferedImage> images = new ArrayList<>();
+    private final List<String> legendes = new ArrayList<>();
+
+    public Vignettes image(BufferedImage image, String legende) {
+        images.add(image);
+        legendes.add(legende);
+        return this;
+    }
+
+    @Override
+    public List<Serie> series() {
+        return Collections.emptyList();
+    }
+
+    @Override
+    public boolean aUnFront() {
+        return false;
+    }
+
+    @Override
+    public boolean aDesDefauts() {
+        return false;
+    }
+
+    @Override
+    public double enTete(Graphics2D g, double largeur) {
+        return 0;
+    }
+
+    @Override
+    public void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
+        int lignes = (images.size() + COLONNES - 1) / COLONNES;
+        double texte = g.getFontMetrics(Style.LEGENDE).getHeight() + 6;
+        double largeur = place.getWidth() / COLONNES;
+        double hauteur = place.getHeight() / lignes;
+        g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
+        for (int k = 0; k < images.size(); k++) {
+            BufferedImage image = images.get(k);
+            double x = place.getX() + k % COLONNES * largeur;
+            double y = place.getY() + k / COLONNES * hauteur;
+            double echelle = Math.min((largeur - 12) / image.getWidth(), (hauteur - texte - 14) / image.getHeight());
+            int l = (int) (echelle * image.getWidth());
+            int h = (int) (echelle * image.getHeight());
+            int gauche = (int) (x + (largeur - l) / 2);
+            new Paragraphe(g, legendes.get(k), Style.LEGENDE, 2 * largeur).dessiner(g, gauche, y, Style.ENCRE);
+            g.drawImage(image, gauche, (int) (y + texte), l, h, null);
+            g.setColor(Style.GRIS);
+            g.setStroke(Style.TRAIT_FIN);
+            g.drawRect(gauche, (int) (y + texte), l, h);
+        }
+    }
+}

@@ -1,0 +1,165 @@
+package lancer.mesures.vitesse;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.UnaryOperator;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Main;
+import lancer.Objet3D;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.antialias.Antialias;
+import lancer.contrat.Atmosphere;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Echantillonnage;
+import lancer.mesures.FichierCsv;
+import lancer.mesures.Scenes;
+import lancer.mesures.Verite;
+import lancer.sortie.ImageMemoire;
+
+/** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
+final class Besoin {
+
+    static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
+            "profondeur_utile", "part_antialias", "structures", "tests_par_rayon", "rayons", "rayons_sans_economie");
+
+    /** Un Ks qui n'est pas nul, et qui ne se verra jamais. */
+    private static final double INVISIBLE = 1e-300;
+
+    private final Taille taille;
+    private final String nom;
+    private final Scene scene;
+    private final Compteurs compteurs;
+    private final String structures;
+    private final int[] codes;
+
+    Besoin(Path fichier, Taille taille) {
+        this.taille = taille;
+        nom = fichier.getFileName().toString().replace(".ini", "");
+        scene = Scenes.lire(fichier);
+        Lancer lancer = preparer(Scenes.copie(scene), Constantes.SEUIL);
+        codes = codes(lancer, Constantes.MAX_REFLETS);
+        compteurs = lancer.getCompteurs();
+        structures = lancer.getScene().getRecherche().toString();
+    }
+
+    String ligne() {
+        return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
+                lampesUtiles(), profondeurUtile(), reel(partAntialias()), structures,
+                reel((double) compteurs.testsSpheres / compteurs.rayons()), compteurs.rayons(), rayonsSansEconomie());
+    }
+
+    private static String reel(double valeur) {
+        return String.format(Locale.ROOT, "%.5g", valeur);
+    }
+
+    private Lancer preparer(Scene copie, double seuil) {
+        copie.setSeuil(seuil);
+        return Main.preparer(copie, taille.largeur, taille.hauteur, false);
+    }
+
+    private int[] codes(Lancer lancer, int profondeur) {
+        ImageMemoire image = new ImageMemoire(taille.largeur, taille.hauteur, false);
+        lancer.TracerPixels(image, profondeur, taille.fils);
+        return image.getCodes();
+    }
+
+    /**
+     * La plus petite profondeur qui donne à l'écran la même image que mille réflexions, sans seuil. Chaque réflexion n'ajoute que
+     * de la lumière : une profondeur de plus ne rend pas une image moins juste, et la recherche peut couper en deux.
+     */
+    int profondeurUtile() {
+        Lancer lancer = preparer(Scenes.copie(scene), 0);
+        int[] limite = codes(lancer, Verite.PROFONDEUR);
+        // de loin en loin d'abord : presque toujours, quelques réflexions suffisent
+        int bas = 0;
+        int haut = 0;
+        while (!Arrays.equals(codes(lancer, haut), limite)) {
+            bas = haut + 1;
+            haut = Math.min(2 * bas, Verite.PROFONDEUR);
+        }
+        while (bas < haut) {
+            int milieu = (bas + haut) / 2;
+            if (Arrays.equals(codes(lancer, milieu), limite)) {
+                haut = milieu;
+            } else {
+                bas = milieu + 1;
+            }
+        }
+        return bas;
+    }
+
+    /** Combien de lampes changent au moins un pixel de l'écran. */
+    int lampesUtiles() {
+        int utiles = 0;
+        for (Lampe lampe : scene.getLampes()) {
+            List<Lampe> autres = new ArrayList<>(scene.getLampes());
+            autres.remove(lampe);
+            int[] sans = codes(preparer(new Scene(scene.getObjets(), autres), Constantes.SEUIL), Constantes.MAX_REFLETS);
+            utiles += Arrays.equals(sans, codes) ? 0 : 1;
+        }
+        return utiles;
+    }
+
+    /** La part des pixels auxquels la méthode du cours, à ses réglages par défaut, ne peut se contenter de quatre rayons. */
+    double partAntialias() {
+        Scene copie = Scenes.copie(scene);
+        copie.setEchantillonnage(Antialias.coins(3, 0.05));
+        Lancer lancer = preparer(copie, Constantes.SEUIL);
+        codes(lancer, Constantes.MAX_REFLETS);
+        return (double) lancer.getCompteurs().pixelsRaffines / taille.pixels();
+    }
+
+    /**
+     * Les rayons de qui suivrait partout les reflets jusqu'à la profondeur par défaut, Ks nul ou non, et demanderait à chaque
+     * contact si chaque lampe y est cachée, même dans le dos de l'objet.
+     */
+    long rayonsSansEconomie() {
+        LongAdder contacts = new LongAdder();
+        Scene naive = new Scene(changer(scene.getObjets(), o -> {
+            o.setKs(new Couleur(auMoins(o.getKs().r), auMoins(o.getKs().v), auMoins(o.getKs().b)));
+            return o;
+        }), scene.getLampes());
+        naive.setAtmosphere(compteuse(contacts));
+        naive.setEchantillonnage(Echantillonnage.CENTRE);
+        Lancer lancer = preparer(naive, 0);
+        codes(lancer, Constantes.MAX_REFLETS);
+        Compteurs c = lancer.getCompteurs();
+        return c.primaires + c.reflechis + contacts.sum() * scene.getLampes().size();
+    }
+
+    private static double auMoins(double ks) {
+        return Math.max(ks, INVISIBLE);
+    }
+
+    /** Les mêmes sphères, neuves, et changées ainsi. */
+    private static List<Objet3D> changer(List<Objet3D> objets, UnaryOperator<Objet3D> changement) {
+        List<Objet3D> neufs = new ArrayList<>();
+        for (Objet3D objet : objets) {
+            Sphere ancienne = (Sphere) objet;
+            Sphere neuve = new Sphere(ancienne.getCentre(), ancienne.getRayon());
+            neuve.setKd(ancienne.getKd());
+            neuve.setKs(ancienne.getKs());
+            neuve.setNs(ancienne.getNs());
+            neufs.add(changement.apply(neuve));
+        }
+        return neufs;
+    }
+
+    /** Un air qui ne change rien, et compte les rayons qui ont rencontré quelque chose. */
+    private static Atmosphere compteuse(LongAdder contacts) {
+        return (vue, distance) -> {
+            if (distance != Constantes.INFINI) {
+                contacts.increment();
+            }
+            return vue;
+        };
+    }
+}

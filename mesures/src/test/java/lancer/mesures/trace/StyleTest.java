@@ -1,0 +1,110 @@
+package lancer.mesures.trace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.jfree.chart.axis.AxisState;
+import org.jfree.chart.axis.NumberTick;
+import org.jfree.chart.ui.RectangleEdge;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+
+@DisplayName("L'apparence des courbes")
+class StyleTest {
+
+    private final BufferedImage image = new BufferedImage(600, 400, BufferedImage.TYPE_INT_RGB);
+    private final Graphics2D g = image.createGraphics();
+
+    @Test
+    @DisplayName("écrit les nombres à la française, sans chiffre de trop")
+    void lesNombres() {
+        assertEquals("0", Style.nombre(0));
+        assertEquals("0,5", Style.nombre(0.5));
+        assertEquals("12,3", Style.nombre(12.345));
+        assertEquals("1\u00A0000\u00A0000", Style.nombre(1e6));
+        assertEquals("0,001", Style.nombre(0.001));
+        assertEquals("10⁻⁵", Style.nombre(1e-5));
+        assertEquals("2,5 × 10⁻¹²", Style.nombre(2.5e-12));
+        assertEquals("\u22123", Style.nombre(-3));
+        assertEquals("2,1", Style.arrondi(2.08));
+        assertEquals("0,022", Style.arrondi(0.02151));
+        assertEquals("24", Style.arrondi(23.7));
+        assertEquals("1", Style.arrondi(0.999));
+    }
+
+    private List<String> graduations(double min, double max, double zero) {
+        return new Axe("", min, max, zero).refreshTicks(g, new AxisState(), new Rectangle2D.Double(0, 0, 600, 400), RectangleEdge.LEFT)
+                .stream().map(NumberTick::getText).collect(Collectors.toList());
+    }
+
+    @Test
+    @DisplayName("gradue un axe logarithmique de nombres ronds, d'autant moins qu'il est long")
+    void lesGraduations() {
+        assertEquals(Arrays.asList("0,5", "1", "2", "5", "10", "20"), graduations(0.4, 25, 0));
+        assertEquals(Arrays.asList("2", "2,5", "3", "3,5", "4", "4,5"), graduations(2, 4.6, 0).stream().limit(6).collect(Collectors.toList()));
+        assertEquals(Arrays.asList("0,001", "0,01", "0,1", "1", "10", "100"), graduations(0.001, 100, 0));
+        assertEquals(Arrays.asList("0,01", "0,1", "1", "10", "100", "0"), graduations(0.001, 100, 0.0005));
+    }
+
+    @Test
+    @DisplayName("dessine zéro dans sa bande, sur un axe qui ne saurait l'atteindre")
+    void laBandeDeZero() {
+        Axe axe = new Axe("", 0.001, 100, 0.0005);
+        assertEquals(0.0005, axe.place(0));
+        assertEquals(0.0005, axe.place(1e-9));
+        assertEquals(0.5, axe.place(0.5));
+        assertTrue(axe.getLowerBound() < 0.0005);
+    }
+
+    @Test
+    @DisplayName("n'écrit jamais une étiquette sur une autre, ni sur un point, ni hors du cadre")
+    void lesEtiquettes() {
+        g.setColor(Color.WHITE);
+        g.fillRect(0, 0, 600, 400);
+        Etiquettes noms = new Etiquettes(g, new Rectangle2D.Double(100, 100, 200, 120));
+        noms.reserver(200, 150, Forme.DEMI_COTE);
+        int ecrites = 0;
+        for (int k = 0; k < 60; k++) {
+            ecrites += noms.ecrire("étiquette", 200, 150, 0, Style.ETIQUETTE, Color.BLACK, true) ? 1 : 0;
+        }
+        assertTrue(ecrites >= 2 && ecrites < 20, ecrites + " étiquettes dans un si petit cadre");
+        for (int y = 0; y < 400; y++) {
+            for (int x = 0; x < 600; x++) {
+                boolean dehors = x < 99 || x > 301 || y < 99 || y > 221;
+                boolean surLePoint = Math.abs(x - 200) < 3 && Math.abs(y - 150) < 3;
+                assertFalse((dehors || surLePoint) && image.getRGB(x, y) != -1, "(" + x + ", " + y + ")");
+            }
+        }
+    }
+
+    @Test
+    @DisplayName("ne sépare pas un guillemet de son mot")
+    void lesCoupures() {
+        Paragraphe etroit = new Paragraphe(g, "un « mot » : 2 fois", Style.AXE, 1);
+        assertEquals(3 * g.getFontMetrics(Style.AXE).getHeight(), etroit.hauteur(), "un / « mot » : / 2 fois");
+    }
+
+    @Test
+    @DisplayName("a la même taille pour toutes les planches, et des marques de toutes les couleurs de la légende")
+    void unePlanche() {
+        Serie serie = new Serie("mesures", Style.VERMILLON, Forme.LOSANGE, true,
+                Arrays.asList(Marque.en(1, 10).nommee("un").entreX(0.8, 1.2), Marque.en(10, 1).creuse(), Marque.en(100, 0).cerclee()));
+        Volet volet = new Volet("Le constat", "le sujet", "x, en ms", "y, en pas").plancher(0.1).serie(serie)
+                .front(serie.marques).repere(5, "un repère");
+        BufferedImage planche = new Planche("Un titre", "une note").volet(volet, 1).volet(volet, 2).dessiner();
+        assertEquals(Style.LARGEUR, planche.getWidth());
+        assertEquals(Style.HAUTEUR, planche.getHeight());
+        int[] pixels = planche.getRGB(0, 0, planche.getWidth(), planche.getHeight(), null, 0, planche.getWidth());
+        for (Color couleur : new Color[] {Style.VERMILLON, Style.FRONT, Style.BANDE, Style.NOIR}) {
+            assertTrue(Arrays.stream(pixels).filter(p -> p == couleur.getRGB()).count() > 100, couleur.toString());
+        }
+    }
+}

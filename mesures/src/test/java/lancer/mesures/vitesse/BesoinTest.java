@@ -1,0 +1,93 @@
+package lancer.mesures.vitesse;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+@DisplayName("Ce que demande une scène")
+class BesoinTest {
+
+    private static final Taille TAILLE = new Taille(80, 60, 2);
+
+    @TempDir
+    Path dossier;
+
+    private Besoin besoin(String texte) throws IOException {
+        Path fichier = dossier.resolve("essai.ini");
+        Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
+        return new Besoin(fichier, TAILLE);
+    }
+
+    private Map<String, String> champs(Besoin besoin) throws IOException {
+        Path csv = dossier.resolve("besoins.csv");
+        Files.write(csv, (String.join(",", Besoin.COLONNES) + "\n" + besoin.ligne() + "\n").getBytes(StandardCharsets.UTF_8));
+        return TableBesoins.lire(csv).get(0);
+    }
+
+    @Test
+    @DisplayName("une boule mate ne demande aucun reflet")
+    void uneBouleMate() throws IOException {
+        Besoin mate = besoin("[Sphere 1]\ncentre=0 0 4\nrayon=0.5\nKd=1 1 1\n[Lampe 1]\nposition=-4 6 -3\ncouleur=1 1 1\n");
+        assertEquals(0, mate.profondeurUtile());
+        assertEquals(1, mate.lampesUtiles());
+        Map<String, String> champs = champs(mate);
+        long rayons = Long.parseLong(champs.get("rayons"));
+        assertTrue(rayons < Long.parseLong(champs.get("rayons_sans_economie")), champs.toString());
+    }
+
+    @Test
+    @DisplayName("une boule brillante, seule, n'en demande qu'un : celui du ciel")
+    void uneBouleBrillante() throws IOException {
+        assertEquals(1, besoin("[Sphere 1]\ncentre=0 0 4\nrayon=0.5\nKs=0.5 0.5 0.5\n").profondeurUtile());
+    }
+
+    @Test
+    @DisplayName("une lampe enfermée dans une boule opaque ne sert à rien")
+    void uneLampeCachee() throws IOException {
+        Besoin besoin = besoin("[Sphere 1]\ncentre=0 0 4\nrayon=0.5\nKd=1 1 1\n[Sphere 2]\ncentre=9 9 9\nrayon=0.1\nKd=1 1 1\n"
+                + "[Lampe dedans]\nposition=9 9 9\ncouleur=1 1 1\n[Lampe dehors]\nposition=-4 6 -3\ncouleur=1 1 1\n");
+        assertEquals(1, besoin.lampesUtiles());
+    }
+
+    @Test
+    @DisplayName("deux miroirs en demandent plus que le programme n'en fait")
+    void deuxMiroirs() {
+        assertTrue(new Besoin(Paths.get("scenes/miroirs.ini"), TAILLE).profondeurUtile() > 20);
+    }
+
+    @Test
+    @DisplayName("les rayons sans économie sont ceux que l'on compte à la main")
+    void aLaMain() throws IOException {
+        // une boule qui couvre toute l'image : un contact par pixel, une question à chaque lampe, et un reflet qui voit le ciel
+        Besoin besoin = besoin("[Sphere 1]\ncentre=0 0 100\nrayon=90\nKd=1 1 1\n[Lampe 1]\nposition=0 0 -50\ncouleur=1 1 1\n"
+                + "[Lampe derrière]\nposition=0 0 300\ncouleur=1 1 1\n");
+        int pixels = TAILLE.pixels();
+        assertEquals(pixels + 2 * pixels + pixels, besoin.rayonsSansEconomie());
+        assertEquals(String.valueOf(2 * pixels), champs(besoin).get("rayons"), "le primaire, et l'ombre de la lampe de devant");
+    }
+
+    @Test
+    @DisplayName("se lit dans un tableau qui a une ligne par scène, chaque structure par son nom français")
+    void leTableau() {
+        String tableau = TableBesoins.markdown(java.util.Arrays.asList("scene1", "foule", "diffus").stream().map(nom -> {
+            try {
+                return champs(new Besoin(Paths.get("scenes/" + nom + ".ini"), TAILLE));
+            } catch (IOException e) {
+                throw new java.io.UncheckedIOException(e);
+            }
+        }).collect(Collectors.toList()));
+        assertEquals(6, IntStream.range(0, tableau.split("\n").length).filter(k -> tableau.split("\n")[k].startsWith("| `")).count());
+        assertTrue(!tableau.contains("null"), tableau);
+    }
+}

@@ -1,0 +1,113 @@
+package lancer.mesures.vitesse;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+@DisplayName("make mesures")
+class VitesseTest {
+
+    private static final List<String> COURBES = Arrays.asList("scene1-rayons", "scene1-temps", "bowling-rayons", "bowling-temps",
+            "miroirs-rayons", "miroirs-temps", "foule-rayons", "foule-temps", "phong-blinn", "demandes", "spheres");
+
+    @TempDir
+    Path dossier;
+
+    private final ByteArrayOutputStream sortie = new ByteArrayOutputStream();
+    private final ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
+
+    private int vitesse(String... args) throws IOException {
+        return Vitesse.executer(args, new PrintStream(sortie, true, "UTF-8"), new PrintStream(erreurs, true, "UTF-8"));
+    }
+
+    @ParameterizedTest(name = "« {0} » est refusé d'une ligne")
+    @ValueSource(strings = {"--vite", "--dossier", "--rapide=1", "scenes/scene1.ini"})
+    void uneDemandeFausse(String demande) throws IOException {
+        assertEquals(2, vitesse(demande));
+        assertEquals("", sortie.toString("UTF-8"));
+        assertTrue(erreurs.toString("UTF-8").matches("Vitesse : .+\\R"), erreurs.toString("UTF-8"));
+    }
+
+    @Test
+    @DisplayName("sans mesures à dessiner, le dit d'une ligne")
+    void rienADessiner() throws IOException {
+        assertEquals(1, vitesse("--dessiner", "--dossier", dossier.toString()));
+        assertTrue(erreurs.toString("UTF-8").matches("Vitesse : .+\\R"), erreurs.toString("UTF-8"));
+    }
+
+    @Test
+    @DisplayName("redessine toutes les courbes des mesures notées, sans écran et sans les changer")
+    void toutesLesCourbes() throws IOException {
+        for (String nom : new String[] {Ouvrier.CSV, "besoins.csv"}) {
+            Files.copy(Faux.projet("mesures/resultats").resolve(nom), dossier.resolve(nom));
+        }
+        assertEquals(0, vitesse("--dessiner", "--dossier", dossier.toString()), () -> sortie + "\n" + erreurs);
+        assertTrue(java.awt.GraphicsEnvironment.isHeadless());
+        Set<Integer> differentes = new HashSet<>();
+        for (String courbe : COURBES) {
+            BufferedImage image = ImageIO.read(dossier.resolve(courbe + ".png").toFile());
+            assertEquals(1600, image.getWidth(), courbe);
+            assertEquals(1000, image.getHeight(), courbe);
+            int[] pixels = image.getRGB(0, 0, 1600, 1000, null, 0, 1600);
+            long encre = Arrays.stream(pixels).filter(p -> p != -1).count();
+            assertTrue(encre > 30000 && encre < 800000, courbe + " : " + encre + " pixels dessinés");
+            differentes.add(Arrays.hashCode(pixels));
+        }
+        assertEquals(COURBES.size(), differentes.size());
+        assertFalse(Files.exists(dossier.resolve("scene1-rayons.png.tmp")));
+    }
+
+    @Test
+    @DisplayName("rapide, n'écrit que dans son dossier et ne mesure qu'une partie du catalogue")
+    void rapide() {
+        OptionsVitesse rapide = OptionsVitesse.lire("--rapide");
+        assertEquals(rapide.atelier, rapide.resultats);
+        assertFalse(rapide.montres());
+        assertNotEquals(rapide.atelier, OptionsVitesse.lire().atelier);
+        assertTrue(OptionsVitesse.lire().montres());
+        Set<String> toutes = new HashSet<>();
+        Travail.tous(false).forEach(t -> t.methodes().forEach(m -> assertTrue(toutes.add(t.scene + m.cle()), m.cle())));
+        Travail.tous(true).forEach(t -> t.methodes().forEach(m -> assertTrue(toutes.contains(t.scene + m.cle()), m.cle())));
+    }
+
+    @Test
+    @DisplayName("chaque réglage par défaut est mesuré, une fois par scène")
+    void lesDefauts() throws IOException {
+        Releves releves = new Releves(new Journal(Faux.projet("mesures/resultats").resolve(Ouvrier.CSV)).lire());
+        assertEquals(new Catalogue(false).scenes(), releves.de(Famille.ECHANTILLONNAGE).scenes());
+        for (String scene : new Catalogue(false).scenes()) {
+            assertEquals(2, releves.de(scene, Famille.ECHANTILLONNAGE).get().stream().filter(Catalogue::estParDefaut).count());
+            assertEquals(1, releves.de(scene, Famille.REFLETS).get().stream().filter(Catalogue::estParDefaut).count());
+        }
+    }
+
+    @Test
+    @DisplayName("la vérité est connue bien mieux que les erreurs qu'elle juge")
+    void laVerite() throws IOException {
+        Releves releves = new Releves(new Journal(Faux.projet("mesures/resultats").resolve(Ouvrier.CSV)).lire());
+        for (String scene : releves.de(Famille.VERITE).scenes()) {
+            double reste = releves.de(scene, Famille.VERITE).de("moyenne").get().get(0).erreurEnPas();
+            Releve defaut = Constats.defaut(releves.de(scene, Famille.ECHANTILLONNAGE), Catalogue.COINS);
+            assertTrue(reste < defaut.erreurEnPas() / 5, scene + " : " + reste + " pas");
+            assertTrue(releves.de(scene, Famille.VERITE).de("sans limite").get().get(0).erreurEnPas() < 1e-6, scene);
+        }
+    }
+}
