@@ -15,6 +15,11 @@ import java.util.Locale;
  */
 public final class Style {
 
+    static {
+        // avant la première couleur : une machine dont l'écran ne répond pas refuserait de dessiner
+        System.setProperty("java.awt.headless", "true");
+    }
+
     /** Taille d'une planche, en pixels. Le README la montre deux fois plus petite. */
     public static final int LARGEUR = 1600;
     public static final int HAUTEUR = 1000;
@@ -35,11 +40,6 @@ public final class Style {
     public static final Color GRILLE = new Color(0xE2E2E2);
     public static final Color FRONT = new Color(0xBDBDBD);
     public static final Color BANDE = new Color(0xF3F3F3);
-
-    static {
-        // avant la première police : une machine sans écran, ou à l'écran muet, refuserait de dessiner
-        System.setProperty("java.awt.headless", "true");
-    }
 
     static final Font TITRE = police(Font.BOLD, 36);
     static final Font CONSTAT = police(Font.BOLD, 25);

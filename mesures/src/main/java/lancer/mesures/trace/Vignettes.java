@@ -8,17 +8,20 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** Des images et leurs légendes, trois par ligne : une partie d'une {@link Planche}. */
+/** Des images et leurs noms, trois par ligne : une partie d'une {@link Planche}. */
 public final class Vignettes implements Contenu {
 
     private static final int COLONNES = 3;
 
     private final List<BufferedImage> images = new ArrayList<>();
-    private final List<String> legendes = new ArrayList<>();
+    private final List<String> noms = new ArrayList<>();
+    private final List<String> details = new ArrayList<>();
 
-    public Vignettes image(BufferedImage image, String legende) {
+    /** Une image de plus, son nom et ce qu'il y a à en dire, une ligne chacun. */
+    public Vignettes image(BufferedImage image, String nom, String detail) {
         images.add(image);
-        legendes.add(legende);
+        noms.add(nom);
+        details.add(detail);
         return this;
     }
 
@@ -45,7 +48,8 @@ public final class Vignettes implements Contenu {
     @Override
     public void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
         int lignes = (images.size() + COLONNES - 1) / COLONNES;
-        double texte = g.getFontMetrics(Style.LEGENDE).getHeight() + 6;
+        double ligne = g.getFontMetrics(Style.LEGENDE).getHeight();
+        double texte = 2 * ligne + 4;
         double largeur = place.getWidth() / COLONNES;
         double hauteur = place.getHeight() / lignes;
         g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
@@ -57,7 +61,8 @@ public final class Vignettes implements Contenu {
             int l = (int) (echelle * image.getWidth());
             int h = (int) (echelle * image.getHeight());
             int gauche = (int) (x + (largeur - l) / 2);
-            new Paragraphe(g, legendes.get(k), Style.LEGENDE, 2 * largeur).dessiner(g, gauche, y, Style.ENCRE);
+            new Paragraphe(g, noms.get(k), Style.LEGENDE, largeur).dessiner(g, gauche, y, Style.ENCRE);
+            new Paragraphe(g, details.get(k), Style.LEGENDE, largeur).dessiner(g, gauche, y + ligne, Style.GRIS);
             g.drawImage(image, gauche, (int) (y + texte), l, h, null);
             g.setColor(Style.GRIS);
             g.setStroke(Style.TRAIT_FIN);

@@ -8,7 +8,7 @@ import lancer.mesures.trace.Style;
 /** Ce que disent les mesures d'une scène, en phrases : les titres des courbes. Tout est calculé, rien n'est écrit d'avance. */
 final class Constats {
 
-    /** Au-dessous, une différence de temps peut n'être que le bruit de la machine. */
+    /** Au-dessous, une différence ne vaut pas une phrase. */
     private static final double GAIN_MIN = 1.05;
 
     final Releves echantillonnages;
@@ -51,9 +51,15 @@ final class Constats {
         Releve defaut = defaut(reflets, Catalogue.PROFONDEUR);
         Optional<Releve> mieux = frontReflets.mieuxQue(defaut);
         String valeur = "Le défaut, " + Noms.methode(defaut) + ", se trompe de " + pas(defaut.erreurEnPas());
-        return valeur + (mieux.isPresent() && frontReflets.gain(defaut) >= GAIN_MIN
+        return valeur + (mieux.isPresent() && bat(mieux.get(), defaut)
                 ? " : il est battu, " + Noms.methode(mieux.get()) + " fait au moins aussi bien pour " + fois(frontReflets.gain(defaut))
                 : mieux.isPresent() ? " et touche le front" : " et est sur le front");
+    }
+
+    /** Vrai si la différence de coût en est une : deux temps dont les barres se touchent n'en font pas. */
+    private boolean bat(Releve mieux, Releve r) {
+        return cout.de(r) >= GAIN_MIN * cout.de(mieux)
+                && (cout != Cout.TEMPS || mieux.nombre("q3_ms") < r.nombre("q1_ms"));
     }
 
     private String jugement(Releve defaut, Front sien) {
@@ -61,7 +67,7 @@ final class Constats {
         if (!mieux.isPresent()) {
             return "Le défaut, " + Noms.methode(defaut) + ", est sur le front";
         }
-        return sien.gain(defaut) < GAIN_MIN ? "Le défaut, " + Noms.methode(defaut) + ", touche le front"
+        return !bat(mieux.get(), defaut) ? "Le défaut, " + Noms.methode(defaut) + ", touche le front"
                 : "Le défaut, " + Noms.methode(defaut) + ", est battu : " + Noms.methode(mieux.get())
                 + " fait mieux pour " + fois(sien.gain(defaut));
     }

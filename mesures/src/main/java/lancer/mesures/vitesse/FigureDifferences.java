@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import javax.imageio.ImageIO;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.Verite;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Vignettes;
@@ -70,8 +71,8 @@ final class FigureDifferences {
     }
 
     private static String nom(Releve r) {
-        String nom = Noms.methode(r).replace("la grille", "grille").replace("un rayon par pixel", "un rayon");
-        return r.famille.equals(Famille.REFLETS.nom()) ? nom + " au lieu de 1000" : nom;
+        return r.famille.equals(Famille.REFLETS.nom()) ? Noms.valeur(r, "p") + " reflets au lieu de " + Verite.PROFONDEUR
+                : Noms.methode(r);
     }
 
     private static Path fichier(Path dossier, String scene, int rang) {
@@ -93,13 +94,13 @@ final class FigureDifferences {
 
     Planche planche() throws IOException {
         Vignettes vignettes = new Vignettes();
-        vignettes.image(ImageIO.read(fichierDeLaVerite(dossier, scene).toFile()), "la vérité (moyenne sur chaque pixel)");
+        vignettes.image(ImageIO.read(fichierDeLaVerite(dossier, scene).toFile()), "la vérité", "la moyenne sur chaque pixel");
         for (int rang = 0; rang < MONTREES.size(); rang++) {
             String cle = scene + "/" + MONTREES.get(rang);
             Releve r = releves.get().stream().filter(a -> a.cle().equals(cle)).findFirst()
                     .orElseThrow(() -> new IllegalStateException("pas de mesure de " + cle));
-            vignettes.image(ImageIO.read(fichier(dossier, scene, rang).toFile()), nom(r) + " : " + Style.arrondi(r.erreurEnPas())
-                    + " pas, SSIM " + Style.decimales(r.nombre("ssim"), 4));
+            vignettes.image(ImageIO.read(fichier(dossier, scene, rang).toFile()), nom(r),
+                    "erreur " + Style.arrondi(r.erreurEnPas()) + " pas, SSIM " + Style.decimales(r.nombre("ssim"), 4));
         }
         return new Planche(Noms.scene(scene) + " : ce qui manque à chaque image, amplifié " + AMPLIFICATION + " fois", note)
                 .volet(vignettes, 1);

@@ -70,7 +70,7 @@ final class FigureModele {
 
     private static String verdict(int plusRapide, int plusLent, int tous) {
         if (plusRapide == 0 && plusLent == 0) {
-            return "Blinn n'est ni plus rapide ni plus lent que Phong";
+            return "Blinn ne se distingue pas de Phong";
         }
         if (plusRapide > 0 && plusLent > 0) {
             return "Blinn est plus rapide que Phong ici, plus lent là";

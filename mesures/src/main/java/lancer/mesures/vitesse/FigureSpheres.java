@@ -26,7 +26,7 @@ final class FigureSpheres {
     Planche planche() {
         Volet tests = new Volet("Le programme essaie " + Style.nombre(programme.get(programme.size() - 1).testsParRayon())
                 + " sphères par rayon dans la plus grande scène", "", "nombre de sphères", "sphères essayées par rayon");
-        Volet temps = new Volet("Les boucles du cours : un temps proportionnel au nombre de sphères", "", "nombre de sphères",
+        Volet temps = new Volet(tempsDesBoucles(), "", "nombre de sphères",
                 "temps d'une image, en ms");
         for (Volet volet : new Volet[] {tests, temps}) {
             ToDoubleFunction<Releve> y = volet == tests ? Releve::testsParRayon : Releve::medianeMs;
@@ -42,6 +42,12 @@ final class FigureSpheres {
         Releve grand = programme.get(programme.size() - 1);
         return Style.nombre(grand.nombre("spheres") / petit.nombre("spheres")) + " fois plus de sphères ne coûtent que "
                 + Style.arrondi(grand.medianeMs() / petit.medianeMs()) + " fois plus de temps";
+    }
+
+    private String tempsDesBoucles() {
+        Releve derniere = boucles.get(boucles.size() - 1);
+        return "Par les boucles du cours, " + Style.nombre(derniere.nombre("spheres")) + " sphères prennent "
+                + Style.arrondi(derniere.medianeMs() / boucles.get(0).medianeMs()) + " fois le temps d'une seule";
     }
 
     private static List<Marque> marques(List<Releve> releves, ToDoubleFunction<Releve> y, boolean barres) {

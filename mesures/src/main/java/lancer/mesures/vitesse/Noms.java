@@ -23,7 +23,7 @@ final class Noms {
             case Catalogue.BROUILLON:
                 return "le brouillon";
             case Catalogue.PROFONDEUR:
-                return valeur(r, "p") + " reflets";
+                return "la profondeur " + valeur(r, "p");
             case Catalogue.SEUIL:
                 return "le seuil " + valeur(r, "seuil");
             default:

@@ -44,6 +44,7 @@ final class Ouvrier {
 
     /** @param args le rang du travail, « true » si la mesure est rapide, et l'atelier */
     public static void main(String[] args) throws IOException {
+        System.setProperty("java.awt.headless", "true");
         PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
         boolean court = Boolean.parseBoolean(args[1]);
         Travail travail = Travail.tous(court).get(Integer.parseInt(args[0]));

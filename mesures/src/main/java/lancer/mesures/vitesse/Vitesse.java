@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Main;
+import lancer.SceneFautive;
 import lancer.lecture.LecteurScene;
 import lancer.mesures.Circonstances;
 
@@ -30,6 +31,7 @@ import lancer.mesures.Circonstances;
 public final class Vitesse {
 
     private static final String EMPREINTE = "empreinte.txt";
+    private static final String SCENE = "scenes/scene1.ini";
     private static final String BESOINS = "besoins.csv";
     private static final Taille TAILLE_BESOINS = new Taille(800, 600, Runtime.getRuntime().availableProcessors());
     private static final Taille TAILLE_BESOINS_RAPIDE = new Taille(200, 150, Runtime.getRuntime().availableProcessors());
@@ -49,8 +51,13 @@ public final class Vitesse {
 
     /** Ce que fait {@link #main}, sans quitter Java. */
     static int executer(String[] args, PrintStream sortie, PrintStream erreurs) {
+        // les courbes ne demandent pas d'écran, et un écran qui ne répond pas ne doit pas les empêcher
+        System.setProperty("java.awt.headless", "true");
         try {
             return new Vitesse(OptionsVitesse.lire(args), sortie).faire();
+        } catch (SceneFautive e) {
+            erreurs.println("Vitesse : " + e.getMessage() + " ; à lancer à la racine du projet");
+            return 2;
         } catch (IllegalArgumentException e) {
             erreurs.println("Vitesse : " + e.getMessage());
             return 2;
@@ -89,6 +96,8 @@ public final class Vitesse {
 
     /** Reprend une mesure interrompue si elle est de ce programme et de cette machine ; sinon la met de côté. */
     private void commencer() throws IOException {
+        // avant d'écrire quoi que ce soit : sommes-nous dans le projet ?
+        LecteurScene.trouver(SCENE);
         Path empreinte = options.atelier.resolve(EMPREINTE);
         Path csv = options.atelier.resolve(Ouvrier.CSV);
         Circonstances circonstances = new Circonstances();
@@ -140,7 +149,7 @@ public final class Vitesse {
     /** Toutes les scènes livrées, dans l'ordre de leurs noms. */
     private void compterLesBesoins() throws IOException {
         List<Path> scenes = new ArrayList<>();
-        try (Stream<Path> fichiers = Files.list(LecteurScene.trouver("scenes/scene1.ini").getParent())) {
+        try (Stream<Path> fichiers = Files.list(LecteurScene.trouver(SCENE).getParent())) {
             scenes.addAll(fichiers.filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList()));
         }
         List<String> lignes = new ArrayList<>();

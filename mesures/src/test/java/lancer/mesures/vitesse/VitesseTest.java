@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -47,6 +48,22 @@ class VitesseTest {
     }
 
     @Test
+    @DisplayName("lancé hors du projet, le dit d'une ligne et n'écrit rien")
+    void horsDuProjet() throws IOException, InterruptedException {
+        Path ailleurs = Files.createDirectories(dossier.resolve("ailleurs").resolve("loin"));
+        Process processus = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"), Vitesse.class.getName(), "--rapide").directory(ailleurs.toFile())
+                .redirectErrorStream(true).redirectOutput(dossier.resolve("sortie.txt").toFile()).start();
+        assertEquals(2, processus.waitFor());
+        List<String> lignes = Files.readAllLines(dossier.resolve("sortie.txt"));
+        assertEquals(1, lignes.size(), lignes.toString());
+        assertTrue(lignes.get(0).contains("à la racine du projet"), lignes.get(0));
+        try (java.util.stream.Stream<Path> ecrits = Files.list(ailleurs)) {
+            assertEquals(0, ecrits.count());
+        }
+    }
+
+    @Test
     @DisplayName("sans mesures à dessiner, le dit d'une ligne")
     void rienADessiner() throws IOException {
         assertEquals(1, vitesse("--dessiner", "--dossier", dossier.toString()));
@@ -54,13 +71,15 @@ class VitesseTest {
     }
 
     @Test
-    @DisplayName("redessine toutes les courbes des mesures notées, sans écran et sans les changer")
-    void toutesLesCourbes() throws IOException {
+    @DisplayName("redessine toutes les courbes des mesures notées, même si l'écran ne répond pas")
+    void toutesLesCourbes() throws IOException, InterruptedException {
         for (String nom : new String[] {Ouvrier.CSV, "besoins.csv"}) {
             Files.copy(Faux.projet("mesures/resultats").resolve(nom), dossier.resolve(nom));
         }
-        assertEquals(0, vitesse("--dessiner", "--dossier", dossier.toString()), () -> sortie + "\n" + erreurs);
-        assertTrue(java.awt.GraphicsEnvironment.isHeadless());
+        ProcessBuilder commande = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"), Vitesse.class.getName(), "--dessiner", "--dossier", dossier.toString());
+        commande.environment().put("DISPLAY", ":987");
+        assertEquals(0, commande.inheritIO().redirectOutput(dossier.resolve("sortie.txt").toFile()).start().waitFor());
         Set<Integer> differentes = new HashSet<>();
         for (String courbe : COURBES) {
             BufferedImage image = ImageIO.read(dossier.resolve(courbe + ".png").toFile());
