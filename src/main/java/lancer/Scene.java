@@ -85,8 +85,11 @@ public final class Scene {
         return gardes;
     }
 
-    /** Une sphère, égale à toute autre de mêmes centre et rayon. */
-    private static final class Geometrie {
+    /**
+     * Une sphère, égale à toute autre de mêmes centre et rayon. L'ordre est pour la table : des centres choisis pour avoir tous le
+     * même code y coûteraient sinon le carré de leur nombre.
+     */
+    private static final class Geometrie implements Comparable<Geometrie> {
 
         private final Sphere sphere;
 
@@ -111,6 +114,16 @@ public final class Scene {
             Point c = sphere.getCentre();
             Point d = s.getCentre();
             return c.x == d.x && c.y == d.y && c.z == d.z && sphere.getRayon() == s.getRayon();
+        }
+
+        @Override
+        public int compareTo(Geometrie autre) {
+            Point c = sphere.getCentre();
+            Point d = autre.sphere.getCentre();
+            int x = Double.compare(c.x + 0.0, d.x + 0.0);
+            int y = x != 0 ? x : Double.compare(c.y + 0.0, d.y + 0.0);
+            int z = y != 0 ? y : Double.compare(c.z + 0.0, d.z + 0.0);
+            return z != 0 ? z : Double.compare(sphere.getRayon(), autre.sphere.getRayon());
         }
     }
 

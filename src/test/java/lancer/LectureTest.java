@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -19,7 +18,6 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -196,40 +194,6 @@ class LectureTest {
         assertTrue(message.contains("scene \\u001b[31m\\tlongue longue"), message);
         assertTrue(message.contains("longue .ini, ligne 1, [Cube] : type de section inconnu"), message);
         assertFalse(message.contains("\u001b"), message);
-    }
-
-    /** Des octets changés, ôtés, répétés au hasard : une image, ou une ligne qui nomme le fichier ; jamais autre chose. */
-    @Test
-    void uneSceneAbimeeEstDessineeOuRefuseeEnUneLigne() throws IOException {
-        long graine = 2026;
-        Random hasard = new Random(graine);
-        byte[] sain = Files.readAllBytes(Paths.get(Ressources.chemin("valides/egale-commentaires.ini")));
-        byte[] utiles = "\n\r\t []=;#:.,-+eE019/\\é\0\u001b\ufeffKksrSL".getBytes(StandardCharsets.UTF_8);
-        Path fichier = dossier.resolve("abimee.ini");
-        Path pfm = dossier.resolve("image.pfm");
-        for (int essai = 0; essai < 500; essai++) {
-            ByteArrayOutputStream abime = new ByteArrayOutputStream();
-            int part = 1 + hasard.nextInt(200);
-            for (byte octet : sain) {
-                int sort = hasard.nextInt(part);
-                int fois = sort == 0 ? hasard.nextInt(3) : 1;
-                for (int k = 0; k < fois; k++) {
-                    abime.write(sort == 0 && hasard.nextBoolean() ? utiles[hasard.nextInt(utiles.length)] : octet);
-                }
-            }
-            Files.write(fichier, abime.toByteArray());
-            Essai e = Essai.executer("--lineaire=" + pfm, "--taille=3x2", "--fils=1", fichier.toString());
-            String cas = "essai " + essai + ", graine " + graine + " : " + e;
-            if (e.code == 0) {
-                assertEquals("", e.erreur, cas);
-                assertTrue(Files.deleteIfExists(pfm), cas);
-            } else {
-                assertEquals(2, e.code, cas);
-                assertTrue(e.erreur.matches("lancer : \\Q" + fichier + "\\E, ligne [0-9]+[^\\p{Cntrl}]* : [^\\p{Cntrl}]+ ; attendu : "
-                        + "[^\\p{Cntrl}]+\r?\n"), cas);
-                assertFalse(Files.exists(pfm), cas);
-            }
-        }
     }
 
     @Test

@@ -37,6 +37,9 @@ public final class LecteurScene {
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
 
+    /** Nombre de couleurs retenues à la fois : au-delà, elles ne se répètent pas. */
+    private static final int PALETTE_MAX = 256;
+
     private static final String[] CLES_SPHERE = {"centre", "rayon", "Kd", "Ks", "Kr", "ns"};
     private static final String[] CLES_LAMPE = {"position", "couleur"};
 
@@ -74,7 +77,7 @@ public final class LecteurScene {
         } catch (CharacterCodingException e) {
             throw pasUtf8(lignes, e);
         } catch (Lignes.LigneTropLongue e) {
-            throw refus(lignes.getNumero(), null, "ligne trop longue", "un fichier de scène", e);
+            throw refus(lignes.getNumero(), null, "ligne trop longue", "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne", e);
         } catch (IOException e) {
             throw inutilisable(e);
         }
@@ -229,6 +232,9 @@ public final class LecteurScene {
     }
 
     private Couleur commune(Couleur couleur) {
+        if (palette.size() == PALETTE_MAX) {
+            palette.clear();
+        }
         Couleur deja = palette.putIfAbsent(couleur, couleur);
         return deja != null ? deja : couleur;
     }

@@ -20,8 +20,8 @@ final class Lignes extends Reader {
     /** Taille des lectures, en octets. */
     private static final int TAMPON = 1 << 16;
 
-    /** Plus longue ligne, en octets : de quoi s'arrêter devant un fichier sans fin de ligne, {@code /dev/zero} par exemple. */
-    private static final int LIGNE_MAX = 1 << 28;
+    /** Plus longue ligne, en octets et en caractères : de quoi s'arrêter devant ce qui n'en a pas, {@code /dev/zero} par exemple. */
+    static final int LIGNE_MAX = 1 << 23;
 
     private final InputStream entree;
     private byte[] octets = new byte[TAMPON];
@@ -144,7 +144,7 @@ final class Lignes extends Reader {
     }
 
     /** Une ligne qui n'est pas toute en ASCII visible. */
-    private void decoderTout(int de, int a) throws CharacterCodingException {
+    private void decoderTout(int de, int a) throws IOException {
         CharBuffer decode;
         try {
             decode = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets, de, a - de));
@@ -157,6 +157,9 @@ final class Lignes extends Reader {
         longueur = 0;
         while (decode.hasRemaining()) {
             char c = decode.get();
+            if (longueur + 7 > LIGNE_MAX) {
+                throw new LigneTropLongue();
+            }
             if (longueur + 7 > ligne.length) {
                 ligne = Arrays.copyOf(ligne, 2 * ligne.length);
             }
