@@ -4,102 +4,24 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.TimeUnit;
-import org.ini4j.spi.IniParser;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 
-/** Le programme dans sa propre machine virtuelle : mémoire, langue, dossier de travail, flux et signaux. */
+/** Le programme dans sa propre machine virtuelle : mémoire, langue, dossier de travail et flux. */
 @Timeout(60)
-class ProcessusTest {
-
-    private static final String SCENE = Ressources.chemin("reference/p3-miroirs.ini");
-
-    /** Compiler moins fait gagner du temps sur des programmes d'une demi-seconde. */
-    private static final String[] RAPIDE = {"-XX:TieredStopAtLevel=1", "-Xshare:auto"};
-
-    @TempDir
-    Path dossier;
-    private Path erreur;
-    private Path sortie;
-    private Process processus;
-
-    @BeforeEach
-    void nommerLesFlux() throws IOException {
-        Path flux = Files.createDirectory(dossier.resolve("flux"));
-        erreur = flux.resolve("erreur");
-        sortie = flux.resolve("sortie");
-    }
-
-    @AfterEach
-    void neLaisserAucunProcessus() {
-        if (processus != null) {
-            processus.destroyForcibly();
-        }
-    }
-
-    private static String chemin(Class<?> classe) {
-        try {
-            return Paths.get(classe.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
-        } catch (URISyntaxException e) {
-            throw new IllegalStateException(e);
-        }
-    }
-
-    private static List<String> java(String options, String... arguments) {
-        List<String> commande = new ArrayList<>();
-        commande.add(Paths.get(System.getProperty("java.home"), "bin", "java").toString());
-        commande.addAll(Arrays.asList(RAPIDE));
-        commande.addAll(Arrays.asList(options.trim().isEmpty() ? new String[0] : options.trim().split(" +")));
-        commande.add("-cp");
-        commande.add(chemin(Main.class) + File.pathSeparator + chemin(IniParser.class));
-        commande.add("lancer.Main");
-        commande.addAll(Arrays.asList(arguments));
-        return commande;
-    }
-
-    private ProcessBuilder preparer(List<String> commande) {
-        ProcessBuilder p = new ProcessBuilder(commande).directory(dossier.toFile());
-        // ces variables font écrire à la machine virtuelle une ligne de plus
-        p.environment().keySet().removeAll(Arrays.asList("JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS", "JDK_JAVA_OPTIONS"));
-        return p.redirectError(erreur.toFile()).redirectOutput(sortie.toFile());
-    }
-
-    private int statut(ProcessBuilder p) throws IOException, InterruptedException {
-        processus = p.start();
-        return processus.waitFor();
-    }
-
-    private String erreur() throws IOException {
-        return new String(Files.readAllBytes(erreur), StandardCharsets.UTF_8);
-    }
-
-    private String sortie() throws IOException {
-        return new String(Files.readAllBytes(sortie), StandardCharsets.UTF_8);
-    }
-
-    private static void supposerUnix() {
-        assumeTrue(Files.exists(Paths.get("/proc/self/status")) && Files.exists(Paths.get("/bin/sh")), "pas un Linux");
-    }
+class ProcessusTest extends EssaiProcessus {
 
     @Test
     void awtNEstPasChargeSurLeCheminDUnPng() throws Exception {
@@ -239,113 +161,5 @@ class ProcessusTest {
             tout.write(tampon, 0, n);
         }
         return tout.toByteArray();
-    }
-
-    @Test
-    void uneSortieStandardFermeeOuPleineEstUnePanne() throws Exception {
-        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
-        ProcessBuilder p = preparer(java("-Dfile.encoding=UTF-8", "--image=a.png", "--taille=4x4", "--statistiques", SCENE));
-        assertEquals(1, statut(p.redirectOutput(new File("/dev/full"))));
-        assertEquals(1, erreur().split("\n").length, erreur());
-        assertTrue(erreur().startsWith("lancer : sortie standard : "), erreur());
-        p = preparer(java("", "--image=/dev/stdout", "--taille=4x4", SCENE));
-        assertEquals(1, statut(p.redirectOutput(new File("/dev/full"))));
-        assertTrue(erreur().startsWith("lancer : /dev/stdout : "), erreur());
-    }
-
-    /** La limite d'un fichier, {@code ulimit -f}, fait comme un disque qui se remplit pendant l'écriture. */
-    @Test
-    void unDisqueQuiSeRemplitLaisseLAncienneImage() throws Exception {
-        supposerUnix();
-        Path pfm = dossier.resolve("a.pfm");
-        Files.write(pfm, new byte[] {1, 2, 3});
-        List<String> commande = new ArrayList<>(Arrays.asList("/bin/sh", "-c", "ulimit -f 64 && exec \"$@\"", "sh"));
-        commande.addAll(java("-XX:-UsePerfData -Xshare:off", "--lineaire=a.pfm", "--taille=400x300", SCENE));
-        assertEquals(1, statut(preparer(commande)), erreur());
-        assertEquals(1, erreur().split("\n").length, erreur());
-        assertTrue(erreur().startsWith("lancer : a.pfm : "), erreur());
-        assertArrayEquals(new byte[] {1, 2, 3}, Files.readAllBytes(pfm));
-        verifierDossier("a.pfm");
-    }
-
-    /** Ce qui est dans le dossier, les flux mis à part. */
-    private void verifierDossier(String... noms) {
-        List<String> presents = new ArrayList<>(Arrays.asList(dossier.toFile().list()));
-        presents.remove("flux");
-        assertEquals(Arrays.asList(noms), presents);
-    }
-
-    @Test
-    void ctrlCPendantLeDessinRend130EtNeLaisseRien() throws Exception {
-        supposerUnix();
-        int pid = demarrerInterruptible(SCENE, "--image=a.png", "--lineaire=a.pfm", "--repeter=100000", "--taille=400x300");
-        attendre(() -> tientLesFils(pid));
-        interrompre(pid);
-        assertEquals(130, processus.waitFor());
-        assertEquals("", erreur());
-        verifierDossier();
-    }
-
-    @Test
-    void ctrlCPendantLEcritureNeLaisseRienDInacheve() throws Exception {
-        supposerUnix();
-        int pid = demarrerInterruptible(Ressources.chemin("valides/vide.ini"), "--lineaire=a.pfm", "--taille=2500x2000");
-        attendre(() -> dossier.toFile().list().length > 1 || !processus.isAlive());
-        interrompre(pid);
-        int statut = processus.waitFor();
-        if (statut == 0 || Files.exists(dossier.resolve("a.pfm"))) {
-            // l'image était déjà finie
-            verifierDossier("a.pfm");
-            assertEquals("PF\n2500 2000\n-1.0\n".length() + 12L * 2500 * 2000, Files.size(dossier.resolve("a.pfm")));
-        } else {
-            assertEquals(130, statut);
-            verifierDossier();
-        }
-    }
-
-    private int demarrerInterruptible(String... arguments) throws Exception {
-        List<String> commande = new ArrayList<>(Arrays.asList("/bin/sh", "-c", "echo $$ && exec \"$@\"", "sh"));
-        commande.addAll(java("", arguments));
-        processus = preparer(commande).start();
-        attendre(() -> sortie().endsWith("\n"));
-        int pid = Integer.parseInt(sortie().trim());
-        for (String ligne : Files.readAllLines(Paths.get("/proc/" + pid + "/status"))) {
-            if (ligne.startsWith("SigIgn:")) {
-                // un programme lancé en arrière-plan par un script ignore Ctrl+C, et ses enfants aussi
-                assumeTrue((Long.parseLong(ligne.substring(7).trim(), 16) & 2) == 0, "Ctrl+C est ignoré ici");
-            }
-        }
-        return pid;
-    }
-
-    private static void interrompre(int pid) throws Exception {
-        new ProcessBuilder("/bin/sh", "-c", "kill -INT " + pid).start().waitFor();
-    }
-
-    /** Vrai quand le dessin a commencé : alors seulement, la machine virtuelle a des fils de ce nom. */
-    private static boolean tientLesFils(int pid) throws IOException {
-        File[] fils = new File("/proc/" + pid + "/task").listFiles();
-        for (File un : fils == null ? new File[0] : fils) {
-            try {
-                if (Files.readAllLines(un.toPath().resolve("comm")).get(0).startsWith("lancer-1")) {
-                    return true;
-                }
-            } catch (IOException e) {
-                // ce fil vient de finir
-            }
-        }
-        return false;
-    }
-
-    private interface Condition {
-        boolean vraie() throws IOException;
-    }
-
-    private static void attendre(Condition condition) throws Exception {
-        long fin = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
-        while (!condition.vraie()) {
-            assertTrue(System.nanoTime() < fin, "attente trop longue");
-            Thread.sleep(2);
-        }
     }
 }
