@@ -2,7 +2,8 @@ package lancer;
 
 /**
  * Ce qu'un rayon peut rencontrer : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme nouvelle
- * n'a que deux méthodes à donner : {@link #getIntersectionDistance} et {@link #getNormale}.
+ * n'a que deux méthodes à donner : {@link #getIntersectionDistance} et {@link #getNormale} ; une troisième, {@link #getPointDeSurface},
+ * lui évite les arrondis du contact.
  */
 public abstract class Objet3D {
 
@@ -19,6 +20,14 @@ public abstract class Objet3D {
 
     /** La normale en un point de la surface : vers l'extérieur, de longueur 1. */
     public abstract Vecteur getNormale(Point contact);
+
+    /**
+     * Le point de la surface le plus proche d'un contact, que les arrondis en ont un peu écarté. Une forme qui ne sait pas mieux
+     * faire rend le contact lui-même.
+     */
+    public Point getPointDeSurface(Point contact) {
+        return contact;
+    }
 
     /**
      * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes, plus le reflet des objets.

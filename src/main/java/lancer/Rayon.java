@@ -13,6 +13,7 @@ public class Rayon {
     private final Couleur produitKs;
     private double distance = Constantes.INFINI;
     private Objet3D objet;
+    private int reprises;
 
     /**
      * Le rayon qui part de {@code p1} et va vers {@code p2}.
@@ -75,12 +76,24 @@ public class Rayon {
         this.distance = distance;
     }
 
-    /** Le point de contact P + distance·V, ou {@code null} si la distance est infinie. */
+    /** Le nombre d'intersections de ce rayon que {@link IntersectionCompensee} a reprises. */
+    public int getReprises() {
+        return reprises;
+    }
+
+    void compterReprise() {
+        reprises++;
+    }
+
+    /**
+     * Le point de contact P + distance·V, ramené par l'objet sur sa surface ({@link Objet3D#getPointDeSurface}), ou {@code null} si la
+     * distance est infinie.
+     */
     public PointContact calcContact() {
         if (distance == Constantes.INFINI) {
             return null;
         }
-        return new PointContact(P.add(V.mul(distance)), objet, distance);
+        return new PointContact(objet.getPointDeSurface(P.add(V.mul(distance))), objet, distance);
     }
 
     /** La couleur du ciel dans la direction du rayon : bleu au-dessus de l'horizon, brun au-dessous. */

@@ -102,7 +102,7 @@ class LimitesOmbreTest {
         Scene moyenne = vueDeLaLampe(boule(0, 0, 5, 1.5, 1, 0, 1));
         moyenne.setRecherche(new SansExclure(moyenne.getObjets(), 1e-6));
         assertEquals(0, noirs(moyenne), "il guérit celle-ci");
-        Scene grande = vueDeLaLampe(boule(0, -1e11 - 1, 5, 1e11, 1, 0, 1));
+        Scene grande = vueDeLaLampe(boule(6e10, -8e10 - 2.5, 5, 1e11, 1, 0, 1));
         assertEquals(0, noirs(grande));
         grande.setRecherche(new SansExclure(grande.getObjets(), 1e-6));
         assertTrue(noirs(grande) > 50, noirs(grande) + " points noirs : de près, la racine du manuel se trompe de u·1e11 = 1e-5");

@@ -15,6 +15,9 @@ public final class Compteurs {
     /** Intersections d'un rayon et d'une sphère calculées. */
     public long testsSpheres;
 
+    /** Celles que leur forme directe laissait en doute, et qui ont été reprises par {@link lancer.IntersectionCompensee}. */
+    public long testsPrecis;
+
     /** Nœuds ou cases de structures de recherche visités. */
     public long noeudsVisites;
 
@@ -26,6 +29,7 @@ public final class Compteurs {
         ombre += autres.ombre;
         reflechis += autres.reflechis;
         testsSpheres += autres.testsSpheres;
+        testsPrecis += autres.testsPrecis;
         noeudsVisites += autres.noeudsVisites;
         pixelsRaffines += autres.pixelsRaffines;
     }

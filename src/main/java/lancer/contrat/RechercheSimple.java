@@ -22,6 +22,7 @@ public final class RechercheSimple implements Recherche {
     public void plusProche(Rayon incident, Objet3D saufLui) {
         Objet3D plusProche = null;
         double distance = Constantes.INFINI;
+        int reprises = incident.getReprises();
         for (Objet3D objet : objets) {
             if (objet != saufLui) {
                 compteurs.testsSpheres++;
@@ -32,22 +33,26 @@ public final class RechercheSimple implements Recherche {
                 }
             }
         }
+        compteurs.testsPrecis += incident.getReprises() - reprises;
         incident.setContact(plusProche, distance);
     }
 
     @Override
     public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
         Rayon ombre = new Rayon(lampe.getPosition(), contact);
+        boolean cachee = false;
         double distance = contact.sub(lampe.getPosition()).norme();
         for (Objet3D autre : objets) {
             if (autre != objet) {
                 compteurs.testsSpheres++;
                 if (autre.getIntersectionDistance(ombre) < distance) {
-                    return true;
+                    cachee = true;
+                    break;
                 }
             }
         }
-        return false;
+        compteurs.testsPrecis += ombre.getReprises();
+        return cachee;
     }
 
     @Override

@@ -95,7 +95,10 @@ final class Arbre implements Voisins, Obstacles {
             if (k != sauf) {
                 tests++;
                 int i = Spheres.PAS * k;
-                double d = Sphere.distance(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                if (d < 0) {
+                    d = sonde.trancher(spheres, k, px, py, pz, vx, vy, vz);
+                }
                 if (premiereVenue ? d < distance : d <= distance && spheres.avant(d, k, distance, trouvee)) {
                     distance = d;
                     trouvee = k;
@@ -114,7 +117,10 @@ final class Arbre implements Voisins, Obstacles {
                     }
                     tests++;
                     int i = Spheres.PAS * k;
-                    double d = Sphere.distance(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                    double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                    if (d < 0) {
+                        d = sonde.trancher(spheres, k, px, py, pz, vx, vy, vz);
+                    }
                     if (premiereVenue ? d < distance : d <= distance && spheres.avant(d, k, distance, trouvee)) {
                         distance = d;
                         trouvee = k;

@@ -20,7 +20,10 @@ final class Boucle implements Voisins, Obstacles {
         int n = spheres.nombre;
         for (int k = 0, i = 0; k < n; k++, i += Spheres.PAS) {
             if (k != sauf) {
-                double d = Sphere.distance(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                if (d < 0) {
+                    d = sonde.trancher(spheres, k, px, py, pz, vx, vy, vz);
+                }
                 if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
                     distance = d;
                     trouvee = k;
@@ -42,7 +45,8 @@ final class Boucle implements Voisins, Obstacles {
         for (int k = 0, i = 0; k < n && !cachee; k++, i += Spheres.PAS) {
             if (k != sauf) {
                 tests++;
-                cachee = Sphere.distance(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]) < distance;
+                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                cachee = (d >= 0 ? d : sonde.trancher(spheres, k, px, py, pz, vx, vy, vz)) < distance;
             }
         }
         sonde.compteurs.testsSpheres += tests;

@@ -184,19 +184,43 @@ final class Carte {
         double[] g = spheres.geometrie;
         double distance = Constantes.INFINI;
         int trouvee = -1;
+        int douteuse = -1;
+        double doute = 0;
         int e = premiere;
         for (; e < fin && pres[e] - avance <= distance; e++) {
             int k = entrees[e];
             int s = Spheres.PAS * k;
-            double d = Sphere.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+            double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
             if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
-                distance = d;
-                trouvee = k;
+                if (d >= 0) {
+                    distance = d;
+                    trouvee = k;
+                } else if (douteuse < 0) {
+                    douteuse = k;
+                    doute = d;
+                } else {
+                    break;
+                }
             }
         }
         sonde.compteurs.testsSpheres += e - premiere;
         sonde.distance = distance;
-        return trouvee;
+        sonde.trouvee = trouvee;
+        return douteuse < 0 ? trouvee : trancher(sonde, douteuse, doute, e, fin, avance, px, py, pz, vx, vy, vz);
+    }
+
+    /** La fin de {@link #plusProche} quand une sphère est en doute : elle d'abord, puis ce qui vient à partir de l'entrée e. */
+    private int trancher(Sonde sonde, int douteuse, double doute, int e, int fin, double avance, double px, double py, double pz,
+            double vx, double vy, double vz) {
+        sonde.retenir(spheres, douteuse, doute, px, py, pz, vx, vy, vz);
+        double[] g = spheres.geometrie;
+        for (; e < fin && pres[e] - avance <= sonde.distance; e++) {
+            int s = Spheres.PAS * entrees[e];
+            sonde.compteurs.testsSpheres++;
+            double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+            sonde.retenir(spheres, entrees[e], d, px, py, pz, vx, vy, vz);
+        }
+        return sonde.trouvee;
     }
 
     /** La case de cette direction, -1 si aucune sphère ne peut y être. */

@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import lancer.Constantes;
 import lancer.Sphere;
 
 /**
@@ -23,31 +24,60 @@ final class CarteLampe implements Obstacles {
     @Override
     public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, double distance,
             int sauf) {
-        double[] g = spheres.geometrie;
         Carte q = carte;
-        int tests = 0;
-        boolean cachee = false;
         int c = q.caseDe(vx, vy, vz);
-        if (c >= 0) {
-            sonde.compteurs.noeudsVisites++;
-            if (distance > q.coupe[c]) {
-                // ou bien le contact est sur la sphère qui coupe, un rien plus loin qu'elle par un arrondi
-                return q.coupeuse[c] != sauf || secours.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
-            }
-            int fin = q.debut[c + 1];
-            for (int e = q.debut[c]; e < fin && q.pres[e] < distance; e++) {
-                int k = q.entrees[e];
-                if (k != sauf) {
-                    tests++;
-                    int s = Spheres.PAS * k;
-                    if (Sphere.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]) < distance) {
-                        cachee = true;
-                        break;
-                    }
+        if (c < 0) {
+            return false;
+        }
+        sonde.compteurs.noeudsVisites++;
+        if (distance > q.coupe[c]) {
+            // ou bien le contact est sur la sphère qui coupe, un rien plus loin qu'elle par un arrondi
+            return q.coupeuse[c] != sauf || secours.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
+        }
+        double[] g = spheres.geometrie;
+        int fin = q.debut[c + 1];
+        int tests = 0;
+        int e = q.debut[c];
+        double d = Constantes.INFINI;
+        for (; e < fin && q.pres[e] < distance; e++) {
+            int k = q.entrees[e];
+            if (k != sauf) {
+                tests++;
+                int s = Spheres.PAS * k;
+                d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                if (d < distance && (d >= 0 || Sphere.auMoins(d) < distance)) {
+                    break;
                 }
             }
         }
         sonde.compteurs.testsSpheres += tests;
-        return cachee;
+        if (e == fin || !(q.pres[e] < distance)) {
+            return false;
+        }
+        return d >= 0 || trancher(sonde, e, fin, px, py, pz, vx, vy, vz, distance, sauf);
+    }
+
+    /** La fin de la boucle, à partir de l'entrée e, dont la sphère est en doute. */
+    private boolean trancher(Sonde sonde, int e, int fin, double px, double py, double pz, double vx, double vy, double vz,
+            double distance, int sauf) {
+        double[] g = spheres.geometrie;
+        if (sonde.trancher(spheres, carte.entrees[e], px, py, pz, vx, vy, vz) < distance) {
+            return true;
+        }
+        for (e++; e < fin && carte.pres[e] < distance; e++) {
+            int k = carte.entrees[e];
+            if (k != sauf) {
+                sonde.compteurs.testsSpheres++;
+                int s = Spheres.PAS * k;
+                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                if (d < 0 && Sphere.auMoins(d) < distance) {
+                    d = sonde.trancher(spheres, k, px, py, pz, vx, vy, vz);
+                }
+                if (d >= 0 && d < distance) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 }

@@ -127,88 +127,153 @@ final class Grille implements Voisins {
             return secours.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
         }
         double[] g = spheres.geometrie;
-        double distance = Constantes.INFINI;
-        int trouvee = -1;
-        int tests = 0;
+        sonde.distance = Double.MAX_VALUE;
+        sonde.trouvee = -1;
         for (int k : grosses) {
             if (k != sauf) {
+                sonde.compteurs.testsSpheres++;
+                int s = Spheres.PAS * k;
+                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                sonde.retenir(spheres, k, d, px, py, pz, vx, vy, vz);
+            }
+        }
+        int k = marcher(sonde, px, py, pz, vx, vy, vz, sauf, false);
+        while (k >= 0) {
+            sonde.retenir(spheres, k, sonde.doute, px, py, pz, vx, vy, vz);
+            k = marcher(sonde, px, py, pz, vx, vy, vz, sauf, true);
+        }
+        if (sonde.trouvee < 0) {
+            sonde.distance = Constantes.INFINI;
+        }
+        return sonde.trouvee;
+    }
+
+    /**
+     * Traverse les cases, en retenant dans la sonde la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à une sphère en
+     * doute. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la boucle tient en registres irait en mémoire.
+     *
+     * @param reprise vrai pour repartir d'où la marche précédente s'est arrêtée
+     * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini
+     */
+    private int marcher(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf, boolean reprise) {
+        double[] g = spheres.geometrie;
+        double distance = sonde.distance;
+        int trouvee = sonde.trouvee;
+        double ix = Arbre.inverse(vx);
+        double iy = Arbre.inverse(vy);
+        double iz = Arbre.inverse(vz);
+        double tx;
+        double ty;
+        double tz;
+        int resteX;
+        int resteY;
+        int resteZ;
+        int c;
+        int e;
+        int tests = 0;
+        int cases = 0;
+        if (reprise) {
+            tx = sonde.tx;
+            ty = sonde.ty;
+            tz = sonde.tz;
+            resteX = sonde.resteX;
+            resteY = sonde.resteY;
+            resteZ = sonde.resteZ;
+            c = sonde.arretCase;
+            e = sonde.arretEntree;
+        } else {
+            double entree = Math.max(Math.max(((ix < 0 ? x1 : x0) - px) * ix, ((iy < 0 ? y1 : y0) - py) * iy),
+                    Math.max(((iz < 0 ? z1 : z0) - pz) * iz, 0));
+            double sortie = Math.min(Math.min(((ix < 0 ? x0 : x1) - px) * ix, ((iy < 0 ? y0 : y1) - py) * iy),
+                    Math.min(((iz < 0 ? z0 : z1) - pz) * iz, distance));
+            if (!(entree <= sortie)) {
+                return -1;
+            }
+            int i = rang((px + entree * vx - x0) * parCote, nx);
+            int j = rang((py + entree * vy - y0) * parCote, ny);
+            int k3 = rang((pz + entree * vz - z0) * parCote, nz);
+            tx = (x0 + (ix < 0 ? i : i + 1) * cote - px) * ix;
+            ty = (y0 + (iy < 0 ? j : j + 1) * cote - py) * iy;
+            tz = (z0 + (iz < 0 ? k3 : k3 + 1) * cote - pz) * iz;
+            resteX = ix < 0 ? i : nx - 1 - i;
+            resteY = iy < 0 ? j : ny - 1 - j;
+            resteZ = iz < 0 ? k3 : nz - 1 - k3;
+            c = (k3 * ny + j) * nx + i;
+            e = debut[c];
+            cases++;
+        }
+        int pasX = ix < 0 ? -1 : 1;
+        int pasY = iy < 0 ? -nx : nx;
+        int pasZ = iz < 0 ? -nx * ny : nx * ny;
+        double sautX = cote * Math.abs(ix);
+        double sautY = cote * Math.abs(iy);
+        double sautZ = cote * Math.abs(iz);
+        int douteuse = -1;
+        marche:
+        while (true) {
+            int fin = debut[c + 1];
+            for (; e < fin; e++) {
+                int k = entrees[e];
+                if (k == sauf) {
+                    continue;
+                }
                 tests++;
                 int s = Spheres.PAS * k;
-                double d = Sphere.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
                 if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
+                    if (d < 0) {
+                        if (Sphere.auMoins(d) > distance) {
+                            continue;
+                        }
+                        douteuse = k;
+                        sonde.doute = d;
+                        sonde.tx = tx;
+                        sonde.ty = ty;
+                        sonde.tz = tz;
+                        sonde.resteX = resteX;
+                        sonde.resteY = resteY;
+                        sonde.resteZ = resteZ;
+                        sonde.arretCase = c;
+                        sonde.arretEntree = e + 1;
+                        break marche;
+                    }
                     distance = d;
                     trouvee = k;
                 }
             }
-        }
-        double ix = Arbre.inverse(vx);
-        double iy = Arbre.inverse(vy);
-        double iz = Arbre.inverse(vz);
-        double entree = Math.max(Math.max(((ix < 0 ? x1 : x0) - px) * ix, ((iy < 0 ? y1 : y0) - py) * iy),
-                Math.max(((iz < 0 ? z1 : z0) - pz) * iz, 0));
-        double sortie = Math.min(Math.min(((ix < 0 ? x0 : x1) - px) * ix, ((iy < 0 ? y0 : y1) - py) * iy),
-                Math.min(((iz < 0 ? z0 : z1) - pz) * iz, distance));
-        int cases = 0;
-        if (entree <= sortie) {
-            int i = rang((px + entree * vx - x0) * parCote, nx);
-            int j = rang((py + entree * vy - y0) * parCote, ny);
-            int k3 = rang((pz + entree * vz - z0) * parCote, nz);
-            int pasX = ix < 0 ? -1 : 1;
-            int pasY = iy < 0 ? -nx : nx;
-            int pasZ = iz < 0 ? -nx * ny : nx * ny;
-            double sautX = cote * Math.abs(ix);
-            double sautY = cote * Math.abs(iy);
-            double sautZ = cote * Math.abs(iz);
-            double tx = (x0 + (ix < 0 ? i : i + 1) * cote - px) * ix;
-            double ty = (y0 + (iy < 0 ? j : j + 1) * cote - py) * iy;
-            double tz = (z0 + (iz < 0 ? k3 : k3 + 1) * cote - pz) * iz;
-            int resteX = ix < 0 ? i : nx - 1 - i;
-            int resteY = iy < 0 ? j : ny - 1 - j;
-            int resteZ = iz < 0 ? k3 : nz - 1 - k3;
-            int c = (k3 * ny + j) * nx + i;
-            while (true) {
-                cases++;
-                int fin = debut[c + 1];
-                for (int e = debut[c]; e < fin; e++) {
-                    int k = entrees[e];
-                    if (k == sauf) {
-                        continue;
-                    }
-                    tests++;
-                    int s = Spheres.PAS * k;
-                    double d = Sphere.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                    if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
-                        distance = d;
-                        trouvee = k;
-                    }
-                }
-                if (tx < ty) {
-                    if (tx < tz) {
-                        if (tx > distance || --resteX < 0) {
-                            break;
-                        }
-                        tx += sautX;
-                        c += pasX;
-                        continue;
-                    }
-                } else if (ty < tz) {
-                    if (ty > distance || --resteY < 0) {
+            if (tx < ty) {
+                if (tx < tz) {
+                    if (tx > distance || --resteX < 0) {
                         break;
                     }
-                    ty += sautY;
-                    c += pasY;
+                    tx += sautX;
+                    c += pasX;
+                    e = debut[c];
+                    cases++;
                     continue;
                 }
-                if (tz > distance || --resteZ < 0) {
+            } else if (ty < tz) {
+                if (ty > distance || --resteY < 0) {
                     break;
                 }
-                tz += sautZ;
-                c += pasZ;
+                ty += sautY;
+                c += pasY;
+                e = debut[c];
+                cases++;
+                continue;
             }
+            if (tz > distance || --resteZ < 0) {
+                break;
+            }
+            tz += sautZ;
+            c += pasZ;
+            e = debut[c];
+            cases++;
         }
         sonde.compteurs.testsSpheres += tests;
         sonde.compteurs.noeudsVisites += cases;
         sonde.distance = distance;
-        return trouvee;
+        sonde.trouvee = trouvee;
+        return douteuse;
     }
 }

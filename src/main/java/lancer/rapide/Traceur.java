@@ -12,6 +12,7 @@ import lancer.Point;
 import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
+import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
@@ -157,6 +158,23 @@ final class Traceur implements Vue {
             px += vx * distance;
             py += vy * distance;
             pz += vz * distance;
+            double[] g = spheres.geometrie;
+            int s = Spheres.PAS * k;
+            double nx = px - g[s];
+            double ny = py - g[s + 1];
+            double nz = pz - g[s + 2];
+            double carre = nx * nx + ny * ny + nz * nz;
+            if (carre >= Vecteur.NORME2_MIN && carre <= Vecteur.NORME2_MAX) {
+                double ecart = Sphere.ecart(carre, g[s + 3]);
+                px -= nx * ecart;
+                py -= ny * ecart;
+                pz -= nz * ecart;
+            } else {
+                Point p = spheres.objet(k).getPointDeSurface(new Point(px, py, pz));
+                px = p.x;
+                py = p.y;
+                pz = p.z;
+            }
             int n = PAS_NIVEAU * niveau;
             if (n == niveaux.length) {
                 niveaux = Arrays.copyOf(niveaux, 2 * n);

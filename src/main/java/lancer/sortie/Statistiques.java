@@ -38,6 +38,7 @@ public final class Statistiques {
         ligne(s, "rayons.ombre", compteurs.ombre);
         ligne(s, "rayons.reflechis", compteurs.reflechis);
         ligne(s, "tests.spheres", compteurs.testsSpheres);
+        ligne(s, "tests.precis", compteurs.testsPrecis);
         ligne(s, "noeuds.visites", compteurs.noeudsVisites);
         ligne(s, "pixels.raffines", compteurs.pixelsRaffines);
         millisecondes(s, "lecture.ms", lectureNs);

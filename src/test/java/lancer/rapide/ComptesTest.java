@@ -13,6 +13,7 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
+import lancer.contrat.RechercheSimple;
 import org.junit.jupiter.api.Test;
 
 /** Aucun rayon inutile, et aucune scène où chercher coûte beaucoup plus que dans un arbre. Des comptes, jamais des temps. */
@@ -70,6 +71,21 @@ class ComptesTest {
                 Collections.singletonList(new Lampe(new Point(3, 3, 0), new Couleur(1))));
         Compteurs c = compter(scene, 5);
         assertTrue(c.testsSpheres < c.rayons() / 2, c.testsSpheres + " sphères examinées pour " + c.rayons() + " rayons");
+    }
+
+    @Test
+    void seulesLesIntersectionsEnDouteSontReprises() {
+        Lampe lampe = new Lampe(new Point(3, 5, 0), new Couleur(1));
+        Compteurs sansSol = compter(new Scene(Arrays.asList(boule(6, 1, 0.5), boule(12, 1, 0.5)), Collections.singletonList(lampe)), 5);
+        assertEquals(0, sansSol.testsPrecis, "deux boules éloignées");
+        Sphere sol = new Sphere(new Point(0, -1e4 - 1, 6), 1e4);
+        sol.setKd(new Couleur(1));
+        Scene avecSol = new Scene(Arrays.asList(boule(6, 1, 0.5), sol), Collections.singletonList(lampe));
+        Compteurs rapide = compter(avecSol, 5);
+        assertTrue(rapide.testsPrecis > CAMERA.getLargeur() * CAMERA.getHauteur() / 10, rapide.testsPrecis + " reprises");
+        avecSol.setRecherche(new RechercheSimple(avecSol.getObjets(), avecSol.getCompteurs()));
+        long simple = new IdentiteTest.Dessin(avecSol, CAMERA, 5, 2).compteurs.testsPrecis;
+        assertTrue(simple >= rapide.testsPrecis, simple + " reprises par la recherche lisible, " + rapide.testsPrecis + " par la rapide");
     }
 
     @Test

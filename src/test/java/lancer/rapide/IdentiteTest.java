@@ -91,6 +91,7 @@ class IdentiteTest {
             rapide.verifier(nom + ", " + fils + " fils", lisible);
             premiers = premiers == null ? rapide.compteurs : premiers;
             assertEquals(premiers.testsSpheres, rapide.compteurs.testsSpheres, nom + ", sphères, fils");
+            assertEquals(premiers.testsPrecis, rapide.compteurs.testsPrecis, nom + ", intersections reprises, fils");
             assertEquals(premiers.noeudsVisites, rapide.compteurs.noeudsVisites, nom + ", nœuds, fils");
         }
     }

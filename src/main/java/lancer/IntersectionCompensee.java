@@ -1,0 +1,151 @@
+package lancer;
+
+/**
+ * L'intersection d'un rayon et d'une sphère là où l'arrondi de C − P, ou un carré qui déborde, fausserait {@link Sphere#distance} :
+ * le rayon part près de la surface (au-dessus d'un sol immense, d'une sphère qui en touche une autre), ou les longueurs sortent de
+ * 1e-135..1e150.
+ *
+ * <p>Une seule quantité y perd ses chiffres : la puissance de P, c = |C − P|² − r². Elle est calculée ici sans erreur sensible, C − P
+ * gardé en deux termes (f + e = C − P exactement : Knuth, <i>The Art of Computer Programming</i>, t. 2, § 4.2.2), les carrés coupés en
+ * morceaux dont les produits et les sommes tombent juste (Dekker, <i>A floating-point technique for extending the available
+ * precision</i>, Numerische Mathematik 18, 1971 ; Rump, Ogita et Oishi, <i>Accurate floating-point summation</i>, SIAM Journal on
+ * Scientific Computing 31, 2008, pour la coupe commune). Puis h² = b² − c : près de la surface, cette forme ne subit de la direction
+ * que ce que la réponse en subit.
+ *
+ * <p>Distance : erreur relative d'au plus 8 u (1 + r/h), u = 2⁻⁵³, arrondi de la direction compris (mesurée : moins de la moitié). Rien
+ * n'est alloué, sauf hors d'échelle.
+ */
+public final class IntersectionCompensee {
+
+    /** Au-dessus de cette part de r², la puissance calculée d'abord est juste à u près. */
+    private static final double ASSEZ = 0x1p-20;
+
+    /** Largeurs des morceaux, en puissances de deux de r : 1,5 · 2^k arrondit ce qu'on lui ajoute à un multiple de 2^(k−52). */
+    private static final double COUPE = 0x1.8p27;
+    private static final double COUPE_DU_RESTE = 0x1.8p1;
+    private static final double COUPE_DE_L_ERREUR = 0x1.8p-25;
+
+    /** Une tangente dont h² n'est négatif que d'autant, en parts de b·r, en est une si la perpendiculaire le dit. */
+    private static final double TANGENTE = 0x1p-49;
+
+    /** Un rayon plus petit que cette part de la distance au centre n'y compte plus. */
+    private static final double POUSSIERE = 0x1p-449;
+
+    private static final long EXPOSANT = 0x7ff0000000000000L;
+
+    private IntersectionCompensee() {
+    }
+
+    /** La même distance que {@link Sphere#distance}, là où celle-ci est en doute : les mêmes cas, les mêmes réponses. */
+    public static double distance(double px, double py, double pz, double vx, double vy, double vz,
+            double cx, double cy, double cz, double r) {
+        double fx = cx - px;
+        double fy = cy - py;
+        double fz = cz - pz;
+        double ex = reste(cx, -px, fx);
+        double ey = reste(cy, -py, fy);
+        double ez = reste(cz, -pz, fz);
+        double r2 = r * r;
+        if (!(r2 > Vecteur.NORME2_MIN && r2 + (fx * fx + fy * fy + fz * fz) < Vecteur.NORME2_MAX)) {
+            return horsEchelle(fx, fy, fz, ex, ey, ez, vx, vy, vz, r);
+        }
+        double c = puissance(fx, fy, fz, ex, ey, ez, r);
+        double b = fx * vx + fy * vy + fz * vz;
+        double h2 = b * b - c;
+        if (c > 0) {
+            if (!(b > 0) || h2 < 0 && !tangente(fx, fy, fz, vx, vy, vz, b, h2, r)) {
+                return Constantes.INFINI;
+            }
+            return c / (b + Math.sqrt(Math.max(0, h2)));
+        }
+        double h = Math.sqrt(h2);
+        if (b > 0) {
+            return b + h;
+        }
+        return c < 0 ? c / (b - h) : Constantes.INFINI;
+    }
+
+    /** Vrai si h² n'est négatif que par un arrondi : la perpendiculaire, elle, tombe juste quand les nombres sont ronds. */
+    private static boolean tangente(double fx, double fy, double fz, double vx, double vy, double vz, double b, double h2, double r) {
+        double lx = fx - b * vx;
+        double ly = fy - b * vy;
+        double lz = fz - b * vz;
+        return h2 >= -TANGENTE * b * r && lx * lx + ly * ly + lz * lz <= r * r;
+    }
+
+    /** Ce que l'arrondi de {@code somme} = a + b a perdu, exactement. */
+    private static double reste(double a, double b, double somme) {
+        double t = somme - a;
+        return (a - (somme - t)) + (b - t);
+    }
+
+    /**
+     * |f + e|² − r², à 2⁻⁵³ près en valeur relative, ou à 2⁻¹²⁷ r² près là où c'est davantage. Chaque longueur x vaut h + d, h multiple
+     * d'un même pas, assez court pour que les carrés et leur somme tombent juste ; x² = h² + 2hd + d².
+     */
+    static double puissance(double fx, double fy, double fz, double ex, double ey, double ez, double r) {
+        double pas = Double.longBitsToDouble(Double.doubleToRawLongBits(r) & EXPOSANT);
+        double coupe = COUPE * pas;
+        double hx = fx + coupe - coupe;
+        double hy = fy + coupe - coupe;
+        double hz = fz + coupe - coupe;
+        double hr = r + coupe - coupe;
+        double dx = fx - hx;
+        double dy = fy - hy;
+        double dz = fz - hz;
+        double dr = r - hr;
+        double haut = hx * hx + hy * hy + hz * hz - hr * hr;
+        double bas = dx * (fx + hx) + dy * (fy + hy) + dz * (fz + hz) - dr * (r + hr);
+        double c = haut + (bas + 2 * (fx * ex + fy * ey + fz * ez));
+        return Math.abs(c) > ASSEZ * (r * r) ? c : finement(haut, pas, hx, hy, hz, hr, dx, dy, dz, dr, ex, ey, ez);
+    }
+
+    /** Quand presque tout s'annule : d et e sont coupés à leur tour, et rien n'est arrondi qui soit plus grand que 2⁻⁷⁶ r². */
+    private static double finement(double haut, double pas, double hx, double hy, double hz, double hr,
+            double dx, double dy, double dz, double dr, double ex, double ey, double ez) {
+        double coupeD = COUPE_DU_RESTE * pas;
+        double gx = dx + coupeD - coupeD;
+        double gy = dy + coupeD - coupeD;
+        double gz = dz + coupeD - coupeD;
+        double gr = dr + coupeD - coupeD;
+        double coupeE = COUPE_DE_L_ERREUR * pas;
+        double ix = ex + coupeE - coupeE;
+        double iy = ey + coupeE - coupeE;
+        double iz = ez + coupeE - coupeE;
+        double carres = gx * gx + gy * gy + gz * gz - gr * gr + 2 * (hx * ix + hy * iy + hz * iz);
+        double poussiere = (dx - gx) * (dx + gx) + (dy - gy) * (dy + gy) + (dz - gz) * (dz + gz) - (dr - gr) * (dr + gr)
+                + 2 * (hx * (ex - ix) + hy * (ey - iy) + hz * (ez - iz) + (dx * ex + dy * ey + dz * ez))
+                + (ex * ex + ey * ey + ez * ez);
+        double x = 2 * hx * dx;
+        double y = 2 * hy * dy;
+        double z = 2 * hz * dz;
+        double w = -2 * hr * dr;
+        double s1 = haut + x;
+        double s2 = s1 + y;
+        double s3 = s2 + z;
+        double s4 = s3 + w;
+        double s5 = s4 + carres;
+        return s5 + (reste(haut, x, s1) + reste(s1, y, s2) + reste(s2, z, s3) + reste(s3, w, s4) + reste(s4, carres, s5) + poussiere);
+    }
+
+    /** Des longueurs dont les carrés ne sont pas des nombres ordinaires : les mêmes calculs, tout multiplié par une puissance de deux. */
+    private static double horsEchelle(double fx, double fy, double fz, double ex, double ey, double ez,
+            double vx, double vy, double vz, double r) {
+        double max = Math.max(Math.max(Math.abs(fx), Math.abs(fy)), Math.max(Math.abs(fz), r));
+        if (!(max <= Double.MAX_VALUE)) {
+            return Constantes.INFINI;
+        }
+        int k = -Math.getExponent(max);
+        double gx = Math.scalb(fx, k);
+        double gy = Math.scalb(fy, k);
+        double gz = Math.scalb(fz, k);
+        double q = Math.scalb(r, k);
+        if (q < POUSSIERE) {
+            double b = gx * vx + gy * vy + gz * vz;
+            boolean touche = b > 0 && new Vecteur(gx - b * vx, gy - b * vy, gz - b * vz).norme() <= q;
+            return touche ? Math.scalb(b, -k) : Constantes.INFINI;
+        }
+        // un départ et un centre qui ont cette même différence, en deux termes
+        return Math.scalb(Sphere.distance(-Math.scalb(ex, k), -Math.scalb(ey, k), -Math.scalb(ez, k), vx, vy, vz, gx, gy, gz, q), -k);
+    }
+}
