@@ -164,6 +164,10 @@ public class Sphere extends Objet3D {
     @Override
     public Vecteur getNormale(Point contact) {
         Vecteur n = new Vecteur(centre, contact);
+        Vecteur presque = n.mul(1 / rayon);
+        if (Math.abs(presque.norme2() - 1) <= Vecteur.PRESQUE_UN) {
+            return presque.normalized();
+        }
         return n.x == 0 && n.y == 0 && n.z == 0 ? VERS_L_OEIL : n.normalized();
     }
 

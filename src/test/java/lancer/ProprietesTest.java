@@ -44,6 +44,19 @@ class ProprietesTest {
     }
 
     @Test
+    void unVecteurPresqueUnitaireSeNormaliseSansRacineAussiJusteQueLesAutres() {
+        for (int k = 0; k < TIRAGES; k++) {
+            double ecart = Math.pow(10, -6 - 10 * hasard.nextDouble()) * (k % 2 == 0 ? 1 : -1);
+            Vecteur v = vecteur(1).normalized().mul(1 + ecart);
+            Vecteur n = v.normalized();
+            double norme = Math.sqrt(v.norme2());
+            String tirage = "tirage " + k + ", écart " + ecart;
+            assertEquals(1, Math.sqrt(n.x * n.x + n.y * n.y + n.z * n.z), 6 * U, tirage);
+            assertEquals(v.x / norme, n.x, 4 * U, tirage);
+        }
+    }
+
+    @Test
     void laNormeEstJusteLaOuSonCarreNeLEstPas() {
         assertEquals(5e-200, new Vecteur(0, 3e-200, 4e-200).norme(), 1e-214);
         assertEquals(5e200, new Vecteur(0, 3e200, 4e200).norme(), 1e186);

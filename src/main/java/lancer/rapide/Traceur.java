@@ -265,15 +265,16 @@ final class Traceur implements Vue {
     private void eclairer(int k, int n, double px, double py, double pz, double vx, double vy, double vz) {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
-        double nx = px - g[s];
-        double ny = py - g[s + 1];
-        double nz = pz - g[s + 2];
+        double parRayon = 1 / g[s + 3];
+        double nx = (px - g[s]) * parRayon;
+        double ny = (py - g[s + 1]) * parRayon;
+        double nz = (pz - g[s + 2]) * parRayon;
         double carre = nx * nx + ny * ny + nz * nz;
-        if (carre >= Vecteur.NORME2_MIN && carre <= Vecteur.NORME2_MAX) {
-            double inverse = 1 / Math.sqrt(carre);
-            nx *= inverse;
-            ny *= inverse;
-            nz *= inverse;
+        if (Math.abs(carre - 1) <= Vecteur.PRESQUE_UN) {
+            double correction = 1.5 - 0.5 * carre;
+            nx *= correction;
+            ny *= correction;
+            nz *= correction;
         } else {
             Vecteur N = spheres.objet(k).getNormale(new Point(px, py, pz));
             nx = N.x;
@@ -285,11 +286,11 @@ final class Traceur implements Vue {
         double uy = vy - ny * deuxVN;
         double uz = vz - nz * deuxVN;
         double carreR = ux * ux + uy * uy + uz * uz;
-        if (carreR >= Vecteur.NORME2_MIN && carreR <= Vecteur.NORME2_MAX) {
-            double inverse = 1 / Math.sqrt(carreR);
-            ux *= inverse;
-            uy *= inverse;
-            uz *= inverse;
+        if (Math.abs(carreR - 1) <= Vecteur.PRESQUE_UN) {
+            double correction = 1.5 - 0.5 * carreR;
+            ux *= correction;
+            uy *= correction;
+            uz *= correction;
         } else {
             Vecteur R = new Vecteur(ux, uy, uz).normalized();
             ux = R.x;
