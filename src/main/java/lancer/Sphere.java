@@ -71,8 +71,8 @@ public class Sphere extends Objet3D {
      * b − h et b + h ont pour produit c = |f|² − r² : celle qui soustrairait deux nombres voisins s'obtient en divisant c
      * par l'autre. Là où c même soustrait deux nombres voisins, P étant près de la surface, {@link IntersectionCompensee} reprend le calcul.
      *
-     * <p>Erreur relative : au plus 8 u (1 + r/h), u = 2⁻⁵³, arrondi de la direction compris ; c'est ce que celui-ci rend inévitable,
-     * à un facteur près. Toutes longueurs de 1e-300 à 1e300.
+     * <p>Erreur relative : au plus 8 u (1 + r/h), u = 2⁻⁵³, arrondi de la direction compris, qui à lui seul en permet
+     * presque autant (mesurée au pire, les trois quarts, près de la part où le doute commence). Toutes longueurs de 1e-300 à 1e300.
      */
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
