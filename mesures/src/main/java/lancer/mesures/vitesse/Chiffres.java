@@ -64,10 +64,10 @@ final class Chiffres {
         valeurs.put(debut + "sansprofondeur.rayons", fois(sans.rayonsParPixel() / defaut.rayonsParPixel()));
     }
 
-    /** « 0,4 % de plus », « 3,7 fois plus ». */
+    /** « 0,4 % de rayons en plus », « 3,7 fois plus de rayons ». */
     private static String fois(double rapport) {
-        return rapport == 1 ? "pas un de plus" : rapport < 1.5 ? Style.arrondi(100 * (rapport - 1)) + " % de plus"
-                : Style.arrondi(rapport) + " fois plus";
+        return rapport == 1 ? "pas un rayon de plus" : rapport < 1.5 ? Style.arrondi(100 * (rapport - 1)) + " % de rayons en plus"
+                : Style.arrondi(rapport) + " fois plus de rayons";
     }
 
     private void spheres(Releves releves) {

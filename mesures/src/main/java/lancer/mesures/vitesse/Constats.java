@@ -53,7 +53,7 @@ final class Constats {
         String valeur = "Le défaut, " + Noms.methode(defaut) + ", se trompe de " + pas(defaut.erreurEnPas());
         return valeur + (mieux.isPresent() && bat(mieux.get(), defaut)
                 ? " : il est battu, " + Noms.methode(mieux.get()) + " fait au moins aussi bien pour " + fois(frontReflets.gain(defaut))
-                : mieux.isPresent() ? " et touche le front" : " et est sur le front");
+                : mieux.isPresent() ? " et ne se distingue pas du front" : " et est sur le front");
     }
 
     /** Vrai si la différence de coût en est une : deux temps dont les barres se touchent n'en font pas. */
@@ -67,7 +67,7 @@ final class Constats {
         if (!mieux.isPresent()) {
             return "Le défaut, " + Noms.methode(defaut) + ", est sur le front";
         }
-        return !bat(mieux.get(), defaut) ? "Le défaut, " + Noms.methode(defaut) + ", touche le front"
+        return !bat(mieux.get(), defaut) ? "Le défaut, " + Noms.methode(defaut) + ", ne se distingue pas du front"
                 : "Le défaut, " + Noms.methode(defaut) + ", est battu : " + Noms.methode(mieux.get())
                 + " fait mieux pour " + fois(sien.gain(defaut));
     }
@@ -75,7 +75,8 @@ final class Constats {
     private String jamais() {
         List<String> absentes = new ArrayList<>();
         for (String methode : new String[] {Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE}) {
-            if (!echantillonnages.de(methode).estVide() && front.ignore(methode)) {
+            List<Releve> siens = echantillonnages.de(methode).get();
+            if (!siens.isEmpty() && siens.stream().allMatch(r -> front.mieuxQue(r).filter(m -> bat(m, r)).isPresent())) {
                 absentes.add(methode.equals(Catalogue.GRILLE) ? "grilles" : "« " + methode + " »");
             }
         }

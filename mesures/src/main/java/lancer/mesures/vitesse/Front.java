@@ -36,11 +36,6 @@ final class Front {
         return front.stream().anyMatch(f -> cout.de(f) == cout.de(r) && f.erreurEnPas() == r.erreurEnPas());
     }
 
-    /** Vrai si cette méthode n'y est avec aucun réglage. */
-    boolean ignore(String methode) {
-        return tous.stream().noneMatch(r -> r.methode.equals(methode) && contient(r));
-    }
-
     /** Le moins cher de ce qui ne se trompe pas plus ; vide s'il n'y a pas moins cher que lui. */
     Optional<Releve> mieuxQue(Releve r) {
         return tous.stream().filter(a -> a.erreurEnPas() <= r.erreurEnPas() && cout.de(a) < cout.de(r))

@@ -42,11 +42,11 @@ class ConstatsTest {
         List<Releve> releves = Faux.releves();
         releves.removeIf(r -> r.methode.equals(Catalogue.PARTAGE));
         releves.add(Faux.releve(Famille.ECHANTILLONNAGE, Catalogue.COINS, "n=4 seuil=0.2", 23.5, 1.5));
-        assertEquals("Le défaut, « coins » (3 ; 0,05), touche le front. Jamais sur le front : grilles",
+        assertEquals("Le défaut, « coins » (3 ; 0,05), ne se distingue pas du front. Jamais sur le front : grilles",
                 constats(releves).anticrenelage());
         // en temps, les barres du défaut et de ce qui le bat de 12 % se touchent ; en rayons, tout compte
         releves.add(Faux.releve(Famille.ECHANTILLONNAGE, Catalogue.COINS, "n=4 seuil=0.1", 21.4, 1.5));
-        assertEquals("Le défaut, « coins » (3 ; 0,05), touche le front. Jamais sur le front : grilles",
+        assertEquals("Le défaut, « coins » (3 ; 0,05), ne se distingue pas du front. Jamais sur le front : grilles",
                 new Constats("scene1", new Releves(releves), Cout.TEMPS).anticrenelage());
         assertEquals("Le défaut, « coins » (3 ; 0,05), est battu : « coins » (4 ; 0,1) fait mieux pour 1,1 fois moins de rayons. "
                 + "Jamais sur le front : grilles", constats(releves).anticrenelage());

@@ -48,15 +48,6 @@ class FrontTest {
     }
 
     @Test
-    @DisplayName("sait qu'une méthode n'y est jamais")
-    void ceQuiNYEstJamais() {
-        Releve grille = Faux.releve(Famille.ECHANTILLONNAGE, Catalogue.GRILLE, "3 × 3", 9, 3);
-        Front front = new Front(Arrays.asList(point(2, 3), grille), Cout.RAYONS);
-        assertTrue(front.ignore(Catalogue.GRILLE));
-        assertFalse(front.ignore(Catalogue.COINS));
-    }
-
-    @Test
     @DisplayName("de points au hasard : aucun n'y est battu, tout autre l'est, et l'ordre ne change rien")
     void auHasard() {
         for (long graine = 0; graine < 50; graine++) {
