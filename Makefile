@@ -51,7 +51,7 @@ noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux $(JMH)
 
 # Les courbes de vitesse et de précision, de mesures faites maintenant ; interrompue, la même commande reprend où elle en était.
-# MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer.
+# MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--stabilite ne mesure que la stabilité.
 mesures: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 

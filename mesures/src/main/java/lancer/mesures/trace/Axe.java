@@ -23,6 +23,7 @@ final class Axe extends LogAxis {
     private static final double COURT = 6;
     private static final double LONG = 250;
     private static final double TRES_LONG = 20000;
+    private static final double IMMENSE = 2e9;
 
     /** Graduations d'un axe court, à peu près. */
     private static final int NOMBRE = 6;
@@ -70,7 +71,8 @@ final class Axe extends LogAxis {
         TextAnchor ancre = horizontal ? TextAnchor.TOP_CENTER : TextAnchor.CENTER_RIGHT;
         List<NumberTick> graduations = new ArrayList<>();
         for (double valeur : valeurs()) {
-            String texte = valeur >= GRAND ? Style.puissance(valeur) : Style.nombre(valeur);
+            boolean puissance = valeur >= GRAND || max / min > IMMENSE && valeur < 0.1;
+            String texte = puissance ? Style.puissance(valeur) : Style.nombre(valeur);
             graduations.add(new NumberTick(TickType.MAJOR, valeur, texte, ancre, TextAnchor.CENTER, 0));
         }
         if (zero > 0) {
@@ -88,8 +90,9 @@ final class Axe extends LogAxis {
             }
             return valeurs;
         }
-        int dernier = (int) Math.floor(Math.log10(max));
-        for (int e = (int) Math.floor(Math.log10(min)); e <= dernier; e++) {
+        int dernier = (int) Math.floor(Math.log10(max) + 1e-9);
+        int saut = max / min > IMMENSE ? 2 : 1;
+        for (int e = Math.floorDiv((int) Math.floor(Math.log10(min)), saut) * saut; e <= dernier; e += saut) {
             for (int m : multiples()) {
                 double valeur = m * Math.pow(10, e);
                 if (valeur >= min && valeur <= max && (zero == 0 || valeur > 1.5 * min)) {

@@ -15,7 +15,10 @@ public enum Forme {
     POINTE(polygone(0, 11, 10.5, -8, -10.5, -8)),
     LOSANGE(polygone(0, -12, 12, 0, 0, 12, -12, 0)),
     ETOILE(etoile()),
-    CROIX(croix());
+    CROIX(croix()),
+
+    /** Rien : il ne reste que le trait. */
+    AUCUNE(new Rectangle2D.Double());
 
     /** Autour d'un réglage par défaut. */
     static final Shape ANNEAU = new Ellipse2D.Double(-20, -20, 40, 40);

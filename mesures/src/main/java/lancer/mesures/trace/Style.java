@@ -81,7 +81,7 @@ public final class Style {
     }
 
     /** « 10⁵ », « 2,5 × 10⁻⁷ ». */
-    static String puissance(double valeur) {
+    public static String puissance(double valeur) {
         int exposant = (int) Math.floor(Math.log10(Math.abs(valeur)) + 1e-9);
         double mantisse = valeur / Math.pow(10, exposant);
         String devant = Math.round(mantisse * 10) == 10 ? "" : decimales(mantisse, 1) + " × ";

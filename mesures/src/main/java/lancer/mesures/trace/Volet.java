@@ -30,6 +30,10 @@ public final class Volet implements Contenu {
     private static final double JEU = 1.35;
     private static final double RETRAIT = 8;
 
+    /** Rapport des bornes au-delà duquel le jeu est une part de l'axe : une marque au bord doit y tenir. */
+    private static final double IMMENSE = 5e6;
+    private static final double PART_DU_JEU = 0.04;
+
     private final String constat;
     private final String sujet;
     private final String nomX;
@@ -42,6 +46,7 @@ public final class Volet implements Contenu {
     private double minY = Double.POSITIVE_INFINITY;
     private double maxY;
     private double plancherY;
+    private boolean versZero;
     private Axe axeX;
     private Axe axeY;
 
@@ -72,6 +77,12 @@ public final class Volet implements Contenu {
     /** @param plancher ce qui est plus petit est dessiné dans une bande à part, celle de zéro ; 0 : pas de bande */
     public Volet plancher(double plancher) {
         plancherY = plancher;
+        return this;
+    }
+
+    /** Les abscisses décroissent vers la droite : ce qui est difficile est à droite de ce qui est facile. */
+    public Volet versZero() {
+        versZero = true;
         return this;
     }
 
@@ -147,10 +158,13 @@ public final class Volet implements Contenu {
         }
         boolean zero = series.stream().anyMatch(s -> s.marques.stream().anyMatch(m -> m.y <= plancherY));
         double jeuX = Math.min(JEU, 1 + 0.2 * (maxX / minX - 1));
+        jeuX = maxX / minX > IMMENSE ? Math.pow(maxX / minX, PART_DU_JEU) : jeuX;
         axeX = new Axe(nomX, minX / jeuX, maxX * Math.max(1.05, jeuX), 0);
+        axeX.setInverted(versZero);
         minY = minY > maxY ? maxY / 10 : minY;
-        double bas = zero && plancherY > 0 ? plancherY : minY / JEU;
-        double haut = maxY * JEU;
+        double jeuY = maxY / minY > IMMENSE ? Math.pow(maxY / minY, PART_DU_JEU) : JEU;
+        double bas = zero && plancherY > 0 ? plancherY : minY / jeuY;
+        double haut = maxY * jeuY;
         axeY = new Axe(nomY, bas, haut, zero && plancherY > 0 ? bas / Math.pow(haut / bas, 0.05) : 0);
     }
 
@@ -280,7 +294,7 @@ public final class Volet implements Contenu {
         for (Repere repere : reperes) {
             double y = pixel(axeY, repere.y, cadre, RectangleEdge.LEFT);
             double largeur = g.getFontMetrics(Style.ETIQUETTE).stringWidth(repere.nom);
-            noms.ecrire(repere.nom, cadre.getMaxX() - largeur / 2 - 12, y - 2, -12, Style.ETIQUETTE, Style.GRIS, false);
+            noms.ecrire(repere.nom, cadre.getMaxX() - largeur / 2 - 12, y - 18, -12, Style.ETIQUETTE, Style.GRIS, false);
         }
     }
 

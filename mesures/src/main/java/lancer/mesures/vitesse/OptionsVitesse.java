@@ -6,7 +6,7 @@ import java.nio.file.Paths;
 /** Ce qui est demandé à {@link Vitesse}. */
 final class OptionsVitesse {
 
-    static final String USAGE = "usage : Vitesse [--rapide] [--dessiner] [--dossier DOSSIER]";
+    static final String USAGE = "usage : Vitesse [--rapide] [--dessiner | --stabilite] [--dossier DOSSIER]";
 
     /** Où finit une mesure complète, avec ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
@@ -21,15 +21,19 @@ final class OptionsVitesse {
     /** Vrai pour redessiner les courbes des mesures déjà faites, sans mesurer. */
     final boolean dessiner;
 
+    /** Vrai pour ne mesurer que la stabilité, puis tout redessiner. */
+    final boolean stabilite;
+
     /** Où mesurer : chaque mesure y est notée dès qu'elle est finie. */
     final Path atelier;
 
     /** Où porter le tout à la fin ; l'atelier lui-même pour une mesure rapide. */
     final Path resultats;
 
-    private OptionsVitesse(boolean rapide, boolean dessiner, String dossier) {
+    private OptionsVitesse(boolean rapide, boolean dessiner, boolean stabilite, String dossier) {
         this.rapide = rapide;
         this.dessiner = dessiner;
+        this.stabilite = stabilite;
         atelier = Paths.get(dossier == null ? rapide ? ATELIER_RAPIDE : ATELIER : dossier);
         resultats = dossier == null && !rapide ? Paths.get(RESULTATS) : atelier;
     }
@@ -38,6 +42,7 @@ final class OptionsVitesse {
     static OptionsVitesse lire(String... args) {
         boolean rapide = false;
         boolean dessiner = false;
+        boolean stabilite = false;
         String dossier = null;
         for (int k = 0; k < args.length; k++) {
             switch (args[k]) {
@@ -46,6 +51,9 @@ final class OptionsVitesse {
                     break;
                 case "--dessiner":
                     dessiner = true;
+                    break;
+                case "--stabilite":
+                    stabilite = true;
                     break;
                 case "--dossier":
                     if (++k == args.length || args[k].isEmpty()) {
@@ -57,7 +65,7 @@ final class OptionsVitesse {
                     throw new IllegalArgumentException("option inconnue : « " + args[k] + " » ; " + USAGE);
             }
         }
-        return new OptionsVitesse(rapide, dessiner, dossier);
+        return new OptionsVitesse(rapide, dessiner, stabilite, dossier);
     }
 
     /** Vrai si les pages du projet (README, docs) montrent ces résultats-là. */

@@ -8,13 +8,15 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import lancer.mesures.stabilite.Stabilite;
 import lancer.mesures.trace.Planche;
 
 /** Des mesures notées aux courbes, aux tableaux et aux pages. */
 final class Rapport {
 
     /** Ce que « make mesures » réécrit dans le projet. */
-    static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md")};
+    static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md")};
 
     private final Path dossier;
     private final Path atelier;
@@ -49,6 +51,7 @@ final class Rapport {
         ecrire(new FigureModele(releves, note).planche(), "phong-blinn");
         ecrire(new FigureDemandes(releves, note).planche(), "demandes");
         ecrire(new FigureSpheres(releves, note).planche(), "spheres");
+        Stabilite.dessiner(dossier);
         List<Map<String, String>> besoins = TableBesoins.lire(dossier.resolve("besoins.csv"));
         Files.write(dossier.resolve("besoins.md"), TableBesoins.markdown(besoins).getBytes(StandardCharsets.UTF_8));
         for (String scene : releves.de(Famille.ECHANTILLONNAGE).scenes()) {
@@ -58,8 +61,10 @@ final class Rapport {
             sortie.println("  " + constats.limites());
         }
         if (pages) {
+            Map<String, String> valeurs = new TreeMap<>(new Chiffres(releves, besoins).get());
+            valeurs.putAll(Stabilite.pages(dossier));
             for (Path page : PAGES) {
-                Pages.reecrire(page, new Chiffres(releves, besoins).get());
+                Pages.reecrire(page, valeurs);
             }
         }
     }

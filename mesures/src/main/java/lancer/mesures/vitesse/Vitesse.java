@@ -17,12 +17,13 @@ import lancer.Main;
 import lancer.SceneFautive;
 import lancer.lecture.LecteurScene;
 import lancer.mesures.Circonstances;
+import lancer.mesures.stabilite.Stabilite;
 
 /**
  * La vitesse face à la précision : mesure tout ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--dessiner] [--dossier DOSSIER]
+ * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--dessiner | --stabilite] [--dossier DOSSIER]
  * </pre>
  *
  * Chaque mesure est notée dès qu'elle est finie ; interrompue, la même commande reprend où elle en était. Statut de sortie : 0
@@ -75,15 +76,23 @@ public final class Vitesse {
             new Rapport(options.resultats, options.atelier, sortie).ecrire(options.montres());
             return 0;
         }
+        if (options.stabilite) {
+            Files.createDirectories(options.resultats);
+            Stabilite.mesurer(options.resultats, options.rapide);
+            new Rapport(options.resultats, options.atelier, sortie).ecrire(options.montres());
+            return 0;
+        }
         long debut = System.nanoTime();
         commencer();
         if (!mesurer()) {
             return 1;
         }
         compterLesBesoins();
+        sortie.println("stabilité");
+        Stabilite.mesurer(options.atelier, options.rapide);
         if (!options.resultats.equals(options.atelier)) {
             Files.createDirectories(options.resultats);
-            for (String nom : new String[] {Ouvrier.CSV, BESOINS}) {
+            for (String nom : new String[] {Ouvrier.CSV, BESOINS, Stabilite.CSV}) {
                 Files.copy(options.atelier.resolve(nom), options.resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
             }
         }

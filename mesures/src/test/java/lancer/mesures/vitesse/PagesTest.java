@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.Map;
+import lancer.mesures.stabilite.Stabilite;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -51,8 +52,9 @@ class PagesTest {
     @Test
     @DisplayName("de ce projet sont ceux de mesures/resultats")
     void ceuxDuProjet() throws IOException {
-        Map<String, String> valeurs = new Chiffres(new Releves(new Journal(RESULTATS.resolve(Ouvrier.CSV)).lire()),
-                TableBesoins.lire(RESULTATS.resolve("besoins.csv"))).get();
+        Map<String, String> valeurs = Stabilite.pages(RESULTATS);
+        valeurs.putAll(new Chiffres(new Releves(new Journal(RESULTATS.resolve(Ouvrier.CSV)).lire()),
+                TableBesoins.lire(RESULTATS.resolve("besoins.csv"))).get());
         for (Path relative : Rapport.PAGES) {
             Path page = Faux.projet(relative.toString());
             String texte = new String(Files.readAllBytes(page), StandardCharsets.UTF_8);

@@ -17,6 +17,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import javax.imageio.ImageIO;
+import lancer.mesures.stabilite.Stabilite;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,7 +28,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class VitesseTest {
 
     private static final List<String> COURBES = Arrays.asList("scene1-rayons", "scene1-temps", "bowling-rayons", "bowling-temps",
-            "miroirs-rayons", "miroirs-temps", "foule-rayons", "foule-temps", "phong-blinn", "demandes", "spheres");
+            "miroirs-rayons", "miroirs-temps", "foule-rayons", "foule-temps", "phong-blinn", "demandes", "spheres",
+            "stabilite-loin", "stabilite-ras", "stabilite-sol", "stabilite-carte", "stabilite-defauts");
 
     @TempDir
     Path dossier;
@@ -73,7 +75,7 @@ class VitesseTest {
     @Test
     @DisplayName("redessine toutes les courbes des mesures notées, même si l'écran ne répond pas")
     void toutesLesCourbes() throws IOException, InterruptedException {
-        for (String nom : new String[] {Ouvrier.CSV, "besoins.csv"}) {
+        for (String nom : new String[] {Ouvrier.CSV, "besoins.csv", Stabilite.CSV}) {
             Files.copy(Faux.projet("mesures/resultats").resolve(nom), dossier.resolve(nom));
         }
         ProcessBuilder commande = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",

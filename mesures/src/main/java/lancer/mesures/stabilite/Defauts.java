@@ -1,0 +1,270 @@
+package lancer.mesures.stabilite;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.antialias.Antialias;
+import lancer.contrat.Compteurs;
+import lancer.contrat.RechercheSimple;
+import lancer.contrat.Vue;
+
+/**
+ * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser. Les mêmes défauts sont dans les classes
+ * {@code Limites…Test}, où chacun est expliqué.
+ */
+final class Defauts {
+
+    /** La figure, dans le CSV : x = rang du défaut. */
+    static final String FIGURE = "defauts";
+    static final String PROGRAMME = "programme";
+
+    /** Un demi-pas de l'écran : ce qui s'en écarte davantage se voit, ou peut se voir. */
+    private static final double VISIBLE = 0.5 / 255;
+
+    /** Au milieu d'une scène d'un côté pair, aucun pixel ne regarde exactement l'horizon. */
+    private static final int COTE = 100;
+    private static final int COTE_IMPAIR = 101;
+
+    private final List<Resultat> resultats = new ArrayList<>();
+    private Camera camera = new Camera(COTE, COTE);
+
+    List<Resultat> compter() {
+        acne();
+        epsilons();
+        voisin();
+        jumelle();
+        auDela();
+        soleil();
+        miroir();
+        dedans();
+        dos();
+        demiPixel();
+        limites();
+        camera = new Camera(COTE_IMPAIR, COTE_IMPAIR);
+        lampePosee();
+        return resultats;
+    }
+
+    private static Sphere boule(double x, double y, double z, double r, double kd, double ks) {
+        Sphere boule = new Sphere(new Point(x, y, z), r);
+        boule.setKd(new Couleur(kd));
+        boule.setKs(new Couleur(ks));
+        return boule;
+    }
+
+    private static Scene vueDeLaLampe(Sphere... boules) {
+        return new Scene(Arrays.asList(boules), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(1))));
+    }
+
+    private Analytique forme(Sphere boule) {
+        return new Analytique(camera, boule.getCentre(), boule.getRayon());
+    }
+
+    private static Scene naive(Scene scene, RechercheNaive.Ombre ombre, double epsilon) {
+        Scene naive = new Scene(scene.getObjets(), scene.getLampes());
+        naive.setRecherche(new RechercheNaive(scene.getObjets(), ombre, epsilon));
+        return naive;
+    }
+
+    private void acne() {
+        Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
+        Scene scene = vueDeLaLampe(boule);
+        noter("acne", scene, 0, naive(scene, RechercheNaive.Ombre.SANS_EXCLURE, 0), forme(boule).vueDeLaLampe(1));
+    }
+
+    /** Trop court pour un sol de 3·10¹⁰ de rayon, trop long pour ce qui est à 5·10⁻⁵ de l'écran. */
+    private void epsilons() {
+        double r = 1e11 / 3;
+        Sphere sol = boule(0, -r - 1, 5, r, 0.8, 0);
+        Scene grande = vueDeLaLampe(sol);
+        Vue plat = (xe, ye) -> {
+            Vecteur V = forme(sol).regard(xe, ye);
+            return V.y < 0 ? new Couleur(-0.8 * V.y) : Analytique.ciel(V);
+        };
+        noter("epsilon-court", grande, 0, naive(grande, RechercheNaive.Ombre.SANS_EXCLURE, 1e-6), plat);
+        Sphere proche = boule(0, 0, 100 + 5e-5, 100, 1, 0);
+        Scene petite = vueDeLaLampe(proche);
+        noter("epsilon-long", petite, 0, naive(petite, RechercheNaive.Ombre.AUCUNE, 1e-4), forme(proche).vueDeLaLampe(1));
+    }
+
+    /** L'écran est dans deux coques, à 10⁻⁵ l'une de l'autre ; la lampe, dehors, ne doit éclairer que la seconde. */
+    private void voisin() {
+        Scene scene = new Scene(Arrays.asList(boule(0, 0, 2, 4, 1, 0), boule(0, 0, 2, 4 + 1e-5, 1, 0)),
+                Collections.singletonList(new Lampe(new Point(0, 3, 12), new Couleur(1))));
+        noter("voisin", scene, 0, naive(scene, RechercheNaive.Ombre.SANS_EXCLURE, 1e-4), (xe, ye) -> new Couleur());
+    }
+
+    private void jumelle() {
+        Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
+        Sphere jumelle = boule(0, 0, 5, 1.5, 1, 0);
+        Scene scene = vueDeLaLampe(boule, jumelle);
+        Scene naive = vueDeLaLampe(boule, jumelle);
+        naive.setRecherche(new RechercheSimple(Arrays.<Objet3D>asList(boule, jumelle), new Compteurs()));
+        noter("jumelle", scene, 0, naive, forme(boule).vueDeLaLampe(1));
+    }
+
+    private void auDela() {
+        Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
+        Scene scene = vueDeLaLampe(boule, boule(0, 0, -9, 2, 1, 0));
+        noter("au-dela", scene, 0, naive(scene, RechercheNaive.Ombre.SANS_DISTANCE, 0), forme(boule).vueDeLaLampe(1));
+    }
+
+    /** Une lampe à un milliard : ses rayons sont parallèles. */
+    private void soleil() {
+        Vecteur soleil = new Vecteur(-1, 2, -3).normalized();
+        Sphere boule = boule(0, 0, 5, 1, 0.75, 0);
+        Scene scene = new Scene(Collections.singletonList(boule),
+                Collections.singletonList(new Lampe(new Point().add(soleil.mul(1e9)), new Couleur(1))));
+        Analytique forme = forme(boule);
+        noter("lampe-lointaine", scene, 0, naive(scene, RechercheNaive.Ombre.PREMIER_DU_MANUEL, 0), (xe, ye) -> {
+            Vecteur V = forme.regard(xe, ye);
+            return forme.touche(V) ? new Couleur(0.75 * Math.max(0, forme.normale(V, false).dot(soleil))) : Analytique.ciel(V);
+        });
+    }
+
+    private void miroir() {
+        Sphere boule = boule(0, 0, 5, 1.5, 0, 0.5);
+        Scene scene = new Scene(Collections.singletonList(boule), Collections.<Lampe>emptyList());
+        Analytique forme = forme(boule);
+        noter("miroir", scene, 1, naive(scene, RechercheNaive.Ombre.AUCUNE, 0), (xe, ye) -> {
+            Vecteur V = forme.regard(xe, ye);
+            if (!forme.touche(V)) {
+                return Analytique.ciel(V);
+            }
+            Vecteur N = forme.normale(V, false);
+            Vecteur R = V.sub(N.mul(2 * N.dot(V)));
+            // le ciel change d'un coup à l'horizon
+            return Math.abs(R.y) < 1e-9 ? null : Analytique.ciel(R).mul(0.5);
+        });
+    }
+
+    /** L'œil dans une sphère, une lampe au-dehors : on voit la paroi par où sort le regard. */
+    private void dedans() {
+        Sphere boule = boule(0, 0, 0, 9, 1, 0);
+        Point lampe = new Point(0, 0, 20);
+        Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(lampe, new Couleur(1))));
+        Analytique forme = forme(boule);
+        noter("dedans", scene, 0, (xe, ye) -> Analytique.ciel(forme.regard(xe, ye)), (xe, ye) -> {
+            Vecteur N = forme.normale(forme.regard(xe, ye), true);
+            return new Couleur(Math.max(0, N.dot(new Vecteur(forme.point(N), lampe).normalized())));
+        });
+    }
+
+    /** Un poli nul et une lampe derrière : (R·L)⁰ = 1 partout, mais la face que l'on voit ne reçoit rien. */
+    private void dos() {
+        Sphere boule = boule(0, 0, 5, 1.5, 0, 0.5);
+        boule.setNs(0);
+        Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(new Point(0, 0, 50), new Couleur(1))));
+        Analytique forme = forme(boule);
+        noter("dos", scene, 0, (xe, ye) -> vu(forme, xe, ye, 0.5), (xe, ye) -> vu(forme, xe, ye, 0));
+    }
+
+    private static Couleur vu(Analytique forme, double xe, double ye, double gris) {
+        Vecteur V = forme.regard(xe, ye);
+        return forme.touche(V) ? new Couleur(gris) : Analytique.ciel(V);
+    }
+
+    /** Chaque pixel vu en son coin. */
+    private void demiPixel() {
+        Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
+        Scene scene = vueDeLaLampe(boule);
+        Lancer lancer = new Lancer(scene, camera);
+        noter("demi-pixel", scene, 0, (xe, ye) -> lancer.getCouleurPixel(xe - 0.5, ye - 0.5, 0), forme(boule).vueDeLaLampe(1));
+    }
+
+    /** Une lampe dix fois trop forte, neuf points par pixel : limiter chacun, ou leur moyenne. */
+    private void limites() {
+        Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
+        Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
+        scene.setEchantillonnage(Antialias.coins(3, 0));
+        Vue points = forme(boule).vueDeLaLampe(10);
+        noter("limiter", scene, 0, (xe, ye) -> moyenne(points, xe, ye, 1), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
+    }
+
+    private static Couleur moyenne(Vue vue, double xe, double ye, double limite) {
+        Couleur somme = new Couleur();
+        for (int k = 0; k < 9; k++) {
+            Couleur c = vue.couleur(xe + (k % 3 - 1) / 3.0, ye + (k / 3 - 1) / 3.0);
+            somme = somme.add(new Couleur(Math.min(limite, c.r), Math.min(limite, c.v), Math.min(limite, c.b)));
+        }
+        return somme.div(9);
+    }
+
+    /** La lampe est là où le pixel du milieu voit la boule : L = 0/0. Ailleurs, la boule lui tourne le dos. */
+    private void lampePosee() {
+        Sphere boule = boule(0, 0, 5, 1, 1, 0);
+        Point lampe = new Point(0, 0, 4);
+        Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(lampe, new Couleur(1))));
+        Analytique forme = forme(boule);
+        noter("nan", scene, 0, (xe, ye) -> {
+            Vecteur V = forme.regard(xe, ye);
+            if (!forme.touche(V)) {
+                return Analytique.ciel(V);
+            }
+            Vecteur N = forme.normale(V, false);
+            Vecteur versLampe = new Vecteur(forme.point(N), lampe);
+            return new Couleur(Math.max(0, N.dot(versLampe.div(Math.sqrt(versLampe.norme2())))));
+        }, (xe, ye) -> vu(forme, xe, ye, 0));
+    }
+
+    private void noter(String nom, Scene scene, int reflets, Scene naive, Vue juste) {
+        naive.setSeuil(0);
+        noter(nom, scene, reflets, image(naive, reflets), juste);
+    }
+
+    private void noter(String nom, Scene scene, int reflets, Vue naive, Vue juste) {
+        noter(nom, scene, reflets, image(naive), juste);
+    }
+
+    private void noter(String nom, Scene scene, int reflets, Couleur[] naive, Vue juste) {
+        scene.setSeuil(0);
+        Couleur[] attendue = image(juste);
+        int rang = resultats.size() / 2;
+        resultats.add(comparer(nom, rang, attendue, naive));
+        resultats.add(comparer(PROGRAMME, rang, attendue, image(scene, reflets)));
+    }
+
+    private Couleur[] image(Scene scene, int reflets) {
+        int largeur = camera.getLargeur();
+        Couleur[] image = new Couleur[largeur * camera.getHauteur()];
+        new Lancer(scene, camera).TracerPixels((couleur, i, j) -> image[largeur * j + i] = couleur, reflets, 1);
+        return image;
+    }
+
+    private Couleur[] image(Vue vue) {
+        int largeur = camera.getLargeur();
+        Couleur[] image = new Couleur[largeur * camera.getHauteur()];
+        for (int k = 0; k < image.length; k++) {
+            image[k] = vue.couleur(k % largeur + 0.5, k / largeur + 0.5);
+        }
+        return image;
+    }
+
+    private static Resultat comparer(String methode, int rang, Couleur[] attendue, Couleur[] obtenue) {
+        int juges = 0;
+        int faux = 0;
+        for (int k = 0; k < attendue.length; k++) {
+            if (attendue[k] != null) {
+                juges++;
+                faux += differe(attendue[k].r, obtenue[k].r) || differe(attendue[k].v, obtenue[k].v)
+                        || differe(attendue[k].b, obtenue[k].b) ? 1 : 0;
+            }
+        }
+        return new Resultat(FIGURE, methode, rang, 0, juges, faux, 0, 0);
+    }
+
+    /** Ce que montre l'écran, limité à [0, 1] ; NaN n'est jamais juste. */
+    private static boolean differe(double attendu, double obtenu) {
+        return !(Math.abs(Math.min(1, attendu) - Math.min(1, obtenu)) <= VISIBLE);
+    }
+}

@@ -1,0 +1,106 @@
+package lancer.mesures.stabilite;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/** Tire les rayons et juge chaque méthode. Aucun temps n'est mesuré : les mêmes graines donnent le même fichier, partout. */
+final class Mesures {
+
+    /** De loin : x = |P − C|/r. */
+    static final String LOIN = "loin";
+
+    /** Au ras : x = 1 − l/r, d'assez près puis de loin. */
+    static final String RAS = "ras";
+    static final String RAS_LOIN = "ras-loin";
+
+    /** Au-dessus d'un sol : x = son rayon. */
+    static final String SOL = "sol";
+
+    /** Posé sur une surface : x = hauteur/rayon. */
+    static final String POSE = "pose";
+
+    /** Qui touche, qui manque : x = |P − C|/r, y = 1 − l/r. */
+    static final String CARTE = "carte";
+
+    /** De combien de rayons {@link #RAS} et {@link #RAS_LOIN} regardent la sphère. */
+    static final double PRES = 3;
+    static final double LOINTAIN = 1000;
+
+    /** Méthodes que compare la carte. */
+    static final List<Methode> DE_LA_CARTE = Arrays.asList(Methode.MANUEL, Methode.PROGRAMME);
+
+    /** Des rayons tirés pour une abscisse, part qui doit se juger pour qu'elle soit tracée. */
+    private static final double PART_JUGEE = 0.5;
+
+    private final int rayons;
+    private final int pas;
+
+    /** @param rapide vrai pour le dixième des rayons, à une abscisse sur deux */
+    Mesures(boolean rapide) {
+        rayons = rapide ? 100 : 1000;
+        pas = rapide ? 2 : 1;
+    }
+
+    /** Toutes, dans un ordre fixe ; les images fausses viennent de {@link Defauts}. */
+    List<Resultat> intersections() {
+        List<Resultat> tous = new ArrayList<>();
+        tous.addAll(courbe(LOIN, 1, 0, 12, 2, d -> h -> Cas.deLoin(h, d)));
+        tous.addAll(courbe(RAS, 2, -14, -1, 1, m -> h -> Cas.rasant(h, PRES, m)));
+        tous.addAll(courbe(RAS_LOIN, 3, -12, -1, 1, m -> h -> Cas.rasant(h, LOINTAIN, m)));
+        tous.addAll(courbe(SOL, 4, 2, 9, 2, r -> h -> Cas.auSol(h, r)));
+        tous.addAll(courbe(POSE, 5, -16, -1, 1, e -> h -> Cas.pose(h, e)));
+        tous.addAll(carte());
+        return tous;
+    }
+
+    /** Une abscisse par {@code 1/parDecade} puissance de dix. */
+    private List<Resultat> courbe(String figure, int graine, int de, int a, int parDecade, Function<Double, Function<Random, Cas>> tirage) {
+        return IntStream.rangeClosed(0, (a - de) * parDecade / pas).parallel().boxed().flatMap(k -> {
+            double x = Math.pow(10, de + (double) k * pas / parDecade);
+            return juger(figure, x, 0, rayons, 1000L * graine + k, tirage.apply(x), Arrays.asList(Methode.values())).stream();
+        }).collect(Collectors.toList());
+    }
+
+    private List<Resultat> carte() {
+        int colonnes = 24 / pas;
+        int lignes = 28 / pas;
+        return IntStream.range(0, colonnes * lignes).parallel().boxed().flatMap(k -> {
+            double x = Math.pow(10, (k % colonnes + 0.5) * 0.5 * pas);
+            double y = Math.pow(10, -(k / colonnes + 0.5) * 0.5 * pas);
+            // d'un côté de la tangente et de l'autre
+            Function<Random, Cas> tirage = h -> Cas.rasant(h, x, h.nextBoolean() ? y : -Math.min(y, 0.9 * (x - 1)));
+            return juger(CARTE, x, y, rayons / 10, 6_000_000L + k, tirage, DE_LA_CARTE).stream();
+        }).collect(Collectors.toList());
+    }
+
+    /** Juge chaque méthode sur les mêmes rayons ; rien si la plupart ne se jugent pas. */
+    private static List<Resultat> juger(String figure, double x, double y, int tires, long graine, Function<Random, Cas> tirage,
+            List<Methode> methodes) {
+        Random hasard = new Random(graine);
+        List<Cas> cas = IntStream.range(0, tires).mapToObj(k -> tirage.apply(hasard)).filter(Cas::seJuge).collect(Collectors.toList());
+        List<Resultat> resultats = new ArrayList<>();
+        if (cas.size() < PART_JUGEE * tires) {
+            return resultats;
+        }
+        for (Methode methode : methodes) {
+            int faux = 0;
+            double relative = 0;
+            double unites = 0;
+            for (Cas c : cas) {
+                if (c.malClasse(methode)) {
+                    faux++;
+                } else if (!Double.isInfinite(c.exacte.distance)) {
+                    relative = Math.max(relative, c.erreurRelative(methode));
+                    unites = Math.max(unites, c.erreurEnUnites(methode));
+                }
+            }
+            resultats.add(new Resultat(figure, methode.cle, x, y, cas.size(), faux, relative, unites));
+        }
+        return resultats;
+    }
+}

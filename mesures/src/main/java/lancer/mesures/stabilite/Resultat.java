@@ -1,0 +1,78 @@
+package lancer.mesures.stabilite;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Une ligne de stabilite.csv : ce que valent les réponses d'une méthode, sur tant d'essais. */
+final class Resultat {
+
+    private static final String EN_TETE = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites";
+    private static final int COLONNES = EN_TETE.split(",").length;
+
+    /** Quelle courbe : voir {@link Mesures}. */
+    final String figure;
+    final String methode;
+    final double x;
+    final double y;
+
+    /** Rayons jugés, ou pixels. */
+    final int essais;
+
+    /** Ceux dont la réponse n'est pas du bon genre, ou la couleur pas la bonne. */
+    final int faux;
+
+    /** La pire des autres, |Δt|/t, puis en unités de κ u t. */
+    final double erreurRelative;
+    final double erreurEnUnites;
+
+    Resultat(String figure, String methode, double x, double y, int essais, int faux, double erreurRelative, double erreurEnUnites) {
+        this.figure = figure;
+        this.methode = methode;
+        this.x = x;
+        this.y = y;
+        this.essais = essais;
+        this.faux = faux;
+        this.erreurRelative = erreurRelative;
+        this.erreurEnUnites = erreurEnUnites;
+    }
+
+    /** La part des essais qui sont faux, de 0 à 1. */
+    double part() {
+        return essais == 0 ? 0 : (double) faux / essais;
+    }
+
+    private String ligne() {
+        return String.join(",", figure, methode, Double.toString(x), Double.toString(y), Integer.toString(essais), Integer.toString(faux),
+                Double.toString(erreurRelative), Double.toString(erreurEnUnites));
+    }
+
+    /** Écrit le fichier d'un coup. */
+    static void ecrire(Path fichier, List<Resultat> resultats) throws IOException {
+        List<String> lignes = new ArrayList<>();
+        lignes.add(EN_TETE);
+        resultats.forEach(r -> lignes.add(r.ligne()));
+        Path provisoire = fichier.resolveSibling(fichier.getFileName() + ".tmp");
+        Files.write(provisoire, lignes, StandardCharsets.UTF_8);
+        Files.move(provisoire, fichier, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    /** @throws IOException si le fichier n'est pas de ceux qu'écrit {@link #ecrire} */
+    static List<Resultat> lire(Path fichier) throws IOException {
+        List<String> lignes = Files.readAllLines(fichier, StandardCharsets.UTF_8);
+        List<Resultat> resultats = new ArrayList<>();
+        for (int k = 1; k < lignes.size(); k++) {
+            String[] c = lignes.get(k).split(",");
+            if (c.length != COLONNES || !lignes.get(0).equals(EN_TETE)) {
+                throw new IOException(fichier + ", ligne " + (k + 1) + " : pas une mesure de stabilité");
+            }
+            resultats.add(new Resultat(c[0], c[1], Double.parseDouble(c[2]), Double.parseDouble(c[3]), Integer.parseInt(c[4]),
+                    Integer.parseInt(c[5]), Double.parseDouble(c[6]), Double.parseDouble(c[7])));
+        }
+        return resultats;
+    }
+}
