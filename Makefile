@@ -3,7 +3,7 @@ include commun.mk
 N ?= 1000000
 XVFB := xvfb-run -a -s "-screen 0 1280x800x24"
 
-.PHONY: test images scene-geante bench noyaux mesures aide propre
+.PHONY: test images scene-geante bench noyaux mesures juge aide propre
 
 # Tout, tous modules ; les fenêtres s'ouvrent sur un écran à elles, pas sur celui de l'utilisateur.
 test: outils
@@ -55,6 +55,11 @@ noyaux: mesures/target/mesures.jar
 mesures: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
+# Les mêmes scènes dessinées par POV-Ray ; JUGE="--reflets 3 target/geante.ini" pour d'autres.
+JUGE ?= --csv mesures/resultats/juge.csv
+juge: mesures/target/mesures.jar
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.juge.Juge $(JUGE)
+
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -66,6 +71,7 @@ aide:
 	@echo "make noyaux                mesure une intersection, une recherche, un éclairement ; JMH=\"-f 3\" pour ses options"
 	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; dix minutes au plus"
 	@echo "make mesures RAPIDE=1      une partie, en moins d'une minute, dans mesures/target/vitesse-rapide"
+	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/foule.ini\" pour choisir"
 	@echo "make propre                efface ce qui est construit"
 
 propre: outils

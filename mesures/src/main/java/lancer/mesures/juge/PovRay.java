@@ -1,0 +1,86 @@
+package lancer.mesures.juge;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.Raster;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
+
+/** La commande {@code povray}. Elle écrit un PNG de 16 bits par composante, proportionnel à la lumière. */
+final class PovRay implements Peintre {
+
+    private static final Pattern VERSION = Pattern.compile("POV-Ray (\\d[\\w.]*)");
+
+    private final String commande;
+    private final Path dossier;
+    private final String version;
+
+    /**
+     * @param commande un nom à chercher dans PATH, ou un chemin
+     * @param dossier où écrire scènes et images
+     * @throws IOException si la commande ne peut être lancée
+     */
+    PovRay(String commande, Path dossier) throws IOException {
+        this.commande = commande;
+        this.dossier = dossier;
+        Path journal = dossier.resolve("version.txt");
+        lancer(journal, commande, "--version");
+        Matcher m = VERSION.matcher(texte(journal));
+        version = m.find() ? m.group(1).replaceFirst("\\.unofficial$", "") : "inconnue";
+        Files.delete(journal);
+    }
+
+    @Override
+    public String nom() {
+        return "POV-Ray " + version;
+    }
+
+    @Override
+    public Raster dessiner(String texte, String nom, int largeur, int hauteur) throws IOException {
+        Path scene = dossier.resolve(nom + ".pov");
+        Path image = dossier.resolve(nom + ".png");
+        Path journal = dossier.resolve(nom + ".txt");
+        Files.write(scene, texte.getBytes(StandardCharsets.UTF_8));
+        Files.deleteIfExists(image);
+        // ni affichage, ni pause, ni anticrénelage ; File_Gamma=1 : les niveaux du PNG sont la lumière
+        int statut = lancer(journal, commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur, "+H" + hauteur,
+                "-D", "-P", "-A", "-V");
+        if (statut != 0 || !Files.exists(image)) {
+            throw new IOException(commande + " n'a pas dessiné " + nom + ", statut " + statut + " : " + derniereLigne(journal));
+        }
+        BufferedImage lue = ImageIO.read(image.toFile());
+        if (lue == null || lue.getWidth() != largeur || lue.getHeight() != hauteur || lue.getRaster().getNumBands() < 3
+                || lue.getSampleModel().getSampleSize(0) != 16) {
+            throw new IOException(commande + " : image inattendue : " + image);
+        }
+        Files.delete(journal);
+        return lue.getRaster();
+    }
+
+    /** @return le statut de la commande, ses deux sorties dans {@code journal} */
+    private static int lancer(Path journal, String... commande) throws IOException {
+        Process processus = new ProcessBuilder(commande).redirectErrorStream(true).redirectOutput(journal.toFile()).start();
+        try {
+            return processus.waitFor();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException("interrompu pendant " + commande[0], e);
+        } finally {
+            // Ctrl+C ne doit pas le laisser dessiner seul
+            processus.destroy();
+        }
+    }
+
+    private static String derniereLigne(Path journal) throws IOException {
+        String[] lignes = texte(journal).trim().split("\\s*\\n\\s*");
+        return lignes[lignes.length - 1];
+    }
+
+    private static String texte(Path fichier) throws IOException {
+        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+    }
+}

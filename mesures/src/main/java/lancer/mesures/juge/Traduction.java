@@ -1,0 +1,142 @@
+package lancer.mesures.juge;
+
+import java.util.Set;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+
+/**
+ * Une scène dans la langue de POV-Ray 3.7. Les axes sont les mêmes ; ni lumière ambiante ni gamma ; le ciel est une fonction de
+ * la hauteur du rayon.
+ *
+ * <p>Les termes se correspondent un à un (source de POV-Ray 3.7, {@code source/backend/render/trace.cpp}) : {@code diffuse} est
+ * Kd ⊗ K_L (N·L) ; {@code phong} est K_L (R·L)^phong_size fois un seul nombre, d'où un dessin par composante là où un Ks est coloré ;
+ * {@code reflection} est Ks ⊗ ce que voit le rayon réfléchi. Un rayon de niveau n, 0 pour le premier, est tracé si n est inférieur à
+ * {@code max_trace_level}, et si le produit des plus grandes composantes de Ks atteint {@code adc_bailout} : c'est notre seuil tant
+ * que les Ks sont gris.
+ *
+ * <p>POV-Ray ne voit ni un contact à moins de 1e-4 du départ d'un rayon, ni ce qui fait ombre à moins de 1e-3, ni rien à plus de 1e7
+ * (source, {@code MIN_ISECT_DEPTH}, {@code SHADOW_TOLERANCE}, {@code MAX_DISTANCE}). La scène est donc agrandie d'une puissance de
+ * deux, qui ne change aucun chiffre de ses nombres, ni son image.
+ */
+final class Traduction {
+
+    /** Ce que POV-Ray accepte de plus grand pour {@code max_trace_level}. */
+    private static final int NIVEAUX_MAX = 256;
+
+    /** L'échelle la plus grande, et jusqu'où les coordonnées peuvent aller. */
+    private static final double ECHELLE_MAX = 1024;
+    private static final double ETENDUE_MAX = 4e6;
+
+    private static final String CIEL = "sky_sphere {\n"
+            + "  pigment {\n"
+            // y va de -1 à 1 : la fonction reste loin de 0 et de 1, où une table de couleurs se referme sur elle-même
+            + "    function { 0.5 + y / 4 }\n"
+            + "    color_map {\n"
+            + "      [0.25 rgb <0.5, 0.2, 0.1>]\n"
+            + "      [0.5 rgb <0.5, 0.4, 0.1>]\n"
+            + "      [0.5 rgb <0.7, 0.7, 1>]\n"
+            + "      [0.75 rgb <0, 0, 1>]\n"
+            + "    }\n"
+            + "  }\n"
+            + "}\n";
+
+    private final Scene scene;
+    private final int reflets;
+    private final Set<Objet3D> derriere;
+    private final double echelle;
+
+    /**
+     * @param reflets nombre de réflexions permises
+     * @param derriere les objets à cacher aux premiers rayons de POV-Ray, qui partent de l'œil et non de l'écran
+     * @throws Intraduisible si POV-Ray ne peut faire le même calcul
+     */
+    Traduction(Scene scene, int reflets, Set<Objet3D> derriere) throws Intraduisible {
+        this.scene = scene;
+        this.reflets = reflets;
+        this.derriere = derriere;
+        if (reflets + 1 > NIVEAUX_MAX) {
+            throw new Intraduisible("POV-Ray ne suit pas plus de " + (NIVEAUX_MAX - 1) + " reflets");
+        }
+        for (Objet3D objet : scene.getObjets()) {
+            if (!(objet instanceof Sphere)) {
+                throw new Intraduisible("un objet n'est pas une sphère : " + objet);
+            }
+            if (objet.getNs() == 0 && !objet.getKs().estNoire()) {
+                throw new Intraduisible("ns=0 : pour POV-Ray, 0^0 vaut 0");
+            }
+        }
+        this.echelle = echelle(scene);
+    }
+
+    private static double echelle(Scene scene) {
+        double etendue = Camera.FOCALE;
+        for (Lampe lampe : scene.getLampes()) {
+            etendue = Math.max(etendue, new Vecteur(Camera.OEIL, lampe.getPosition()).norme());
+        }
+        for (Objet3D objet : scene.getObjets()) {
+            Sphere sphere = (Sphere) objet;
+            etendue = Math.max(etendue, new Vecteur(Camera.OEIL, sphere.getCentre()).norme() + sphere.getRayon());
+        }
+        double echelle = ECHELLE_MAX;
+        while (echelle > 1 && echelle * etendue > ETENDUE_MAX) {
+            echelle /= 2;
+        }
+        return echelle;
+    }
+
+    /** Vrai si tous les Ks sont gris : un seul dessin suffit. */
+    static boolean estGrise(Scene scene) {
+        for (Objet3D objet : scene.getObjets()) {
+            Couleur Ks = objet.getKs();
+            if (Ks.r != Ks.v || Ks.v != Ks.b) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** @param juste la composante dont les reflets des lampes sont justes ; toutes, si les Ks sont gris */
+    String texte(int largeur, int hauteur, Composante juste) {
+        StringBuilder s = new StringBuilder("#version 3.7;\n");
+        s.append("global_settings { assumed_gamma 1 ambient_light 0 max_trace_level ").append(reflets + 1)
+                .append(" adc_bailout ").append(scene.getSeuil()).append(" }\n");
+        s.append("camera { perspective location ").append(position(Camera.OEIL)).append(" direction <0, 0, ").append(Camera.FOCALE)
+                .append("> right <").append(Constantes.ECHELLE).append(", 0, 0> up <0, ")
+                .append(Constantes.ECHELLE * hauteur / largeur).append(", 0> }\n");
+        s.append(CIEL);
+        for (Lampe lampe : scene.getLampes()) {
+            s.append("light_source { ").append(position(lampe.getPosition())).append(" rgb ").append(triplet(lampe.getCouleur()))
+                    .append(" }\n");
+        }
+        for (Objet3D objet : scene.getObjets()) {
+            sphere(s, (Sphere) objet, juste);
+        }
+        return s.toString();
+    }
+
+    private void sphere(StringBuilder s, Sphere sphere, Composante juste) {
+        Couleur Ks = sphere.getKs();
+        s.append("sphere { ").append(position(sphere.getCentre())).append(", ").append(sphere.getRayon() * echelle);
+        s.append(" pigment { rgb ").append(triplet(sphere.getKd())).append(" } finish { ambient 0 diffuse 1");
+        if (!Ks.estNoire()) {
+            s.append(" phong ").append(juste.de(Ks)).append(" phong_size ").append(sphere.getNs())
+                    .append(" reflection { rgb ").append(triplet(Ks)).append(" }");
+        }
+        s.append(derriere.contains(sphere) ? " } no_image }\n" : " } }\n");
+    }
+
+    private String position(Point p) {
+        return "<" + p.x * echelle + ", " + p.y * echelle + ", " + p.z * echelle + ">";
+    }
+
+    private static String triplet(Couleur c) {
+        return "<" + c.r + ", " + c.v + ", " + c.b + ">";
+    }
+}
