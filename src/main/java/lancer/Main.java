@@ -3,6 +3,7 @@ package lancer;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
+import lancer.auto.Auto;
 import lancer.commande.Aide;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
@@ -109,6 +110,14 @@ public class Main implements Toile {
         refuserMemeFichier(fichier, png, pfm);
         lireScene(options.scene);
         Lancer lancer = preparer(options.largeur, options.hauteur);
+        Toile toile = this;
+        int reflets = options.reflets;
+        Auto auto = options.auto ? new Auto(lancer, options) : null;
+        if (auto != null) {
+            lancer = auto.getLancer();
+            toile = auto.surveiller(this);
+            reflets = auto.getChoisi().getReflets();
+        }
         image = new ImageMemoire(options.largeur, options.hauteur, pfm != null);
         long[] traces = new long[options.repeter];
         BarreProgression barre = BarreProgression.possible() ? new BarreProgression(lancer, erreur) : null;
@@ -118,13 +127,16 @@ public class Main implements Toile {
         try {
             for (int k = 0; k < traces.length; k++) {
                 long debut = System.nanoTime();
-                lancer.TracerPixels(this, options.reflets, options.fils);
+                lancer.TracerPixels(toile, reflets, options.fils);
                 traces[k] = System.nanoTime() - debut;
             }
         } finally {
             if (barre != null) {
                 barre.finir();
             }
+        }
+        if (auto != null) {
+            auto.controler();
         }
         if (png != null) {
             png.ecrire(image, new FichierPng.Format());
@@ -134,6 +146,14 @@ public class Main implements Toile {
         }
         if (options.statistiques) {
             dire(sortie, new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces).toString());
+            if (auto != null) {
+                dire(sortie, auto.getRapport().getStatistiques());
+            }
+        }
+        if (auto != null) {
+            for (String ligne : auto.getRapport().getLignes()) {
+                direErreur(erreur, ligne);
+            }
         }
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
         avertir(erreur);

@@ -11,6 +11,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Specularite;
+import lancer.contrat.Variante;
 import lancer.lecture.LecteurScene;
 import lancer.lecture.Variantes;
 
@@ -24,6 +25,7 @@ public final class Scene {
     private final List<Lampe> lampes;
     private final List<String> avertissements;
     private final Compteurs compteurs = new Compteurs();
+    private List<Variante> variantesLibres = Collections.emptyList();
     private Recherche recherche;
     private double seuil = Constantes.SEUIL;
     private Atmosphere atmosphere = Atmosphere.CLAIRE;
@@ -42,7 +44,7 @@ public final class Scene {
 
     private Scene(LecteurScene lu) {
         this(lu.getObjets(), lu.getLampes(), lu.getAvertissements());
-        Variantes.installer(lu, this);
+        variantesLibres = Variantes.installer(lu, this);
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente est laissée de côté. */
@@ -71,6 +73,18 @@ public final class Scene {
     /** La même scène pour un fil de plus, avec ses propres compteurs. */
     public Scene pourUnFil() {
         return new Scene(this);
+    }
+
+    /**
+     * La même scène, à dessiner autrement : ce que compare {@code --auto}.
+     *
+     * @param seuil voir {@link #setSeuil}
+     */
+    public Scene avec(Echantillonnage autreEchantillonnage, double autreSeuil) {
+        Scene scene = new Scene(this);
+        scene.echantillonnage = autreEchantillonnage;
+        scene.seuil = autreSeuil;
+        return scene;
     }
 
     /** Une sphère confondue avec une autre serait touchée à une distance nulle, à un arrondi près. */
@@ -179,6 +193,11 @@ public final class Scene {
     /** Ce que la lecture a laissé de côté, une ligne chacun. */
     public List<String> getAvertissements() {
         return avertissements;
+    }
+
+    /** Les variantes présentes dont le fichier de la scène n'a pas la section ; aucune pour une scène sans fichier. */
+    public List<Variante> getVariantesLibres() {
+        return variantesLibres;
     }
 
     /** Ce que ce fil a compté. */

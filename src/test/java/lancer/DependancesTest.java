@@ -81,6 +81,12 @@ class DependancesTest {
     }
 
     @Test
+    void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
+        verifier("lancer/auto/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.commande\\.Options|lancer\\.lecture\\.Section");
+        verifier("(?!lancer/auto/|lancer/Main\\.java).*", "(?!lancer\\.auto\\.).*");
+    }
+
+    @Test
     void seuleLaFenetreConnaitAwt() {
         String sansFenetre = "(?!lancer/sortie/).*|lancer/sortie/(Ecriture|Fichier\\w+|ImageMemoire|Statistiques|BarreProgression)\\.java";
         verifier(sansFenetre, "(?!java\\.awt|javax\\.|sun\\.|com\\.).*");

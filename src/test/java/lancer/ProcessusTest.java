@@ -24,13 +24,13 @@ import org.junit.jupiter.api.Timeout;
 class ProcessusTest extends EssaiProcessus {
 
     @Test
-    void awtNEstPasChargeSurLeCheminDUnPng() throws Exception {
+    void niAwtNiAutoNeSontChargesSurLeCheminDUnPng() throws Exception {
         assertEquals(0, statut(preparer(java("-verbose:class", "--image", "a.png", "--lineaire", "a.pfm", "--taille=80x60",
                 "--statistiques", SCENE))),
                 erreur());
         assertTrue(sortie().contains("lancer.Main "), "les classes chargées ne sont pas dites");
         for (String ligne : sortie().split("\r?\n")) {
-            assertFalse(ligne.matches(".*\\b(java\\.awt|javax\\.swing|sun\\.awt|javax\\.imageio|lancer\\.sortie\\.Fenetre)\\b.*"), ligne);
+            assertFalse(ligne.matches(".*\\b(java\\.awt|javax\\.swing|sun\\.awt|javax\\.imageio|lancer\\.sortie\\.Fenetre|lancer\\.auto)\\b.*"), ligne);
         }
     }
 

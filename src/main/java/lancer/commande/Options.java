@@ -18,6 +18,11 @@ public final class Options {
     private static final int REFLETS_MAX = 1000;
     private static final int FILS_MAX = 1024;
     private static final int REPETER_MAX = 100_000;
+    private static final double ERREUR_MIN = 0.01;
+    private static final double ERREUR_MAX = 255;
+    private static final double TEMPS_MIN = 0.001;
+    private static final double TEMPS_MAX = 3600;
+    private static final String AUTO = "erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
 
     /** Demandes d'un texte, sans rien dessiner ; la première rencontrée l'emporte. */
     public boolean aide;
@@ -37,6 +42,19 @@ public final class Options {
 
     /** Vrai pour les boucles du cours, faux pour la recherche rapide. */
     public boolean simple;
+
+    /** Vrai si le programme doit choisir ses réglages : pour une erreur voulue, ou sinon pour un temps voulu. */
+    public boolean auto;
+
+    /** L'erreur voulue, en niveaux sur 255 ; 0 si aucune. */
+    public double erreurVoulue;
+
+    /** Le temps de dessin voulu, en secondes ; 0 si aucun. */
+    public double tempsVoulu;
+
+    /** Vrai si le nombre de réflexions, ou le seuil, est demandé : {@code --auto} n'y touche pas. */
+    public boolean refletsDonnes;
+    public boolean seuilDonne;
 
     /** La scène, {@code null} si aucune n'est nommée. */
     public String scene;
@@ -86,6 +104,9 @@ public final class Options {
         if (versFichier() && scene == null && !aide && !version) {
             throw faute("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
+        if (auto && !versFichier() && !aide && !version) {
+            throw faute("--auto ne sert pas dans la fenêtre ; attendu : avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm");
+        }
     }
 
     private void option(String nom) {
@@ -101,9 +122,11 @@ public final class Options {
                 break;
             case "--reflets":
                 reflets = entier(nom, 0, REFLETS_MAX);
+                refletsDonnes = true;
                 break;
             case "--seuil":
                 seuil = seuil(valeur(nom, "un nombre positif ou nul"));
+                seuilDonne = true;
                 break;
             case "--fils":
                 fils = entier(nom, 1, FILS_MAX);
@@ -118,6 +141,10 @@ public final class Options {
             case "--simple":
                 sansValeur(nom);
                 simple = true;
+                break;
+            case "--auto":
+                souhait(valeur(nom, AUTO));
+                auto = true;
                 break;
             case "--aide":
             case "--help":
@@ -178,6 +205,22 @@ public final class Options {
             throw horsLimites("--seuil", texte, "un nombre positif ou nul, par exemple 0.001");
         }
         return valeur;
+    }
+
+    private void souhait(String texte) {
+        if (texte.startsWith("erreur=")) {
+            erreurVoulue = Nombre.lire(texte.substring("erreur=".length()));
+            if (erreurVoulue >= ERREUR_MIN && erreurVoulue <= ERREUR_MAX) {
+                return;
+            }
+        } else if (texte.startsWith("temps=") && texte.endsWith("s")) {
+            int unite = texte.length() - (texte.endsWith("ms") ? 2 : 1);
+            tempsVoulu = Nombre.lire(texte.substring("temps=".length(), unite)) / (texte.endsWith("ms") ? 1000 : 1);
+            if (tempsVoulu >= TEMPS_MIN && tempsVoulu <= TEMPS_MAX) {
+                return;
+            }
+        }
+        throw horsLimites("--auto", texte, AUTO);
     }
 
     private void taille(String texte) {

@@ -42,6 +42,25 @@ public final class Section {
         this.connues = connues;
     }
 
+    /**
+     * Une section qui n'est dans aucun fichier, pour {@link lancer.contrat.Variante#getReglages}.
+     *
+     * @param type celui de la section, par exemple {@code Antialias}
+     * @param clesEtValeurs une clé, sa valeur, une autre clé, sa valeur…
+     */
+    public static Section reglage(String type, String... clesEtValeurs) {
+        Section section = new Section("réglage de --auto", type, 0);
+        for (int k = 0; k + 1 < clesEtValeurs.length; k += 2) {
+            section.ajouter(clesEtValeurs[k], clesEtValeurs[k + 1], 0);
+        }
+        return section;
+    }
+
+    /** Vrai si la section est dans le fichier de la scène, faux si la variante la reçoit vide ou l'a faite. */
+    public boolean estDonnee() {
+        return ligne > 0;
+    }
+
     /** Le nom, tel qu'écrit entre les crochets. */
     String getNom() {
         return nom;
@@ -282,6 +301,16 @@ public final class Section {
         int k = Math.max(a, b);
         return fautive(lignes.get(k), cles.get(k),
                 faute + " " + cles.get(Math.min(a, b)) + ", déjà ligne " + lignes.get(Math.min(a, b)), attendu);
+    }
+
+    /** Telle qu'on l'écrirait dans un fichier, sur une ligne : {@code [Antialias] n=8 methode=partage}. */
+    @Override
+    public String toString() {
+        StringBuilder s = new StringBuilder("[" + nom + "]");
+        for (int k = 0; k < cles.size(); k++) {
+            s.append(' ').append(cles.get(k)).append('=').append(valeurs.get(k));
+        }
+        return s.toString();
     }
 
     SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {

@@ -37,14 +37,20 @@ public final class Variantes {
     /**
      * Installe dans la scène toutes les variantes présentes, chacune avec sa section du fichier lu.
      *
+     * @return les variantes que le fichier laisse libres : il n'a pas de section pour elles
      * @throws lancer.SceneFautive si une section est fautive, ou si deux variantes veulent le même contrat
      */
-    public static void installer(LecteurScene lu, Scene scene) {
+    public static List<Variante> installer(LecteurScene lu, Scene scene) {
+        List<Variante> libres = new ArrayList<>();
         for (Variante variante : lu.getVariantes().presentes) {
             Section section = lu.section(variante.getSection());
             variante.installer(section, scene);
             section.verifierCles();
+            if (!section.estDonnee()) {
+                libres.add(variante);
+            }
         }
+        return libres;
     }
 
     /** Les noms des variantes au travail, pour le titre d'une fenêtre. */

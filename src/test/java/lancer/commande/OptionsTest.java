@@ -47,6 +47,9 @@ class OptionsTest {
         assertEquals(Math.min(1024, Runtime.getRuntime().availableProcessors()), o.fils);
         assertEquals(1, o.repeter);
         assertFalse(o.statistiques);
+        assertFalse(o.auto);
+        assertFalse(o.refletsDonnes);
+        assertFalse(o.seuilDonne);
     }
 
     @Test
@@ -101,7 +104,8 @@ class OptionsTest {
         "--image | un fichier .png", "--image= | un fichier .png", "--image '' | un fichier .png", "--image --fils 2 | un fichier .png",
         "--lineaire | un fichier .pfm", "--taille | une taille, par exemple 800x600", "--taille= | une taille, par exemple 800x600",
         "--reflets | un entier de 0 à 1000", "--seuil | un nombre positif ou nul", "--fils | un entier de 1 à 1024",
-        "--repeter --statistiques | un entier de 1 à 100000"})
+        "--repeter --statistiques | un entier de 1 à 100000",
+        "--auto | erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s"})
     void uneOptionSansSaValeurEstRefusee(String ligne, String attendu) {
         String nom = ligne.replaceAll("[= ].*", "");
         verifierRefus("s.ini " + ligne, "option sans sa valeur : " + nom + " ; attendu : " + attendu);
@@ -110,7 +114,7 @@ class OptionsTest {
     @ParameterizedTest
     @ValueSource(strings = {"--image a --image b", "--image=a --image a", "--lineaire a --lineaire a", "--taille 1x1 --taille=1x1",
         "--reflets 1 --reflets 1", "--seuil 0 --seuil 0", "--fils 1 --fils 2", "--repeter 1 --repeter 1",
-        "--statistiques --statistiques", "--simple --simple"})
+        "--statistiques --statistiques", "--simple --simple", "--auto erreur=1 --auto temps=1s"})
     void uneOptionDonneeDeuxFoisEstRefusee(String ligne) {
         String nom = ligne.replaceAll("[= ].*", "");
         verifierRefus("s.ini " + ligne, "option donnée deux fois : " + nom + " ; attendu : une seule fois chaque option");
@@ -141,6 +145,44 @@ class OptionsTest {
     void unSeuilImpossibleEstRefuse(String seuil) {
         verifierRefus("--seuil " + seuil,
                 "valeur impossible pour --seuil : « " + seuil + " » ; attendu : un nombre positif ou nul, par exemple 0.001");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"erreur=1, 1, 0", "erreur=0.01, 0.01, 0", "erreur=255, 255, 0", "erreur=.5, 0.5, 0", "temps=0.5s, 0, 0.5",
+        "temps=500ms, 0, 0.5", "temps=1ms, 0, 0.001", "temps=3600s, 0, 3600", "temps=1.5e3ms, 0, 1.5"})
+    void uneErreurOuUnTempsPeutEtreVoulu(String souhait, double erreur, double temps) {
+        for (String[] arguments : new String[][] {{"--auto", souhait, "--image=a.png", "s.ini"}, {"--lineaire=a.pfm", "s.ini", "--auto=" + souhait}}) {
+            Options o = Options.lire(arguments);
+            assertTrue(o.auto);
+            assertEquals(erreur, o.erreurVoulue);
+            assertEquals(temps, o.tempsVoulu);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1", "erreur", "erreur=", "erreur=0", "erreur=0.001", "erreur=256", "erreur=-1", "erreur=NaN", "erreur=1e400",
+        "erreur=0,5", "erreur=1s", "Erreur=1", "erreur==1", "temps", "temps=", "temps=s", "temps=ms", "temps=1", "temps=0s", "temps=0.5ms",
+        "temps=3601s", "temps=-1s", "temps=1S", "temps=1min", "temps=1µs", "temps=1,5s", "prix=3", "erreur=1,temps=1s"})
+    void unSouhaitImpossibleEstRefuse(String souhait) {
+        String message = "valeur impossible pour --auto : « " + souhait + " » ; attendu : erreur=E, de 0.01 à 255 niveaux, ou temps=T, "
+                + "de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
+        verifierRefus("--image a.png s.ini --auto " + souhait, message);
+        verifierRefus("--auto=" + souhait, message);
+    }
+
+    @Test
+    void unSouhaitDemandeUnFichier() {
+        String message = "--auto ne sert pas dans la fenêtre ; attendu : avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm";
+        verifierRefus("--auto erreur=1", message);
+        verifierRefus("--auto temps=1s s.ini", message);
+        assertTrue(Options.lire("--auto", "erreur=1", "--aide").aide);
+    }
+
+    @Test
+    void ceQuiEstFixeALaMainSeSait() {
+        Options o = Options.lire("--reflets", "5", "--seuil=0.0009765625");
+        assertTrue(o.refletsDonnes);
+        assertTrue(o.seuilDonne);
     }
 
     @Test

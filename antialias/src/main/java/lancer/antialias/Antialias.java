@@ -1,5 +1,7 @@
 package lancer.antialias;
 
+import java.util.ArrayList;
+import java.util.List;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Variante;
@@ -15,6 +17,13 @@ public final class Antialias implements Variante {
     private static final int N = 3;
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
+
+    /** Du moins cher au plus cher sur les scènes de {@code methodes.csv} : n, méthode, seuils du plus lâche au plus serré. */
+    private static final String[] REGLAGES = {"1 coins 0", "3 partage 0.3", "4 partage 0.3", "8 partage 0.3", "3 partage 0.2",
+        "4 partage 0.2", "8 partage 0.2", "4 partage 0.15", "8 partage 0.15", "4 partage 0.1", "8 partage 0.1", "16 partage 0.1",
+        "2 coins 0", "4 partage 0.06", "8 partage 0.06", "16 partage 0.06", "3 coins 0.2", "3 coins 0.1", "3 coins 0.05",
+        "4 coins 0.2", "4 coins 0.1", "4 coins 0.05", "8 partage 0.03", "16 partage 0.03", "3 coins 0", "8 coins 0.2", "8 coins 0.1",
+        "8 coins 0.05", "4 coins 0", "16 partage 0.015", "8 coins 0", "16 partage 0.005", "16 coins 0"};
 
     /**
      * La méthode du cours : quatre coins d'abord, tous les sous-pixels s'ils diffèrent.
@@ -46,6 +55,16 @@ public final class Antialias implements Variante {
         int n = valeurs.entier("n", N, 1, N_MAX);
         double seuil = valeurs.reel("seuil", SEUIL, 0, Double.MAX_VALUE);
         scene.setEchantillonnage(methode(valeurs, n, seuil));
+    }
+
+    @Override
+    public List<Section> getReglages() {
+        List<Section> reglages = new ArrayList<>();
+        for (String reglage : REGLAGES) {
+            String[] mots = reglage.split(" ");
+            reglages.add(Section.reglage(getSection(), "n", mots[0], "methode", mots[1], "seuil", mots[2]));
+        }
+        return reglages;
     }
 
     private static Echantillonnage methode(Section valeurs, int n, double seuil) {

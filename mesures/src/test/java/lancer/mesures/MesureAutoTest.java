@@ -1,0 +1,67 @@
+package lancer.mesures;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import lancer.Camera;
+import lancer.Lancer;
+import lancer.Main;
+import lancer.Scene;
+import org.junit.jupiter.api.Test;
+
+/** Ce qui juge {@code --auto}. */
+class MesureAutoTest {
+
+    private static final int LARGEUR = 80;
+    private static final int HAUTEUR = 60;
+
+    @Test
+    void leGabaritMesureLErreurContreLaVerite() {
+        for (long graine : new long[] {1, 2, 3, 4}) {
+            Scene scene = SceneAuHasard.de(graine);
+            ImageLineaire verite = Verite.complete(scene, LARGEUR, HAUTEUR, 0.1 / 255).image;
+            Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR);
+            for (int reflets : new int[] {0, 5}) {
+                ImageLineaire image = ImageLineaire.de(Main.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
+                double attendue = Gabarit.erreur(image, verite);
+                assertEquals(1, gabarit.erreur(image) / attendue, 0.05, "graine " + graine + ", " + attendue + " niveaux");
+            }
+        }
+    }
+
+    @Test
+    void uneImageJusteNAPasDErreur() {
+        Scene scene = SceneAuHasard.de(1);
+        ImageLineaire verite = Verite.complete(scene, LARGEUR, HAUTEUR, 0.1 / 255).image;
+        // ce qui reste est le hasard des deux images, qui ne fait que s'annuler à peu près
+        assertTrue(new Gabarit(scene, LARGEUR, HAUTEUR).erreur(verite) < 0.5);
+        assertEquals(0, Gabarit.erreur(verite, verite));
+    }
+
+    @Test
+    void uneSceneAuHasardNeDependQueDeSaGraine() {
+        assertEquals(description(SceneAuHasard.de(7)), description(SceneAuHasard.de(7)));
+        assertNotEquals(description(SceneAuHasard.de(7)), description(SceneAuHasard.de(8)));
+    }
+
+    private static String description(Scene scene) {
+        return new Lancer(scene, new Camera(40, 30)).getCouleurPixel(20, 15, 5) + " " + scene.getObjets().size();
+    }
+
+    @Test
+    void laPromesseDUneSceneSimpleEstTenueEtDecrite() {
+        Scene scene = SceneAuHasard.de(3);
+        PromesseAuto promesse = new PromesseAuto("essai", scene, LARGEUR, HAUTEUR, new Gabarit(scene, LARGEUR, HAUTEUR), 8);
+        assertTrue(promesse.promise && promesse.estTenue(), promesse.csv());
+        assertTrue(promesse.csv().startsWith("essai,8.0,\"[Antialias] n="), promesse.csv());
+        // une virgule dans deux colonnes, entre guillemets
+        assertEquals(PromesseAuto.COLONNES.split(",").length + 2, promesse.csv().split(",").length);
+        List<PromesseAuto> seule = Arrays.asList(promesse);
+        assertTrue(PromesseAuto.bilan(seule).startsWith("erreur voulue tenue 1 fois sur 1 ; promise 1 fois, dont tenue 1,"));
+        assertFalse(PromesseAuto.bilan(seule).contains("NaN"));
+    }
+}

@@ -1,0 +1,63 @@
+package lancer.auto;
+
+/**
+ * Une erreur quadratique moyenne, estimée sur quelques blocs d'une image : la racine de la moyenne, sur les pixels et les trois
+ * composantes, du carré de l'écart entre couleurs limitées à [0, 1], en niveaux (1/255). C'est celle qui s'extrapole : la moyenne
+ * de quelques carrés approche celle de tous, quand le plus grand écart de quelques pixels ne dit rien du plus grand de l'image.
+ */
+final class Estimation {
+
+    /** Écarts types ajoutés au carré estimé, pour qu'une erreur attendue « au plus » le soit presque toujours. */
+    private static final double PRUDENCE = 2;
+
+    /** En niveaux², comme l'écart type dont {@code variance} est le carré. */
+    private final double carre;
+    private final double variance;
+
+    /**
+     * @param carre en niveaux²
+     * @param variance celle de l'estimateur de ce carré
+     */
+    Estimation(double carre, double variance) {
+        this.carre = carre;
+        this.variance = variance;
+    }
+
+    /**
+     * La moyenne de mesures indépendantes, et ce qu'elle a d'incertain.
+     *
+     * @param mesures chacune d'espérance le carré cherché, en niveaux²
+     */
+    static Estimation de(double[] mesures) {
+        double somme = 0;
+        for (double mesure : mesures) {
+            somme += mesure;
+        }
+        double moyenne = somme / mesures.length;
+        double ecarts = 0;
+        for (double mesure : mesures) {
+            ecarts += (mesure - moyenne) * (mesure - moyenne);
+        }
+        return new Estimation(moyenne, ecarts / ((double) mesures.length * Math.max(1, mesures.length - 1)));
+    }
+
+    /** L'erreur de deux causes sans rapport : les carrés s'ajoutent, comme leurs incertitudes. */
+    Estimation plus(Estimation autre) {
+        return new Estimation(carre + autre.carre, variance + autre.variance);
+    }
+
+    /** En niveaux. */
+    double erreur() {
+        return Math.sqrt(carre);
+    }
+
+    /** L'incertitude de cette erreur, en niveaux. */
+    double ecartType() {
+        return carre == 0 ? Math.sqrt(Math.sqrt(variance)) : Math.sqrt(variance) / (2 * erreur());
+    }
+
+    /** Ce que l'erreur ne devrait pas dépasser, en niveaux. */
+    double auPlus() {
+        return Math.sqrt(carre + PRUDENCE * Math.sqrt(variance));
+    }
+}

@@ -1,0 +1,93 @@
+package lancer.auto;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Scene;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Variante;
+import lancer.lecture.Section;
+
+/** Un échantillonnage possible de la scène, et ce que les essais en disent. */
+final class Finesse {
+
+    private final String texte;
+    private final Echantillonnage echantillonnage;
+    private Estimation erreur;
+    private double rayons;
+    private double prix;
+    private boolean sure;
+
+    private Finesse(String texte, Echantillonnage echantillonnage) {
+        this.texte = texte;
+        this.echantillonnage = echantillonnage;
+    }
+
+    /**
+     * Celles que proposent ces variantes ; sinon celle de la scène, seule.
+     *
+     * @throws lancer.SceneFautive si une variante propose une section fautive
+     */
+    static List<Finesse> possibles(Scene scene, List<Variante> variantes) {
+        List<Finesse> finesses = new ArrayList<>();
+        for (Variante variante : variantes) {
+            for (Section reglage : variante.getReglages()) {
+                Scene vide = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
+                variante.installer(reglage, vide);
+                reglage.verifierCles();
+                finesses.add(new Finesse(reglage.toString(), vide.getEchantillonnage()));
+            }
+        }
+        if (finesses.isEmpty()) {
+            Echantillonnage fixe = scene.getEchantillonnage();
+            finesses.add(new Finesse(fixe == Echantillonnage.CENTRE ? "un rayon par pixel" : "l'échantillonnage de la scène", fixe));
+        }
+        return finesses;
+    }
+
+    /**
+     * Ce que dit un essai.
+     *
+     * @param erreur contre les mêmes pixels, d'une moyenne exacte
+     * @param rayons de l'écran, par pixel
+     * @param prix de ces rayons, reflets et ombres compris, celui de l'image d'un rayon par pixel étant 1
+     * @param sure vrai si l'essai a porté sur assez de pixels pour qu'on s'y fie
+     */
+    void noter(Estimation erreur, double rayons, double prix, boolean sure) {
+        this.erreur = erreur;
+        this.rayons = rayons;
+        this.prix = prix;
+        this.sure = sure;
+    }
+
+    /** Comment l'obtenir soi-même. */
+    String getTexte() {
+        return texte;
+    }
+
+    Echantillonnage getEchantillonnage() {
+        return echantillonnage;
+    }
+
+    boolean estEssayee() {
+        return erreur != null;
+    }
+
+    boolean estSure() {
+        return sure;
+    }
+
+    Estimation getErreur() {
+        return erreur;
+    }
+
+    double getRayons() {
+        return rayons;
+    }
+
+    double getPrix() {
+        return prix;
+    }
+}

@@ -1,0 +1,35 @@
+package lancer.auto;
+
+import java.math.BigDecimal;
+
+/** Jusqu'où les reflets sont suivis, l'erreur que cela fait, et ce que cela coûte. Immuable. */
+final class Limites {
+
+    final int reflets;
+    final double seuil;
+
+    /** Contre les mêmes rayons sans limite. */
+    final Estimation erreur;
+
+    /** Rayons de toutes sortes pour un rayon de l'écran, lui compris. */
+    final double rayons;
+
+    Limites(int reflets, double seuil, Estimation erreur, double rayons) {
+        this.reflets = reflets;
+        this.seuil = seuil;
+        this.erreur = erreur;
+        this.rayons = rayons;
+    }
+
+    /** Cette profondeur, et un seuil essayé sans elle : un rayon s'arrête à la première des deux limites. */
+    Limites et(Limites autre) {
+        return new Limites(reflets, autre.seuil, erreur.plus(autre.erreur), Math.min(rayons, autre.rayons));
+    }
+
+    @Override
+    public String toString() {
+        // sans reflets, aucun seuil ne compte
+        return "--reflets " + reflets + (reflets == 0 ? "" : " --seuil " + (seuil == 0 ? "0"
+                : new BigDecimal(String.valueOf(seuil)).toPlainString()));
+    }
+}

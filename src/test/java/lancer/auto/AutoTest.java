@@ -1,0 +1,281 @@
+package lancer.auto;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Main;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.SceneFautive;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.commande.Options;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Variante;
+import lancer.lecture.Section;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Ce que choisit {@code --auto} là où l'on sait d'avance ce qu'il faut. */
+class AutoTest {
+
+    private static final Couleur GRIS = new Couleur(0.5);
+
+    private static Auto auto(Scene scene, int largeur, int hauteur, List<Variante> variantes, String... options) {
+        String[] toutes = Arrays.copyOf(options, options.length + 3);
+        toutes[options.length] = "--image=aucune.png";
+        toutes[options.length + 1] = "--taille=" + largeur + "x" + hauteur;
+        toutes[options.length + 2] = "s.ini";
+        return new Auto(Main.preparer(scene, largeur, hauteur, false), Options.lire(toutes), variantes);
+    }
+
+    private static Auto auto(Scene scene, String... options) {
+        return auto(scene, 200, 150, Collections.<Variante>emptyList(), options);
+    }
+
+    private static Scene scene(Objet3D... objets) {
+        return new Scene(Arrays.asList(objets), Arrays.asList(new Lampe(new Point(-3, 5, -5), new Couleur(0.8))));
+    }
+
+    private static Sphere boule(double x, double y, double z, double rayon, double ks) {
+        Sphere boule = new Sphere(new Point(x, y, z), rayon);
+        boule.setKd(GRIS);
+        boule.setKs(new Couleur(ks));
+        return boule;
+    }
+
+    /** Un mur sans fin qui luit et reflète : entre deux, un rayon ne s'arrête jamais. */
+    private static final class Mur extends Objet3D {
+
+        private final double z;
+        private final double lueur;
+
+        Mur(double z, double ks, double lueur) {
+            this.z = z;
+            this.lueur = lueur;
+            setKs(new Couleur(ks));
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            double t = (z - incident.getP().z) / incident.getV().z;
+            double d = t > 0 ? t : Double.POSITIVE_INFINITY;
+            incident.setContact(this, d);
+            return d;
+        }
+
+        @Override
+        public Vecteur getNormale(Point contact) {
+            return new Vecteur(0, 0, -Math.signum(z));
+        }
+
+        @Override
+        public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+            return super.getColor(scene, incident, contact, profondeur).add(new Couleur(lueur));
+        }
+    }
+
+    /** Entre deux murs, la couleur vue est la somme d'une série géométrique, de limite 0,9. */
+    private static Scene entreDeuxMurs(double ks) {
+        double lueur = 0.9 * (1 - ks);
+        return new Scene(Arrays.asList(new Mur(10, ks, lueur), new Mur(-10, ks, lueur)), Collections.<Lampe>emptyList());
+    }
+
+    /** La moindre profondeur après laquelle il manque moins que cela à la série : 255 × 0,9 × ks^(profondeur + 1) niveaux. */
+    private static int profondeurQuIlFaut(double ks, double erreur) {
+        int profondeur = 0;
+        while (255 * 0.9 * Math.pow(ks, profondeur + 1) > erreur) {
+            profondeur++;
+        }
+        return profondeur;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.5, 4", "0.5, 2", "0.5, 1", "0.5, 0.5", "0.9, 4", "0.9, 1", "0.2, 1", "0.97, 1"})
+    void entreDeuxMiroirsLaProfondeurEstCelleDeLaSerie(double ks, double erreur) {
+        Auto auto = auto(entreDeuxMurs(ks), "--auto=erreur=" + erreur, "--seuil=0");
+        int[] essayees = {0, 1, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 60, 80, 120, 160, 240, 320, 480, 640, 1000};
+        int attendue = Arrays.stream(essayees).filter(p -> p >= profondeurQuIlFaut(ks, erreur)).findFirst().getAsInt();
+        assertEquals(attendue, auto.getChoisi().getReflets());
+        assertTrue(auto.getRapport().estTenable());
+        assertEquals(255 * 0.9 * Math.pow(ks, attendue + 1), auto.getChoisi().getErreur(), 1e-6);
+        // l'écran, et autant de reflets : les murs n'ont pas d'ombre
+        assertEquals(1 + attendue, auto.getChoisi().getPrix(), 1e-9);
+    }
+
+    @Test
+    void laProfondeurFixeeResteEtLeSeuilFaitLeReste() {
+        Auto auto = auto(entreDeuxMurs(0.5), "--auto=erreur=1", "--reflets=1000");
+        assertEquals(1000, auto.getChoisi().getReflets());
+        // 8 reflets ont un produit d'au moins 1/256 ; avec 6, soit 1/64, il manquerait 1,8 niveau
+        assertTrue(auto.getChoisi().toString().endsWith("--reflets 1000 --seuil 0.00390625"), auto.getChoisi().toString());
+        assertEquals(9, auto.getChoisi().getPrix(), 1e-9);
+        auto = auto(entreDeuxMurs(0.5), "--auto=erreur=1", "--reflets=3", "--seuil=0.25");
+        assertEquals("un rayon par pixel, --reflets 3 --seuil 0.25", auto.getChoisi().toString());
+        assertFalse(auto.getRapport().estTenable());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"erreur=255", "erreur=4", "erreur=0.01", "temps=10s", "temps=1ms"})
+    void sansRefletsLaProfondeurEstNulle(String souhait) {
+        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0), boule(0, -1001.5, 8, 1000, 0)), "--auto", souhait);
+        assertEquals(0, auto.getChoisi().getReflets());
+    }
+
+    @Test
+    void leCielNADemandeQuUnRayonParPixel() {
+        // une hauteur paire : l'horizon passe entre deux lignes de pixels
+        Auto auto = auto(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()), 200, 150, grilles(), "--auto",
+                "erreur=0.1");
+        assertEquals("[Grille] n=1, --reflets 0", auto.getChoisi().toString());
+        assertTrue(auto.getChoisi().getErreurAuPlus() < 0.1, auto.getChoisi().getErreurAuPlus() + "");
+        assertEquals(1, auto.getChoisi().getRayons());
+    }
+
+    @Test
+    void desBoulesPlusPetitesQuUnPixelDemandentPlusieursRayons() {
+        Auto auto = auto(damier(), 200, 150, grilles(), "--auto", "erreur=4");
+        assertTrue(auto.getRapport().estTenable());
+        assertTrue(auto.getChoisi().getRayons() >= 4, auto.getChoisi().toString());
+        Auto large = auto(damier(), 200, 150, grilles(), "--auto", "erreur=100");
+        assertEquals(1, large.getChoisi().getRayons());
+    }
+
+    @Test
+    void ceQuiNEstPasTenableEstDit() {
+        Auto auto = auto(damier(), "--auto", "erreur=4");
+        assertFalse(auto.getRapport().estTenable());
+        assertEquals(1, auto.getChoisi().getRayons());
+        assertTrue(auto.getChoisi().getErreur() > 4);
+    }
+
+    /** Des boules d'un quart de pixel, un pixel sur deux, dans une image de 200 pixels de large. */
+    private static Scene damier() {
+        double pixel = 2.0 / 200;
+        Objet3D[] boules = new Objet3D[100 * 75];
+        for (int k = 0; k < boules.length; k++) {
+            // presque sur l'écran, où la perspective ne change rien
+            boules[k] = boule((2 * (k % 100) - 99.6) * pixel, (2 * (k / 100) - 74.6) * pixel, 0.01, pixel / 2, 0);
+        }
+        return scene(boules);
+    }
+
+    @Test
+    void leChoixPourUneErreurNeDependPasDesFils() {
+        Scene scene = scene(boule(-1, 0, 8, 1.2, 0.5), boule(1.2, 0.4, 7, 0.7, 0.8), boule(0, -1001.5, 8, 1000, 0.3));
+        for (String erreur : new String[] {"0.5", "1", "3"}) {
+            String attendu = null;
+            for (String fils : new String[] {"1", "2", "7"}) {
+                Auto auto = auto(scene, 160, 120, grilles(), "--auto", "erreur=" + erreur, "--fils", fils);
+                Reglage r = auto.getChoisi();
+                String choix = r + " " + r.getErreur() + " " + r.getErreurAuPlus() + " " + r.getRayons() + " " + r.getPrix();
+                attendu = attendu == null ? choix : attendu;
+                assertEquals(attendu, choix, fils + " fils");
+            }
+        }
+    }
+
+    @Test
+    void lErreurMesureeEstCelleDeToutePart() {
+        // une erreur égale sur tous les pixels se mesure sans incertitude
+        Auto auto = auto(entreDeuxMurs(0.5), "--auto=erreur=255", "--reflets=2", "--seuil=0");
+        auto.getLancer().TracerPixels(auto.surveiller(Essais.AVEUGLE), auto.getChoisi().getReflets(), 2);
+        auto.controler();
+        // à ce que vaut « sans limite » près
+        assertEquals(255 * 0.9 / 8, auto.getRapport().getErreurMesuree(), 1e-3);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 1", "1, 7", "2, 2", "3, 1", "33, 65", "201, 151"})
+    void touteTailleDImageConvient(int largeur, int hauteur) {
+        Auto auto = auto(scene(boule(0, 0, 8, 2, 0.5)), largeur, hauteur, grilles(), "--auto", "erreur=1");
+        auto.getLancer().TracerPixels(auto.surveiller(Essais.AVEUGLE), auto.getChoisi().getReflets(), 2);
+        auto.controler();
+        assertEquals(3, auto.getRapport().getLignes().size());
+        assertTrue(auto.getRapport().getErreurMesuree() < 10, auto.getRapport().getLignes().toString());
+    }
+
+    // ce que propose une variante d'étudiant
+
+    /** Une quatrième variante : n × n sous-pixels, n au choix. */
+    private static List<Variante> grilles() {
+        return Collections.<Variante>singletonList(new Variante() {
+            @Override
+            public String getSection() {
+                return "Grille";
+            }
+
+            @Override
+            public void installer(Section valeurs, Scene scene) {
+                scene.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
+            }
+
+            @Override
+            public List<Section> getReglages() {
+                return Arrays.asList(Section.reglage("Grille", "n", "1"), Section.reglage("Grille", "n", "2"),
+                        Section.reglage("Grille", "n", "4"), Section.reglage("Grille", "n", "16"));
+            }
+        });
+    }
+
+    private static Echantillonnage grille(int n) {
+        return (pave, vue, toile) -> {
+            for (int j = pave.j0; j < pave.j1; j++) {
+                for (int i = pave.i0; i < pave.i1; i++) {
+                    Couleur somme = new Couleur();
+                    for (int k = 0; k < n * n; k++) {
+                        somme = somme.add(vue.couleur(i + (k % n + 0.5) / n, j + (k / n + 0.5) / n));
+                    }
+                    toile.drawPixel(somme.div(n * n), i, j);
+                }
+            }
+            return 0;
+        };
+    }
+
+    @Test
+    void lesReglagesDUneVarianteSontEssayesEtSesRayonsComptes() {
+        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), 200, 150, grilles(), "--auto", "temps=1ms");
+        double[] rayons = auto.getEssayes().stream().mapToDouble(Reglage::getRayons).toArray();
+        assertEquals("[1.0, 4.0, 16.0, 256.0]", Arrays.toString(rayons));
+        double[] erreurs = auto.getEssayes().stream().mapToDouble(Reglage::getErreur).toArray();
+        assertTrue(erreurs[0] > erreurs[1] && erreurs[1] > erreurs[2] && erreurs[2] > erreurs[3], Arrays.toString(erreurs));
+    }
+
+    @Test
+    void unReglageFautifEstRefuseCommeUneSection() {
+        Variante fautive = new Variante() {
+            @Override
+            public String getSection() {
+                return "Grille";
+            }
+
+            @Override
+            public void installer(Section valeurs, Scene scene) {
+                scene.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
+            }
+
+            @Override
+            public List<Section> getReglages() {
+                return Collections.singletonList(Section.reglage("Grille", "m", "3"));
+            }
+        };
+        Lancer lancer = Main.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Options options = Options.lire("--auto", "erreur=1", "--image", "a.png", "s.ini");
+        SceneFautive e = assertThrows(SceneFautive.class, () -> new Auto(lancer, options, Collections.singletonList(fautive)));
+        assertEquals("réglage de --auto, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
+    }
+}

@@ -1,0 +1,151 @@
+package lancer.auto;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import lancer.Couleur;
+import lancer.contrat.Pave;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Les pixels qu'on essaie, et ce qu'on en conclut. */
+class SemisTest {
+
+    @ParameterizedTest
+    @CsvSource({"1, 1", "2, 2", "3, 2", "1, 16384", "200, 150", "201, 151", "800, 600", "10000, 10000"})
+    void lesBlocsDuChoixEtDuControleSontDansLImageEtTousDifferents(int largeur, int hauteur) {
+        Semis semis = new Semis(largeur, hauteur);
+        Set<Integer> vus = new HashSet<>();
+        for (List<Bloc> blocs : Arrays.asList(semis.choix, semis.controle)) {
+            for (Bloc bloc : blocs) {
+                assertTrue(0 <= bloc.i0 && bloc.i0 < bloc.i1 && bloc.i1 <= largeur && 0 <= bloc.j0 && bloc.j0 < bloc.j1
+                        && bloc.j1 <= hauteur);
+                assertTrue(vus.add(bloc.j0 * largeur + bloc.i0), "un bloc deux fois");
+            }
+        }
+        assertEquals(Math.max(1, Math.min(4000, Bloc.nombre(largeur, hauteur) / 2)), semis.choix.size());
+        assertEquals(Bloc.nombre(largeur, hauteur) == 1 ? 0 : semis.choix.size(), semis.controle.size());
+    }
+
+    @Test
+    void chaquePixelEstDansUnSeulBlocEtChaqueBlocDansUnSeulPave() {
+        int[][] fois = new int[71][101];
+        for (int k = 0; k < Bloc.nombre(101, 71); k++) {
+            Bloc bloc = Bloc.deRang(k, 101, 71);
+            int paves = 0;
+            for (int p = 0; p < Pave.nombre(101, 71); p++) {
+                paves += bloc.estDans(Pave.deRang(p, 101, 71)) ? 1 : 0;
+            }
+            assertEquals(1, paves, "bloc " + k);
+            Set<Integer> places = new HashSet<>();
+            for (int j = bloc.j0; j < bloc.j1; j++) {
+                for (int i = bloc.i0; i < bloc.i1; i++) {
+                    fois[j][i]++;
+                    assertTrue(bloc.contient(i, j) && places.add(bloc.place(i, j)));
+                }
+            }
+            assertEquals(bloc.pixels(), places.size());
+        }
+        for (int[] ligne : fois) {
+            assertEquals(101, Arrays.stream(ligne).filter(f -> f == 1).count());
+        }
+    }
+
+    @Test
+    void uneMesureQuiSuitLesPromessesEstEstimeeSansErreur() {
+        List<Bloc> blocs = new Semis(200, 150).choix;
+        Random hasard = new Random(3);
+        double[] promesses = hasard.doubles(blocs.size(), 0.05, 1).toArray();
+        Tirage tirage = new Tirage(100, blocs, promesses, 1);
+        double[] mesures = new double[tirage.blocs.size()];
+        for (int k = 0; k < mesures.length; k++) {
+            mesures[k] = 7 * promesses[blocs.indexOf(tirage.blocs.get(k))];
+        }
+        double moyenne = 7 * Arrays.stream(promesses).average().getAsDouble();
+        assertEquals(Math.sqrt(moyenne), tirage.estimer(mesures).erreur(), 1e-9);
+    }
+
+    @Test
+    void leTirageEstSansBiais() {
+        // une mesure sans rapport avec les promesses, sur beaucoup de semis de même loi
+        int semis = 400;
+        double somme = 0;
+        for (int graine = 0; graine < semis; graine++) {
+            Random hasard = new Random(graine);
+            List<Bloc> blocs = new Semis(200, 150).choix;
+            double[] promesses = hasard.doubles(blocs.size(), 0.05, 1).toArray();
+            Tirage tirage = new Tirage(100, blocs, promesses, 1);
+            double carre = tirage.estimer(hasard.doubles(tirage.blocs.size(), 0, 2).toArray()).erreur();
+            somme += carre * carre;
+        }
+        // l'écart type de chaque estimation est d'environ 0,2
+        assertEquals(1, somme / semis, 4 * 0.2 / Math.sqrt(semis));
+    }
+
+    @Test
+    void lIncertitudeEstCelleDuHasard() {
+        double[] mesures = new Random(5).doubles(10_000, 0, 12).toArray();
+        Estimation e = Estimation.de(mesures);
+        // moyenne 6 et variance 12² / 12 d'un nombre au hasard de 0 à 12
+        assertEquals(Math.sqrt(6), e.erreur(), 0.02);
+        assertEquals(Math.sqrt(12 / 10_000.0) / (2 * Math.sqrt(6)), e.ecartType(), 1e-4);
+        assertEquals(Math.sqrt(6 + 2 * Math.sqrt(12 / 10_000.0)), e.auPlus(), 0.02);
+        assertEquals(5, new Estimation(9, 0).plus(new Estimation(16, 0)).erreur());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"13, 13", "14, 21", "55, 55", "233, 233"})
+    void unReseauAUnPointParColonneEtParLigne(int auMoins, int points) {
+        Reseau reseau = new Reseau(auMoins);
+        assertEquals(points, reseau.points);
+        for (double decalage : new double[] {0, 0.37, 0.999}) {
+            Set<Integer> colonnes = new HashSet<>();
+            Set<Integer> lignes = new HashSet<>();
+            for (int k = 0; k < points; k++) {
+                assertTrue(reseau.x(k, decalage) >= 0 && reseau.x(k, decalage) < 1);
+                assertTrue(reseau.y(k, decalage) >= 0 && reseau.y(k, decalage) < 1);
+                colonnes.add((int) Math.floor((reseau.x(k, decalage) - decalage + 1) * points) % points);
+                lignes.add((int) Math.floor((reseau.y(k, decalage) - decalage + 1) * points) % points);
+            }
+            assertEquals(points, colonnes.size());
+            assertEquals(points, lignes.size());
+        }
+    }
+
+    @Test
+    void unSouvenirNeDemandeChaquePointQuUneFois() {
+        int[] demandes = new int[1];
+        Bloc bloc = Bloc.deRang(0, 10, 10);
+        Souvenir souvenir = new Souvenir(bloc, (x, y) -> {
+            demandes[0]++;
+            return new Couleur(x, y, x * y);
+        });
+        for (int fois = 0; fois < 3; fois++) {
+            for (int k = 0; k < 5000; k++) {
+                double x = k % 100 / 20.0;
+                double y = k / 100 / 10.0;
+                assertEquals(new Couleur(x, y, x * y), souvenir.couleur(x, y));
+            }
+            // 40 colonnes et 20 lignes de points sont dans les deux pixels sur deux du bloc
+            assertEquals(40 * 20, souvenir.vus());
+        }
+        assertEquals(5000, demandes[0]);
+    }
+
+    @Test
+    void deuxReferencesDUnBlocSontToujoursLesMemesEtDifferentEntreElles() {
+        Bloc bloc = Bloc.deRang(7, 100, 100);
+        Releve[] premieres = Releve.references(bloc, (x, y) -> new Couleur(x * y % 1), new Reseau(13));
+        Releve[] secondes = Releve.references(bloc, (x, y) -> new Couleur(x * y % 1), new Reseau(13));
+        assertEquals(0, premieres[0].ecart(new Releve[] {secondes[0], secondes[0]}));
+        assertEquals(0, premieres[1].ecart(new Releve[] {secondes[1], secondes[1]}));
+        assertFalse(premieres[0].ecart(new Releve[] {premieres[1], premieres[1]}) == 0);
+    }
+}
