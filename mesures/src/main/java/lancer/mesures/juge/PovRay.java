@@ -47,8 +47,13 @@ final class PovRay implements Peintre {
         Files.write(scene, texte.getBytes(StandardCharsets.UTF_8));
         Files.deleteIfExists(image);
         // ni affichage, ni pause, ni anticrénelage ; File_Gamma=1 : les niveaux du PNG sont la lumière
-        int statut = lancer(journal, commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur, "+H" + hauteur,
-                "-D", "-P", "-A", "-V");
+        String[] dessin = {commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur, "+H" + hauteur, "-D", "-P",
+            "-A", "-V"};
+        int statut = lancer(journal, dessin);
+        if (statut != 0) {
+            // sur une machine chargée il renonce parfois : « Timed out waiting for worker thread startup »
+            statut = lancer(journal, dessin);
+        }
         if (statut != 0 || !Files.exists(image)) {
             throw new IOException(commande + " n'a pas dessiné " + nom + ", statut " + statut + " : " + derniereLigne(journal));
         }

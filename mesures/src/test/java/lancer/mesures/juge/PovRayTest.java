@@ -1,0 +1,96 @@
+package lancer.mesures.juge;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import javax.imageio.ImageIO;
+import lancer.Couleur;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Avec une fausse commande, qui note ce qu'on lui demande et rend une image toute faite. */
+@DisplayName("La commande povray")
+class PovRayTest {
+
+    @TempDir
+    Path dossier;
+
+    private Path commande;
+
+    @BeforeEach
+    void ecrireLaCommande() throws IOException {
+        assumeTrue(Files.isExecutable(Paths.get("/bin/sh")));
+        commande = dossier.resolve("povray");
+        Files.write(commande, Arrays.asList("#!/bin/sh", "cd '" + dossier + "'",
+                "[ \"$1\" = --version ] && { echo 'POV-Ray 3.9.1.unofficial'; exit; }",
+                "echo \"$@\" >> demandes",
+                "[ $(wc -l < demandes) -gt $(cat echecs) ] || { echo; echo 'Fatal error: en retard'; exit 3; }",
+                "cp image.png \"${2#+O}\""), StandardCharsets.UTF_8);
+        assertTrue(commande.toFile().setExecutable(true));
+    }
+
+    private void preparer(int echecs, WritableRaster image) throws IOException {
+        Files.write(dossier.resolve("echecs"), String.valueOf(echecs).getBytes(StandardCharsets.US_ASCII));
+        int type = image.getDataBuffer().getDataType();
+        ComponentColorModel couleurs = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, 1, type);
+        ImageIO.write(new BufferedImage(couleurs, image, false, null), "png", dossier.resolve("image.png").toFile());
+    }
+
+    private Raster dessiner() throws IOException {
+        return new PovRay(commande.toString(), dossier).dessiner("la scène", "essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR);
+    }
+
+    private static WritableRaster image() {
+        return ScenesJugees.image(ScenesJugees.couleurs(ScenesJugees.deuxBoules(new Couleur(0.5))));
+    }
+
+    @Test
+    void lImageDe16BitsSeLitTelleQuElleEstEcrite() throws IOException {
+        preparer(0, image());
+        Raster lue = dessiner();
+        assertArrayEquals(image().getPixels(0, 0, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, (int[]) null),
+                lue.getPixels(0, 0, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, (int[]) null));
+        assertEquals("la scène", new String(Files.readAllBytes(dossier.resolve("essai.pov")), StandardCharsets.UTF_8));
+        assertEquals(Arrays.asList("+I" + dossier.resolve("essai.pov") + " +O" + dossier.resolve("essai.png")
+                + " +FN16 File_Gamma=1 +W40 +H30 -D -P -A -V"), Files.readAllLines(dossier.resolve("demandes")));
+        assertEquals("POV-Ray 3.9.1", new PovRay(commande.toString(), dossier).nom());
+    }
+
+    @Test
+    void unDessinManqueEstRedemandeUneFois() throws IOException {
+        preparer(1, image());
+        assertEquals(ScenesJugees.LARGEUR, dessiner().getWidth());
+        assertEquals(2, Files.readAllLines(dossier.resolve("demandes")).size());
+    }
+
+    @Test
+    void deuxDessinsManquesSontUnePanneQuiSeDit() throws IOException {
+        preparer(9, image());
+        String message = assertThrows(IOException.class, this::dessiner).getMessage();
+        assertEquals(commande + " n'a pas dessiné essai, statut 3 : Fatal error: en retard", message);
+    }
+
+    @Test
+    void uneImageDe8BitsEstRefusee() throws IOException {
+        preparer(0, Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, 3, null));
+        String message = assertThrows(IOException.class, this::dessiner).getMessage();
+        assertTrue(message.contains("image inattendue"), message);
+    }
+}
