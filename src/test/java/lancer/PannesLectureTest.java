@@ -46,9 +46,10 @@ class PannesLectureTest extends EssaiProcessus {
     /** Réécrite en place, effacée et remise pendant qu'on la lit : une scène entière ou tronquée, ou une ligne ; rien d'autre. */
     @Test
     void uneSceneQuiChangeOuDisparaitPendantQuOnLaLitNeDonnePasAutreChose() throws Exception {
+        // un rayon d'un seul chiffre : coupé, il ne se lit plus, au lieu de se lire autre
         StringBuilder texte = new StringBuilder();
         for (int k = 0; k < 3000; k++) {
-            texte.append("[Sphere ").append(k).append("]\ncentre=").append(k).append(" 0 6\nrayon=0.25\n");
+            texte.append("[Sphere ").append(k).append("]\ncentre=").append(k).append(" 0 6\nrayon=5\n");
         }
         byte[] scene = texte.toString().getBytes(StandardCharsets.UTF_8);
         Path fichier = dossier.resolve("s.ini");
@@ -71,7 +72,7 @@ class PannesLectureTest extends EssaiProcessus {
             for (int k = 0; k < 300; k++) {
                 try {
                     for (Objet3D objet : new Scene(fichier.toString()).getObjets()) {
-                        assertEquals(0.25, ((Sphere) objet).getRayon());
+                        assertEquals(5, ((Sphere) objet).getRayon());
                     }
                 } catch (SceneFautive e) {
                     assertTrue(e.getMessage().matches("\\Q" + fichier + "\\E(, ligne .+)? : [^\\p{Cntrl}]+ ; attendu : [^\\p{Cntrl}]+"),
