@@ -6,19 +6,42 @@ import java.util.ServiceLoader;
 import lancer.Scene;
 import lancer.contrat.Variante;
 
-/** Les variantes présentes dans le chemin des classes. */
-public final class Variantes {
+/**
+ * Les variantes présentes dans le chemin des classes. Elles sont cherchées dans un fil à part : Java fouille aussi ses propres
+ * modules, ce qui prend 8 ms, pendant lesquelles la scène se lit.
+ */
+public final class Variantes implements Runnable {
 
-    private final List<Variante> presentes = new ArrayList<>();
+    private List<Variante> presentes;
 
     Variantes() {
-        for (Variante variante : ServiceLoader.load(Variante.class, Variantes.class.getClassLoader())) {
-            presentes.add(variante);
+        Thread avance = new Thread(this, "lancer-variantes");
+        avance.setDaemon(true);
+        avance.start();
+    }
+
+    @Override
+    public void run() {
+        try {
+            presentes();
+        } catch (RuntimeException | Error e) {
+            // celui qui les demandera cherchera à son tour, et le dira
         }
     }
 
+    private synchronized List<Variante> presentes() {
+        if (presentes == null) {
+            List<Variante> trouvees = new ArrayList<>();
+            for (Variante variante : ServiceLoader.load(Variante.class, Variantes.class.getClassLoader())) {
+                trouvees.add(variante);
+            }
+            presentes = trouvees;
+        }
+        return presentes;
+    }
+
     boolean lisent(String type) {
-        for (Variante variante : presentes) {
+        for (Variante variante : presentes()) {
             if (Texte.memeMot(variante.getSection(), type)) {
                 return true;
             }
@@ -28,7 +51,7 @@ public final class Variantes {
 
     List<String> getSections() {
         List<String> sections = new ArrayList<>();
-        for (Variante variante : presentes) {
+        for (Variante variante : presentes()) {
             sections.add(variante.getSection());
         }
         return sections;
@@ -42,7 +65,7 @@ public final class Variantes {
      */
     public static List<Variante> installer(LecteurScene lu, Scene scene) {
         List<Variante> libres = new ArrayList<>();
-        for (Variante variante : lu.getVariantes().presentes) {
+        for (Variante variante : lu.getVariantes().presentes()) {
             Section section = lu.section(variante.getSection());
             variante.installer(section, scene);
             section.verifierCles();
