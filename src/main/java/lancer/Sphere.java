@@ -106,16 +106,16 @@ public class Sphere extends Objet3D {
         if (!(r2 > Vecteur.NORME2_MIN && Math.abs(c) < Vecteur.NORME2_MAX)) {
             return DOUTE;
         }
+        if (c > SUR * f2) {
+            double h2 = r2 - l2;
+            return b > 0 && h2 >= 0 ? c / (b + Math.sqrt(h2)) : Constantes.INFINI;
+        }
         if (c > APPROCHE * f2) {
             if (b <= 0) {
                 return Constantes.INFINI;
             }
             double h2 = r2 - l2;
-            if (h2 >= 0) {
-                double t = c / (b + Math.sqrt(h2));
-                return c > SUR * f2 ? t : -t;
-            }
-            return c > SUR * f2 ? Constantes.INFINI : DOUTE;
+            return h2 >= 0 ? -c / (b + Math.sqrt(h2)) : DOUTE;
         }
         if (c < -SUR * f2) {
             double h = Math.sqrt(r2 - l2);

@@ -21,11 +21,16 @@ public interface Echantillonnage {
         @Override
         public int tracer(Pave pave, Vue vue, Toile toile) {
             for (int j = pave.j0; j < pave.j1; j++) {
-                for (int i = pave.i0; i < pave.i1; i++) {
-                    toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
-                }
+                ligne(pave.i0, pave.i1, j, vue, toile);
             }
             return 0;
+        }
+
+        /** À part : la machine virtuelle compile une fois une méthode souvent appelée, deux fois une longue boucle en cours. */
+        private static void ligne(int i0, int i1, int j, Vue vue, Toile toile) {
+            for (int i = i0; i < i1; i++) {
+                toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
+            }
         }
     }
 }

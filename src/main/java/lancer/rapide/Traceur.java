@@ -25,7 +25,7 @@ import lancer.contrat.Vue;
  * lisible, que {@code --simple} rappelle, coûtent 40 % d'une image (mesuré avec la même boucle sur les sphères : scène du cours,
  * 800 × 600, deux fils, 90 ms contre 53) ; {@code IdentiteTest} compare les deux sur chaque pixel. Appartient à un fil ; rien
  * n'est alloué par rayon, sauf la couleur rendue. Une première image ne dure que le temps de compiler ce qu'elle exécute :
- * {@link #couleur} et {@link #eclairer}, trop longues pour être incorporées à celles qui les appellent, le sont une fois chacune.
+ * {@link #suivre} et {@link #eclairer}, trop longues pour être incorporées à celles qui les appellent, le sont une fois chacune.
  */
 final class Traceur implements Vue {
 
@@ -101,6 +101,13 @@ final class Traceur implements Vue {
 
     @Override
     public Couleur couleur(double xe, double ye) {
+        // à part et courte, donc incorporée à la boucle sur les pixels, où la couleur n'est alors plus allouée
+        suivre(xe, ye);
+        return new Couleur(r, v, b);
+    }
+
+    /** Le rayon d'un pixel et ses reflets, jusqu'à la couleur vue, dans (r, v, b). */
+    private void suivre(double xe, double ye) {
         compteurs.primaires++;
         double px;
         double py;
@@ -138,7 +145,7 @@ final class Traceur implements Vue {
         int k = premiers.plusProche(sonde, px, py, pz, vx, vy, vz, -1);
         if (k < 0 && !particuliere) {
             ciel(vy);
-            return new Couleur(r, v, b);
+            return;
         }
         double produitR = 1;
         double produitV = 1;
@@ -205,7 +212,6 @@ final class Traceur implements Vue {
         if (niveau > 0) {
             replier(niveau);
         }
-        return new Couleur(r, v, b);
     }
 
     /**
