@@ -7,8 +7,8 @@ package lancer.rapide;
  */
 final class Departs implements Voisins {
 
-    /** Côté des six faces, en cases. */
-    private static final int COTE = 12;
+    /** Côté des six faces, en cases : 12 ne dessine pas plus vite (10 et 24 boules) et se construit en 3 à 5 ms de plus. */
+    private static final int COTE = 8;
 
     /** Grossissement de plus : le contact d'où part le rayon n'est sur la sphère qu'à quelques arrondis près. */
     private static final double MARGE = 1e-9;
