@@ -21,8 +21,12 @@ public interface Contenu {
     List<Serie> series();
 
     /** Vrai si un front y est tracé. */
-    boolean aUnFront();
+    default boolean aUnFront() {
+        return false;
+    }
 
     /** Vrai si une marque y est cerclée. */
-    boolean aDesDefauts();
+    default boolean aDesDefauts() {
+        return false;
+    }
 }

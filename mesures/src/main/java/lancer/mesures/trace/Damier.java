@@ -59,16 +59,6 @@ public final class Damier implements Contenu {
     }
 
     @Override
-    public boolean aUnFront() {
-        return false;
-    }
-
-    @Override
-    public boolean aDesDefauts() {
-        return false;
-    }
-
-    @Override
     public double enTete(Graphics2D g, double largeur) {
         return phrase(g, largeur).hauteur() + g.getFontMetrics(Style.SOUS_TITRE).getHeight() + 16;
     }

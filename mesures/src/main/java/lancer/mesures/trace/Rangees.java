@@ -40,16 +40,6 @@ public final class Rangees implements Contenu {
     }
 
     @Override
-    public boolean aUnFront() {
-        return false;
-    }
-
-    @Override
-    public boolean aDesDefauts() {
-        return false;
-    }
-
-    @Override
     public double enTete(Graphics2D g, double largeur) {
         return phrase(g, largeur).hauteur() + 20;
     }

@@ -31,16 +31,6 @@ public final class Vignettes implements Contenu {
     }
 
     @Override
-    public boolean aUnFront() {
-        return false;
-    }
-
-    @Override
-    public boolean aDesDefauts() {
-        return false;
-    }
-
-    @Override
     public double enTete(Graphics2D g, double largeur) {
         return 0;
     }
