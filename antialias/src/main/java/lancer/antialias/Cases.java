@@ -108,21 +108,18 @@ final class Cases {
 
     /** Peint une case en quatre, ou en deux si elle n'a qu'un sous-pixel de large ou de haut. */
     private void couper(int x0, int y0, int x1, int y1) {
-        int xm = x1 - x0 > 1 ? (x0 + x1) / 2 : x1;
-        int ym = y1 - y0 > 1 ? (y0 + y1) / 2 : y1;
+        int xm = (x0 + x1) / 2;
+        int ym = (y0 + y1) / 2;
         peindre(x0, y0, xm, ym);
-        if (xm < x1) {
-            peindre(xm, y0, x1, ym);
-        }
-        if (ym < y1) {
-            peindre(x0, ym, xm, y1);
-        }
-        if (xm < x1 && ym < y1) {
-            peindre(xm, ym, x1, y1);
-        }
+        peindre(xm, y0, x1, ym);
+        peindre(x0, ym, xm, y1);
+        peindre(xm, ym, x1, y1);
     }
 
     private void peindre(int x0, int y0, int x1, int y1) {
+        if (x0 == x1 || y0 == y1) {
+            return;
+        }
         boolean divisible = x1 - x0 > 1 || y1 - y0 > 1;
         if (divisible && depasse(x0, y0, x1, y1)) {
             couper(x0, y0, x1, y1);
