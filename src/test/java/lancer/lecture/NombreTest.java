@@ -122,5 +122,7 @@ class NombreTest {
         assertEquals("-1e100", Nombre.ecrire(-1e100));
         assertEquals("1e-100", Nombre.ecrire(1e-100));
         assertEquals("1e9", Nombre.ecrire(1e9));
+        assertEquals("1e7", Nombre.ecrire(1e7));
+        assertEquals("9999999", Nombre.ecrire(9_999_999));
     }
 }

@@ -18,6 +18,7 @@ import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
+import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,6 +28,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PartageTest {
 
     private static final Pave PAVE = new Pave(32, 64, 64, 96);
+    private static final Toile SANS_TOILE = (couleur, i, j) -> { };
 
     /** Les pixels d'un pavé, ligne par ligne. */
     private static Couleur[] pixels(Echantillonnage echantillonnage, Pave pave, Vue vue) {
@@ -50,6 +52,7 @@ class PartageTest {
         Vue vue = (xe, ye) -> new Couleur(Math.sin(xe * xe), bord(xe, ye), Math.cos(7 * ye));
         for (int n : new int[] {1, 2, 3, 8}) {
             assertEquals(Arrays.asList(pixels(new Coins(n, 0), PAVE, vue)), Arrays.asList(pixels(new Partage(n, 0), PAVE, vue)));
+            assertEquals(new Coins(n, 0).tracer(PAVE, vue, SANS_TOILE), new Partage(n, 0).tracer(PAVE, vue, SANS_TOILE), "raffinés");
         }
     }
 

@@ -1,0 +1,125 @@
+package lancer.antialias;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Scene;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Pave;
+import lancer.contrat.Toile;
+import lancer.contrat.Variante;
+import lancer.contrat.Vue;
+import lancer.lecture.Section;
+import org.junit.jupiter.api.Test;
+
+/** Les comptes et les bornes que les mutations de cette variante ont montré que personne ne vérifiait. Voir docs/mutations.md. */
+class CasesTest {
+
+    private static final Toile SANS_TOILE = (couleur, i, j) -> { };
+
+    private int rayons;
+
+    /** Compte ses rayons. */
+    private Vue comptee(Vue vue) {
+        rayons = 0;
+        return (xe, ye) -> {
+            rayons++;
+            return vue.couleur(xe, ye);
+        };
+    }
+
+    @Test
+    void leContrasteEstCeluiDesDeuxExtremesOuQuIlsSoient() {
+        Random hasard = new Random(53);
+        for (int k = 0; k < 1000; k++) {
+            double[] x = hasard.doubles(4, -0.5, 1.5).toArray();
+            double[] l = new double[4];
+            for (int i = 0; i < 4; i++) {
+                l[i] = Math.max(0, Math.min(1, x[i]));
+            }
+            double attendu = Math.max(Math.max(l[0], l[1]), Math.max(l[2], l[3])) - Math.min(Math.min(l[0], l[1]), Math.min(l[2], l[3]));
+            for (int c = 0; c < 3; c++) {
+                Couleur[] q = new Couleur[4];
+                for (int i = 0; i < 4; i++) {
+                    q[i] = new Couleur(c == 0 ? x[i] : 0.5, c == 1 ? x[i] : 0.5, c == 2 ? x[i] : 0.5);
+                }
+                assertEquals(attendu, Contraste.entre(q[0], q[1], q[2], q[3]), "graine 53, tirage " + k);
+            }
+        }
+    }
+
+    /** Quatre couleurs dont le contraste, augmenté de la prudence, est exactement le seuil ne font pas couper ; un seuil d'un chiffre de moins, si. */
+    @Test
+    void leContrasteDUneCaseDoitDepasserLeSeuil() {
+        Pave deux = new Pave(0, 0, 2, 2);
+        double seuil = 0.25 + Cases.PRUDENCE;
+        assertEquals(0, new Partage(3, seuil).tracer(deux, (xe, ye) -> new Couleur(xe > 1 && ye > 1 ? 0.25 : 0), SANS_TOILE));
+        assertEquals(4, new Partage(3, Math.nextDown(seuil)).tracer(deux, (xe, ye) -> new Couleur(xe > 1 && ye > 1 ? 0.25 : 0), SANS_TOILE));
+    }
+
+    /** Coupé jusqu'au bout, un pavé a tous ses sous-pixels vus une fois ; seul son dernier pixel, qui n'a qu'une case, n'est pas coupé. */
+    @Test
+    void deDeuxSurDeuxToutEstCoupeSaufLeDernierPixel() {
+        for (int largeur = 1; largeur <= 4; largeur++) {
+            for (int hauteur = 1; hauteur <= 4; hauteur++) {
+                Pave pave = new Pave(7, 9, 7 + largeur, 9 + hauteur);
+                Vue vue = comptee((xe, ye) -> new Couleur(Math.sin(xe * ye)));
+                assertEquals(largeur * hauteur - 1, new Partage(2, 1e-3).tracer(pave, vue, SANS_TOILE), largeur + " × " + hauteur);
+                assertEquals(4 * largeur * hauteur, rayons, largeur + " × " + hauteur);
+            }
+        }
+    }
+
+    /** Un coin dont le poids est nul n'a pas à être vu : autour d'un point clair, seuls les pixels coupés coûtent. */
+    @Test
+    void deDeuxSurDeuxUnPixelCoupeCouteTroisRayonsDePlus() {
+        Vue vue = comptee((xe, ye) -> new Couleur((int) xe == 16 && (int) ye == 16 ? 1 : 0));
+        int coupes = new Partage(2, 0.1).tracer(new Pave(0, 0, 32, 32), vue, SANS_TOILE);
+        assertEquals(16, coupes, "les quatre cases qui touchent le pixel, et leurs voisines");
+        assertEquals(33 * 33 + 3 * coupes, rayons);
+    }
+
+    @Test
+    void uneLigneOublieeEstRevueEtElleSeule() {
+        SousPixels sousPixels = new SousPixels(3, new Pave(0, 0, 4, 3), comptee((xe, ye) -> new Couleur(xe, ye, 0)));
+        Couleur dessus = sousPixels.voir(3, 0, 1, 2);
+        Couleur ligne = sousPixels.voir(2, 1, 1, 2);
+        Couleur premier = sousPixels.voir(2, 1, 0, 0);
+        Couleur dessous = sousPixels.voir(0, 2, 1, 2);
+        assertEquals(4, rayons);
+        sousPixels.oublier(1);
+        assertSame(dessus, sousPixels.voir(3, 0, 1, 2));
+        assertSame(premier, sousPixels.voir(2, 1, 0, 0));
+        assertSame(dessous, sousPixels.voir(0, 2, 1, 2));
+        assertEquals(4, rayons);
+        assertEquals(ligne, sousPixels.voir(2, 1, 1, 2));
+        assertEquals(5, rayons);
+    }
+
+    @Test
+    void laMemoireDUnPaveNeDependPasDeSaPlaceDansLImage() {
+        int loin = 1 << 29;
+        new SousPixels(2, new Pave(loin, loin, loin + 2, loin + 2), (xe, ye) -> new Couleur(1)).voir(1, 1, 1, 1);
+    }
+
+    /** --auto n'a que ceux-là entre quoi choisir : la lecture les accepte tous, et chacun donne un autre échantillonnage que la base. */
+    @Test
+    void lesReglagesProposesSontTousPossibles() {
+        Variante antialias = new Antialias();
+        List<Section> reglages = antialias.getReglages();
+        assertTrue(reglages.size() > 10);
+        for (Section reglage : reglages) {
+            Scene scene = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
+            antialias.installer(reglage, scene);
+            assertNotSame(Echantillonnage.CENTRE, scene.getEchantillonnage(), reglage.toString());
+        }
+    }
+}

@@ -1,0 +1,146 @@
+package lancer.contrat;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.lang.reflect.Field;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Sphere;
+import org.junit.jupiter.api.Test;
+
+/** Les contrats par défaut : le partage de l'image, la recherche du cours. */
+class ContratsTest {
+
+    @Test
+    void lesPavesCouvrentLImageUneSeuleFoisEtAucunNEstVide() {
+        int[] cotes = {1, 2, 31, 32, 33, 63, 64, 65, 100};
+        for (int largeur : cotes) {
+            for (int hauteur : cotes) {
+                int[] fois = new int[largeur * hauteur];
+                for (int k = 0; k < Pave.nombre(largeur, hauteur); k++) {
+                    Pave p = Pave.deRang(k, largeur, hauteur);
+                    assertTrue(p.i0 < p.i1 && p.j0 < p.j1, "pavé " + k + " vide, " + largeur + " × " + hauteur);
+                    for (int j = p.j0; j < p.j1; j++) {
+                        for (int i = p.i0; i < p.i1; i++) {
+                            fois[j * largeur + i]++;
+                        }
+                    }
+                }
+                for (int f : fois) {
+                    assertEquals(1, f, largeur + " × " + hauteur);
+                }
+            }
+        }
+    }
+
+    @Test
+    void laRechercheDuCoursEssaieUneFoisChaqueAutreObjet() {
+        List<Objet3D> objets = Arrays.asList(boule(5), boule(20), boule(10));
+        Compteurs compteurs = new Compteurs();
+        Recherche recherche = new RechercheSimple(objets, compteurs);
+        Rayon rayon = new Rayon(new Point(0, 0, 0), new Point(0, 0, 1));
+        recherche.plusProche(rayon, objets.get(0));
+        assertSame(objets.get(2), rayon.getObjet());
+        assertEquals(2, compteurs.testsSpheres);
+        recherche.plusProche(rayon, null);
+        assertSame(objets.get(0), rayon.getObjet());
+        assertEquals(5, compteurs.testsSpheres);
+
+        // une lampe derrière tout : seul le premier objet trouvé est essayé
+        assertTrue(recherche.estCachee(new Lampe(new Point(0, 0, 40), new Couleur(1)), new Point(0, 0, 4), objets.get(0)));
+        assertEquals(6, compteurs.testsSpheres);
+    }
+
+    /** Partir du sol même laisse en doute le sol, et lui seul. */
+    @Test
+    void lesIntersectionsReprisesSontComptees() {
+        List<Objet3D> objets = Arrays.asList(boule(5), new Sphere(new Point(0, -1000, 0), 1000));
+        Compteurs compteurs = new Compteurs();
+        RechercheSimple recherche = new RechercheSimple(objets, compteurs);
+        Rayon rayon = new Rayon(new Point(0, 0, 0), new Point(0, 1, 1));
+        for (int fois = 1; fois <= 3; fois++) {
+            recherche.plusProche(rayon, null);
+            assertEquals(fois, compteurs.testsPrecis);
+            assertEquals(2 * fois, compteurs.testsSpheres);
+        }
+        recherche.plusProche(new Rayon(new Point(0, 500, 0), new Point(0, 1000, 1)), null);
+        assertEquals(3, compteurs.testsPrecis);
+        recherche.estCachee(new Lampe(new Point(0, 1e-9, 0), new Couleur(1)), new Point(0, 3, 3), objets.get(0));
+        assertEquals(4, compteurs.testsPrecis);
+    }
+
+    /** Loin de la surface, la forme directe suffit, de quelque côté qu'on regarde. */
+    @Test
+    void deLInterieurRienNEstRepris() {
+        Objet3D salle = new Sphere(new Point(0, 0, 0), 100);
+        for (Point but : Arrays.asList(new Point(0, 0, 60), new Point(0, 0, 40), new Point(0, 1, 50), new Point(3, 4, 55))) {
+            Rayon rayon = new Rayon(new Point(0, 0, 50), but);
+            salle.getIntersectionDistance(rayon);
+            assertEquals(0, rayon.getReprises(), "vers " + but);
+        }
+    }
+
+    /** Strictement entre les deux : deux boules qui se touchent là où l'on regarde ne s'y font pas d'ombre. */
+    @Test
+    void unObjetQuiToucheLeContactNeLeCachePas() {
+        Objet3D eclairee = new Sphere(new Point(0, 3, 4), 3);
+        Objet3D autre = new Sphere(new Point(0, 0, 5), 1);
+        Lampe lampe = new Lampe(new Point(0, 0, 0), new Couleur(1));
+        Point contact = new Point(0, 0, 4);
+        RechercheSimple recherche = new RechercheSimple(Arrays.asList(eclairee, autre), new Compteurs());
+        assertEquals(4, autre.getIntersectionDistance(new Rayon(new Point(0, 0, 0), contact)));
+        assertFalse(recherche.estCachee(lampe, contact, eclairee));
+        assertTrue(recherche.estCachee(lampe, new Point(0, 0, Math.nextUp(4.0)), eclairee));
+    }
+
+    @Test
+    void lesComptesDeDeuxFilsSAdditionnent() throws IllegalAccessException {
+        Compteurs un = new Compteurs();
+        Compteurs deux = new Compteurs();
+        long k = 1;
+        for (Field compte : Compteurs.class.getFields()) {
+            compte.setLong(un, k);
+            compte.setLong(deux, 1000 * k++);
+        }
+        un.ajouter(deux);
+        k = 1;
+        for (Field compte : Compteurs.class.getFields()) {
+            assertEquals(1001 * k++, compte.getLong(un), compte.getName());
+        }
+        assertEquals(un.primaires + un.ombre + un.reflechis, un.rayons());
+        assertTrue(un.ombre > 0 && un.reflechis > 0);
+    }
+
+    /** Un exposant puissance de deux est une suite de carrés, sans un arrondi de plus ; l'autre bord est celui de {@link Math#pow}. */
+    @Test
+    void unPetitExposantEntierSeFaitParCarresSuccessifsEtToutAutreParPow() {
+        Random hasard = new Random(47);
+        for (int k = 0; k < 2_000; k++) {
+            double cosinus = k % 2 == 0 ? hasard.nextDouble() : Math.nextDown(1 - hasard.nextDouble() / 1000);
+            double carre = cosinus;
+            for (int n = 1; n <= Specularite.EXPOSANT_ENTIER_MAX; n *= 2) {
+                assertEquals(carre, Specularite.puissance(cosinus, n), cosinus + "^" + n);
+                carre *= carre;
+            }
+            int n = 1 + hasard.nextInt(Specularite.EXPOSANT_ENTIER_MAX);
+            double pow = Math.pow(cosinus, n);
+            assertEquals(pow, Specularite.puissance(cosinus, n), 2 * n * 0x1p-53 * pow + Double.MIN_NORMAL, cosinus + "^" + n);
+            for (double exposant : new double[] {0.3, 7.5, n + 0.25, Specularite.EXPOSANT_ENTIER_MAX + n, 1e9}) {
+                assertEquals(Math.pow(cosinus, exposant), Specularite.puissance(cosinus, exposant), cosinus + "^" + exposant);
+            }
+        }
+    }
+
+    private static Sphere boule(double z) {
+        return new Sphere(new Point(0, 0, z), 1);
+    }
+}
