@@ -3,7 +3,7 @@ include commun.mk
 N ?= 1000000
 XVFB := xvfb-run -a -s "-screen 0 1280x800x24"
 
-.PHONY: test images scene-geante bench noyaux mesures juge mesure-auto aide propre
+.PHONY: test images scene-geante bench noyaux mesures juge mesure-auto mutations aide propre
 
 # Tout, tous modules ; les fenêtres s'ouvrent sur un écran à elles, pas sur celui de l'utilisateur.
 test: outils
@@ -64,6 +64,14 @@ juge: mesures/target/mesures.jar
 mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.MesureAuto mesures/resultats/auto.csv $(AUTO)
 
+# Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; docs/mutations.md dit ce qui leur échappe, et pourquoi.
+mutations: mesures/target/mesures.jar
+	@rm -rf $(patsubst %,%/target/pit-reports,. $(VARIANTES_TOUTES))
+	@echo "Un millier de fautes, l'une après l'autre : cinq à six minutes"
+	@nice -n 19 $(MVN) -q -f ensemble.xml -Pmutations -pl :lancer,:brume,:blinn,:antialias \
+	    test-compile org.pitest:pitest-maven:mutationCoverage > target/mutations.log 2>&1 || { cat target/mutations.log >&2; exit 1; }
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
+
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -77,6 +85,7 @@ aide:
 	@echo "make mesures RAPIDE=1      une partie, en moins d'une minute, dans mesures/target/vitesse-rapide"
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/foule.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
+	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
 	@echo "make propre                efface ce qui est construit"
 
 propre: outils
