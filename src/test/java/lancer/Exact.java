@@ -6,12 +6,13 @@ import java.math.MathContext;
 
 /**
  * L'intersection d'un rayon et d'une sphère sans arrondi : les doubles du cas sont pris tels quels, les sommes et les produits
- * sont exacts, et la seule racine a 60 chiffres. Lent, et seul juge des méthodes rapides.
+ * sont exacts, les racines et les quotients ont 60 chiffres. Lent, et seul juge des méthodes rapides.
  */
 final class Exact {
 
     private static final int CHIFFRES = 60;
     private static final MathContext PRECIS = new MathContext(CHIFFRES);
+    private static final double U = 0x1p-53;
 
     /** La distance exacte, arrondie au double le plus proche ; +∞ s'il n'y a pas de contact. */
     final double distance;
@@ -25,10 +26,20 @@ final class Exact {
     /** De combien la droite entre dans la sphère, r − l, l étant sa distance au centre ; négatif si elle passe à côté. */
     final double enfoncement;
 
+    /** Vrai si arrondir la direction suffit à changer la réponse : moins de 8 u au-delà, ou en deçà, de la tangente. */
+    final boolean ambigu;
+
+    /** La distance, sans arrondi, divisée par 2^{@code echelle} ; {@code null} s'il n'y a pas de contact. */
+    private final BigDecimal exacte;
+    private final int echelle;
+
+    private final double conditionnement;
+
     /** Le rayon part de {@code p} vers {@code vers} ; sa direction est la différence exacte, que rien n'arrondit. */
     Exact(Point p, Point vers, Point centre, double rayon) {
         // une puissance de deux ramène la scène près de 1 : rien n'en change, et les nombres s'écrivent en peu de chiffres
         int e = Math.getExponent(Math.max(Math.max(norme(p), norme(vers)), Math.max(norme(centre), rayon)));
+        echelle = e;
         BigDecimal[] d = difference(p, vers, e);
         BigDecimal[] f = difference(p, centre, e);
         BigDecimal r = nombre(rayon, e);
@@ -38,13 +49,17 @@ final class Exact {
         BigDecimal discriminant = b.multiply(b).subtract(a.multiply(c));
         BigDecimal l = racine(scalaire(f, f).multiply(a).subtract(b.multiply(b)).divide(a, PRECIS));
         enfoncement = reel(r.subtract(l), e);
+        BigDecimal norme = racine(a);
+        BigDecimal douteux = r.multiply(b.abs()).multiply(norme).multiply(new BigDecimal(16 * U));
+        ambigu = c.signum() > 0 && b.signum() > 0 && discriminant.abs().compareTo(douteux) <= 0;
         if (discriminant.signum() < 0) {
             demiCorde = Double.POSITIVE_INFINITY;
             distance = Double.POSITIVE_INFINITY;
+            conditionnement = 1;
+            exacte = null;
             return;
         }
         BigDecimal racine = racine(discriminant);
-        BigDecimal norme = racine(a);
         demiCorde = reel(racine.divide(norme, PRECIS), e);
         BigDecimal t = null;
         if (c.signum() > 0) {
@@ -54,7 +69,34 @@ final class Exact {
         } else if (c.signum() < 0) {
             t = c.divide(b.subtract(racine), PRECIS);
         }
-        distance = t == null ? Double.POSITIVE_INFINITY : reel(t.multiply(norme, PRECIS), e);
+        exacte = t == null ? null : t.multiply(norme, PRECIS);
+        distance = exacte == null ? Double.POSITIVE_INFINITY : reel(exacte, e);
+        conditionnement = 1 + rayon / demiCorde;
+    }
+
+    /**
+     * L'écart d'une réponse, en unités de 8 u (1 + r/h) t ; +∞ si elle n'est pas du bon genre.
+     *
+     * @param reponse une distance, +∞ pour dire qu'il n'y a pas de contact
+     */
+    double ecart(double reponse) {
+        boolean rien = reponse == Double.POSITIVE_INFINITY;
+        if (exacte == null || rien || !(reponse > 0)) {
+            return exacte == null && rien ? 0 : Double.POSITIVE_INFINITY;
+        }
+        return nombre(reponse, echelle).subtract(exacte).abs().divide(exacte, PRECIS).doubleValue() / (8 * U * conditionnement);
+    }
+
+    /** La distance d'un point à la surface d'une sphère. */
+    static double ecartALaSurface(Point x, Point centre, double rayon) {
+        BigDecimal[] n = difference(centre, x, 0);
+        return racine(scalaire(n, n)).subtract(new BigDecimal(rayon)).abs().doubleValue();
+    }
+
+    /** La longueur d'un vecteur, moins 1. */
+    static double ecartALUnite(Vecteur v) {
+        BigDecimal[] n = difference(new Point(), new Point(v.x, v.y, v.z), 0);
+        return racine(scalaire(n, n)).subtract(BigDecimal.ONE).doubleValue();
     }
 
     /**
@@ -62,7 +104,7 @@ final class Exact {
      * une part u près, et une demi-corde h en fait r/h fois plus.
      */
     double tolerance(double K, Point p, Point centre, double r) {
-        return K * 0x1p-53 * (1 + r / demiCorde) * (new Vecteur(p, centre).norme() + r);
+        return K * U * (1 + r / demiCorde) * (new Vecteur(p, centre).norme() + r);
     }
 
     private static double norme(Tuple t) {
@@ -72,10 +114,12 @@ final class Exact {
     /** Le nombre x/2^e, sans arrondi. */
     private static BigDecimal nombre(double x, int e) {
         double petit = Math.scalb(x, -e);
-        if (Math.scalb(petit, e) != x) {
-            throw new ArithmeticException("trop petit auprès du reste pour être ramené sans arrondi : " + x);
+        if (Math.scalb(petit, e) == x) {
+            return new BigDecimal(petit);
         }
-        return new BigDecimal(petit);
+        // trop petit auprès du reste pour rester un double
+        BigDecimal puissance = BigDecimal.valueOf(2).pow(Math.abs(e));
+        return e < 0 ? new BigDecimal(x).multiply(puissance) : new BigDecimal(x).divide(puissance);
     }
 
     private static double reel(BigDecimal x, int e) {

@@ -38,15 +38,6 @@ class LimitesSurfaceTest {
         return new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
     }
 
-    /** L'erreur d'une réponse en unités de la tolérance ; infinie si elle touche pour manque, ou l'autre côté. */
-    private static double ecart(double t, Exact exact, double r) {
-        if (exact.distance == INFINI || t == INFINI) {
-            return exact.distance == t ? 0 : INFINI;
-        }
-        double tolerance = 8 * U * (1 + r / exact.demiCorde) * exact.distance;
-        return t > 0 ? Math.abs(t - exact.distance) / tolerance : INFINI;
-    }
-
     /** L'œil à hauteur d'homme au-dessus d'une Terre : en doubles, la distance du sol qu'il regarde n'est juste qu'à 1e-9, 1e-7 près. */
     @Test
     void dUnSolImmenseLesDoublesNeGardentQueQuelquesChiffres() {
@@ -60,7 +51,7 @@ class LimitesSurfaceTest {
             Exact exact = new Exact(P, vers, C, r);
             Rayon rayon = new Rayon(P, vers);
             pireEnDoubles = Math.max(pireEnDoubles, Math.abs(enDoubles(P, rayon.getV(), C, r) / exact.distance - 1));
-            double notre = ecart(new Sphere(C, r).getIntersectionDistance(rayon), exact, r);
+            double notre = exact.ecart(new Sphere(C, r).getIntersectionDistance(rayon));
             assertTrue(notre <= 1, "graine 31, tirage " + k + ", r = " + r + " : " + notre + " tolérances");
         }
         assertTrue(pireEnDoubles > 1e-9, "erreur relative en doubles : " + pireEnDoubles);
@@ -84,8 +75,8 @@ class LimitesSurfaceTest {
             jugees++;
             Rayon rayon = new Rayon(P, vers);
             double naive = enDoubles(P, rayon.getV(), C, r);
-            faussesEnDoubles += ecart(naive, exact, r) > 1e6 ? 1 : 0;
-            double notre = ecart(new Sphere(C, r).getIntersectionDistance(rayon), exact, r);
+            faussesEnDoubles += exact.ecart(naive) > 1e6 ? 1 : 0;
+            double notre = exact.ecart(new Sphere(C, r).getIntersectionDistance(rayon));
             assertTrue(notre <= 1, "graine 32, tirage " + k + " : " + notre + " tolérances");
         }
         assertTrue(faussesEnDoubles > jugees / 20, faussesEnDoubles + " fausses sur " + jugees);
@@ -103,8 +94,8 @@ class LimitesSurfaceTest {
                 Point vers = C.add(direction(hasard).mul(0.9 * r * hasard.nextDouble()));
                 Exact exact = new Exact(P, vers, C, r);
                 Rayon rayon = new Rayon(P, vers);
-                faussesEnDoubles += ecart(enDoubles(P, rayon.getV(), C, r), exact, r) > 1e6 ? 1 : 0;
-                double notre = ecart(new Sphere(C, r).getIntersectionDistance(rayon), exact, r);
+                faussesEnDoubles += exact.ecart(enDoubles(P, rayon.getV(), C, r)) > 1e6 ? 1 : 0;
+                double notre = exact.ecart(new Sphere(C, r).getIntersectionDistance(rayon));
                 assertTrue(notre <= 1, "graine 33, taille " + taille + ", tirage " + k + " : " + notre + " tolérances");
             }
             assertTrue(faussesEnDoubles > 250, "taille " + taille + " : " + faussesEnDoubles);

@@ -106,12 +106,12 @@ class PrecisionTest {
         int touches = 0;
         for (int k = 0; k < TIRAGES; k++) {
             Cas cas = tirer(famille);
-            IntersectionExacte exacte = new IntersectionExacte(cas.p, cas.p2, cas.c, cas.r);
+            Exact exacte = new Exact(cas.p, cas.p2, cas.c, cas.r);
             if (!exacte.ambigu) {
                 double ecart = exacte.ecart(cas.distance());
-                assertTrue(ecart <= 1, "graine " + GRAINE + ", tirage " + k + ", " + cas + " : " + cas.distance() + ", exacte " + exacte.t
+                assertTrue(ecart <= 1, "graine " + GRAINE + ", tirage " + k + ", " + cas + " : " + cas.distance() + ", exacte " + exacte.distance
                         + ", " + ecart + " tolérances");
-                touches += exacte.t == Constantes.INFINI ? 0 : 1;
+                touches += exacte.distance == Constantes.INFINI ? 0 : 1;
             }
         }
         assertTrue(touches > TIRAGES / 4, touches + " touchées");
@@ -126,9 +126,9 @@ class PrecisionTest {
             Rayon rayon = new Rayon(cas.p, cas.p2);
             if (sphere.getIntersectionDistance(rayon) < Constantes.INFINI) {
                 PointContact contact = rayon.calcContact();
-                double ecart = IntersectionExacte.ecartALaSurface(contact, cas.c, cas.r);
+                double ecart = Exact.ecartALaSurface(contact, cas.c, cas.r);
                 double permis = 4 * U * (cas.r + new Vecteur(new Point(), cas.c).norme());
-                double longueur = IntersectionExacte.ecartALUnite(sphere.getNormale(contact));
+                double longueur = Exact.ecartALUnite(sphere.getNormale(contact));
                 assertTrue(ecart <= permis, "graine " + GRAINE + ", tirage " + k + ", " + cas + " : à " + ecart + ", permis " + permis);
                 assertTrue(Math.abs(longueur) <= 4 * U, "graine " + GRAINE + ", tirage " + k + ", " + cas + " : 1 + " + longueur);
             }

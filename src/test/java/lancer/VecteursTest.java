@@ -106,9 +106,9 @@ class VecteursTest {
                 double r = un.sphere.getRayon();
                 // + MIN_VALUE : les plus petits cas sont au bord des nombres dénormalisés
                 double permis = 4 * U * (r + new Vecteur(new Point(), centre).norme()) + Double.MIN_VALUE;
-                double ecart = IntersectionExacte.ecartALaSurface(contact, centre, r);
+                double ecart = Exact.ecartALaSurface(contact, centre, r);
                 assertTrue(ecart <= permis, un + " : à " + ecart + " de la surface, permis " + permis);
-                double longueur = IntersectionExacte.ecartALUnite(un.sphere.getNormale(contact));
+                double longueur = Exact.ecartALUnite(un.sphere.getNormale(contact));
                 assertTrue(Math.abs(longueur) <= 4 * U, un + " : normale de longueur 1 + " + longueur);
             }
         }
