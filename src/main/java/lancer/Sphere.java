@@ -106,19 +106,15 @@ public class Sphere extends Objet3D {
         if (!(r2 > Vecteur.NORME2_MIN && Math.abs(c) < Vecteur.NORME2_MAX)) {
             return DOUTE;
         }
+        double h2 = r2 - l2;
         if (c > SUR * f2) {
-            double h2 = r2 - l2;
             return b > 0 && h2 >= 0 ? c / (b + Math.sqrt(h2)) : Constantes.INFINI;
         }
         if (c > APPROCHE * f2) {
-            if (b <= 0) {
-                return Constantes.INFINI;
-            }
-            double h2 = r2 - l2;
-            return h2 >= 0 ? -c / (b + Math.sqrt(h2)) : DOUTE;
+            return b <= 0 ? Constantes.INFINI : h2 >= 0 ? -c / (b + Math.sqrt(h2)) : DOUTE;
         }
         if (c < -SUR * f2) {
-            double h = Math.sqrt(r2 - l2);
+            double h = Math.sqrt(h2);
             return b > 0 ? b + h : c / (b - h);
         }
         return DOUTE;
