@@ -189,6 +189,8 @@ public final class Ecriture {
                 return "système de fichiers en lecture seule";
             case "Not a directory":
                 return "le dossier n'existe pas";
+            case "Is a directory":
+                return "c'est un dossier";
             case "Broken pipe":
                 return "plus personne ne lit";
             default:

@@ -102,6 +102,15 @@ class ComptesTest {
         }
     }
 
+    @Test
+    void uneBoulePerdueAuLoinNeCouteQueDEtreExaminee() {
+        Compteurs sans = compter(ScenesDEssai.foule(48, 3000, 0).scene(), 5);
+        for (double distance : new double[] {1e9, 1e11, 1e13, 1e31, 1e100}) {
+            Compteurs avec = compter(ScenesDEssai.foule(48, 3000, distance).scene(), 5);
+            assertTrue(cout(avec) <= cout(sans) + sans.rayons(), "à " + distance + " : " + cout(avec) + " au lieu de " + cout(sans));
+        }
+    }
+
     private static long cout(Compteurs c) {
         return c.testsSpheres + c.noeudsVisites;
     }

@@ -46,6 +46,7 @@ final class ScenesDEssai {
         scenes.put("boules tangentes", new ScenesDEssai(13).tangentes(taille).deuxLampes().scene());
         scenes.put("presque jumelles", new ScenesDEssai(14).presqueJumelles(taille).deuxLampes().scene());
         scenes.put("loin de tout", new ScenesDEssai(15).foule(taille, 3, 0.05, 0.3).sphere(1e6, 1e6, 1e6, 10).lampe(1e9, 1e9, -1e9).scene());
+        scenes.put("étoiles", foule(20, taille, 1e11).sphere(-3e10, 1e10, 1e11, 1e10).sphere(4e37, 3e37, 1e38, 1e37).scene());
         scenes.put("poussière", new ScenesDEssai(16).foule(taille, 3, 1e-4, 1e-3).sphere(0, 0, 7, 1).deuxLampes().scene());
         scenes.put("un plan d'élève", new ScenesDEssai(17).plan(-1.2).foule(taille, 2, 0.1, 0.4).plan(-1.2).deuxLampes().scene());
         scenes.put("une fille de Sphere", new ScenesDEssai(18).filles().foule(taille, 2, 0.1, 0.4).deuxLampes().scene());
@@ -67,6 +68,12 @@ final class ScenesDEssai {
         return scenes;
     }
 
+    /** Une foule, et une boule ordinaire à cette distance ; s'il n'y en a pas, 0. */
+    static ScenesDEssai foule(long graine, int taille, double distance) {
+        ScenesDEssai scene = new ScenesDEssai(graine).foule(taille, 3, 0.02, 0.05).deuxLampes();
+        return distance == 0 ? scene : scene.sphere(0, 0, distance, 0.1);
+    }
+
     /** Scènes hostiles aux grilles et aux cartes, pour leurs comptes. */
     static Map<String, Scene> hostiles(int taille) {
         Map<String, Scene> scenes = new LinkedHashMap<>();
@@ -82,7 +89,7 @@ final class ScenesDEssai {
         return scenes;
     }
 
-    private Scene scene() {
+    Scene scene() {
         return new Scene(objets, lampes);
     }
 
