@@ -2,97 +2,35 @@ package lancer;
 
 import static lancer.BancFenetre.attendre;
 import static lancer.BancFenetre.chercher;
-import static lancer.BancFenetre.composant;
-import static lancer.BancFenetre.pixelsSansFenetre;
-import static lancer.BancFenetre.pngSansFenetre;
 import static lancer.BancFenetre.surFilEvenements;
 import static lancer.BancFenetre.texte;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Robot;
-import java.awt.datatransfer.DataFlavor;
-import java.awt.datatransfer.Transferable;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
-import javax.swing.JFileChooser;
 import javax.swing.JLabel;
-import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
-import javax.swing.SwingUtilities;
-import javax.swing.TransferHandler;
 import lancer.BancFenetre.MainLent;
 import lancer.sortie.ImageMemoire;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 
-/** La fenêtre, sur un vrai écran : ce qu'on y voit, et ce qu'elle fait des touches, des fichiers et de la souris. */
-@Tag("fenetre")
-@Timeout(120)
-class FenetreTest {
-
-    private static final int L = 320;
-    private static final int H = 240;
-    private static final String TAILLE = "--taille=" + L + "x" + H;
-    private static final String ROUGE = "[Sphere 1]\ncentre=0 0.2 6\nrayon=1\nKd=0.9 0.15 0.1\nKs=0.3 0.3 0.3\nns=40\n"
-            + "[Sphere 2]\ncentre=-1.2 -0.6 5\nrayon=0.5\nKd=0.1 0.6 0.2\nKs=0.2 0.2 0.2\nns=10\n"
-            + "[Lampe 1]\nposition=-4 6 -3\ncouleur=0.9 0.9 0.85\n";
-    private static final String BLEUE = ROUGE.replace("0.9 0.15 0.1", "0.1 0.2 0.9");
-    private static final String FAUTIVE = ROUGE.replace("rayon=1\n", "rayon=-1\n");
-
-    @TempDir
-    private Path dossier;
-    private Path scene;
-    private BancFenetre banc;
-
-    @BeforeEach
-    void ecrireLaScene() throws Exception {
-        scene = dossier.resolve("boule.ini");
-        ecrire(ROUGE);
-    }
-
-    @AfterEach
-    void fermer() throws Exception {
-        if (banc != null) {
-            banc.fermer();
-        }
-    }
-
-    private void ecrire(String texte) throws Exception {
-        Files.write(scene, texte.getBytes(StandardCharsets.UTF_8));
-    }
-
-    private MainLent lente(String... options) {
-        String[] args = Arrays.copyOf(options, options.length + 2);
-        args[options.length] = TAILLE;
-        args[options.length + 1] = scene.toString();
-        return new MainLent(args);
-    }
-
-    private int[] attendue(int largeur, int hauteur) throws Exception {
-        return pixelsSansFenetre(dossier, scene, largeur, hauteur);
-    }
+/** La fenêtre, sur un vrai écran : ce qu'on y voit, et ce qu'elle fait des touches, de la souris et de sa taille. */
+class FenetreTest extends EssaiFenetre {
 
     @Test
     void leBrouillonParaitPuisLImageSAcheve() throws Exception {
@@ -191,32 +129,6 @@ class FenetreTest {
     }
 
     @Test
-    void enregistrerLaSceneDansUnEditeurLaRedessine() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        ecrire(BLEUE);
-        banc.attendreImage("la boule est bleue", attendue(L, H));
-        // à la manière des éditeurs qui renomment, et à taille égale
-        Path nouveau = dossier.resolve("boule.ini.tmp");
-        Files.write(nouveau, BLEUE.replace("0.1 0.2 0.9", "0.9 0.9 0.1").getBytes(StandardCharsets.UTF_8));
-        Files.move(nouveau, scene, StandardCopyOption.REPLACE_EXISTING);
-        banc.attendreImage("la boule est jaune", attendue(L, H));
-    }
-
-    @Test
-    void uneFauteSeLitDansLaFenetreEtLaisseLImage() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        int[] avant = attendue(L, H);
-        ecrire(FAUTIVE);
-        banc.attendreMessage(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage());
-        assertArrayEquals(avant, banc.imageAchevee().getCodes());
-        ecrire(BLEUE);
-        banc.attendreMessage("");
-        banc.attendreImage("la faute corrigée, l'image suit", attendue(L, H));
-    }
-
-    @Test
     void unePanneDuDessinSeLitDansLaFenetreQuiResteUtilisable() throws Exception {
         String[] args = {TAILLE, scene.toString()};
         CountDownLatch repare = new CountDownLatch(1);
@@ -235,151 +147,6 @@ class FenetreTest {
         banc.attendreMessage("");
         banc.attendreImage("l'image est là", attendue(L, H));
         assertEquals("", texte(banc.erreur));
-    }
-
-    @Test
-    void ctrlSEcritLeMemePngEtDemandeAvantDeRemplacer() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        byte[] attendu = Files.readAllBytes(pngSansFenetre(dossier, scene, L, H));
-        Path png = dossier.resolve("image.png");
-        assertEquals("boule.png", enregistrerSous(png));
-        attendre("l'image est écrite", () -> Files.exists(png));
-        assertArrayEquals(attendu, Files.readAllBytes(png));
-
-        Files.write(png, new byte[] {42});
-        enregistrerSous(png);
-        repondre("Annuler");
-        assertArrayEquals(new byte[] {42}, Files.readAllBytes(png));
-        enregistrerSous(png);
-        repondre("Remplacer");
-        attendre("l'image est remplacée", () -> Arrays.equals(attendu, Files.readAllBytes(png)));
-    }
-
-    @Test
-    void laSceneElleMemeNEstJamaisEcrasee() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        enregistrerSous(scene);
-        banc.attendreMessage("la sortie est la scène elle-même");
-        assertArrayEquals(ROUGE.getBytes(StandardCharsets.UTF_8), Files.readAllBytes(scene));
-    }
-
-    @Test
-    void unEnregistrementReussiEffaceLEchecDAvant() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        enregistrerSous(dossier.resolve("absent").resolve("image.png"));
-        banc.attendreMessage(dossier.resolve("absent").resolve("image.png") + " : écriture impossible");
-        enregistrerSous(dossier.resolve("image.png"));
-        banc.attendreMessage("");
-    }
-
-    @Test
-    void uneImageInacheveeNeSEnregistrePas() throws Exception {
-        banc = new BancFenetre(lente().lent());
-        banc.frapperCtrl('S');
-        banc.attendreMessage("L'image se dessine encore");
-        assertNull(chercher(null, JFileChooser.class));
-    }
-
-    /** Frappe Ctrl+S et choisit ce fichier ; rend le nom qui était proposé. */
-    private String enregistrerSous(Path fichier) throws Exception {
-        banc.frapperCtrl('S');
-        return choisir(fichier);
-    }
-
-    private String choisir(Path fichier) throws Exception {
-        JFileChooser choix = composant(null, JFileChooser.class);
-        // comme quelqu'un : d'abord le clavier est au dialogue, et ce qui fut frappé avant ne va plus à la fenêtre
-        attendre("le clavier est au dialogue", () -> SwingUtilities.getWindowAncestor(choix).isFocused());
-        String propose = surFilEvenements(() -> {
-            File selection = choix.getSelectedFile();
-            choix.setSelectedFile(fichier.toFile());
-            choix.approveSelection();
-            return selection == null ? null : selection.getName();
-        });
-        attendre("le dialogue est fermé", () -> !choix.isShowing());
-        return propose;
-    }
-
-    private void repondre(String texte) throws Exception {
-        JOptionPane question = composant(null, JOptionPane.class);
-        surFilEvenements(() -> {
-            question.setValue(texte);
-            return null;
-        });
-        attendre("la question est fermée", () -> !question.isShowing());
-    }
-
-    @Test
-    void ctrlOOuvreUneAutreScene() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        scene = dossier.resolve("autre.ini");
-        ecrire(BLEUE);
-        banc.frapperCtrl('O');
-        choisir(scene);
-        banc.attendreImage("l'autre scène", attendue(L, H));
-        assertEquals("lancer — autre.ini", banc.cadre.getTitle());
-        // c'est elle, maintenant, qui est surveillée
-        ecrire(ROUGE);
-        banc.attendreImage("l'autre scène, modifiée", attendue(L, H));
-    }
-
-    @Test
-    void uneToucheQuiSeRepeteNOuvreQuUnDialogue() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        scene = dossier.resolve("autre.ini");
-        ecrire(BLEUE);
-        banc.frapper(KeyEvent.VK_CONTROL);
-        banc.robot.keyPress(KeyEvent.VK_CONTROL);
-        for (int k = 0; k < 3; k++) {
-            banc.robot.keyPress(KeyEvent.VK_O);
-            banc.robot.keyRelease(KeyEvent.VK_O);
-        }
-        banc.robot.keyRelease(KeyEvent.VK_CONTROL);
-        choisir(scene);
-        banc.attendreImage("rien ne la recouvre", attendue(L, H));
-    }
-
-    @Test
-    void deposerUnFichierOuvreLaScene() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        scene = dossier.resolve("autre.ini");
-        ecrire(BLEUE);
-        assertTrue(surFilEvenements(() -> banc.cadre.getRootPane().getTransferHandler().importData(
-                new TransferHandler.TransferSupport(banc.cadre.getRootPane(), fichierDepose(scene.toFile())))));
-        banc.attendreImage("la scène déposée", attendue(L, H));
-    }
-
-    private static Transferable fichierDepose(File fichier) {
-        return new Transferable() {
-            @Override
-            public DataFlavor[] getTransferDataFlavors() {
-                return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-            }
-
-            @Override
-            public boolean isDataFlavorSupported(DataFlavor forme) {
-                return DataFlavor.javaFileListFlavor.equals(forme);
-            }
-
-            @Override
-            public Object getTransferData(DataFlavor forme) {
-                return Collections.singletonList(fichier);
-            }
-        };
-    }
-
-    @Test
-    void sansSceneLaFenetreSOuvreSurLeChoixDUnFichier() throws Exception {
-        banc = new BancFenetre(TAILLE);
-        assertEquals("lancer", banc.cadre.getTitle());
-        choisir(scene);
-        banc.attendreImage("la scène choisie", attendue(L, H));
     }
 
     @Test
@@ -505,13 +272,5 @@ class FenetreTest {
             String ligne = new String(Files.readAllBytes(dit), StandardCharsets.UTF_8);
             assertTrue(ligne.matches("lancer : .*--image.*\\R"), ligne);
         }
-    }
-
-    @Test
-    void uneSceneFautiveAuDepartNOuvrePasDeFenetre() throws Exception {
-        ecrire(FAUTIVE);
-        Essai essai = Essai.executer(scene.toString());
-        assertEquals(2, essai.code);
-        assertTrue(essai.erreur.matches("lancer : .*boule.ini.*rayon.*\\R"), essai.erreur);
     }
 }

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Timeout;
 
 /**
  * Ce qui arrive quand la machine fait défaut : rien d'à moitié écrit, aucun fichier provisoire, une ligne, et le statut dit. Les
- * écritures qui échouent d'elles-mêmes, sans toucher à la machine, sont dans {@link CommandeTest}.
+ * écritures qui échouent d'elles-mêmes, sans toucher à la machine, sont dans {@link SortiesTest}.
  */
 @Timeout(120)
 class PannesTest extends EssaiProcessus {

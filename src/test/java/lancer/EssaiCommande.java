@@ -1,0 +1,75 @@
+package lancer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.TreeSet;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.io.TempDir;
+
+/** De quoi donner une ligne de commande au programme, et voir ce qu'il écrit, dit et rend. */
+abstract class EssaiCommande {
+
+    static final String SCENE = Ressources.chemin("reference/p3-miroirs.ini");
+
+    @TempDir
+    Path dossier;
+    Path png;
+    Path pfm;
+
+    @BeforeEach
+    void nommerLesSorties() throws IOException {
+        dossier = dossier.toRealPath();
+        png = dossier.resolve("image.png");
+        pfm = dossier.resolve("image.pfm");
+    }
+
+    /** Dessine la scène en petit ; la demande doit aboutir, sans rien dire. */
+    static String dessiner(String... arguments) {
+        Essai e = executer(arguments);
+        assertEquals(0, e.code, e.toString());
+        assertEquals("", e.erreur);
+        return e.sortie;
+    }
+
+    static Essai executer(String... arguments) {
+        String[] tous = Arrays.copyOf(arguments, arguments.length + 3);
+        tous[arguments.length] = "--taille";
+        tous[arguments.length + 1] = "40x30";
+        tous[arguments.length + 2] = SCENE;
+        return Essai.executer(tous);
+    }
+
+    static void verifierRefus(int statut, String message, Essai e) {
+        assertEquals("lancer : " + message + System.lineSeparator(), e.erreur);
+        assertEquals(statut, e.code);
+        assertEquals("", e.sortie);
+    }
+
+    void verifierFichiers(String... noms) {
+        assertEquals(new TreeSet<>(Arrays.asList(noms)), new TreeSet<>(Arrays.asList(dossier.toFile().list())));
+    }
+
+    static void ecrireTexte(Path fichier, String texte) throws IOException {
+        Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
+    }
+
+    static String lireTexte(Path fichier) throws IOException {
+        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+    }
+
+    /** Un lien symbolique ; le test est passé là où le système n'en permet pas. */
+    Path lien(String nom, Path vers) throws IOException {
+        try {
+            return Files.createSymbolicLink(dossier.resolve(nom), vers);
+        } catch (UnsupportedOperationException e) {
+            assumeTrue(false, "pas de liens symboliques ici");
+            return null;
+        }
+    }
+}
