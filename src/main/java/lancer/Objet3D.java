@@ -32,7 +32,7 @@ public abstract class Objet3D {
     /**
      * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes, plus le reflet des objets.
      *
-     * <p>La recherche rapide refait ces équations pour les sphères, dans {@code lancer.rapide.Traceur} : avec {@code --simple}, c'est
+     * <p>La recherche rapide refait ces équations pour les sphères, dans {@code lancer.rapide.Eclairage} : avec {@code --simple}, c'est
      * cette méthode qui dessine.
      *
      * @param contact le contact de {@code incident} avec cet objet

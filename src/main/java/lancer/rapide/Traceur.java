@@ -1,11 +1,9 @@
 package lancer.rapide;
 
 import java.util.Arrays;
-import java.util.List;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
-import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
@@ -16,16 +14,16 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
-import lancer.contrat.Specularite;
 import lancer.contrat.Vue;
 
 /**
- * Les équations de {@link Objet3D#getColor}, {@link Scene#getCouleurVue} et {@link Rayon}, sur des nombres et en boucle : les
- * mêmes opérations dans le même ordre, donc les mêmes bits. Écrites deux fois parce que les vecteurs immuables de la version
- * lisible, que {@code --simple} rappelle, coûtent 40 % d'une image (mesuré avec la même boucle sur les sphères : scène du cours,
- * 800 × 600, deux fils, 90 ms contre 53) ; {@code IdentiteTest} compare les deux sur chaque pixel. Appartient à un fil ; rien
- * n'est alloué par rayon, sauf la couleur rendue. Une première image ne dure que le temps de compiler ce qu'elle exécute :
- * {@link #suivre} et {@link #eclairer}, trop longues pour être incorporées à celles qui les appellent, le sont une fois chacune.
+ * Les équations de {@link Scene#getCouleurVue} et {@link Rayon}, et par {@link Eclairage} celles de {@link Objet3D#getColor}, sur
+ * des nombres et en boucle : les mêmes opérations dans le même ordre, donc les mêmes bits. Écrites deux fois parce que les vecteurs
+ * immuables de la version lisible, que {@code --simple} rappelle, coûtent 40 % d'une image (mesuré avec la même boucle sur les
+ * sphères : scène du cours, 800 × 600, deux fils, 90 ms contre 53) ; {@code IdentiteTest} compare les deux sur chaque pixel.
+ * Appartient à un fil ; rien n'est alloué par rayon, sauf la couleur rendue. Une première image ne dure que le temps de compiler ce
+ * qu'elle exécute : {@link #suivre} et {@link Eclairage#eclairer}, trop longues pour être incorporées à celles qui les appellent, le
+ * sont une fois chacune.
  */
 final class Traceur implements Vue {
 
@@ -39,27 +37,17 @@ final class Traceur implements Vue {
     private final boolean claire;
     /** Vrai si un rayon qui ne rencontre aucune sphère peut voir autre chose que le ciel. */
     private final boolean particuliere;
-    private final Specularite specularite;
-    private final boolean phong;
-
     private final RechercheRapide recherche;
     private final Spheres spheres;
     private final Voisins premiers;
     private final Voisins suivants;
-    private final Obstacles[] obstacles;
-    private final double[] lampes;
-    private final Lampe[] objetsLampes;
     private final Sonde sonde;
+    private final Eclairage eclairage;
     private final Compteurs compteurs;
 
     /** La dernière ordonnée : les pixels d'une ligne l'ont en commun. */
     private double derniereYe = Double.NaN;
     private double derniereY;
-
-    /** Le rayon qui part du contact. */
-    private double rx;
-    private double ry;
-    private double rz;
 
     /** Ce que voit le rayon en cours. */
     private double r;
@@ -81,22 +69,11 @@ final class Traceur implements Vue {
         seuil = scene.getSeuil();
         atmosphere = scene.getAtmosphere();
         claire = atmosphere == Atmosphere.CLAIRE;
-        specularite = scene.getSpecularite();
-        phong = specularite == Specularite.PHONG;
         spheres = recherche.getSpheres();
         particuliere = !claire || spheres.autres.length > 0;
         premiers = recherche.premiers(camera);
         suivants = recherche.suivants();
-        obstacles = recherche.obstacles();
-        List<Lampe> liste = scene.getLampes();
-        objetsLampes = liste.toArray(new Lampe[0]);
-        lampes = new double[6 * liste.size()];
-        for (int l = 0; l < objetsLampes.length; l++) {
-            Point p = objetsLampes[l].getPosition();
-            Couleur c = objetsLampes[l].getCouleur();
-            double[] nombres = {p.x, p.y, p.z, c.r, c.v, c.b};
-            System.arraycopy(nombres, 0, lampes, 6 * l, 6);
-        }
+        eclairage = new Eclairage(recherche, sonde, scene);
     }
 
     @Override
@@ -187,7 +164,7 @@ final class Traceur implements Vue {
                 niveaux = Arrays.copyOf(niveaux, 2 * n);
             }
             niveaux[n + 6] = distance;
-            eclairer(k, n, px, py, pz, vx, vy, vz);
+            eclairage.eclairer(k, niveaux, n, px, py, pz, vx, vy, vz);
             double ksR = niveaux[n + 3];
             double ksV = niveaux[n + 4];
             double ksB = niveaux[n + 5];
@@ -204,9 +181,9 @@ final class Traceur implements Vue {
             }
             compteurs.reflechis++;
             niveau++;
-            vx = rx;
-            vy = ry;
-            vz = rz;
+            vx = eclairage.rx;
+            vy = eclairage.ry;
+            vz = eclairage.rz;
             k = suivants.plusProche(sonde, px, py, pz, vx, vy, vz, k);
         }
         if (niveau > 0) {
@@ -265,119 +242,5 @@ final class Traceur implements Vue {
             b = t[n + 2] + t[n + 5] * b;
             traverser(t[n + 6]);
         }
-    }
-
-    /** La couleur propre du contact et son Ks, au niveau n ; la direction du reflet dans (rx, ry, rz). */
-    private void eclairer(int k, int n, double px, double py, double pz, double vx, double vy, double vz) {
-        double[] g = spheres.geometrie;
-        int s = Spheres.PAS * k;
-        double parRayon = 1 / g[s + 3];
-        double nx = (px - g[s]) * parRayon;
-        double ny = (py - g[s + 1]) * parRayon;
-        double nz = (pz - g[s + 2]) * parRayon;
-        double carre = nx * nx + ny * ny + nz * nz;
-        if (Math.abs(carre - 1) <= Vecteur.PRESQUE_UN) {
-            double correction = 1.5 - 0.5 * carre;
-            nx *= correction;
-            ny *= correction;
-            nz *= correction;
-        } else {
-            Vecteur N = spheres.objet(k).getNormale(new Point(px, py, pz));
-            nx = N.x;
-            ny = N.y;
-            nz = N.z;
-        }
-        double deuxVN = 2 * (vx * nx + vy * ny + vz * nz);
-        double ux = vx - nx * deuxVN;
-        double uy = vy - ny * deuxVN;
-        double uz = vz - nz * deuxVN;
-        double carreR = ux * ux + uy * uy + uz * uz;
-        if (Math.abs(carreR - 1) <= Vecteur.PRESQUE_UN) {
-            double correction = 1.5 - 0.5 * carreR;
-            ux *= correction;
-            uy *= correction;
-            uz *= correction;
-        } else {
-            Vecteur R = new Vecteur(ux, uy, uz).normalized();
-            ux = R.x;
-            uy = R.y;
-            uz = R.z;
-        }
-        rx = ux;
-        ry = uy;
-        rz = uz;
-
-        double[] m = spheres.matieres;
-        int a = spheres.matiere[k];
-        double kdR = m[a];
-        double kdV = m[a + 1];
-        double kdB = m[a + 2];
-        double ksR = m[a + 3];
-        double ksV = m[a + 4];
-        double ksB = m[a + 5];
-        boolean mate = ksR == 0 && ksV == 0 && ksB == 0;
-        double propreR = 0;
-        double propreV = 0;
-        double propreB = 0;
-        double[] l = lampes;
-        for (int i = 0, j = 0; j < l.length; i++, j += 6) {
-            double lx = l[j] - px;
-            double ly = l[j + 1] - py;
-            double lz = l[j + 2] - pz;
-            if (!(nx * lx + ny * ly + nz * lz > 0)) {
-                continue;
-            }
-            double carreL = lx * lx + ly * ly + lz * lz;
-            double versLampe;
-            if (carreL >= Vecteur.NORME2_MIN && carreL <= Vecteur.NORME2_MAX) {
-                versLampe = Math.sqrt(carreL);
-                double inverse = 1 / versLampe;
-                lx *= inverse;
-                ly *= inverse;
-                lz *= inverse;
-            } else {
-                Vecteur L = new Vecteur(lx, ly, lz);
-                versLampe = L.norme();
-                L = L.normalized();
-                lx = L.x;
-                ly = L.y;
-                lz = L.z;
-            }
-            double diffus = Math.min(1, nx * lx + ny * ly + nz * lz);
-            double kR = l[j + 3];
-            double kV = l[j + 4];
-            double kB = l[j + 5];
-            double aR = kdR * kR * diffus;
-            double aV = kdV * kV * diffus;
-            double aB = kdB * kB * diffus;
-            if (!mate) {
-                double ns = m[a + 6];
-                double eclat = phong ? Specularite.puissance(ux * lx + uy * ly + uz * lz, ns)
-                        : specularite.eclat(new Vecteur(vx, vy, vz), new Vecteur(nx, ny, nz), new Vecteur(lx, ly, lz),
-                                new Vecteur(ux, uy, uz), ns);
-                aR += ksR * kR * eclat;
-                aV += ksV * kV * eclat;
-                aB += ksB * kB * eclat;
-            }
-            if (aR == 0 && aV == 0 && aB == 0) {
-                continue;
-            }
-            // le rayon d'ombre part de la lampe, en sens inverse de L : mêmes longueurs, mêmes bits
-            compteurs.ombre++;
-            if (obstacles[i].cachee(sonde, l[j], l[j + 1], l[j + 2], -lx, -ly, -lz, versLampe, k)
-                    || spheres.autres.length > 0
-                    && recherche.autreCache(objetsLampes[i].getPosition(), new Point(px, py, pz), versLampe, null)) {
-                continue;
-            }
-            propreR += aR;
-            propreV += aV;
-            propreB += aB;
-        }
-        niveaux[n] = propreR;
-        niveaux[n + 1] = propreV;
-        niveaux[n + 2] = propreB;
-        niveaux[n + 3] = ksR;
-        niveaux[n + 4] = ksV;
-        niveaux[n + 5] = ksB;
     }
 }
