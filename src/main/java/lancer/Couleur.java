@@ -52,6 +52,12 @@ public final class Couleur {
         return r == 0 && v == 0 && b == 0;
     }
 
+    /** Vrai si les trois composantes sont des nombres finis. */
+    public boolean estFinie() {
+        // un infini ou NaN, diminué de lui-même, n'est pas nul
+        return r - r == 0 && v - v == 0 && b - b == 0;
+    }
+
     /** La plus grande des trois composantes. */
     public double max() {
         return Math.max(r, Math.max(v, b));

@@ -32,21 +32,27 @@ public abstract class Objet3D {
     /**
      * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes, plus le reflet des objets.
      *
-     * <p>La recherche rapide refait ces équations pour les sphères, dans {@code lancer.rapide.Eclairage} : avec {@code --simple}, c'est
-     * cette méthode qui dessine.
-     *
      * @param contact le contact de {@code incident} avec cet objet
      * @param profondeur nombre de réflexions encore permises
      */
     public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
         Vecteur V = incident.getV();
         Vecteur N = getNormale(contact);
-        Vecteur R = V.sub(N.mul(2 * V.dot(N))).normalized();
-        Couleur couleur = new Couleur();
-        for (Lampe lampe : scene.getLampes()) {
-            Couleur apport = getApport(scene, lampe, contact, V, N, R);
-            if (!apport.estNoire() && !scene.estCachee(lampe, contact, this)) {
-                couleur = couleur.add(apport);
+        Vecteur R = V.add(-2 * V.dot(N), N).normalized();
+        Lumiere lumiere = new Lumiere();
+        for (Lampe lampe : scene.rangees) {
+            Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
+            // le signe de N·L se lit avant de normaliser : une lampe exactement sur le contact s'arrête ici aussi
+            if (N.dot(versLampe) > 0) {
+                Vecteur L = versLampe.normalized();
+                Couleur KL = lampe.getCouleur();
+                double eclat = Ks.estNoire() ? 0 : scene.getSpecularite().eclat(V, N, L, R, ns);
+                Lumiere apport = new Lumiere();
+                apport.ajouter(Kd, KL, Math.min(1, N.dot(L)));
+                apport.ajouter(Ks, KL, eclat);
+                if (!apport.estNoire() && !scene.estCachee(lampe, contact, L, versLampe.norme(), this)) {
+                    lumiere.ajouter(apport);
+                }
             }
         }
         if (profondeur > 0 && !Ks.estNoire()) {
@@ -54,29 +60,10 @@ public abstract class Objet3D {
             if (produitKs.max() >= scene.getSeuil()) {
                 scene.getCompteurs().reflechis++;
                 Rayon reflechi = new Rayon(contact, R, produitKs);
-                couleur = couleur.add(Ks.mul(scene.getCouleurVue(reflechi, this, profondeur - 1)));
+                lumiere.ajouter(Ks, scene.getCouleurVue(reflechi, this, profondeur - 1), 1);
             }
         }
-        return couleur;
-    }
-
-    /**
-     * Ce qu'une lampe apporte au point de contact si rien ne la cache : Kd ⊗ K_L · (N·L) + Ks ⊗ K_L · éclat. Noir si elle est
-     * derrière la surface, ou exactement sur le contact.
-     */
-    private Couleur getApport(Scene scene, Lampe lampe, Point contact, Vecteur V, Vecteur N, Vecteur R) {
-        Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
-        // le signe de N·L se lit avant de normaliser : le vecteur nul s'arrête ici aussi
-        if (!(N.dot(versLampe) > 0)) {
-            return new Couleur();
-        }
-        Vecteur L = versLampe.normalized();
-        Couleur diffus = Kd.mul(lampe.getCouleur()).mul(Math.min(1, N.dot(L)));
-        if (Ks.estNoire()) {
-            return diffus;
-        }
-        double eclat = scene.getSpecularite().eclat(V, N, L, R, ns);
-        return diffus.add(Ks.mul(lampe.getCouleur()).mul(eclat));
+        return lumiere.getCouleur();
     }
 
     /** Couleur de diffusion, composantes dans [0, 1]. */

@@ -17,6 +17,11 @@ public class Point extends Tuple {
         return new Point(x + v.x, y + v.y, z + v.z);
     }
 
+    /** P + k·v : le point translaté de {@code k} fois {@code v}. */
+    public Point add(double k, Vecteur v) {
+        return new Point(x + k * v.x, y + k * v.y, z + k * v.z);
+    }
+
     /** Le point translaté de −{@code v}. */
     public Point sub(Vecteur v) {
         return new Point(x - v.x, y - v.y, z - v.z);

@@ -6,14 +6,13 @@ package lancer;
  */
 public class Rayon {
 
-    private static final Couleur BLANC = new Couleur(1);
+    static final Couleur BLANC = new Couleur(1);
 
     private final Point P;
     private final Vecteur V;
     private final Couleur produitKs;
     private double distance = Constantes.INFINI;
     private Objet3D objet;
-    private int reprises;
 
     /**
      * Le rayon qui part de {@code p1} et va vers {@code p2}.
@@ -34,9 +33,9 @@ public class Rayon {
     }
 
     /**
-     * Un rayon réfléchi.
+     * Un rayon réfléchi, ou d'ombre : sa direction est déjà normalisée.
      *
-     * @param v direction, déjà de longueur 1
+     * @param v direction, de longueur 1
      * @param produitKs produit des Ks rencontrés jusqu'à {@code p} compris
      */
     public Rayon(Point p, Vecteur v, Couleur produitKs) {
@@ -76,15 +75,6 @@ public class Rayon {
         this.distance = distance;
     }
 
-    /** Le nombre d'intersections de ce rayon que {@link IntersectionCompensee} a reprises. */
-    public int getReprises() {
-        return reprises;
-    }
-
-    void compterReprise() {
-        reprises++;
-    }
-
     /**
      * Le point de contact P + distance·V, ramené par l'objet sur sa surface ({@link Objet3D#getPointDeSurface}), ou {@code null} si la
      * distance est infinie.
@@ -93,7 +83,7 @@ public class Rayon {
         if (distance == Constantes.INFINI) {
             return null;
         }
-        return new PointContact(objet.getPointDeSurface(P.add(V.mul(distance))), objet, distance);
+        return new PointContact(objet.getPointDeSurface(P.add(distance, V)), objet, distance);
     }
 
     /** La couleur du ciel dans la direction du rayon : bleu au-dessus de l'horizon, brun au-dessous. */

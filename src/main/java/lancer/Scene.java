@@ -23,6 +23,7 @@ public final class Scene {
 
     private final List<Objet3D> objets;
     private final List<Lampe> lampes;
+    final Lampe[] rangees;
     private final List<String> avertissements;
     private final Compteurs compteurs = new Compteurs();
     private List<Variante> variantesLibres = Collections.emptyList();
@@ -55,6 +56,7 @@ public final class Scene {
     private Scene(List<? extends Objet3D> objets, List<Lampe> lampes, List<String> avertissements) {
         this.objets = Collections.unmodifiableList(sansJumelles(objets));
         this.lampes = Collections.unmodifiableList(new ArrayList<>(lampes));
+        this.rangees = lampes.toArray(new Lampe[0]);
         this.avertissements = avertissements;
         this.recherche = new RechercheSimple(this.objets, compteurs);
     }
@@ -62,6 +64,7 @@ public final class Scene {
     private Scene(Scene autre) {
         objets = autre.objets;
         lampes = autre.lampes;
+        rangees = autre.rangees;
         avertissements = autre.avertissements;
         recherche = autre.recherche.pourUnFil(compteurs);
         seuil = autre.seuil;
@@ -159,10 +162,13 @@ public final class Scene {
 
     /**
      * Vrai si un objet autre que {@code objet} se trouve strictement entre la lampe et le contact (cours, « Ombres portées »).
+     *
+     * @param L direction de la lampe vue du contact, de longueur 1
+     * @param distance du contact à la lampe
      */
-    public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+    public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
         compteurs.ombre++;
-        return recherche.estCachee(lampe, contact, objet);
+        return recherche.estCachee(lampe, contact, L, distance, objet);
     }
 
     /**

@@ -52,11 +52,7 @@ public class Sphere extends Objet3D {
     public double getIntersectionDistance(Rayon incident) {
         Point P = incident.getP();
         Vecteur V = incident.getV();
-        double d = distanceOuDoute(P.x, P.y, P.z, V.x, V.y, V.z, centre.x, centre.y, centre.z, rayon);
-        if (d < 0) {
-            d = IntersectionCompensee.distance(P.x, P.y, P.z, V.x, V.y, V.z, centre.x, centre.y, centre.z, rayon);
-            incident.compterReprise();
-        }
+        double d = distance(P.x, P.y, P.z, V.x, V.y, V.z, centre.x, centre.y, centre.z, rayon);
         incident.setContact(this, d);
         return d;
     }
@@ -135,8 +131,12 @@ public class Sphere extends Objet3D {
         Vecteur n = new Vecteur(centre, contact);
         double carre = n.norme2();
         if (carre >= Vecteur.NORME2_MIN && carre <= Vecteur.NORME2_MAX) {
-            return contact.sub(n.mul(ecart(carre, rayon)));
+            return contact.add(-ecart(carre, rayon), n);
         }
+        return pointExtreme(n, contact);
+    }
+
+    private Point pointExtreme(Vecteur n, Point contact) {
         double norme = n.norme();
         return norme > 0 && norme <= Double.MAX_VALUE ? centre.add(n.normalized().mul(rayon)) : contact;
     }
@@ -159,11 +159,12 @@ public class Sphere extends Objet3D {
      */
     @Override
     public Vecteur getNormale(Point contact) {
-        Vecteur n = new Vecteur(centre, contact);
-        Vecteur presque = n.mul(1 / rayon);
-        if (Math.abs(presque.norme2() - 1) <= Vecteur.PRESQUE_UN) {
-            return presque.normalized();
-        }
+        double parRayon = 1 / rayon;
+        Vecteur n = new Vecteur((contact.x - centre.x) * parRayon, (contact.y - centre.y) * parRayon, (contact.z - centre.z) * parRayon);
+        return Math.abs(n.norme2() - 1) <= Vecteur.PRESQUE_UN ? n.normalized() : normaleExtreme(new Vecteur(centre, contact));
+    }
+
+    private static Vecteur normaleExtreme(Vecteur n) {
         return n.x == 0 && n.y == 0 && n.z == 0 ? VERS_L_OEIL : n.normalized();
     }
 

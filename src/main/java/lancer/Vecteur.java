@@ -39,6 +39,11 @@ public class Vecteur extends Tuple {
         return new Vecteur(x + v.x, y + v.y, z + v.z);
     }
 
+    /** u + k·v. */
+    public Vecteur add(double k, Vecteur v) {
+        return new Vecteur(x + k * v.x, y + k * v.y, z + k * v.z);
+    }
+
     public Vecteur sub(Vecteur v) {
         return new Vecteur(x - v.x, y - v.y, z - v.z);
     }
@@ -67,10 +72,11 @@ public class Vecteur extends Tuple {
 
     /** Longueur du vecteur, juste aussi là où son carré n'est pas représentable (1e-200, 1e200). */
     public double norme() {
-        double carre = norme2();
-        if (ordinaire(carre)) {
-            return Math.sqrt(carre);
-        }
+        double carre = x * x + y * y + z * z;
+        return carre >= NORME2_MIN && carre <= NORME2_MAX ? Math.sqrt(carre) : normeExtreme();
+    }
+
+    private double normeExtreme() {
         double plusGrande = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
         if (plusGrande == 0 || Double.isInfinite(plusGrande) || Double.isNaN(plusGrande)) {
             return plusGrande;
@@ -85,22 +91,20 @@ public class Vecteur extends Tuple {
      * @throws ArithmeticException si le vecteur est nul ou si une composante n'est pas finie : il n'a pas de direction
      */
     public Vecteur normalized() {
-        double carre = norme2();
-        if (Math.abs(carre - 1) <= PRESQUE_UN) {
-            return mul(1.5 - 0.5 * carre);
+        double carre = x * x + y * y + z * z;
+        if (!(carre >= NORME2_MIN && carre <= NORME2_MAX)) {
+            return extremeNormalise();
         }
-        if (ordinaire(carre)) {
-            return mul(1 / Math.sqrt(carre));
-        }
+        double k = Math.abs(carre - 1) <= PRESQUE_UN ? 1.5 - 0.5 * carre : 1 / Math.sqrt(carre);
+        return new Vecteur(x * k, y * k, z * k);
+    }
+
+    private Vecteur extremeNormalise() {
         double plusGrande = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
         if (!(plusGrande > 0 && plusGrande <= Double.MAX_VALUE)) {
             throw new ArithmeticException("vecteur sans direction, impossible à normaliser : " + this);
         }
         return ramene(Math.getExponent(plusGrande)).normalized();
-    }
-
-    private static boolean ordinaire(double carre) {
-        return carre >= NORME2_MIN && carre <= NORME2_MAX;
     }
 
     /** Ce vecteur multiplié par 2^−exposant : exact, sauf composantes devenues négligeables. */

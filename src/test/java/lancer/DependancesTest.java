@@ -61,7 +61,8 @@ class DependancesTest {
 
     @Test
     void lesClassesDuCoursNeDependentQueDesContrats() {
-        verifier("lancer/(?!Main|Scene\\.)\\w+\\.java", "java\\.(?!awt).*|lancer\\.contrat\\..*");
+        verifier("lancer/(?!Main|Scene|Lancer\\.)\\w+\\.java", "java\\.(?!awt).*|lancer\\.contrat\\..*");
+        verifier("lancer/Lancer\\.java", "java\\.(?!awt).*|lancer\\.contrat\\..*|lancer\\.fils\\.Equipe");
         verifier("lancer/Scene\\.java", "java\\.(?!awt).*|lancer\\.(contrat|lecture|rapide)\\..*");
     }
 
@@ -77,7 +78,8 @@ class DependancesTest {
 
     @Test
     void laRechercheRapideNeSaitRienDesSortiesNiDeLaCommande() {
-        verifier("lancer/rapide/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*");
+        verifier("lancer/rapide/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.fils\\.Equipe");
+        verifier("lancer/fils/.*", "java\\.util\\..*");
     }
 
     @Test

@@ -74,9 +74,8 @@ class LimitesOmbreTest {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
             Rayon ombre = new Rayon(contact, lampe.getPosition());
-            double distance = contact.sub(lampe.getPosition()).norme();
             for (Objet3D autre : objets) {
                 Sphere s = (Sphere) autre;
                 double t = LimitesIntersectionTest.duManuel(contact, ombre.getV(), s.getCentre(), s.getRayon());
@@ -109,9 +108,9 @@ class LimitesOmbreTest {
         // une bille posée à 2e-7 du contact devrait le cacher
         Sphere mur = boule(0, 0, 5, 1, 1, 0, 1);
         Scene petite = scene(Arrays.asList(mur, boule(0, 0, 4 - 3e-7, 1e-7, 1, 0, 1)), new Lampe(new Point(), new Couleur(1)));
-        assertTrue(petite.estCachee(petite.getLampes().get(0), new Point(0, 0, 4), mur));
+        assertTrue(Ombre.cachee(petite, petite.getLampes().get(0), new Point(0, 0, 4), mur));
         petite.setRecherche(new SansExclure(petite.getObjets(), 1e-6));
-        assertFalse(petite.estCachee(petite.getLampes().get(0), new Point(0, 0, 4), mur), "la lumière passe à travers");
+        assertFalse(Ombre.cachee(petite, petite.getLampes().get(0), new Point(0, 0, 4), mur), "la lumière passe à travers");
     }
 
     /** Ignorer tout ce qui est trop près du départ, pour ignorer le départ : de deux boules qui se frôlent, l'autre disparaît. */
@@ -140,7 +139,7 @@ class LimitesOmbreTest {
         assertEquals(0, noirs(scene));
         scene.setRecherche(new Naive(scene.getObjets()) {
             @Override
-            public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+            public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
                 Rayon versLaLampe = new Rayon(contact, lampe.getPosition());
                 for (Objet3D autre : objets) {
                     if (autre != objet && autre.getIntersectionDistance(versLaLampe) < Constantes.INFINI) {

@@ -73,8 +73,8 @@ class OmbresTest {
             assertEquals(1, sortie.distance, 1e-15);
         }
         Lampe dehors = new Lampe(new Point(0.5, 9, 6), new Couleur(1));
-        assertTrue(scene.estCachee(dehors, depart, a), "b entoure le contact");
-        assertFalse(scene.estCachee(dehors, new Point(0.5, 1, 6), b), "le haut de b est libre");
+        assertTrue(Ombre.cachee(scene, dehors, depart, a), "b entoure le contact");
+        assertFalse(Ombre.cachee(scene, dehors, new Point(0.5, 1, 6), b), "le haut de b est libre");
     }
 
     @Test
@@ -137,7 +137,7 @@ class OmbresTest {
             Scene scene = scene(Arrays.asList(ecran, boule), new Lampe(lampe, new Couleur(1)));
             Objet3D premier = scene.getClosestIntersection(new Rayon(lampe, contact)) == null ? null
                     : scene.getClosestIntersection(new Rayon(lampe, contact)).objet;
-            boolean cachee = scene.estCachee(scene.getLampes().get(0), contact, boule);
+            boolean cachee = Ombre.cachee(scene, scene.getLampes().get(0), contact, boule);
             double NL = n.dot(new Vecteur(contact, lampe).normalized());
             boolean terminateur = NL < 2 * Math.sqrt(2 * 8 * 0x1p-53 * (D + 1));
             assertTrue((premier != boule) == cachee || terminateur, "graine 13, tirage " + k + ", N·L = " + NL);
@@ -179,7 +179,7 @@ class OmbresTest {
             Scene scene = scene(Arrays.asList(sol, boule), new Lampe(new Point(0, 50, 10), new Couleur(1)));
             for (double x = 0; x < 0.99; x += 0.01) {
                 Point contact = new Point(x, -x * x / (2 * R), 10);
-                assertTrue(scene.estCachee(scene.getLampes().get(0), contact, sol), "jeu " + jeu + ", x = " + x);
+                assertTrue(Ombre.cachee(scene, scene.getLampes().get(0), contact, sol), "jeu " + jeu + ", x = " + x);
             }
         }
     }

@@ -495,8 +495,8 @@ public class Tests {
             Sphere aCote = new Sphere(new Point(3, 4, 4), 1);
             Scene avec = new Scene(Arrays.asList(boule, ecran), Collections.singletonList(lampe));
             Scene sans = new Scene(Arrays.asList(boule, derriere, aCote), Collections.singletonList(lampe));
-            assertTrue(avec.estCachee(lampe, contact, boule));
-            assertTrue(!sans.estCachee(lampe, contact, boule));
+            assertTrue(Ombre.cachee(avec, lampe, contact, boule));
+            assertTrue(!Ombre.cachee(sans, lampe, contact, boule));
         }
 
         @Test

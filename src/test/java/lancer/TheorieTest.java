@@ -193,7 +193,7 @@ class TheorieTest {
         for (double x = -1.995; x < 2; x += 0.01) {
             double y = -r - 2 + Math.sqrt(r * r - x * x);
             Point contact = new Point(x, y, 20);
-            assertEquals(Math.abs(x) < 1, scene.estCachee(scene.getLampes().get(0), contact, sol), "x = " + x);
+            assertEquals(Math.abs(x) < 1, Ombre.cachee(scene, scene.getLampes().get(0), contact, sol), "x = " + x);
         }
     }
 

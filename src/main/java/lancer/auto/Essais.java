@@ -50,8 +50,8 @@ final class Essais {
 
     /** Fait un essai sur chaque bloc. */
     Compteurs passer(List<Bloc> blocs, int reflets, double seuil, Essai essai) {
-        Lancer lancer = lancer(new Passe(blocs, essai), seuil);
-        lancer.TracerPixels(AVEUGLE, reflets, fils);
+        Lancer lancer = new Lancer(scene.avec(scene.getEchantillonnage(), seuil), camera);
+        lancer.parcourir(new Passe(blocs, essai), AVEUGLE, reflets, fils);
         return lancer.getCompteurs();
     }
 

@@ -33,6 +33,24 @@ public final class Pave {
         return new Pave(i0, j0, Math.min(i0 + COTE, largeur), Math.min(j0 + COTE, hauteur));
     }
 
+    /**
+     * Le k-ième pavé dans un ordre qui saute d'un bout à l'autre de l'image : si elle commence par du ciel, ce qui se dessine d'abord
+     * ressemble quand même à tout le reste.
+     */
+    public static Pave eparpille(int k, int largeur, int hauteur) {
+        int nombre = nombre(largeur, hauteur);
+        // environ la part d'or, et premier avec le nombre : chaque pavé une fois
+        int pas = Math.max(1, (int) (nombre * 0.618));
+        while (pgcd(pas, nombre) > 1) {
+            pas++;
+        }
+        return deRang((int) ((long) k * pas % nombre), largeur, hauteur);
+    }
+
+    private static int pgcd(int a, int b) {
+        return b == 0 ? a : pgcd(b, a % b);
+    }
+
     private static int enColonnes(int largeur) {
         return (largeur + COTE - 1) / COTE;
     }

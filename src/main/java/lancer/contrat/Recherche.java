@@ -1,11 +1,11 @@
 package lancer.contrat;
 
-import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
+import lancer.Vecteur;
 
 /**
  * La seule porte de la vitesse : ce que les rayons demandent à la scène. {@link RechercheSimple} répond par les boucles du
@@ -25,38 +25,23 @@ public interface Recherche {
      * Un autre objet se trouve-t-il strictement entre la lampe et le contact ? Le rayon part de la lampe, comme le demande
      * le cours, « Ombres portées ».
      *
-     * @param contact un point autre que la lampe
+     * @param L direction de la lampe vue du contact, de longueur 1
+     * @param distance du contact à la lampe
      * @param objet celui que le contact touche : il ne se cache pas lui-même
      */
-    boolean estCachee(Lampe lampe, Point contact, Objet3D objet);
+    boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet);
 
     /** La même recherche pour un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
 
     /**
-     * Ce que voit un fil à travers l'écran.
+     * Compare cette recherche aux boucles du cours, au bit près, sur quelques pixels d'une image.
      *
-     * @param lancer celui de ce fil
+     * @param lancer celui qui la dessine
      * @param profondeur nombre de réflexions permises
+     * @param tires vrai pour des pixels tirés au hasard ; faux pour d'autres, choisis parmi ce qui s'y voit rarement
      */
-    default Vue vue(Lancer lancer, int profondeur) {
-        return new VueSimple(lancer, profondeur);
-    }
-
-    /** Rayon par rayon, par {@link Lancer#getCouleurPixel}. */
-    final class VueSimple implements Vue {
-
-        private final Lancer lancer;
-        private final int profondeur;
-
-        VueSimple(Lancer lancer, int profondeur) {
-            this.lancer = lancer;
-            this.profondeur = profondeur;
-        }
-
-        @Override
-        public Couleur couleur(double xe, double ye) {
-            return lancer.getCouleurPixel(xe, ye, profondeur);
-        }
+    default Temoignage juger(Lancer lancer, int profondeur, boolean tires) {
+        return Temoignage.SANS_OBJET;
     }
 }

@@ -6,6 +6,7 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
+import lancer.Vecteur;
 
 /** Les deux boucles du cours : tous les objets, l'un après l'autre. */
 public final class RechercheSimple implements Recherche {
@@ -22,7 +23,6 @@ public final class RechercheSimple implements Recherche {
     public void plusProche(Rayon incident, Objet3D saufLui) {
         Objet3D plusProche = null;
         double distance = Constantes.INFINI;
-        int reprises = incident.getReprises();
         for (Objet3D objet : objets) {
             if (objet != saufLui) {
                 compteurs.testsSpheres++;
@@ -33,26 +33,21 @@ public final class RechercheSimple implements Recherche {
                 }
             }
         }
-        compteurs.testsPrecis += incident.getReprises() - reprises;
         incident.setContact(plusProche, distance);
     }
 
     @Override
-    public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
-        Rayon ombre = new Rayon(lampe.getPosition(), contact);
-        boolean cachee = false;
-        double distance = contact.sub(lampe.getPosition()).norme();
+    public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+        Rayon ombre = lampe.getRayon(L);
         for (Objet3D autre : objets) {
             if (autre != objet) {
                 compteurs.testsSpheres++;
                 if (autre.getIntersectionDistance(ombre) < distance) {
-                    cachee = true;
-                    break;
+                    return true;
                 }
             }
         }
-        compteurs.testsPrecis += ombre.getReprises();
-        return cachee;
+        return false;
     }
 
     @Override

@@ -1,14 +1,16 @@
 package lancer.rapide;
 
 import java.util.Arrays;
+import lancer.Camera;
 import lancer.Constantes;
+import lancer.Point;
 import lancer.Sphere;
 
 /**
  * Ce que l'on voit d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la plus
  * lointaine. Une case qu'une sphère couvre tout entière a une coupe : ce qui est au-delà est caché, et n'y est pas noté.
  */
-final class Carte {
+final class Carte implements Voisins {
 
     /** Une sphère dont le point est aussi près de la surface est notée dans toutes les cases. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
@@ -23,14 +25,9 @@ final class Carte {
     /** Entrées par case au-delà desquelles la carte n'en est plus une. */
     private static final int ENTREES_PAR_CASE = 8;
 
-    private static final int SANS_COUPE = 0;
-    private static final int COUPE = 1;
-    private static final int COUPE_DEVANT_L_ECRAN = 2;
-
-    /** Réponse de {@link #plusProche} pour une direction qui n'est d'aucune case. */
-    static final int HORS = -2;
-
     private final Spheres spheres;
+    /** Pour un rayon qui n'est pas de ceux de la carte. */
+    private final Voisins secours;
     private final int parFace;
     private final Face[] faces;
 
@@ -46,21 +43,25 @@ final class Carte {
     /** Faux si les cases débordent : les sphères sont trop serrées, vues de ce point. */
     final boolean bonne;
 
-    /** La carte d'un point. @param deLOeil vrai si les rayons partent de l'écran : ce qui le coupe n'en couvre rien */
-    static Carte duPoint(Spheres spheres, double ox, double oy, double oz, Face[] faces, boolean deLOeil) {
-        return new Carte(spheres, ox, oy, oz, 0, -1, faces, deLOeil ? COUPE_DEVANT_L_ECRAN : COUPE);
+    /** La carte d'une lampe. */
+    static Carte deLaLampe(Spheres spheres, Point lampe, Face[] faces) {
+        return new Carte(spheres, lampe.x, lampe.y, lampe.z, faces, null);
     }
 
-    /** La carte de tout ce que voit la surface de la sphère {@code depart}, elle-même exceptée ; sans coupe. */
-    static Carte deLaSurface(Spheres spheres, int depart, double marge, Face[] faces) {
-        double[] g = spheres.geometrie;
-        int s = Spheres.PAS * depart;
-        return new Carte(spheres, g[s], g[s + 1], g[s + 2], g[s + 3] + marge, depart, faces, SANS_COUPE);
+    /**
+     * La carte de l'œil : ses rayons partent de l'écran, où que ce soit dans un pixel, et tous s'éloignent d'un même point.
+     *
+     * @param image la fenêtre de l'image
+     */
+    static Carte deLOeil(Spheres spheres, Face image, Voisins secours) {
+        return new Carte(spheres, 0, 0, -Camera.FOCALE, new Face[] {image}, secours);
     }
 
-    private Carte(Spheres spheres, double ox, double oy, double oz, double grossi, int sauf, Face[] faces, int coupes) {
+    /** @param secours {@code null} pour une lampe ; pour l'œil, ce qui coupe l'écran n'en couvre rien */
+    private Carte(Spheres spheres, double ox, double oy, double oz, Face[] faces, Voisins secours) {
         this.spheres = spheres;
         this.faces = faces;
+        this.secours = secours;
         int n = spheres.nombre;
         parFace = faces[0].colonnes * faces[0].lignes;
         int cases = faces.length * parFace;
@@ -68,9 +69,9 @@ final class Carte {
         coupeuse = new int[cases];
         Arrays.fill(coupe, Float.POSITIVE_INFINITY);
         Entrees liste = new Entrees(cases);
-        long maximum = coupes == SANS_COUPE ? Long.MAX_VALUE : (long) ENTREES_PAR_CASE * cases + n;
+        long maximum = (long) ENTREES_PAR_CASE * cases + n;
         double[] g = spheres.geometrie;
-        long[] ordre = parDistance(spheres, ox, oy, oz, grossi);
+        long[] ordre = parDistance(spheres, ox, oy, oz);
         for (int o = 0; o < n && liste.nombre <= maximum; o++) {
             int k = (int) ordre[o];
             float proche = Float.intBitsToFloat((int) (ordre[o] >>> 32));
@@ -79,10 +80,7 @@ final class Carte {
             double y = g[s + 1] - oy;
             double z = g[s + 2] - oz;
             double loin = Math.sqrt(x * x + y * y + z * z);
-            double r = (g[s + 3] + grossi) / loin;
-            if (k == sauf) {
-                continue;
-            }
+            double r = g[s + 3] / loin;
             if (!(loin > LOIN_MIN && loin < LOIN_MAX && r < 1 - CONTRE_LA_SURFACE)) {
                 // le point y est, ou presque : à examiner partout, d'abord
                 for (int c = 0; c < cases && liste.nombre <= maximum; c++) {
@@ -93,7 +91,7 @@ final class Carte {
             x /= loin;
             y /= loin;
             z /= loin;
-            boolean peutCouper = coupes == COUPE || coupes == COUPE_DEVANT_L_ECRAN && g[s + 2] - g[s + 3] > 1e-9 * (loin + g[s + 3]);
+            boolean peutCouper = secours == null || g[s + 2] - g[s + 3] > 1e-9 * (loin + g[s + 3]);
             for (int f = 0; f < faces.length; f++) {
                 Face face = faces[f];
                 if (!face.silhouette(x, y, z, r)) {
@@ -136,7 +134,7 @@ final class Carte {
     }
 
     /** Les numéros des sphères dans la moitié basse, par distance croissante ; celle-ci, arrondie vers 0, dans la haute. */
-    private static long[] parDistance(Spheres spheres, double ox, double oy, double oz, double grossi) {
+    private static long[] parDistance(Spheres spheres, double ox, double oy, double oz) {
         double[] g = spheres.geometrie;
         long[] ordre = new long[spheres.nombre];
         for (int k = 0; k < ordre.length; k++) {
@@ -145,7 +143,7 @@ final class Carte {
             double y = g[s + 1] - oy;
             double z = g[s + 2] - oz;
             double d = Math.sqrt(x * x + y * y + z * z);
-            double r = g[s + 3] + grossi;
+            double r = g[s + 3];
             double proche = d - r - 1e-9 * (d + r);
             ordre[k] = (long) Float.floatToRawIntBits(proche > 0 && d < LOIN_MAX ? Etendue.enBas(proche) : 0) << 32 | k;
         }
@@ -154,28 +152,19 @@ final class Carte {
     }
 
     /**
-     * La sphère que rencontre d'abord un rayon, parmi celles que note la case d'une direction. Une seule
-     * boucle pour l'œil et pour les départs : la compiler une fois au lieu de cinq prend 30 ms de moins à la première image de la
-     * scène du cours, sur 240.
-     *
-     * @param x la direction vue du point de la carte ; d'une carte d'une seule face, (x, y) est le point de sa fenêtre
-     * @param avance de combien l'origine du rayon est en avant du point de la carte, au plus
-     * @return son numéro, -1 si le rayon n'en rencontre pas, {@link #HORS} si la direction n'est pas dans la carte
+     * Pour la carte de l'œil : la sphère que rencontre d'abord un rayon, parmi celles que note sa case. Un rayon qui ne vient pas de
+     * l'œil est pour le secours.
      */
-    int plusProche(Sonde sonde, double x, double y, double z, double avance, double px, double py, double pz, double vx,
-            double vy, double vz) {
-        int c;
-        if (faces.length == 1) {
-            c = faces[0].casePlane(x, y);
-        } else {
-            int f = Faces.duCube(x, y, z);
-            c = f * parFace + faces[f].caseDe(x, y, z);
+    @Override
+    public int plusProche(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
+        int c = faces[0].caseDeLOeil(px, py, pz, vx, vy, vz);
+        if (c < 0) {
+            return secours.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
         }
+        // les distances de la carte partent de l'œil, et V.z = FOCALE / ‖P − Œil‖
+        double avance = Camera.FOCALE / vz * (1 + 1e-12);
         sonde.distance = Constantes.INFINI;
         sonde.compteurs.noeudsVisites++;
-        if (c < 0) {
-            return HORS;
-        }
         int premiere = debut[c];
         int fin = debut[c + 1];
         if (premiere == fin) {

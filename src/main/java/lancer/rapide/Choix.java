@@ -1,153 +1,101 @@
 package lancer.rapide;
 
+import java.util.Arrays;
+import java.util.List;
 import lancer.Camera;
-import lancer.Constantes;
-import lancer.Rayon;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Scene;
 import lancer.contrat.Compteurs;
 
 /**
- * Le garde-fou : quelques rayons de l'image, semés sur une grille de pixels, disent ce que coûte chaque structure. Là où elle
- * coûte plus qu'un bon arbre, on construit l'arbre, on lui pose les mêmes questions, et le moins cher reste. Aucune scène ne
- * tombe ainsi dans un trou (sol immense, amas dispersés), et l'arbre n'est pas construit là où il ne servirait pas.
+ * Le garde-fou : quelques pixels de l'image, semés sur une grille, disent ce que coûte chaque structure. Là où elle coûte plus qu'un
+ * bon arbre, on construit l'arbre, on lui pose les mêmes questions, et le moins cher reste. Aucune scène ne tombe ainsi dans un trou (sol
+ * immense, amas dispersés), et l'arbre n'est pas construit là où il ne servirait pas.
  */
 final class Choix {
 
-    /** Rayons semés par côté de l'image, et réflexions suivies. */
+    /** Pixels semés par côté de l'image, et réflexions suivies. */
     private static final int SEMIS = 24;
     private static final int REFLETS = 2;
 
-    /**
-     * Sphères et cases examinées par question, au-dessous desquelles l'arbre ne ferait pas mieux. À 24, le flocon de 7381 boules, qui
-     * en examine 26 par reflet, construirait le sien pour rien : 38 ms, sur 560 pour tout le programme.
-     */
+    /** Sphères et cases examinées par question, au-dessous desquelles l'arbre ne ferait pas mieux. */
     private static final double BON_MARCHE = 32;
 
-    private final Spheres spheres;
-    private final Sonde sonde = new Sonde(new Compteurs());
+    /** Rangs des sortes de questions : les premiers rayons, les suivants, puis l'ombre de chaque lampe. */
+    private static final int PREMIERS = 0;
+    private static final int SUIVANTS = 1;
+    private static final int OMBRES = 2;
 
-    /** Les questions posées, l'une derrière l'autre : départ, direction, et sphère ou longueur. */
-    private static final int PAS = 8;
+    private final Preparation preparation;
+    private final List<Lampe> lampes;
 
-    Choix(Spheres spheres) {
-        this.spheres = spheres;
+    Choix(Preparation preparation, List<Lampe> lampes) {
+        this.preparation = preparation;
+        this.lampes = lampes;
     }
 
-    /** Ce que vaut chaque sorte de question. */
-    private static final class Questions {
-        private double[] rayons = new double[PAS * SEMIS * SEMIS];
-        private int nombre;
-        private long cout;
-
-        void noter(double px, double py, double pz, double vx, double vy, double vz, double longueur, int sauf) {
-            if (PAS * (nombre + 1) > rayons.length) {
-                rayons = java.util.Arrays.copyOf(rayons, 2 * rayons.length);
-            }
-            double[] q = {px, py, pz, vx, vy, vz, longueur, sauf};
-            System.arraycopy(q, 0, rayons, PAS * nombre++, PAS);
+    /** Remplace par {@code arbre}, dans {@code voisins} (premiers, suivants) et {@code obstacles}, ce qui coûte plus que lui. */
+    void faire(Scene scene, Camera camera, Voisins[] voisins, Obstacles[] obstacles, Secours arbre) {
+        RechercheRapide choisie = new RechercheRapide(preparation, voisins[PREMIERS], voisins[SUIVANTS], obstacles, new Compteurs());
+        Ecoute ecoute = new Ecoute(choisie);
+        semer(scene, camera, new RechercheRapide(choisie, ecoute));
+        long[] couts = couts(ecoute.questions);
+        int[] nombres = new int[couts.length];
+        for (Question q : ecoute.questions) {
+            nombres[sorte(q)]++;
         }
-
-        boolean cheres() {
-            return cout > BON_MARCHE * nombre;
+        boolean[] cheres = new boolean[couts.length];
+        boolean uneChere = false;
+        for (int s = 0; s < couts.length; s++) {
+            cheres[s] = couts[s] > BON_MARCHE * nombres[s];
+            uneChere |= cheres[s];
         }
-    }
-
-    /** Remplace par {@code arbre}, dans {@code premiers}, {@code suivants} et {@code obstacles}, ce qui coûte plus que lui. */
-    void faire(Camera camera, double[] lampes, Voisins[] premiersEtSuivants, Obstacles[] obstacles, Secours arbre) {
-        Questions[] vues = {new Questions(), new Questions()};
-        Questions[] ombres = new Questions[obstacles.length];
-        for (int l = 0; l < ombres.length; l++) {
-            ombres[l] = new Questions();
+        if (!uneChere) {
+            return;
         }
-        for (int j = 0; j < SEMIS; j++) {
-            for (int i = 0; i < SEMIS; i++) {
-                semer(camera.getRayon((i + 0.5) * camera.getLargeur() / SEMIS, (j + 0.5) * camera.getHauteur() / SEMIS),
-                        premiersEtSuivants, vues, lampes, obstacles, ombres);
-            }
+        Obstacles[] partout = new Obstacles[obstacles.length];
+        Arrays.fill(partout, arbre);
+        Ecoute autre = new Ecoute(new RechercheRapide(preparation, arbre, arbre, partout, new Compteurs()));
+        for (Question q : ecoute.questions) {
+            q.memeReponse(autre);
         }
-        for (int s = 0; s < 2; s++) {
-            if (premiersEtSuivants[s] != arbre && vues[s].cheres() && cout(arbre, vues[s]) < vues[s].cout) {
-                premiersEtSuivants[s] = arbre;
-            }
-        }
-        for (int l = 0; l < ombres.length; l++) {
-            if (obstacles[l] != arbre && ombres[l].cheres() && coutOmbre(arbre, ombres[l]) < ombres[l].cout) {
-                obstacles[l] = arbre;
-            }
-        }
-    }
-
-    private void semer(Rayon rayon, Voisins[] voisins, Questions[] vues, double[] lampes, Obstacles[] obstacles,
-            Questions[] ombres) {
-        double px = rayon.getP().x;
-        double py = rayon.getP().y;
-        double pz = rayon.getP().z;
-        double vx = rayon.getV().x;
-        double vy = rayon.getV().y;
-        double vz = rayon.getV().z;
-        int sauf = -1;
-        for (int niveau = 0; niveau <= REFLETS; niveau++) {
-            int sorte = Math.min(niveau, 1);
-            long avant = examines();
-            int k = voisins[sorte].plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
-            vues[sorte].cout += examines() - avant;
-            vues[sorte].noter(px, py, pz, vx, vy, vz, Constantes.INFINI, sauf);
-            if (k < 0) {
-                return;
-            }
-            px += sonde.distance * vx;
-            py += sonde.distance * vy;
-            pz += sonde.distance * vz;
-            int s = Spheres.PAS * k;
-            double[] g = spheres.geometrie;
-            double nx = (px - g[s]) / g[s + 3];
-            double ny = (py - g[s + 1]) / g[s + 3];
-            double nz = (pz - g[s + 2]) / g[s + 3];
-            for (int l = 0; l < obstacles.length; l++) {
-                double lx = px - lampes[3 * l];
-                double ly = py - lampes[3 * l + 1];
-                double lz = pz - lampes[3 * l + 2];
-                double d = Math.sqrt(lx * lx + ly * ly + lz * lz);
-                if (nx * lx + ny * ly + nz * lz < 0 && d > 0 && d < Constantes.INFINI) {
-                    avant = examines();
-                    obstacles[l].cachee(sonde, lampes[3 * l], lampes[3 * l + 1], lampes[3 * l + 2], lx / d, ly / d, lz / d, d, k);
-                    ombres[l].cout += examines() - avant;
-                    ombres[l].noter(lampes[3 * l], lampes[3 * l + 1], lampes[3 * l + 2], lx / d, ly / d, lz / d, d, k);
+        long[] coutsDeLArbre = couts(autre.questions);
+        for (int s = 0; s < couts.length; s++) {
+            if (cheres[s] && coutsDeLArbre[s] < couts[s]) {
+                if (s < OMBRES) {
+                    voisins[s] = arbre;
+                } else {
+                    obstacles[s - OMBRES] = arbre;
                 }
             }
-            double vn = 2 * (vx * nx + vy * ny + vz * nz);
-            vx -= vn * nx;
-            vy -= vn * ny;
-            vz -= vn * nz;
-            double n = Math.sqrt(vx * vx + vy * vy + vz * vz);
-            if (!(n > 0 && n < Constantes.INFINI)) {
-                return;
+        }
+    }
+
+    private static void semer(Scene scene, Camera camera, RechercheRapide ecoutee) {
+        Scene vue = scene.pourUnFil();
+        vue.setRecherche(ecoutee);
+        Lancer lancer = new Lancer(vue, camera);
+        for (int j = 0; j < SEMIS; j++) {
+            for (int i = 0; i < SEMIS; i++) {
+                try {
+                    lancer.getCouleurPixel((i + 0.5) * camera.getLargeur() / SEMIS, (j + 0.5) * camera.getHauteur() / SEMIS, REFLETS);
+                } catch (RuntimeException | StackOverflowError | LinkageError e) {
+                    // ce qui échoue ici échouera au dessin, qui dira où
+                }
             }
-            vx /= n;
-            vy /= n;
-            vz /= n;
-            sauf = k;
         }
     }
 
-    private long examines() {
-        return sonde.compteurs.testsSpheres + sonde.compteurs.noeudsVisites;
+    private long[] couts(List<Question> questions) {
+        long[] couts = new long[OMBRES + lampes.size()];
+        for (Question q : questions) {
+            couts[sorte(q)] += q.cout;
+        }
+        return couts;
     }
 
-    private long cout(Voisins arbre, Questions questions) {
-        long avant = examines();
-        double[] q = questions.rayons;
-        for (int i = 0; i < PAS * questions.nombre; i += PAS) {
-            arbre.plusProche(sonde, q[i], q[i + 1], q[i + 2], q[i + 3], q[i + 4], q[i + 5], (int) q[i + 7]);
-        }
-        return examines() - avant;
-    }
-
-    private long coutOmbre(Obstacles arbre, Questions questions) {
-        long avant = examines();
-        double[] q = questions.rayons;
-        for (int i = 0; i < PAS * questions.nombre; i += PAS) {
-            arbre.cachee(sonde, q[i], q[i + 1], q[i + 2], q[i + 3], q[i + 4], q[i + 5], q[i + 6], (int) q[i + 7]);
-        }
-        return examines() - avant;
+    private int sorte(Question q) {
+        return q.lampe != null ? OMBRES + lampes.indexOf(q.lampe) : q.saufLui == null ? PREMIERS : SUIVANTS;
     }
 }

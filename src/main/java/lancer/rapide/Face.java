@@ -1,5 +1,8 @@
 package lancer.rapide;
 
+import lancer.Camera;
+import lancer.Constantes;
+
 /**
  * Une fenêtre découpée en cases, vue d'un point : la case d'une direction, et les cases que couvre la silhouette d'une sphère.
  * Dans le repère de la face, une direction (x, y, z), z &gt; 0, y tombe en u = x/z, v = y/z.
@@ -11,6 +14,10 @@ final class Face {
      * {@link lancer.Sphere#distance} grossissent une sphère de 4e-15 au plus, vue d'ici.
      */
     static final double MARGE = 4e-12;
+
+    /** Ce que la direction d'un rayon peut s'écarter de celle de l'œil, en z = 1 : le quart de la marge. */
+    private static final double ECART = MARGE / 4 * Camera.FOCALE;
+    private static final double PAR_FOCALE = 1 / Camera.FOCALE;
 
     /** Une sphère dont z dépasse r de moins de cette part de sa distance n'a pas d'ellipse pour silhouette. */
     private static final double RASANTE = 1e-3;
@@ -58,6 +65,14 @@ final class Face {
         couvertA = new int[lignes];
     }
 
+    /** La fenêtre de l'image, vue de l'œil. @param cote celui d'une case, en pixels */
+    static Face deLImage(Camera camera, double cote) {
+        double u = Constantes.ECHELLE / 2 / Camera.FOCALE;
+        double v = u * camera.getHauteur() / camera.getLargeur();
+        return new Face(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, -u, -v, u, v,
+                (int) Math.ceil(camera.getLargeur() / cote), (int) Math.ceil(camera.getHauteur() / cote));
+    }
+
     /** La case de cette direction, -1 si elle n'est pas dans la fenêtre. */
     int caseDe(double x, double y, double z) {
         double w = e[6] * x + e[7] * y + e[8] * z;
@@ -66,6 +81,13 @@ final class Face {
         }
         double parW = 1 / w;
         return casePlane((e[0] * x + e[1] * y + e[2] * z) * parW, (e[3] * x + e[4] * y + e[5] * z) * parW);
+    }
+
+    /** La case de l'image que traverse ce rayon, -1 s'il ne part pas de l'écran en s'éloignant de l'œil, ou n'est pas dans l'image. */
+    int caseDeLOeil(double px, double py, double pz, double vx, double vy, double vz) {
+        double ecart = ECART * vz;
+        return pz == 0 && Math.abs(vx * Camera.FOCALE - px * vz) <= ecart && Math.abs(vy * Camera.FOCALE - py * vz) <= ecart
+                ? casePlane(px * PAR_FOCALE, py * PAR_FOCALE) : -1;
     }
 
     /** La case de ce point de la fenêtre, -1 s'il n'y est pas. */

@@ -1,7 +1,9 @@
 package lancer.rapide;
 
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
+import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lampe;
@@ -9,6 +11,7 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.fils.Equipe;
 
 /**
  * Le choix des structures : ce que la scène demande, et rien de plus. Une préparation vaut pour un dessin : la place des
@@ -39,6 +42,9 @@ public final class Preparation {
      * pas plus vite (10 à 1000 sphères).
      */
     private static final int PIXELS_PAR_CASE = 16;
+
+    /** Au-dessous de ce nombre de sphères, un fil coûte plus à lancer qu'il ne fait gagner. */
+    private static final int SPHERES_PAR_FIL = 200;
 
     private final Spheres spheres;
     private final List<Lampe> lampes;
@@ -71,19 +77,25 @@ public final class Preparation {
             Boucle boucle = new Boucle(spheres);
             general = boucle;
             obstacleGeneral = boucle;
-        } else {
-            spheres.ranger(Morton.ordre(spheres, boite));
-            lesquelles = Grosses.lesAutres(spheres, GROSSES_MAX);
-            double lointaine = portee;
-            for (Lampe lampe : lampes) {
-                Point p = lampe.getPosition();
-                double d = Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z))) / Etendue.DEPART_MAX;
-                lointaine = Math.max(lointaine, d < 1e6 * portee ? d : 0);
+            Masques masques = reglage.arbreSeul || n > Masques.MAX ? null : new Masques(spheres, boucle, portee, camera);
+            premiers = masques == null ? boucle : masques;
+            suivants = premiers;
+            for (int l = 0; l < obstacles.length; l++) {
+                obstacles[l] = masques == null ? boucle : masques.obstacles(lampes.get(l).getPosition());
             }
-            Secours secours = new Secours(spheres, lesquelles, Grosses.complement(lesquelles, n), lointaine);
-            general = secours;
-            obstacleGeneral = secours;
+            return;
         }
+        spheres.ranger(Morton.ordre(spheres, boite));
+        lesquelles = Grosses.lesAutres(spheres, GROSSES_MAX);
+        double lointaine = portee;
+        for (Lampe lampe : lampes) {
+            Point p = lampe.getPosition();
+            double d = Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z))) / Etendue.DEPART_MAX;
+            lointaine = Math.max(lointaine, d < 1e6 * portee ? d : 0);
+        }
+        Secours secours = new Secours(spheres, lesquelles, Grosses.complement(lesquelles, n), lointaine);
+        general = secours;
+        obstacleGeneral = secours;
         premiers = general;
         suivants = general;
         Arrays.fill(obstacles, obstacleGeneral);
@@ -91,53 +103,50 @@ public final class Preparation {
             return;
         }
         int[] dansLaGrille = lesquelles;
-        new Taches(2 + obstacles.length, n) {
+        construire(new IntConsumer() {
             @Override
-            void faire(int k) {
+            public void accept(int k) {
                 if (k == 0) {
-                    suivants = peu ? new Departs(spheres, portee, general)
-                            : new Grille(spheres, dansLaGrille, Grosses.complement(dansLaGrille, n), boite, general);
+                    suivants = new Grille(spheres, dansLaGrille, Grosses.complement(dansLaGrille, n), boite, general);
                 } else if (k <= obstacles.length) {
                     obstacles[k - 1] = deLaLampe(lampes.get(k - 1).getPosition());
                 } else {
                     premiers = deLOeil(camera);
                 }
             }
-        }.tout();
-        if (general instanceof Secours && !reglage.sansChoix) {
+        });
+        if (!reglage.sansChoix) {
             Voisins[] voisins = {premiers, suivants};
-            new Choix(spheres).faire(camera, positions(), voisins, obstacles, (Secours) general);
+            new Choix(this, lampes).faire(scene, camera, voisins, obstacles, (Secours) general);
             premiers = voisins[0];
             suivants = voisins[1];
         }
     }
 
-    private double[] positions() {
-        double[] p = new double[3 * lampes.size()];
-        for (int l = 0; l < lampes.size(); l++) {
-            Point lampe = lampes.get(l).getPosition();
-            p[3 * l] = lampe.x;
-            p[3 * l + 1] = lampe.y;
-            p[3 * l + 2] = lampe.z;
+    /** Les structures, sans rapport entre elles, par autant de fils que de cœurs si cela en vaut la peine. */
+    private void construire(IntConsumer structure) {
+        int nombre = 2 + obstacles.length;
+        if (spheres.nombre < SPHERES_PAR_FIL) {
+            for (int k = 0; k < nombre; k++) {
+                structure.accept(k);
+            }
+            return;
         }
-        return p;
+        int fils = Math.min(nombre, Runtime.getRuntime().availableProcessors());
+        new Equipe("preparation").faire(nombre, Collections.nCopies(fils, structure));
     }
 
     private Obstacles deLaLampe(Point p) {
         int cases = (int) Math.max(CASES_MIN, Math.min(CASES_MAX, (long) CASES_PAR_SPHERE * spheres.nombre));
-        Carte carte = Carte.duPoint(spheres, p.x, p.y, p.z, Faces.pour(spheres, p.x, p.y, p.z, cases), false);
+        Carte carte = Carte.deLaLampe(spheres, p, Faces.pour(spheres, p.x, p.y, p.z, cases));
         return carte.bonne ? new CarteLampe(spheres, carte, obstacleGeneral) : obstacleGeneral;
     }
 
     private Voisins deLOeil(Camera camera) {
-        double u = Constantes.ECHELLE / 2 / Camera.FOCALE;
-        double v = u * camera.getHauteur() / camera.getLargeur();
         double pixels = (double) camera.getLargeur() * camera.getHauteur();
         double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / Math.min(CASES_MAX, Math.max(1, spheres.nombre))));
-        Face face = new Face(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, -u, -v, u, v,
-                (int) Math.ceil(camera.getLargeur() / cote), (int) Math.ceil(camera.getHauteur() / cote));
-        Carte carte = Carte.duPoint(spheres, Camera.OEIL.x, Camera.OEIL.y, Camera.OEIL.z, new Face[] {face}, true);
-        return carte.bonne ? new CarteOeil(carte, general) : general;
+        Carte carte = Carte.deLOeil(spheres, Face.deLImage(camera, cote), general);
+        return carte.bonne ? carte : general;
     }
 
     /**
@@ -150,34 +159,21 @@ public final class Preparation {
     }
 
     static Recherche pour(Scene scene, Camera camera, Reglage reglage) {
-        return new RechercheRapide(new Preparation(scene, camera, reglage), new Compteurs());
+        Preparation p = new Preparation(scene, camera, reglage);
+        return new RechercheRapide(p, p.premiers, p.suivants, p.obstacles, new Compteurs());
     }
 
     Spheres getSpheres() {
         return spheres;
     }
 
-    Voisins premiers(Camera camera) {
-        return camera.getClass() == Camera.class ? premiers : general;
+    Lampe[] lampes() {
+        return lampes.toArray(new Lampe[0]);
     }
 
-    Voisins suivants() {
-        return suivants;
-    }
-
-    /** Pour un rayon qui part de n'importe où : {@link Departs} ne connaît que ceux qui quittent la sphère à ignorer. */
-    Voisins deNImporteOu() {
-        return suivants instanceof Departs ? general : suivants;
-    }
-
-    Obstacles[] obstacles() {
-        return obstacles;
-    }
-
-    /** Les obstacles de cette lampe ; ceux de toutes si elle n'est pas de la scène. */
-    Obstacles obstaclesDe(Lampe lampe) {
-        int l = lampes.indexOf(lampe);
-        return l < 0 ? obstacleGeneral : obstacles[l];
+    /** Les obstacles d'une lampe qui n'est pas de la scène. */
+    Obstacles obstacleGeneral() {
+        return obstacleGeneral;
     }
 
     /** Les structures choisies, par leurs noms : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */

@@ -1,6 +1,5 @@
 package lancer.rapide;
 
-import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Lancer;
@@ -10,75 +9,115 @@ import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.Vue;
+import lancer.contrat.Temoignage;
 
 /**
- * La recherche qui s'aide des structures de {@link Preparation} : pour chaque sorte de rayon, celle qui lui va. Les structures
- * sont partagées ; chaque fil a sa {@link Sonde}.
+ * La recherche qui s'aide des structures de {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui vérifie
+ * d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a sa {@link Sonde}.
  */
 final class RechercheRapide implements Recherche {
 
     private final Preparation preparation;
     private final Spheres spheres;
+    private final Voisins premiers;
+    private final Voisins suivants;
+    private final Lampe[] lampes;
+    private final Obstacles[] obstacles;
     private final Sonde sonde;
 
-    RechercheRapide(Preparation preparation, Compteurs compteurs) {
+    /**
+     * Celle qui répond à la place de celle-ci, d'ordinaire {@code null}. Sous cette forme la recherche d'une scène est toujours de cette
+     * classe, et quelques témoins ne coûtent rien aux autres rayons.
+     */
+    private final Recherche remplacante;
+
+    /** Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon suivant. */
+    private int derniere = -1;
+
+    /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
+    private int lampe;
+
+    RechercheRapide(Preparation preparation, Voisins premiers, Voisins suivants, Obstacles[] obstacles, Compteurs compteurs) {
         this.preparation = preparation;
-        this.spheres = preparation.getSpheres();
-        this.sonde = new Sonde(compteurs);
+        this.premiers = premiers;
+        this.suivants = suivants;
+        this.obstacles = obstacles;
+        spheres = preparation.getSpheres();
+        lampes = preparation.lampes();
+        sonde = new Sonde(compteurs);
+        remplacante = null;
     }
 
-    Spheres getSpheres() {
-        return spheres;
-    }
-
-    Voisins premiers(Camera camera) {
-        return preparation.premiers(camera);
-    }
-
-    Voisins suivants() {
-        return preparation.suivants();
-    }
-
-    Obstacles[] obstacles() {
-        return preparation.obstacles();
+    /** Une recherche de cette classe, qui laisse toujours répondre l'autre. */
+    RechercheRapide(RechercheRapide modele, Recherche remplacante) {
+        preparation = modele.preparation;
+        premiers = modele.premiers;
+        suivants = modele.suivants;
+        obstacles = modele.obstacles;
+        spheres = modele.spheres;
+        lampes = modele.lampes;
+        sonde = modele.sonde;
+        this.remplacante = remplacante;
     }
 
     @Override
     public void plusProche(Rayon incident, Objet3D saufLui) {
+        if (remplacante != null) {
+            remplacante.plusProche(incident, saufLui);
+            return;
+        }
         Point P = incident.getP();
         Vecteur V = incident.getV();
-        int k = preparation.deNImporteOu().plusProche(sonde, P.x, P.y, P.z, V.x, V.y, V.z, spheres.numero(saufLui));
-        double distance = sonde.distance;
-        if (spheres.autres.length == 0 || autrePlusProche(incident, distance, k, saufLui) == null) {
-            incident.setContact(k < 0 ? null : spheres.objet(k), distance);
+        int k = saufLui == null ? premiers.plusProche(sonde, P.x, P.y, P.z, V.x, V.y, V.z, -1)
+                : suivants.plusProche(sonde, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
+        derniere = k;
+        if (spheres.autres.length > 0) {
+            avecLesAutres(incident, k, saufLui);
+        } else {
+            incident.setContact(k < 0 ? null : spheres.objets[k], sonde.distance);
         }
     }
 
+    private int numero(Objet3D objet) {
+        return derniere >= 0 && objet == spheres.objets[derniere] ? derniere : spheres.numero(objet);
+    }
+
     @Override
-    public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+    public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+        if (remplacante != null) {
+            // une copie : L n'a sinon pas à exister hors des registres
+            return remplacante.estCachee(lampe, contact, new Vecteur(L.x, L.y, L.z), distance, objet);
+        }
         Point P = lampe.getPosition();
-        Vecteur V = new Vecteur(P, contact);
-        double distance = V.norme();
-        V = V.normalized();
-        return preparation.obstaclesDe(lampe).cachee(sonde, P.x, P.y, P.z, V.x, V.y, V.z, distance, spheres.numero(objet))
-                || spheres.autres.length > 0 && autreCache(P, contact, distance, objet);
+        return obstaclesDe(lampe).cachee(sonde, P.x, P.y, P.z, -L.x, -L.y, -L.z, distance, numero(objet))
+                || spheres.autres.length > 0 && unAutreCache(lampe.getRayon(L), distance, objet);
+    }
+
+    /** Ce qui cache cette lampe ; si elle n'est pas de la scène, ce qui les cache toutes. */
+    private Obstacles obstaclesDe(Lampe demandee) {
+        for (int reste = lampes.length; reste > 0; reste--) {
+            if (lampes[lampe] == demandee) {
+                return obstacles[lampe];
+            }
+            lampe = lampe + 1 < lampes.length ? lampe + 1 : 0;
+        }
+        return preparation.obstacleGeneral();
     }
 
     /**
-     * L'objet, parmi ceux qui ne sont pas des sphères, que ce rayon rencontre avant la sphère k ; il le retient alors.
+     * Retient dans le rayon, de la sphère k et des objets qui ne sont pas des sphères, celui qu'il rencontre d'abord.
      *
-     * @param distance celle de la sphère k, +∞ si k est -1
-     * @return {@code null} si c'est la sphère, ou rien
+     * @param k numéro de la sphère à {@code sonde.distance}, ou -1
      */
-    Objet3D autrePlusProche(Rayon rayon, double distance, int k, Objet3D saufLui) {
-        Objet3D plusProche = null;
+    private void avecLesAutres(Rayon incident, int k, Objet3D saufLui) {
+        Objet3D plusProche = k < 0 ? null : spheres.objets[k];
+        double distance = sonde.distance;
         int rang = k < 0 ? Integer.MAX_VALUE : spheres.rang[k];
         for (int a = 0; a < spheres.autres.length; a++) {
             Objet3D autre = spheres.autres[a];
             if (autre != saufLui) {
                 sonde.compteurs.testsSpheres++;
-                double d = autre.getIntersectionDistance(rayon);
+                double d = autre.getIntersectionDistance(incident);
                 if (d < distance || d == distance && d != Constantes.INFINI && spheres.rangAutres[a] < rang) {
                     plusProche = autre;
                     distance = d;
@@ -86,15 +125,10 @@ final class RechercheRapide implements Recherche {
                 }
             }
         }
-        if (plusProche != null) {
-            rayon.setContact(plusProche, distance);
-        }
-        return plusProche;
+        incident.setContact(plusProche, distance);
     }
 
-    /** Vrai si un objet qui n'est pas une sphère se trouve entre la lampe et le contact. */
-    boolean autreCache(Point lampe, Point contact, double distance, Objet3D objet) {
-        Rayon ombre = new Rayon(lampe, contact);
+    private boolean unAutreCache(Rayon ombre, double distance, Objet3D objet) {
         for (Objet3D autre : spheres.autres) {
             if (autre != objet) {
                 sonde.compteurs.testsSpheres++;
@@ -108,12 +142,13 @@ final class RechercheRapide implements Recherche {
 
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheRapide(preparation, compteurs);
+        return new RechercheRapide(preparation, premiers, suivants, obstacles, compteurs);
     }
 
     @Override
-    public Vue vue(Lancer lancer, int profondeur) {
-        return new Traceur(this, sonde, lancer, profondeur);
+    public Temoignage juger(Lancer lancer, int profondeur, boolean tires) {
+        Temoins temoins = new Temoins(this, lancer, profondeur);
+        return tires ? temoins.auHasard() : temoins.choisis();
     }
 
     /** Ce que {@link Preparation} a choisi pour cette scène. */

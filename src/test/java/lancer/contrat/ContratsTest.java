@@ -15,6 +15,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Sphere;
+import lancer.Ombre;
 import org.junit.jupiter.api.Test;
 
 /** Les contrats par défaut : le partage de l'image, la recherche du cours. */
@@ -56,37 +57,8 @@ class ContratsTest {
         assertEquals(5, compteurs.testsSpheres);
 
         // une lampe derrière tout : seul le premier objet trouvé est essayé
-        assertTrue(recherche.estCachee(new Lampe(new Point(0, 0, 40), new Couleur(1)), new Point(0, 0, 4), objets.get(0)));
+        assertTrue(Ombre.cachee(recherche, new Lampe(new Point(0, 0, 40), new Couleur(1)), new Point(0, 0, 4), objets.get(0)));
         assertEquals(6, compteurs.testsSpheres);
-    }
-
-    /** Partir du sol même laisse en doute le sol, et lui seul. */
-    @Test
-    void lesIntersectionsReprisesSontComptees() {
-        List<Objet3D> objets = Arrays.asList(boule(5), new Sphere(new Point(0, -1000, 0), 1000));
-        Compteurs compteurs = new Compteurs();
-        RechercheSimple recherche = new RechercheSimple(objets, compteurs);
-        Rayon rayon = new Rayon(new Point(0, 0, 0), new Point(0, 1, 1));
-        for (int fois = 1; fois <= 3; fois++) {
-            recherche.plusProche(rayon, null);
-            assertEquals(fois, compteurs.testsPrecis);
-            assertEquals(2 * fois, compteurs.testsSpheres);
-        }
-        recherche.plusProche(new Rayon(new Point(0, 500, 0), new Point(0, 1000, 1)), null);
-        assertEquals(3, compteurs.testsPrecis);
-        recherche.estCachee(new Lampe(new Point(0, 1e-9, 0), new Couleur(1)), new Point(0, 3, 3), objets.get(0));
-        assertEquals(4, compteurs.testsPrecis);
-    }
-
-    /** Loin de la surface, la forme directe suffit, de quelque côté qu'on regarde. */
-    @Test
-    void deLInterieurRienNEstRepris() {
-        Objet3D salle = new Sphere(new Point(0, 0, 0), 100);
-        for (Point but : Arrays.asList(new Point(0, 0, 60), new Point(0, 0, 40), new Point(0, 1, 50), new Point(3, 4, 55))) {
-            Rayon rayon = new Rayon(new Point(0, 0, 50), but);
-            salle.getIntersectionDistance(rayon);
-            assertEquals(0, rayon.getReprises(), "vers " + but);
-        }
     }
 
     /** Strictement entre les deux : deux boules qui se touchent là où l'on regarde ne s'y font pas d'ombre. */
@@ -98,8 +70,8 @@ class ContratsTest {
         Point contact = new Point(0, 0, 4);
         RechercheSimple recherche = new RechercheSimple(Arrays.asList(eclairee, autre), new Compteurs());
         assertEquals(4, autre.getIntersectionDistance(new Rayon(new Point(0, 0, 0), contact)));
-        assertFalse(recherche.estCachee(lampe, contact, eclairee));
-        assertTrue(recherche.estCachee(lampe, new Point(0, 0, Math.nextUp(4.0)), eclairee));
+        assertFalse(Ombre.cachee(recherche, lampe, contact, eclairee));
+        assertTrue(Ombre.cachee(recherche, lampe, new Point(0, 0, Math.nextUp(4.0)), eclairee));
     }
 
     @Test

@@ -22,6 +22,8 @@ import lancer.Main;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
+import lancer.Vecteur;
+import lancer.Ombre;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import org.junit.jupiter.api.DisplayName;
@@ -207,8 +209,8 @@ class BancTest {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
-            return autre.estCachee(lampe, contact, objet);
+        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+            return Ombre.cachee(autre, lampe, contact, objet);
         }
 
         @Override

@@ -40,7 +40,9 @@ final class Chemin {
         Vecteur N = contact.objet.getNormale(contact);
         List<Lampe> lampes = new ArrayList<>();
         for (Lampe lampe : scene.getLampes()) {
-            if (N.dot(new Vecteur(contact, lampe.getPosition())) > 0 && !scene.estCachee(lampe, contact, contact.objet)) {
+            Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
+            if (N.dot(versLampe) > 0
+                    && !scene.estCachee(lampe, contact, versLampe.normalized(), versLampe.norme(), contact.objet)) {
                 lampes.add(lampe);
             }
         }

@@ -13,6 +13,7 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -95,7 +96,7 @@ public class NoyauContact {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
             return false;
         }
 

@@ -62,6 +62,8 @@ public class NoyauRecherche {
     private final Rayon[] reflechis = new Rayon[RAYONS];
     private final Objet3D[] departs = new Objet3D[RAYONS];
     private final PointContact[] contacts = new PointContact[RAYONS];
+    private final Vecteur[] versLaLampe = new Vecteur[RAYONS];
+    private final double[] distances = new double[RAYONS];
     private Lampe lampe;
     private Recherche sienne;
 
@@ -95,6 +97,9 @@ public class NoyauRecherche {
                 reflechis[k] = new Rayon(contact, V.sub(N.mul(2 * V.dot(N))));
                 departs[k] = contact.objet;
                 contacts[k] = contact;
+                Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
+                versLaLampe[k] = versLampe.normalized();
+                distances[k] = versLampe.norme();
                 k++;
             }
         }
@@ -112,10 +117,14 @@ public class NoyauRecherche {
             Objet3D objet = reflechis[k].getObjet();
             sienne.plusProche(reflechis[k], departs[k]);
             if (reflechis[k].getObjet() != objet || reflechis[k].getDistance() != distance
-                    || sienne.estCachee(lampe, contacts[k], departs[k]) != cours.estCachee(lampe, contacts[k], departs[k])) {
+                    || estCachee(sienne, k) != estCachee(cours, k)) {
                 throw new IllegalStateException("la recherche se trompe sur le rayon " + k + " : aucun temps");
             }
         }
+    }
+
+    private boolean estCachee(Recherche laquelle, int k) {
+        return laquelle.estCachee(lampe, contacts[k], versLaLampe[k], distances[k], departs[k]);
     }
 
     private static Scene foule() throws IOException {
@@ -148,7 +157,7 @@ public class NoyauRecherche {
     public int estCachee() {
         int cachees = 0;
         for (int k = 0; k < RAYONS; k++) {
-            if (sienne.estCachee(lampe, contacts[k], departs[k])) {
+            if (estCachee(sienne, k)) {
                 cachees++;
             }
         }

@@ -53,7 +53,7 @@ final class RechercheNaive implements Recherche {
     }
 
     @Override
-    public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+    public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
         if (ombre == Ombre.PREMIER_DU_MANUEL) {
             Rayon deLaLampe = new Rayon(lampe.getPosition(), contact);
             plusProche(deLaLampe, null);

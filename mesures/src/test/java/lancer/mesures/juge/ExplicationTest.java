@@ -17,6 +17,7 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
+import lancer.Ombre;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
@@ -102,7 +103,7 @@ class ExplicationTest {
     void unPixelAuBordDUneOmbre() {
         verifier(Cause.OMBRE, r -> ScenesJugees.scene(ScenesJugees.boule(0, 0, 6, 1, GRIS, NOIR),
                 ScenesJugees.boule(-1.25, 2.25, 2.5, r, GRIS, NOIR)), 0.01, 0.9,
-                s -> !s.estCachee(s.getLampes().get(0), contact(s), contact(s).objet));
+                s -> !Ombre.cachee(s, s.getLampes().get(0), contact(s), contact(s).objet));
     }
 
     @Test
@@ -121,7 +122,7 @@ class ExplicationTest {
                 Collections.singletonList(dessous)), 0.05, 0.9,
                 s -> {
                     PointContact vu = s.getClosestIntersection(reflechi(s), miroir);
-                    return !s.estCachee(s.getLampes().get(0), vu, vu.objet);
+                    return !Ombre.cachee(s, s.getLampes().get(0), vu, vu.objet);
                 });
     }
 

@@ -13,6 +13,7 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
+import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import org.junit.jupiter.api.DisplayName;
@@ -88,7 +89,7 @@ class NoyauxTest {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Objet3D objet) {
+        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
             return false;
         }
 

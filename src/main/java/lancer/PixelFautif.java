@@ -1,0 +1,17 @@
+package lancer;
+
+/** Un pixel n'a pu être calculé : une classe de la scène, ou une variante, échoue ou répond ce qui n'est pas un nombre. */
+public final class PixelFautif extends RuntimeException {
+
+    private static final long serialVersionUID = 1L;
+
+    /** Colonne et ligne, depuis le haut à gauche. */
+    public final int x;
+    public final int y;
+
+    PixelFautif(double xe, double ye, Throwable cause) {
+        super("pixel " + (int) xe + ", " + (int) ye, cause);
+        x = (int) xe;
+        y = (int) ye;
+    }
+}

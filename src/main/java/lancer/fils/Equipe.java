@@ -1,0 +1,127 @@
+package lancer.fils;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntConsumer;
+
+/**
+ * Des fils qui se partagent des tâches numérotées : chacun prend la première que personne n'a prise, jusqu'à la dernière. Le premier
+ * échec les arrête tous. Une équipe fait un travail à la fois.
+ */
+public final class Equipe {
+
+    /** Pile d'un fil, en octets : mille réflexions sont permises, de deux appels chacune. */
+    private static final long PILE = 16 << 20;
+
+    private final String nom;
+    private final AtomicInteger suivante = new AtomicInteger();
+    private final AtomicInteger faites = new AtomicInteger();
+    private volatile boolean arretee;
+    private volatile Throwable echec;
+
+    /** @param nom le début du nom des fils */
+    public Equipe(String nom) {
+        this.nom = nom;
+    }
+
+    /**
+     * Fait les tâches de 0 à {@code nombre} − 1, et rend la main quand aucun fil n'y travaille plus.
+     *
+     * @param ouvriers ce que fait chaque fil d'une tâche
+     * @throws CancellationException si {@link #arreter()} a été appelé, ou le fil appelant interrompu (il le reste)
+     */
+    public void faire(int nombre, List<? extends IntConsumer> ouvriers) {
+        suivante.set(0);
+        faites.set(0);
+        echec = null;
+        List<Thread> fils = new ArrayList<>();
+        try {
+            for (IntConsumer ouvrier : ouvriers) {
+                Thread fil = new Thread(null, new Fil(nombre, ouvrier), nom + "-" + (fils.size() + 1), PILE);
+                fil.setDaemon(true);
+                fil.start();
+                fils.add(fil);
+            }
+        } catch (RuntimeException | Error e) {
+            // plus de mémoire pour un fil : ceux qui sont partis ne doivent pas travailler sans nous
+            echouer(e);
+        }
+        for (Thread fil : fils) {
+            attendre(fil);
+        }
+        if (echec instanceof Error) {
+            throw (Error) echec;
+        }
+        if (echec != null) {
+            throw (RuntimeException) echec;
+        }
+        verifier();
+    }
+
+    /** Abandonne le travail en cours, au prochain {@link #verifier()} de chaque fil, et tous les suivants. */
+    public void arreter() {
+        arretee = true;
+    }
+
+    /** @throws CancellationException si l'équipe est arrêtée */
+    public void verifier() {
+        if (arretee) {
+            throw new CancellationException("travail arrêté");
+        }
+    }
+
+    /** Le nombre de tâches faites, du travail en cours ou du dernier. */
+    public int getFaites() {
+        return faites.get();
+    }
+
+    private void echouer(Throwable e) {
+        echec = e;
+        arretee = true;
+    }
+
+    private void attendre(Thread fil) {
+        boolean interrompu = false;
+        while (true) {
+            try {
+                fil.join();
+                break;
+            } catch (InterruptedException e) {
+                // on nous demande d'abandonner : les fils d'abord, ils s'arrêtent aussitôt
+                interrompu = true;
+                arretee = true;
+            }
+        }
+        if (interrompu) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Une classe nommée : la première lambda d'un programme coûte cher à son démarrage. */
+    private final class Fil implements Runnable {
+
+        private final int nombre;
+        private final IntConsumer ouvrier;
+
+        Fil(int nombre, IntConsumer ouvrier) {
+            this.nombre = nombre;
+            this.ouvrier = ouvrier;
+        }
+
+        @Override
+        public void run() {
+            try {
+                for (int k = suivante.getAndIncrement(); k < nombre && !arretee; k = suivante.getAndIncrement()) {
+                    ouvrier.accept(k);
+                    faites.incrementAndGet();
+                }
+            } catch (CancellationException e) {
+                // arrêté ici ou ailleurs : celui qui a demandé l'arrêt le sait
+            } catch (RuntimeException | Error e) {
+                echouer(e);
+            }
+        }
+    }
+}

@@ -1,0 +1,241 @@
+package lancer.rapide;
+
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Point;
+import lancer.Sphere;
+
+/**
+ * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque par tuile de
+ * l'écran, un par sphère quittée et par petit cube où tombe la direction, un par lampe et par sphère éclairée. Un rayon qui n'est
+ * pas de ceux d'un masque (comparé avant de s'en servir) est pour la boucle.
+ */
+final class Masques implements Voisins {
+
+    /** Autant de sphères que de bits. */
+    static final int MAX = Long.SIZE;
+
+    /** Petits cubes par côté de celui qui contient toutes les directions : ±1. */
+    private static final int COTE = 8;
+    private static final int CUBES = COTE * COTE * COTE;
+
+    /** Côté d'une tuile de l'écran, en pixels. */
+    private static final int TUILE = 8;
+
+    /** Grossissement des sphères que l'on quitte ou que l'on éclaire, en part des longueurs ; un rayon n'en prend que la moitié. */
+    private static final double MARGE = 1e-9;
+
+    private final Spheres spheres;
+    private final Boucle boucle;
+    private final double portee;
+    private final Face image;
+    private final long[] parTuile;
+    private final long[] parDirection;
+    /** Carrés des distances au centre, au plus, des points de chaque sphère grossie. */
+    private final double[] limites;
+
+    /** @param portee plus grande coordonnée des sphères et de l'œil */
+    Masques(Spheres spheres, Boucle boucle, double portee, Camera camera) {
+        this.spheres = spheres;
+        this.boucle = boucle;
+        this.portee = portee;
+        int n = spheres.nombre;
+        image = Face.deLImage(camera, TUILE);
+        parTuile = new long[image.colonnes * image.lignes];
+        parDirection = new long[CUBES * n];
+        limites = new double[n];
+        for (int k = 0; k < n; k++) {
+            noterTuiles(k);
+            limites[k] = limite(k, portee);
+            noterDirections(k);
+        }
+    }
+
+    private double limite(int k, double longueur) {
+        double r = spheres.geometrie[Spheres.PAS * k + 3] + MARGE / 2 * longueur;
+        return r * r;
+    }
+
+    private void noterTuiles(int k) {
+        double[] g = spheres.geometrie;
+        int s = Spheres.PAS * k;
+        double x = g[s];
+        double y = g[s + 1];
+        double z = g[s + 2] + Camera.FOCALE;
+        double loin = Math.sqrt(x * x + y * y + z * z);
+        boolean dehors = g[s + 3] < (1 - MARGE) * loin;
+        if (dehors && !image.silhouette(x / loin, y / loin, z / loin, g[s + 3] / loin)) {
+            return;
+        }
+        for (int j = dehors ? image.ligne0 : 0; j <= (dehors ? image.ligne1 : image.lignes - 1); j++) {
+            for (int i = dehors ? image.de[j] : 0; i <= (dehors ? image.a[j] : image.colonnes - 1); i++) {
+                parTuile[j * image.colonnes + i] |= 1L << k;
+            }
+        }
+    }
+
+    /**
+     * Ce que peut toucher un rayon qui quitte la sphère a : B, si l'angle de sa direction avec AB est au plus asin((rA + rB) / AB). D'un petit
+     * cube de centre c et de demi-côté h, aucune direction n'a avec w un cosinus de plus de c·w + h(|wx| + |wy| + |wz|).
+     */
+    private void noterDirections(int a) {
+        double[] g = spheres.geometrie;
+        double demi = 1.0 / COTE;
+        for (int b = 0; b < spheres.nombre; b++) {
+            if (b == a) {
+                continue;
+            }
+            int sa = Spheres.PAS * a;
+            int sb = Spheres.PAS * b;
+            double x = g[sb] - g[sa];
+            double y = g[sb + 1] - g[sa + 1];
+            double z = g[sb + 2] - g[sa + 2];
+            double d = Math.sqrt(x * x + y * y + z * z);
+            double sinus = (g[sa + 3] + g[sb + 3] + MARGE * portee) / d;
+            double cosinus = sinus < 1 ? Math.sqrt(1 - sinus * sinus) - MARGE : -2;
+            x /= d;
+            y /= d;
+            z /= d;
+            double plus = demi * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+            int c = CUBES * a;
+            for (int k = 0; k < COTE; k++) {
+                double cz = ((2 * k + 1) * demi - 1) * z + plus;
+                for (int j = 0; j < COTE; j++) {
+                    double cy = ((2 * j + 1) * demi - 1) * y + cz;
+                    for (int i = 0; i < COTE; i++, c++) {
+                        // écrit ainsi, deux centres confondus (NaN) se notent partout
+                        if (!(((2 * i + 1) * demi - 1) * x + cy < cosinus)) {
+                            parDirection[c] |= 1L << b;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    @Override
+    public int plusProche(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
+        long masque;
+        double[] g = spheres.geometrie;
+        if (sauf < 0) {
+            int t = image.caseDeLOeil(px, py, pz, vx, vy, vz);
+            if (t < 0) {
+                return boucle.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
+            }
+            masque = parTuile[t];
+        } else {
+            int s = Spheres.PAS * sauf;
+            double x = px - g[s];
+            double y = py - g[s + 1];
+            double z = pz - g[s + 2];
+            if (!(x * x + y * y + z * z <= limites[sauf] && Math.abs(vx * vx + vy * vy + vz * vz - 1) < MARGE / 4)) {
+                return boucle.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
+            }
+            int i = Math.min(COTE - 1, (int) ((vx + 1) * (COTE / 2)));
+            int j = Math.min(COTE - 1, (int) ((vy + 1) * (COTE / 2)));
+            int k = Math.min(COTE - 1, (int) ((vz + 1) * (COTE / 2)));
+            masque = parDirection[CUBES * sauf + (k * COTE + j) * COTE + i];
+        }
+        sonde.compteurs.noeudsVisites++;
+        double distance = Constantes.INFINI;
+        int trouvee = -1;
+        int tests = 0;
+        // dans l'ordre de la scène : de deux contacts à la même distance, le premier reste
+        for (; masque != 0; masque &= masque - 1) {
+            int k = Long.numberOfTrailingZeros(masque);
+            tests++;
+            int s = Spheres.PAS * k;
+            double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+            if (d < distance) {
+                if (d < 0) {
+                    if (Sphere.auMoins(d) > distance) {
+                        continue;
+                    }
+                    d = sonde.trancher(spheres, k, px, py, pz, vx, vy, vz);
+                    if (!(d < distance)) {
+                        continue;
+                    }
+                }
+                distance = d;
+                trouvee = k;
+            }
+        }
+        sonde.compteurs.testsSpheres += tests;
+        sonde.distance = distance;
+        return trouvee;
+    }
+
+    /** Ce qui peut cacher cette lampe. */
+    Obstacles obstacles(Point lampe) {
+        return new Ombres(lampe);
+    }
+
+    /** Pour une lampe et chaque sphère éclairée A, les sphères que touche un segment de la lampe à un point de A. */
+    private final class Ombres implements Obstacles {
+
+        private final long[] parSphere = new long[spheres.nombre];
+        private final double[] limitesIci = new double[spheres.nombre];
+
+        Ombres(Point lampe) {
+            double longueur = Math.max(portee, Math.max(Math.abs(lampe.x), Math.max(Math.abs(lampe.y), Math.abs(lampe.z))));
+            double[] g = spheres.geometrie;
+            int n = spheres.nombre;
+            double[] x = new double[n];
+            double[] y = new double[n];
+            double[] z = new double[n];
+            double[] loin = new double[n];
+            double[] angle = new double[n];
+            for (int k = 0; k < n; k++) {
+                int s = Spheres.PAS * k;
+                x[k] = g[s] - lampe.x;
+                y[k] = g[s + 1] - lampe.y;
+                z[k] = g[s + 2] - lampe.z;
+                loin[k] = Math.sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
+                double r = g[s + 3] + MARGE * longueur;
+                angle[k] = r < loin[k] ? Math.asin(r / loin[k]) : Math.PI;
+                limitesIci[k] = limite(k, longueur);
+            }
+            for (int a = 0; a < n; a++) {
+                double auPlus = loin[a] + g[Spheres.PAS * a + 3];
+                for (int b = 0; b < n; b++) {
+                    double cosinus = (x[a] * x[b] + y[a] * y[b] + z[a] * z[b]) / (loin[a] * loin[b]);
+                    double somme = angle[a] + angle[b] + MARGE;
+                    boolean vues = !(somme < Math.PI) || !(cosinus < Math.cos(somme) - MARGE);
+                    if (b != a && vues && !(loin[b] - g[Spheres.PAS * b + 3] > auPlus + MARGE * longueur)) {
+                        parSphere[a] |= 1L << b;
+                    }
+                }
+            }
+        }
+
+        @Override
+        public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, double distance,
+                int sauf) {
+            double[] g = spheres.geometrie;
+            if (sauf >= 0) {
+                int s = Spheres.PAS * sauf;
+                double x = px + distance * vx - g[s];
+                double y = py + distance * vy - g[s + 1];
+                double z = pz + distance * vz - g[s + 2];
+                if (x * x + y * y + z * z <= limitesIci[sauf]) {
+                    sonde.compteurs.noeudsVisites++;
+                    int tests = 0;
+                    long masque = parSphere[sauf];
+                    for (; masque != 0; masque &= masque - 1) {
+                        int k = Long.numberOfTrailingZeros(masque);
+                        tests++;
+                        s = Spheres.PAS * k;
+                        double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                        if (d < distance && (d >= 0 || Sphere.auMoins(d) < distance
+                                && sonde.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance)) {
+                            break;
+                        }
+                    }
+                    sonde.compteurs.testsSpheres += tests;
+                    return masque != 0;
+                }
+            }
+            return boucle.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
+        }
+    }
+}
