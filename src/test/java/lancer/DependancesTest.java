@@ -61,7 +61,8 @@ class DependancesTest {
 
     @Test
     void lesClassesDuCoursNeDependentQueDesContrats() {
-        verifier("lancer/(?!Main|Scene\\.)\\w+\\.java", "java\\.(?!awt).*|lancer\\.contrat\\..*");
+        // une forme d'étudiant lit sa section
+        verifier("lancer/(?!Main|Scene\\.)\\w+\\.java", "java\\.(?!awt).*|lancer\\.contrat\\..*|lancer\\.lecture\\.Section");
         verifier("lancer/Scene\\.java", "java\\.(?!awt).*|lancer\\.(contrat|lecture|rapide)\\..*");
     }
 
