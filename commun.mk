@@ -28,7 +28,7 @@ sources = $(shell find $(1)/src/main -type f 2>/dev/null)
 # Une fenêtre, ou à défaut d'écran une image : là où DISPLAY manque, ou nomme un écran qui ne répond pas (statut 1).
 run: $(JARS)
 	@case "$(OPTIONS)" in \
-	    *--image*|*--lineaire*|*--aide*|*--version*) $(LANCER) $(OPTIONS) "$(SCENE)"; exit;; \
+	    *--image*|*--lineaire*|*--pixel*|*--aide*|*--version*) $(LANCER) $(OPTIONS) "$(SCENE)"; exit;; \
 	esac; \
 	if [ -n "$$DISPLAY" ] || [ "$$(uname)" = Darwin ]; then \
 	    $(LANCER) $(OPTIONS) "$(SCENE)"; statut=$$?; \

@@ -1,6 +1,7 @@
 package lancer;
 
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import lancer.auto.Auto;
@@ -20,6 +21,7 @@ import lancer.sortie.FichierPfm;
 import lancer.sortie.FichierPng;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.Statistiques;
+import lancer.sortie.UnPixel;
 
 /**
  * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un fichier. AWT
@@ -62,7 +64,9 @@ public class Main implements Toile {
                 return CodeSortie.FAIT;
             }
             Main main = new Main(options);
-            if (options.versFichier()) {
+            if (options.pixel) {
+                main.versLaSortie(sortie, erreur);
+            } else if (options.versFichier()) {
                 main.versFichiers(sortie, erreur);
             } else {
                 Fenetre.ouvrir(main, sortie, erreur);
@@ -95,9 +99,13 @@ public class Main implements Toile {
         erreur.println("lancer : " + Texte.echappe(message));
     }
 
-    /** @throws Echec si la sortie standard ne peut être écrite : un {@code PrintStream} ne le dit pas de lui-même */
     private static void dire(PrintStream sortie, String texte) {
         sortie.println(texte);
+        verifierSortie(sortie);
+    }
+
+    /** @throws Echec si la sortie standard n'a pu être écrite : un {@code PrintStream} ne le dit pas de lui-même */
+    private static void verifierSortie(PrintStream sortie) {
         if (sortie.checkError()) {
             throw new Echec(CodeSortie.PANNE, "sortie standard : écriture impossible");
         }
@@ -156,6 +164,17 @@ public class Main implements Toile {
             }
         }
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
+        avertir(erreur);
+    }
+
+    /** Dessine le seul pixel demandé, et le dit en UTF-8, que la console en soit ou non. */
+    private void versLaSortie(PrintStream sortie, PrintStream erreur) {
+        lireScene(options.scene);
+        Camera camera = new Camera(options.largeur, options.hauteur);
+        UnPixel pixel = UnPixel.dessiner(scene, camera, options.reflets, options.pixelX, options.pixelY);
+        byte[] octets = (pixel + System.lineSeparator()).getBytes(StandardCharsets.UTF_8);
+        sortie.write(octets, 0, octets.length);
+        verifierSortie(sortie);
         avertir(erreur);
     }
 

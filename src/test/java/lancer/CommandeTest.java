@@ -22,7 +22,7 @@ class CommandeTest extends EssaiCommande {
             Essai e = Essai.executer(demande);
             assertEquals(0, e.code);
             assertEquals("", e.erreur);
-            for (String option : "--image --lineaire --taille --reflets --seuil --fils --repeter --statistiques --auto --aide --help -h --version"
+            for (String option : "--image --lineaire --taille --reflets --seuil --fils --repeter --statistiques --simple --pixel --auto --aide --help -h --version"
                     .split(" ")) {
                 assertTrue(e.sortie.contains(option), option);
             }

@@ -1,6 +1,7 @@
 package lancer;
 
 import java.io.ByteArrayOutputStream;
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
@@ -45,19 +46,41 @@ public final class Essai {
      * variante qui est dans le chemin des classes des essais n'y est que si elle est nommée.
      */
     public static Essai executerAvec(List<Path> classes, String... args) throws IOException {
-        List<URL> chemin = new ArrayList<>();
-        chemin.add(origine(Main.class).toUri().toURL());
-        chemin.add(origine(org.ini4j.Config.class).toUri().toURL());
-        for (Path p : classes) {
-            chemin.add(p.toUri().toURL());
+        try (Isole isole = new Isole(classes)) {
+            return isole.executer(args);
         }
-        try (URLClassLoader isole = new URLClassLoader(chemin.toArray(new URL[0]), ClassLoader.getSystemClassLoader().getParent())) {
-            Method executer = isole.loadClass(Main.class.getName())
-                    .getDeclaredMethod("executer", String[].class, PrintStream.class, PrintStream.class);
-            executer.setAccessible(true);
-            return executer((a, sortie, erreur) -> (int) executer.invoke(null, a, sortie, erreur), args);
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException(e);
+    }
+
+    /** Le programme de {@link #executerAvec}, pour plusieurs exécutions. */
+    public static final class Isole implements Closeable {
+
+        private final URLClassLoader classes;
+        private final Method executer;
+
+        public Isole(List<Path> ajoutees) throws IOException {
+            List<URL> chemin = new ArrayList<>();
+            chemin.add(origine(Main.class).toUri().toURL());
+            chemin.add(origine(org.ini4j.Config.class).toUri().toURL());
+            for (Path p : ajoutees) {
+                chemin.add(p.toUri().toURL());
+            }
+            classes = new URLClassLoader(chemin.toArray(new URL[0]), ClassLoader.getSystemClassLoader().getParent());
+            try {
+                executer = classes.loadClass(Main.class.getName())
+                        .getDeclaredMethod("executer", String[].class, PrintStream.class, PrintStream.class);
+                executer.setAccessible(true);
+            } catch (ReflectiveOperationException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+
+        public Essai executer(String... args) {
+            return Essai.executer((a, sortie, erreur) -> (int) executer.invoke(null, a, sortie, erreur), args);
+        }
+
+        @Override
+        public void close() throws IOException {
+            classes.close();
         }
     }
 
@@ -74,6 +97,11 @@ public final class Essai {
         } catch (ReflectiveOperationException | UnsupportedEncodingException e) {
             throw new IllegalStateException(e);
         }
+    }
+
+    /** Ce qui est sur la sortie d'erreur, moins les formes que nomme la liste des types de section, {@link Sphere} et celle-ci exceptées. */
+    public String sansAutresFormes(String forme) {
+        return erreur.replaceAll("attendu : Sphere, (\\w+, )*?(" + forme + ", )?Lampe, ", "attendu : Sphere, $2Lampe, ");
     }
 
     /** De quoi comprendre un essai qui échoue. */

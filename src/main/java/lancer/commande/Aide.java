@@ -20,6 +20,8 @@ public final class Aide {
                 + "  --repeter N              dessine N fois avant d'écrire, pour mesurer\n"
                 + "  --statistiques           après l'image, rayons et temps, une ligne « nom: valeur » chacun\n"
                 + "  --simple                 les boucles du cours au lieu de la recherche rapide : la même image\n"
+                + "  --pixel 421,426          la couleur d'un seul pixel, par les boucles du cours, sans fenêtre ni écran :\n"
+                + "                           « somme R V B = #RRGGBB », non limitée, puis telle que l'écran la montre\n"
                 + "  --auto erreur=1          choisit reflets, seuil et, s'il est là, anticrénelage : au meilleur prix pour une\n"
                 + "                           erreur quadratique moyenne d'un niveau sur 255 au plus, et dit ce qu'il en est ;\n"
                 + "                           --auto temps=0.5s : au plus juste pour ce temps de dessin. Avec --image ou --lineaire\n"

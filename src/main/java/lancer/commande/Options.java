@@ -24,6 +24,12 @@ public final class Options {
     private static final double TEMPS_MAX = 3600;
     private static final String AUTO = "erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
 
+    private static final String PIXEL =
+            "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426";
+
+    /** Ce que l'image d'un seul pixel ne peut ni écrire, ni choisir, ni répéter. */
+    private static final String[] SANS_PIXEL = {"--image", "--lineaire", "--auto", "--repeter"};
+
     /** Demandes d'un texte, sans rien dessiner ; la première rencontrée l'emporte. */
     public boolean aide;
     public boolean version;
@@ -39,6 +45,11 @@ public final class Options {
     public int fils = Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors());
     public int repeter = 1;
     public boolean statistiques;
+
+    /** Vrai si la couleur d'un seul pixel est demandée, dont voici la colonne et la ligne. */
+    public boolean pixel;
+    public int pixelX;
+    public int pixelY;
 
     /** Vrai pour les boucles du cours, faux pour la recherche rapide. */
     public boolean simple;
@@ -59,6 +70,7 @@ public final class Options {
     /** La scène, {@code null} si aucune n'est nommée. */
     public String scene;
 
+    private String pixelEcrit;
     private final String[] arguments;
     private int suivant;
     private String valeurCollee;
@@ -101,7 +113,10 @@ public final class Options {
             }
             option(nom);
         }
-        if (versFichier() && scene == null && !aide && !version) {
+        if (pixel && !aide && !version) {
+            verifierPixel(vues);
+        }
+        if ((versFichier() || pixel) && scene == null && !aide && !version) {
             throw faute("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
         if (auto && !versFichier() && !aide && !version) {
@@ -133,6 +148,9 @@ public final class Options {
                 break;
             case "--repeter":
                 repeter = entier(nom, 1, REPETER_MAX);
+                break;
+            case "--pixel":
+                pixel(valeur(nom, PIXEL));
                 break;
             case "--statistiques":
                 sansValeur(nom);
@@ -221,6 +239,31 @@ public final class Options {
             }
         }
         throw horsLimites("--auto", texte, AUTO);
+    }
+
+    private void pixel(String texte) {
+        int virgule = texte.indexOf(',');
+        long x = virgule < 0 ? -1 : chiffres(texte.substring(0, virgule));
+        long y = virgule < 0 ? -1 : chiffres(texte.substring(virgule + 1));
+        if (x < 0 || y < 0) {
+            throw horsLimites("--pixel", texte, PIXEL);
+        }
+        pixel = true;
+        pixelEcrit = texte;
+        pixelX = (int) x;
+        pixelY = (int) y;
+    }
+
+    private void verifierPixel(Set<String> vues) {
+        for (String autre : SANS_PIXEL) {
+            if (vues.contains(autre)) {
+                throw faute("--pixel ne va pas avec " + autre + " ; attendu : l'une ou l'autre");
+            }
+        }
+        if (pixelX >= largeur || pixelY >= hauteur) {
+            throw horsLimites("--pixel", pixelEcrit,
+                    "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
+        }
     }
 
     private void taille(String texte) {

@@ -16,6 +16,14 @@ public interface Echantillonnage {
      */
     int tracer(Pave pave, Vue vue, Toile toile);
 
+    /**
+     * Vrai si aucun pixel ne doit rien aux autres : dans un pavé à lui seul, il a les bits qu'il a dans l'image. Sinon, et
+     * par défaut, il faut dessiner tout le pavé où il est.
+     */
+    default boolean parPixel() {
+        return false;
+    }
+
     /** Un rayon au centre de chaque pixel. */
     final class Centre implements Echantillonnage {
         @Override
@@ -24,6 +32,11 @@ public interface Echantillonnage {
                 ligne(pave.i0, pave.i1, j, vue, toile);
             }
             return 0;
+        }
+
+        @Override
+        public boolean parPixel() {
+            return true;
         }
 
         /** À part : la machine virtuelle compile une fois une méthode souvent appelée, deux fois une longue boucle en cours. */

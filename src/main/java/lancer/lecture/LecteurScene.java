@@ -19,7 +19,6 @@ import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
-import lancer.Sphere;
 import org.ini4j.Config;
 import org.ini4j.InvalidFileFormatException;
 import org.ini4j.spi.IniHandler;
@@ -31,24 +30,16 @@ import org.ini4j.spi.IniParser;
  */
 public final class LecteurScene {
 
-    /** Plus grande coordonnée d'un centre ou d'une lampe, en unités de la scène. */
-    private static final double COORDONNEE_MAX = 1e100;
-    private static final double RAYON_MIN = 1e-100;
-    private static final double RAYON_MAX = 1e100;
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
 
     /** Nombre de couleurs retenues à la fois : au-delà, elles ne se répètent pas. */
     private static final int PALETTE_MAX = 256;
 
-    private static final String[] CLES_SPHERE = {"centre", "rayon", "Kd", "Ks", "Kr", "ns"};
     private static final String[] CLES_LAMPE = {"position", "couleur"};
 
-    /** Les sections que lisent des variantes de la maison, présentes ou non. */
-    private static final String[] VARIANTES_CONNUES = {"Brume", "Antialias", "Blinn"};
-
     private final String fichier;
-    private final Variantes variantes = new Variantes();
+    private final Services services = new Services();
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
     private final List<String> avertissements = new ArrayList<>();
@@ -58,6 +49,8 @@ public final class LecteurScene {
     /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
     private Section courante;
+    /** Ce que décrit la section en cours, {@code null} si ce n'est pas un objet. */
+    private TypeObjet objet;
 
     public LecteurScene(String fichier) {
         this.fichier = fichier;
@@ -126,8 +119,8 @@ public final class LecteurScene {
         return avertissements;
     }
 
-    Variantes getVariantes() {
-        return variantes;
+    Services getServices() {
+        return services;
     }
 
     /** La section d'une variante, vide si le fichier n'en a pas. */
@@ -197,12 +190,13 @@ public final class LecteurScene {
         }
         String nom = unSeulBlanc(nomEcrit);
         String type = Section.type(nom);
-        String[] cles = estType(type, "Sphere") ? CLES_SPHERE : estType(type, "Lampe") ? CLES_LAMPE : null;
-        boolean variante = cles == null;
+        boolean lampe = Texte.memeMot(type, "Lampe");
+        objet = lampe ? null : services.objet(type);
+        boolean variante = !lampe && objet == null;
         String cle = Texte.minuscules(type);
-        courante = new Section(fichier, nom, ligne, cles);
-        if (variante && !variantes.lisent(type) && !variantesConnue(type)) {
-            throw courante.fautive(ligne, null, "type de section inconnu", typesConnus());
+        courante = new Section(fichier, nom, ligne, lampe ? CLES_LAMPE : variante ? null : objet.getCles());
+        if (variante && !services.variantePresente(type) && !Services.varianteConnue(type)) {
+            throw courante.fautive(ligne, null, "type de section inconnu", services.types());
         }
         Integer deja = noms.putIfAbsent(cle + nom.substring(type.length()), ligne);
         if (deja != null) {
@@ -214,31 +208,30 @@ public final class LecteurScene {
             throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne " + premiere.getLigne(),
                     "une seule section " + type);
         }
-        if (variante && !variantes.lisent(type)) {
+        if (variante && !services.variantePresente(type)) {
             avertissements.add(Section.message(fichier, ligne, nom, null, "section laissée de côté",
                     "la variante qui la lit, java -jar " + cle + "/target/" + cle + ".jar"));
         }
     }
 
     private void terminer() {
-        String type = courante.getType();
-        if (estType(type, "Sphere")) {
-            objets.add(sphere(courante));
-        } else if (estType(type, "Lampe")) {
-            Lampe lampe = new Lampe(courante.point("position", COORDONNEE_MAX), courante.couleur("couleur", LUMIERE_MAX));
-            lampes.add(lampe);
+        if (objet != null) {
+            Objet3D lu = objet.lire(courante);
+            lireMatiere(lu);
+            objets.add(lu);
+        } else if (Texte.memeMot(courante.getType(), "Lampe")) {
+            lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
         }
     }
 
-    private Sphere sphere(Section s) {
-        Sphere sphere = new Sphere(s.point("centre", COORDONNEE_MAX), s.reel("rayon", RAYON_MIN, RAYON_MAX));
-        sphere.setKd(commune(s.couleur("Kd", sphere.getKd(), 1)));
-        if (s.contient("Ks") && s.contient("Kr")) {
-            throw s.ensemble("Ks", "Kr", "synonyme de", "Ks ou Kr, pas les deux");
+    /** La matière se lit de même pour tout objet ; ce que la section n'en dit pas reste tel que l'objet est né. */
+    private void lireMatiere(Objet3D lu) {
+        lu.setKd(commune(courante.couleur("Kd", lu.getKd(), 1)));
+        if (courante.contient("Ks") && courante.contient("Kr")) {
+            throw courante.ensemble("Ks", "Kr", "synonyme de", "Ks ou Kr, pas les deux");
         }
-        sphere.setKs(commune(s.couleur(s.contient("Kr") ? "Kr" : "Ks", sphere.getKs(), 1)));
-        sphere.setNs(s.reel("ns", sphere.getNs(), 0, NS_MAX));
-        return sphere;
+        lu.setKs(commune(courante.couleur(courante.contient("Kr") ? "Kr" : "Ks", lu.getKs(), 1)));
+        lu.setNs(courante.reel("ns", lu.getNs(), 0, NS_MAX));
     }
 
     private Couleur commune(Couleur couleur) {
@@ -247,32 +240,6 @@ public final class LecteurScene {
         }
         Couleur deja = palette.putIfAbsent(couleur, couleur);
         return deja != null ? deja : couleur;
-    }
-
-    private static boolean estType(String type, String attendu) {
-        return Texte.memeMot(type, attendu);
-    }
-
-    private static boolean variantesConnue(String type) {
-        for (String connue : VARIANTES_CONNUES) {
-            if (estType(type, connue)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private String typesConnus() {
-        StringBuilder types = new StringBuilder("Sphere, Lampe");
-        for (String connue : VARIANTES_CONNUES) {
-            types.append(", ").append(connue);
-        }
-        for (String presente : variantes.getSections()) {
-            if (!variantesConnue(presente)) {
-                types.append(", ").append(presente);
-            }
-        }
-        return types.toString();
     }
 
     private static String unSeulBlanc(String nom) {

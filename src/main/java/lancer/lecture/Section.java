@@ -5,13 +5,19 @@ import java.util.List;
 import lancer.Couleur;
 import lancer.Point;
 import lancer.SceneFautive;
+import lancer.Vecteur;
 
 /**
  * Une section d'un fichier de scène : des clés et leurs valeurs, lues avec leur type et leurs limites. Toute valeur refusée
  * l'est par une {@link SceneFautive} d'une ligne. Une clé inconnue est refusée dès qu'elle est lue si la section sait d'avance
- * les siennes, sinon à la fin, si personne ne l'a demandée ({@link #verifierCles}).
+ * les siennes (celle d'un objet ou d'une lampe), sinon à la fin, si personne ne l'a demandée ({@link #verifierCles}).
  */
 public final class Section {
+
+    /** Plus grande coordonnée d'un point ou d'une direction, en unités de la scène. */
+    private static final double COORDONNEE_MAX = 1e100;
+    private static final double LONGUEUR_MIN = 1e-100;
+    private static final double LONGUEUR_MAX = 1e100;
 
     /** Aucune section n'en connaît tant ; au-delà, chercher les doublons coûterait trop cher. */
     private static final int CLES_MAX = Long.SIZE;
@@ -34,7 +40,7 @@ public final class Section {
         this(fichier, nom, ligne, null);
     }
 
-    /** @param connues les seules clés permises ; {@code null} : celles qui seront demandées */
+    /** @param connues les seules clés permises, et à demander ; {@code null} : celles qui seront demandées */
     Section(String fichier, String nom, int ligne, String[] connues) {
         this.fichier = fichier;
         this.nom = nom;
@@ -128,6 +134,9 @@ public final class Section {
         if (connues == null && !demandees.contains(cle)) {
             demandees.add(cle);
         }
+        if (k < 0 && connues != null && !connue(cle)) {
+            throw new IllegalStateException("getCles ne nomme pas la clé " + cle);
+        }
         return k;
     }
 
@@ -182,10 +191,29 @@ public final class Section {
         return new Couleur(n[0], n[1], n[2]);
     }
 
-    /** Le point de cette clé, obligatoire : trois coordonnées de −max à max. */
-    public Point point(String cle, double max) {
-        double[] n = nombres(obligatoire(cle, 3, -max, max), 3, -max, max, true);
+    /** Le point de cette clé, obligatoire : trois coordonnées de −1e100 à 1e100. */
+    public Point point(String cle) {
+        double[] n = coordonnees(cle);
         return new Point(n[0], n[1], n[2]);
+    }
+
+    /** La direction de cette clé, obligatoire : un vecteur qui n'est pas nul, ramené à la longueur 1. */
+    public Vecteur direction(String cle) {
+        double[] n = coordonnees(cle);
+        if (n[0] == 0 && n[1] == 0 && n[2] == 0) {
+            throw fautive(cle, "vecteur nul : " + Texte.cite(valeurs.get(rang(cle))),
+                    "trois nombres qui ne sont pas tous nuls");
+        }
+        return new Vecteur(n[0], n[1], n[2]).normalized();
+    }
+
+    private double[] coordonnees(String cle) {
+        return nombres(obligatoire(cle, 3, -COORDONNEE_MAX, COORDONNEE_MAX), 3, -COORDONNEE_MAX, COORDONNEE_MAX, true);
+    }
+
+    /** La longueur de cette clé, obligatoire : de 1e-100 à 1e100. */
+    public double longueur(String cle) {
+        return reel(cle, LONGUEUR_MIN, LONGUEUR_MAX);
     }
 
     /** Le mot de cette clé, tel qu'écrit. */

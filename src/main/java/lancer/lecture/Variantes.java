@@ -2,59 +2,13 @@ package lancer.lecture;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.ServiceLoader;
 import lancer.Scene;
 import lancer.contrat.Variante;
 
-/**
- * Les variantes présentes dans le chemin des classes. Elles sont cherchées dans un fil à part : Java fouille aussi ses propres
- * modules, ce qui prend 8 ms, pendant lesquelles la scène se lit.
- */
-public final class Variantes implements Runnable {
+/** Les variantes présentes dans le chemin des classes. */
+public final class Variantes {
 
-    private List<Variante> presentes;
-
-    Variantes() {
-        Thread avance = new Thread(this, "lancer-variantes");
-        avance.setDaemon(true);
-        avance.start();
-    }
-
-    @Override
-    public void run() {
-        try {
-            presentes();
-        } catch (RuntimeException | Error e) {
-            // celui qui les demandera cherchera à son tour, et le dira
-        }
-    }
-
-    private synchronized List<Variante> presentes() {
-        if (presentes == null) {
-            List<Variante> trouvees = new ArrayList<>();
-            for (Variante variante : ServiceLoader.load(Variante.class, Variantes.class.getClassLoader())) {
-                trouvees.add(variante);
-            }
-            presentes = trouvees;
-        }
-        return presentes;
-    }
-
-    boolean lisent(String type) {
-        for (Variante variante : presentes()) {
-            if (Texte.memeMot(variante.getSection(), type)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    List<String> getSections() {
-        List<String> sections = new ArrayList<>();
-        for (Variante variante : presentes()) {
-            sections.add(variante.getSection());
-        }
-        return sections;
+    private Variantes() {
     }
 
     /**
@@ -65,7 +19,7 @@ public final class Variantes implements Runnable {
      */
     public static List<Variante> installer(LecteurScene lu, Scene scene) {
         List<Variante> libres = new ArrayList<>();
-        for (Variante variante : lu.getVariantes().presentes()) {
+        for (Variante variante : lu.getServices().variantes()) {
             Section section = lu.section(variante.getSection());
             variante.installer(section, scene);
             section.verifierCles();
@@ -78,6 +32,10 @@ public final class Variantes implements Runnable {
 
     /** Les noms des variantes au travail, pour le titre d'une fenêtre. */
     public static List<String> noms() {
-        return new Variantes().getSections();
+        List<String> noms = new ArrayList<>();
+        for (Variante variante : new Services().variantes()) {
+            noms.add(variante.getSection());
+        }
+        return noms;
     }
 }

@@ -47,6 +47,7 @@ class OptionsTest {
         assertEquals(Math.min(1024, Runtime.getRuntime().availableProcessors()), o.fils);
         assertEquals(1, o.repeter);
         assertFalse(o.statistiques);
+        assertFalse(o.pixel);
         assertFalse(o.auto);
         assertFalse(o.refletsDonnes);
         assertFalse(o.seuilDonne);
@@ -104,6 +105,7 @@ class OptionsTest {
         "--image | un fichier .png", "--image= | un fichier .png", "--image '' | un fichier .png", "--image --fils 2 | un fichier .png",
         "--lineaire | un fichier .pfm", "--taille | une taille, par exemple 800x600", "--taille= | une taille, par exemple 800x600",
         "--reflets | un entier de 0 à 1000", "--seuil | un nombre positif ou nul", "--fils | un entier de 1 à 1024",
+        "--pixel | X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
         "--repeter --statistiques | un entier de 1 à 100000",
         "--auto | erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s"})
     void uneOptionSansSaValeurEstRefusee(String ligne, String attendu) {
@@ -114,7 +116,7 @@ class OptionsTest {
     @ParameterizedTest
     @ValueSource(strings = {"--image a --image b", "--image=a --image a", "--lineaire a --lineaire a", "--taille 1x1 --taille=1x1",
         "--reflets 1 --reflets 1", "--seuil 0 --seuil 0", "--fils 1 --fils 2", "--repeter 1 --repeter 1",
-        "--statistiques --statistiques", "--simple --simple", "--auto erreur=1 --auto temps=1s"})
+        "--statistiques --statistiques", "--simple --simple", "--pixel 1,1 --pixel=1,1", "--auto erreur=1 --auto temps=1s"})
     void uneOptionDonneeDeuxFoisEstRefusee(String ligne) {
         String nom = ligne.replaceAll("[= ].*", "");
         verifierRefus("s.ini " + ligne, "option donnée deux fois : " + nom + " ; attendu : une seule fois chaque option");
@@ -176,6 +178,49 @@ class OptionsTest {
         verifierRefus("--auto erreur=1", message);
         verifierRefus("--auto temps=1s s.ini", message);
         assertTrue(Options.lire("--auto", "erreur=1", "--aide").aide);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"--pixel 421;426, 421, 426", "--pixel=0;0, 0, 0", "--pixel 799;599, 799, 599", "--pixel 30;40 --taille 31x41, 30, 40",
+        "--taille=16384x1 --pixel=016383;0, 16383, 0"})
+    void unPixelDeLImagePeutEtreDemande(String ligne, int x, int y) {
+        Options o = Options.lire(arguments(ligne.replace(';', ',') + " s.ini"));
+        assertTrue(o.pixel);
+        assertEquals(x, o.pixelX);
+        assertEquals(y, o.pixelY);
+        assertFalse(o.versFichier());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1", "1,", ",1", ",", "1,2,3", "-1,5", "5,-1", "+1,5", "1.0,2", "1;2", "1x2", "a,b", "0x1,2", "٣,1", "1e2,3"})
+    void unPixelMalEcritEstRefuse(String pixel) {
+        String message = "valeur impossible pour --pixel : « " + pixel + " » ; attendu : X,Y, colonne et ligne d'un pixel depuis le coin en "
+                + "haut à gauche, par exemple 421,426";
+        verifierRefus("s.ini --pixel " + pixel, message);
+        verifierRefus("--pixel=" + pixel + " s.ini --image a.png", message);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"800,0", "0,600", "800,600", "99999999999999999999,1", "4294967296,0", "0,18446744073709551616"})
+    void unPixelHorsDeLImageEstRefuse(String pixel) {
+        verifierRefus("s.ini --pixel " + pixel, "valeur impossible pour --pixel : « " + pixel + " » ; attendu : un pixel de l'image, de 0,0 "
+                + "à 799,599");
+        verifierRefus("--pixel 7,7 --taille=9x7 s.ini", "valeur impossible pour --pixel : « 7,7 » ; attendu : un pixel de l'image, de 0,0 "
+                + "à 8,6");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--image a.png", "--image=a.png", "--lineaire a.pfm", "--auto erreur=1", "--repeter 1", "--repeter=3"})
+    void unPixelNeVaNiAvecUneImageNiAvecSesReglages(String autre) {
+        String message = "--pixel ne va pas avec " + autre.replaceAll("[ =].*", "") + " ; attendu : l'une ou l'autre";
+        verifierRefus("--pixel 1,1 s.ini " + autre, message);
+        verifierRefus(autre + " --pixel=1,1", message);
+    }
+
+    @Test
+    void unPixelDemandeUneScene() {
+        verifierRefus("--pixel 1,1", "aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
+        assertTrue(Options.lire("--pixel", "9999,1", "--aide").aide);
     }
 
     @Test

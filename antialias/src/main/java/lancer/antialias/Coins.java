@@ -40,6 +40,11 @@ final class Coins implements Echantillonnage {
         return raffines;
     }
 
+    @Override
+    public boolean parPixel() {
+        return true;
+    }
+
     private double contraste(Grille grille) {
         return Contraste.entre(grille.voir(0, 0), grille.voir(n - 1, 0), grille.voir(0, n - 1), grille.voir(n - 1, n - 1));
     }

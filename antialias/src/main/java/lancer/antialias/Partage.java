@@ -28,9 +28,15 @@ final class Partage implements Echantillonnage {
     /** @return le nombre de pixels où une case a été coupée */
     @Override
     public int tracer(Pave pave, Vue vue, Toile toile) {
-        if (n == 1 || seuil == 0) {
+        if (parPixel()) {
             return new Coins(n, 0).tracer(pave, vue, toile);
         }
         return new Cases(n, seuil, pave, vue).tracer(toile);
+    }
+
+    /** Vrai s'il n'y a rien à partager. */
+    @Override
+    public boolean parPixel() {
+        return n == 1 || seuil == 0;
     }
 }

@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import lancer.Essai;
+import lancer.EssaiPixel;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import org.junit.jupiter.api.Test;
@@ -56,6 +57,21 @@ class AntialiasTest {
         assertReference("p2-sol.tout.pfm", Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0"));
         Collections.reverse(toutes);
         assertReference("p2-sol.tout.pfm", Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"coins, 3, 0.05", "coins, 4, 0", "coins, 1, 0.05", "coins, 2, 0.05", "partage, 8, 0.1", "partage, 3, 0.02", "partage, 3, 0",
+        "partage, 1, 0.1"})
+    void unPixelDemandeSeulEstCeluiDeLImage(String methode, int n, double seuil) throws IOException {
+        Path scene = scene(ini("p4-foule.ini"), "[Antialias]", "n=" + n, "methode=" + methode, "seuil=" + seuil);
+        EssaiPixel.verifier(SEULE, dossier, scene, 50, 70);
+    }
+
+    @Test
+    void unPixelDemandeSeulEstCeluiDeLImageDesTroisVariantes() throws IOException {
+        Path scene = scene(ini("p2-sol.ini"), "[Antialias]", "n=4", "methode=partage", "[Blinn]", "facteur=3", "[Brume]", "densite=0.05");
+        List<Path> toutes = Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class), Essai.origine(Blinn.class));
+        EssaiPixel.verifier(toutes, dossier, scene, 70, 50, "--reflets=2");
     }
 
     @ParameterizedTest

@@ -8,6 +8,7 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.Random;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -20,6 +21,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
+import lancer.sortie.UnPixel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -54,6 +56,21 @@ class PartageTest {
             assertEquals(Arrays.asList(pixels(new Coins(n, 0), PAVE, vue)), Arrays.asList(pixels(new Partage(n, 0), PAVE, vue)));
             assertEquals(new Coins(n, 0).tracer(PAVE, vue, SANS_TOILE), new Partage(n, 0).tracer(PAVE, vue, SANS_TOILE), "raffinés");
         }
+    }
+
+    /** Dans un ciel uni, où la méthode de partage ne prend qu'un sous-pixel de chaque pixel, et le dernier des bords du pavé. */
+    @ParameterizedTest
+    @CsvSource({"coins, 4, 0, 16", "coins, 4, 0.5, 4", "partage, 4, 0, 16", "partage, 1, 0.5, 1", "partage, 4, 0.5, 1089"})
+    void unPixelDemandeSeulCouteLeSienOuLePaveQuIlPartage(String methode, int n, double seuil, int attendus) {
+        AtomicInteger rayons = new AtomicInteger();
+        Scene scene = new Scene(Collections.emptyList(), Collections.emptyList());
+        scene.setAtmosphere((vue, distance) -> {
+            rayons.incrementAndGet();
+            return new Couleur();
+        });
+        scene.setEchantillonnage(methode.equals("coins") ? Antialias.coins(n, seuil) : Antialias.partage(n, seuil));
+        UnPixel.dessiner(scene, new Camera(64, 64), 0, 40, 40);
+        assertEquals(attendus, rayons.get());
     }
 
     /** Chaque rayon passe par le centre d'un sous-pixel du pavé, et aucun n'est lancé deux fois. */

@@ -7,9 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.Random;
 import lancer.Camera;
 import lancer.Essai;
+import lancer.EssaiPixel;
 import lancer.Vecteur;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,6 +37,12 @@ class BlinnTest {
         float[] image = Essai.dessiner(dossier, scene, "--taille", "120x90", "--seuil", "0");
         float[] reference = Essai.pfm(Essai.octets(BlinnTest.class, "/reference/" + pfm));
         assertTrue(Essai.ecart(image, reference) <= PRECISION, () -> "écart " + Essai.ecart(image, reference));
+    }
+
+    @Test
+    void unPixelDemandeSeulEstCeluiDeLImage() throws IOException {
+        Path scene = scene(Essai.ressource(BlinnTest.class, "/reference/p2-sol.ini"), "[Blinn]", "facteur=3");
+        EssaiPixel.verifier(Collections.singletonList(Essai.origine(Blinn.class)), dossier, scene, 60, 45);
     }
 
     /**

@@ -8,10 +8,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Essai;
+import lancer.EssaiPixel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,6 +43,12 @@ class BrumeTest {
         float[] image = Essai.dessiner(dossier, scene(lignes.toArray(new String[0])), "--taille", "120x90", "--seuil", "0");
         float[] reference = Essai.pfm(Essai.octets(BrumeTest.class, "/reference/" + pfm));
         assertTrue(Essai.ecart(image, reference) <= PRECISION, () -> "écart " + Essai.ecart(image, reference));
+    }
+
+    @Test
+    void unPixelDemandeSeulEstCeluiDeLImage() throws IOException {
+        Path scene = scene(Essai.ressource(BrumeTest.class, "/reference/p2-sol.ini"), "[Brume]", "densite=0.08");
+        EssaiPixel.verifier(Collections.singletonList(Essai.origine(Brume.class)), dossier, scene, 60, 45);
     }
 
     @Test

@@ -1,0 +1,31 @@
+package lancer.contrat;
+
+import lancer.Objet3D;
+import lancer.lecture.Section;
+
+/**
+ * Une sorte d'objets qu'un fichier de scène peut nommer. Une classe d'objets, par exemple
+ * {@code class Plan extends Objet3D implements Forme}, se fait connaître par une ligne du fichier
+ * {@code META-INF/services/lancer.contrat.Forme}, dans la base ou dans une variante ; {@link java.util.ServiceLoader} en fait
+ * un premier objet, sans valeurs, qui ne sert qu'à lire les autres.
+ */
+public interface Forme {
+
+    /** Le type de ses sections dans les fichiers de scène, par exemple {@code Plan}. */
+    String getSection();
+
+    /**
+     * Les clés que demande {@link #lire}. Celles de la matière (Kd, Ks ou Kr, ns) n'en sont pas : toute forme les a, et
+     * elles se lisent sans elle. Toute autre clé est refusée.
+     */
+    String[] getCles();
+
+    /**
+     * Lit un objet.
+     *
+     * @param valeurs l'une de ses sections, qui refuse les valeurs hors de leurs limites
+     * @return un objet neuf
+     * @throws lancer.SceneFautive si une valeur ne va pas ; voir {@link Section#fautive}
+     */
+    Objet3D lire(Section valeurs);
+}
