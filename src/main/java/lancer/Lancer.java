@@ -63,8 +63,8 @@ public class Lancer {
         } catch (RuntimeException | StackOverflowError | LinkageError e) {
             throw new PixelFautif(xe, ye, e);
         }
-        if (!couleur.estFinie()) {
-            throw new PixelFautif(xe, ye, new ArithmeticException("une composante n'est pas un nombre fini : " + couleur));
+        if (couleur == null || !couleur.estFinie()) {
+            throw new PixelFautif(xe, ye, new ArithmeticException("ce n'est pas une couleur aux composantes finies : " + couleur));
         }
         return couleur;
     }
@@ -153,6 +153,7 @@ public class Lancer {
         if (!tires) {
             temoignage = new Temoignage(nombre, temoignage.ecart);
         }
+        compteurs.pixelsTemoins = temoignage.pixels;
         if (temoignage.ecart != null) {
             scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
         }
@@ -172,6 +173,7 @@ public class Lancer {
         for (Fil fil : ouvriers) {
             total.ajouter(fil.sien.scene.getCompteurs());
         }
+        total.pixelsTemoins = temoignage.pixels;
         compteurs = total;
         dureeNs = System.nanoTime() - debut;
     }

@@ -9,6 +9,7 @@ import lancer.commande.Aide;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
+import lancer.commande.Pannes;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Toile;
 import lancer.lecture.LecteurScene;
@@ -34,6 +35,7 @@ public class Main implements Toile {
 
     private final Options options;
     private volatile Scene scene;
+    private volatile String fichier;
     private long lectureNs;
     private long preparationNs;
     private volatile ImageMemoire image;
@@ -112,10 +114,10 @@ public class Main implements Toile {
     }
 
     private void versFichiers(PrintStream sortie, PrintStream erreur) {
-        Path fichier = LecteurScene.trouver(options.scene);
+        Path chemin = LecteurScene.trouver(options.scene);
         Ecriture png = options.image == null ? null : new Ecriture(options.image);
         Ecriture pfm = options.lineaire == null ? null : new Ecriture(options.lineaire);
-        refuserMemeFichier(fichier, png, pfm);
+        refuserMemeFichier(chemin, png, pfm);
         lireScene(options.scene);
         Lancer lancer = preparer(options.largeur, options.hauteur);
         Toile toile = this;
@@ -138,6 +140,8 @@ public class Main implements Toile {
                 lancer.TracerPixels(toile, reflets, options.fils);
                 traces[k] = System.nanoTime() - debut;
             }
+        } catch (PixelFautif e) {
+            throw nommer(e, options.largeur, options.hauteur);
         } finally {
             if (barre != null) {
                 barre.finir();
@@ -165,13 +169,30 @@ public class Main implements Toile {
         }
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
         avertir(erreur);
+        direEcart(lancer, erreur);
+    }
+
+    /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
+    public static void direEcart(Lancer lancer, PrintStream erreur) {
+        if (lancer.getTemoignage().ecart != null) {
+            direErreur(erreur, lancer.getTemoignage().ecart);
+        }
+    }
+
+    private Echec nommer(PixelFautif panne, int largeur, int hauteur) {
+        return new Echec(CodeSortie.PANNE, Pannes.duPixel(panne, options, fichier, largeur, hauteur));
     }
 
     /** Dessine le seul pixel demandé, et le dit en UTF-8, que la console en soit ou non. */
     private void versLaSortie(PrintStream sortie, PrintStream erreur) {
         lireScene(options.scene);
         Camera camera = new Camera(options.largeur, options.hauteur);
-        UnPixel pixel = UnPixel.dessiner(scene, camera, options.reflets, options.pixelX, options.pixelY);
+        UnPixel pixel;
+        try {
+            pixel = UnPixel.dessiner(scene, camera, options.reflets, options.pixelX, options.pixelY);
+        } catch (PixelFautif e) {
+            throw nommer(e, options.largeur, options.hauteur);
+        }
         byte[] octets = (pixel + System.lineSeparator()).getBytes(StandardCharsets.UTF_8);
         sortie.write(octets, 0, octets.length);
         verifierSortie(sortie);
@@ -201,6 +222,7 @@ public class Main implements Toile {
         lectureNs = System.nanoTime() - debut;
         nouvelle.setSeuil(options.seuil);
         scene = nouvelle;
+        this.fichier = fichier;
     }
 
     /** Dit ce que la scène lue a de laissé de côté. */
@@ -234,6 +256,7 @@ public class Main implements Toile {
      * Dessine la scène, brouillon puis image, par {@link #drawPixel} : le travail du SwingWorker de la fenêtre.
      *
      * @throws CancellationException si le dessin a été arrêté
+     * @throws Echec si un pixel ne peut être calculé
      */
     public void doTracerImage(int largeur, int hauteur) {
         // dans cet ordre : qui voit la nouvelle image ne voit plus l'ancien lancer
@@ -241,7 +264,11 @@ public class Main implements Toile {
         image = new ImageMemoire(largeur, hauteur, (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE);
         Lancer nouveau = preparer(largeur, hauteur);
         lancer = nouveau;
-        nouveau.TracerImage(this, options.reflets, options.fils);
+        try {
+            nouveau.TracerImage(this, options.reflets, options.fils);
+        } catch (PixelFautif e) {
+            throw nommer(e, largeur, hauteur);
+        }
     }
 
     public Options getOptions() {

@@ -47,9 +47,7 @@ public abstract class Objet3D {
                 Vecteur L = versLampe.normalized();
                 Couleur KL = lampe.getCouleur();
                 double eclat = Ks.estNoire() ? 0 : scene.getSpecularite().eclat(V, N, L, R, ns);
-                Lumiere apport = new Lumiere();
-                apport.ajouter(Kd, KL, Math.min(1, N.dot(L)));
-                apport.ajouter(Ks, KL, eclat);
+                Couleur apport = Kd.mul(KL).mul(Math.min(1, N.dot(L))).add(Ks.mul(KL).mul(eclat));
                 if (!apport.estNoire() && !scene.estCachee(lampe, contact, L, versLampe.norme(), this)) {
                     lumiere.ajouter(apport);
                 }
@@ -60,7 +58,7 @@ public abstract class Objet3D {
             if (produitKs.max() >= scene.getSeuil()) {
                 scene.getCompteurs().reflechis++;
                 Rayon reflechi = new Rayon(contact, R, produitKs);
-                lumiere.ajouter(Ks, scene.getCouleurVue(reflechi, this, profondeur - 1), 1);
+                lumiere.ajouter(Ks.mul(scene.getCouleurVue(reflechi, this, profondeur - 1)));
             }
         }
         return lumiere.getCouleur();

@@ -75,7 +75,7 @@ class DependancesTest {
 
     @Test
     void laCommandeNeDependQueDesTextesEtDesNombres() {
-        verifier("lancer/commande/.*", "java\\.(?!awt).*|lancer\\.Constantes|lancer\\.lecture\\.(Nombre|Texte)");
+        verifier("lancer/commande/.*", "java\\.(?!awt).*|lancer\\.(Constantes|PixelFautif)|lancer\\.lecture\\.(Nombre|Texte)");
     }
 
     @Test

@@ -17,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Arrays;
 import java.util.List;
 
@@ -58,7 +59,15 @@ public final class Essai {
         private final Method executer;
 
         public Isole(List<Path> ajoutees) throws IOException {
+            this(Collections.<Path>emptyList(), ajoutees);
+        }
+
+        /** @param devant dossiers dont les classes passent avant celles du programme */
+        public Isole(List<Path> devant, List<Path> ajoutees) throws IOException {
             List<URL> chemin = new ArrayList<>();
+            for (Path p : devant) {
+                chemin.add(p.toUri().toURL());
+            }
             chemin.add(origine(Main.class).toUri().toURL());
             chemin.add(origine(org.ini4j.Config.class).toUri().toURL());
             for (Path p : ajoutees) {

@@ -24,6 +24,9 @@ public final class Compteurs {
     /** Pixels que l'échantillonnage a raffinés. */
     public long pixelsRaffines;
 
+    /** Pixels que les boucles du cours ont dessinés aussi, pour juger la recherche ; ils ne comptent pour rien d'autre. */
+    public long pixelsTemoins;
+
     public void ajouter(Compteurs autres) {
         primaires += autres.primaires;
         ombre += autres.ombre;
@@ -32,6 +35,7 @@ public final class Compteurs {
         testsPrecis += autres.testsPrecis;
         noeudsVisites += autres.noeudsVisites;
         pixelsRaffines += autres.pixelsRaffines;
+        pixelsTemoins += autres.pixelsTemoins;
     }
 
     /** Le nombre de rayons de toutes sortes. */

@@ -159,8 +159,12 @@ public final class Preparation {
     }
 
     static Recherche pour(Scene scene, Camera camera, Reglage reglage) {
-        Preparation p = new Preparation(scene, camera, reglage);
+        Preparation p = de(scene, camera, reglage);
         return new RechercheRapide(p, p.premiers, p.suivants, p.obstacles, new Compteurs());
+    }
+
+    static Preparation de(Scene scene, Camera camera, Reglage reglage) {
+        return new Preparation(scene, camera, reglage);
     }
 
     Spheres getSpheres() {

@@ -14,13 +14,18 @@ final class Atelier {
 
     private final Main main;
     private final PrintStream sortie;
+    private final PrintStream erreur;
     private final Surveillance surveillance = new Surveillance();
     private final ExecutorService dessins = Executors.newSingleThreadExecutor(new FilDemon("lancer-dessin"));
 
-    /** @param sortie où vont les statistiques, si elles sont demandées */
-    Atelier(Main main, PrintStream sortie) {
+    /**
+     * @param sortie où vont les statistiques, si elles sont demandées
+     * @param erreur où va ce que les témoins d'un dessin ont vu de faux
+     */
+    Atelier(Main main, PrintStream sortie, PrintStream erreur) {
         this.main = main;
         this.sortie = sortie;
+        this.erreur = erreur;
     }
 
     /** Lit la première scène, dans le fil de l'appelant. */
@@ -35,7 +40,7 @@ final class Atelier {
      * @param aLire la scène à lire d'abord, {@code null} si elle l'est déjà
      */
     Tracage dessiner(String aLire, Dimension taille) {
-        Tracage tracage = new Tracage(main, aLire, taille, surveillance, sortie);
+        Tracage tracage = new Tracage(main, aLire, taille, surveillance, sortie, erreur);
         dessins.execute(tracage);
         return tracage;
     }

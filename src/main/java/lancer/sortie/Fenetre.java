@@ -82,7 +82,7 @@ public final class Fenetre {
 
     /** Comme {@link #ouvrir(Main, PrintStream, PrintStream)}, mais fermer la fenêtre appelle {@code fin}, dans un autre fil. */
     public static Fenetre ouvrir(Main main, PrintStream sortie, PrintStream erreur, Runnable fin) {
-        Atelier atelier = new Atelier(main, sortie);
+        Atelier atelier = new Atelier(main, sortie, erreur);
         String fichier = main.getOptions().scene;
         if (fichier != null) {
             atelier.lire(fichier);
@@ -276,6 +276,10 @@ public final class Fenetre {
             barre.resumer(tracage);
             if (!fichierFautif) {
                 panneau.getBandeau().effacerErreur();
+            }
+            String ecart = main.getLancer().getTemoignage().ecart;
+            if (ecart != null) {
+                panneau.getBandeau().avis(ecart);
             }
         }
         observer();

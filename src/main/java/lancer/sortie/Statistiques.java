@@ -41,6 +41,7 @@ public final class Statistiques {
         ligne(s, "tests.precis", compteurs.testsPrecis);
         ligne(s, "noeuds.visites", compteurs.noeudsVisites);
         ligne(s, "pixels.raffines", compteurs.pixelsRaffines);
+        ligne(s, "pixels.temoins", compteurs.pixelsTemoins);
         millisecondes(s, "lecture.ms", lectureNs);
         millisecondes(s, "preparation.ms", preparationNs);
         millisecondes(s, "trace.ms", trace);

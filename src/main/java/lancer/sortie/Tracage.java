@@ -20,6 +20,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     private final Dimension taille;
     private final Surveillance surveillance;
     private final PrintStream sortie;
+    private final PrintStream erreur;
     private Consumer<Tracage> suite;
     private boolean rendu;
     private final long debut = System.nanoTime();
@@ -32,12 +33,13 @@ final class Tracage extends SwingWorker<Void, Void> {
      * @param aLire la scène à lire, {@code null} pour redessiner celle qui est déjà lue
      * @param taille celle de l'image, en pixels
      */
-    Tracage(Main main, String aLire, Dimension taille, Surveillance surveillance, PrintStream sortie) {
+    Tracage(Main main, String aLire, Dimension taille, Surveillance surveillance, PrintStream sortie, PrintStream erreur) {
         this.main = main;
         this.aLire = aLire;
         this.taille = taille;
         this.surveillance = surveillance;
         this.sortie = sortie;
+        this.erreur = erreur;
     }
 
     Dimension getTaille() {
@@ -72,6 +74,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         } finally {
             fin = System.nanoTime();
         }
+        Main.direEcart(main.getLancer(), erreur);
         if (main.getOptions().statistiques && !isCancelled()) {
             sortie.println(main.getStatistiques());
             sortie.flush();

@@ -5,11 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.File;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.Map;
 import lancer.Camera;
 import lancer.Couleur;
+import lancer.Lampe;
 import lancer.Lancer;
+import lancer.Point;
 import lancer.Scene;
+import lancer.Sphere;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
@@ -53,6 +58,26 @@ class IdentiteTest {
         scene.setSeuil(0);
         comparer("mille réflexions", scene, 1000);
         comparer("aucune réflexion", scene, 0);
+    }
+
+    /** À un cheveu de 1, le carré d'une longueur prend un autre chemin pour se normaliser : le même pour les deux images. */
+    @Test
+    void uneLampeADistanceUnDUnContact() {
+        Sphere boule = new Sphere(new Point(0, 0, 6), 1);
+        Sphere bille = new Sphere(new Point(0.74, 0, 4.82), 0.3);
+        boule.setKd(new Couleur(0.8));
+        bille.setKd(new Couleur(0.8));
+        bille.setKs(new Couleur(0.3));
+        Scene scene = new Scene(Arrays.asList(boule, bille), Collections.singletonList(new Lampe(new Point(0.8, 0, 4.4), new Couleur(1))));
+        Camera camera = new Camera(801, 601);
+        for (int k = 0; k < 2000; k++) {
+            double xe = 400 + k % 50 * 2.5 + 0.5;
+            double ye = 300 - 50 + k / 50 * 2.5 + 0.5;
+            scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
+            Couleur lisible = new Lancer(scene, camera).getCouleurPixel(xe, ye, 5);
+            scene.setRecherche(Preparation.pour(scene, camera));
+            assertEquals(lisible, new Lancer(scene, camera).getCouleurPixel(xe, ye, 5), xe + ", " + ye);
+        }
     }
 
     @Test

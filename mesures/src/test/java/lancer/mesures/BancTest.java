@@ -23,7 +23,6 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
-import lancer.Ombre;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import org.junit.jupiter.api.DisplayName;
@@ -210,7 +209,7 @@ class BancTest {
 
         @Override
         public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
-            return Ombre.cachee(autre, lampe, contact, objet);
+            return autre.estCachee(lampe, contact, L, distance, objet);
         }
 
         @Override

@@ -17,7 +17,6 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.Ombre;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
@@ -103,7 +102,7 @@ class ExplicationTest {
     void unPixelAuBordDUneOmbre() {
         verifier(Cause.OMBRE, r -> ScenesJugees.scene(ScenesJugees.boule(0, 0, 6, 1, GRIS, NOIR),
                 ScenesJugees.boule(-1.25, 2.25, 2.5, r, GRIS, NOIR)), 0.01, 0.9,
-                s -> !Ombre.cachee(s, s.getLampes().get(0), contact(s), contact(s).objet));
+                s -> !cachee(s, s.getLampes().get(0), contact(s), contact(s).objet));
     }
 
     @Test
@@ -122,7 +121,7 @@ class ExplicationTest {
                 Collections.singletonList(dessous)), 0.05, 0.9,
                 s -> {
                     PointContact vu = s.getClosestIntersection(reflechi(s), miroir);
-                    return !Ombre.cachee(s, s.getLampes().get(0), vu, vu.objet);
+                    return !cachee(s, s.getLampes().get(0), vu, vu.objet);
                 });
     }
 
@@ -168,5 +167,10 @@ class ExplicationTest {
         assertTrue(bord > 0.02);
         assertNotEquals(ici, couleur(scene, bord));
         assertEquals(Cause.INEXPLIQUE, expliquer(scene, couleur(scene, bord)).cause);
+    }
+
+    private static boolean cachee(Scene scene, Lampe lampe, PointContact contact, Objet3D objet) {
+        Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
+        return scene.estCachee(lampe, contact, versLampe.normalized(), versLampe.norme(), objet);
     }
 }

@@ -1,0 +1,91 @@
+package lancer.commande;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Collections;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.PixelFautif;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
+import lancer.contrat.Toile;
+import lancer.rapide.Preparation;
+import org.junit.jupiter.api.Test;
+
+/** Un dessin qui échoue nomme son pixel, sa cause et la commande qui le redessine. */
+class PannesPixelTest {
+
+    private static final Camera CAMERA = new Camera(40, 30);
+
+    /** Un mur dont la normale échoue d'un seul côté. */
+    private static final class Mur extends Objet3D {
+
+        private final Vecteur normale;
+
+        Mur(Vecteur normale) {
+            this.normale = normale;
+            setKd(new Couleur(1));
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            double d = (8 - incident.getP().z) / incident.getV().z;
+            incident.setContact(this, d);
+            return d;
+        }
+
+        @Override
+        public Vecteur getNormale(Point contact) {
+            if (contact.x < 0) {
+                return new Vecteur(0, 0, -1);
+            }
+            if (normale == null) {
+                throw new IllegalStateException("pas encore écrit");
+            }
+            return normale;
+        }
+    }
+
+    private static PixelFautif panne(Vecteur normale, int fils) {
+        Scene scene = new Scene(Collections.singletonList(new Mur(normale)),
+                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
+        scene.setRecherche(Preparation.pour(scene, CAMERA));
+        Toile toile = (couleur, i, j) -> assertTrue(i < 20, "un pixel faux est arrivé à l'image");
+        return assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels(toile, 5, fils));
+    }
+
+    @Test
+    void leMessageNommeLePixelLaSceneLaCauseLaLigneEtLaCommande() {
+        PixelFautif panne = panne(null, 1);
+        assertTrue(panne.x >= 20, panne.getMessage());
+        String message = Pannes.duPixel(panne, Options.lire("--reflets", "2", "ma scène.ini"), "ma scène.ini", 40, 30);
+        String pixel = panne.x + "," + panne.y;
+        assertTrue(message.startsWith("pixel " + pixel.replace(",", ", ") + " de ma scène.ini : java.lang.IllegalStateException: pas encore écrit ("
+                + "lancer.commande.PannesPixelTest$Mur.getNormale, PannesPixelTest.java:"), message);
+        assertTrue(message.endsWith(" --pixel " + pixel + " --taille 40x30 --reflets 2 'ma scène.ini'"), message);
+        assertEquals(1, message.split("\n").length);
+    }
+
+    @Test
+    void uneReponseQuiNEstPasUnNombreNArriveJamaisALImage() {
+        for (double faux : Arrays.asList(Double.NaN, Double.POSITIVE_INFINITY)) {
+            PixelFautif panne = panne(new Vecteur(0, 0, faux), 2);
+            assertTrue(panne.x >= 20, panne.getMessage());
+        }
+    }
+
+    @Test
+    void uneReponseNulleNommeLePixelAussi() {
+        Scene scene = new Scene(Collections.singletonList(new Mur(new Vecteur(0, 0, -1))), Collections.<Lampe>emptyList());
+        scene.setAtmosphere((vue, distance) -> null);
+        assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((couleur, i, j) -> { }, 5, 2));
+    }
+}
