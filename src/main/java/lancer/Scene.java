@@ -78,7 +78,7 @@ public final class Scene {
     /**
      * La même scène, à dessiner autrement : ce que compare {@code --auto}.
      *
-     * @param seuil voir {@link #setSeuil}
+     * @param autreSeuil voir {@link #setSeuil}
      */
     public Scene avec(Echantillonnage autreEchantillonnage, double autreSeuil) {
         Scene scene = new Scene(this);
