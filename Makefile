@@ -3,13 +3,17 @@ include commun.mk
 N ?= 1000000
 XVFB := xvfb-run -a -s "-screen 0 1280x800x24"
 
-.PHONY: test images scene-geante bench noyaux mesures juge mesure-auto mutations aide propre
+.PHONY: test lanceurs images scene-geante bench noyaux mesures juge mesure-auto mutations aide propre
 
 # Tout, tous modules ; les fenêtres s'ouvrent sur un écran à elles, pas sur celui de l'utilisateur.
 test: outils
 	@command -v xvfb-run >/dev/null && command -v xauth >/dev/null || \
 	    { echo "Les tests de la fenêtre ont besoin de Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1; }
 	$(XVFB) $(MVN) -f ensemble.xml -Dfenetre.exigee=true verify
+
+# lancer.Tests par les lanceurs JUnit des environnements de développement, et par les consoles des mêmes versions.
+lanceurs: outils
+	@MVN="$(MVN)" JAVA="$(JAVA)" outils/lanceurs.sh
 
 VARIANTES_TOUTES := brume antialias blinn
 MODULES := . mesures $(VARIANTES_TOUTES)
@@ -77,6 +81,7 @@ aide:
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
 	@echo "make run VARIANTES=\"brume blinn\"   avec des variantes : brume, antialias, blinn"
 	@echo "make test                  tous les tests de tous les modules"
+	@echo "make lanceurs              lance les tests du cours par douze autres lanceurs JUnit, de la version 1.9.3 à la 1.14.4"
 	@echo "make images                refait les images du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
 	@echo "make bench                 dessine de 10 à 1000000 boules, vérifie et mesure ; BANC=\"--scenes foule\" pour choisir"
