@@ -162,7 +162,7 @@ public class Main implements Toile {
     /** Une sortie ne doit écraser ni la scène, ni l'autre sortie. */
     private void refuserMemeFichier(Path scene, Ecriture png, Ecriture pfm) {
         if (png != null && png.vise(scene) || pfm != null && pfm.vise(scene)) {
-            throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : " + Texte.echappe(options.scene)
+            throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : " + Texte.echappe(scene.toString())
                     + " ; attendu : un autre fichier");
         }
         if (png != null && pfm != null && png.vise(pfm.getCible())) {

@@ -47,9 +47,26 @@ class CommandeTest extends EssaiCommande {
                 Essai.executer("--image", png.toString(), absente.toString()));
         verifierRefus(2, dossier + " : c'est un dossier ; attendu : un fichier de scène",
                 Essai.executer("--image", png.toString(), dossier.toString()));
-        verifierRefus(2, "nulle-part/x.ini : fichier introuvable ; attendu : un fichier de scène",
-                Essai.executer("--image", png.toString(), "nulle-part/x.ini"));
+        Essai relative = Essai.executer("--image", png.toString(), "nulle-part/x.ini");
+        assertTrue(relative.erreur.startsWith("lancer : nulle-part/x.ini : fichier introuvable dans " + Paths.get("").toAbsolutePath()),
+                relative.toString());
+        assertEquals(2, relative.code);
         verifierFichiers();
+    }
+
+    @Test
+    void uneSceneQuOnNePeutAtteindreDitPourquoi() throws IOException {
+        Path boucle = lien("boucle", Paths.get("boucle"));
+        for (Path scene : new Path[] {boucle, boucle.resolve("s.ini")}) {
+            verifierRefus(2, scene + " : trop de liens symboliques ; attendu : un fichier de scène",
+                    Essai.executer("--image", png.toString(), scene.toString()));
+        }
+        Path rompu = lien("rompu", Paths.get("parti.ini"));
+        verifierRefus(2, rompu + " : fichier introuvable ; attendu : un fichier de scène",
+                Essai.executer("--image", png.toString(), rompu.toString()));
+        Path dessous = Paths.get(SCENE, "s.ini");
+        verifierRefus(2, dessous + " : le dossier n'existe pas ; attendu : un fichier de scène",
+                Essai.executer("--image", png.toString(), dessous.toString()));
     }
 
     @Test

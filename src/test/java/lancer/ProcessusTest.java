@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -35,23 +37,41 @@ class ProcessusTest extends EssaiProcessus {
     }
 
     @Test
-    void uneSceneRelativeEstChercheeAussiUnDossierPlusHaut() throws Exception {
-        Path scenes = Files.createDirectories(dossier.resolve("scenes"));
-        Path variante = Files.createDirectories(dossier.resolve("brume"));
+    void uneSceneRelativeEstChercheeAussiDansLesQuatreDossiersAuDessus() throws Exception {
+        // celui que nommerait le message sans lien symbolique
+        Path ici = dossier.toRealPath();
+        Path variante = Files.createDirectories(ici.resolve("a/b/c/d"));
+        Path scenes = Files.createDirectories(ici.resolve("scenes"));
         Files.write(scenes.resolve("s.ini"), Arrays.asList("[Sphere]", "centre=0 0 6", "rayon=1"));
         assertEquals(0, statut(preparer(java("", "--image=a.png", "--taille=4x4", "scenes/s.ini")).directory(variante.toFile())), erreur());
         assertTrue(Files.exists(variante.resolve("a.png")));
 
-        // celle d'ici passe avant
+        // elle est nommée par le chemin où elle est, et protégée comme les autres
+        assertEquals(2, statut(preparer(java("-Dfile.encoding=UTF-8 -Dstdout.encoding=UTF-8 -Dstderr.encoding=UTF-8",
+                "--image=../../../../scenes/s.ini", "scenes/s.ini")).directory(variante.toFile())));
+        assertTrue(erreur().contains(" : ../../../../scenes/s.ini ; attendu : un autre fichier"), erreur());
+        Files.write(scenes.resolve("s.ini"), Arrays.asList("[Cube]"));
+        assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
+        assertTrue(erreur().startsWith("lancer : ../../../../scenes/s.ini, ligne 1, [Cube] : "), erreur());
+
+        // la plus proche passe avant
+        Files.createDirectories(ici.resolve("a/b/scenes"));
+        Files.write(ici.resolve("a/b/scenes/s.ini"), Arrays.asList("[Cube]"));
+        assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
+        assertTrue(erreur().startsWith("lancer : ../../scenes/s.ini, ligne 1, [Cube] : "), erreur());
         Files.createDirectories(variante.resolve("scenes"));
         Files.write(variante.resolve("scenes/s.ini"), Arrays.asList("[Cube]"));
         assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
         assertTrue(erreur().startsWith("lancer : scenes/s.ini, ligne 1, [Cube] : "), erreur());
 
-        // et la scène trouvée plus haut est protégée comme les autres
-        Files.delete(variante.resolve("scenes/s.ini"));
-        assertEquals(2, statut(preparer(java("", "--image=../scenes/s.ini", "scenes/s.ini")).directory(variante.toFile())));
-        assertEquals(2, statut(preparer(java("", "--image=a.png", "ailleurs/s.ini")).directory(variante.toFile())));
+        // cinq dossiers plus haut, elle n'est pas vue
+        Path profond = Files.createDirectory(variante.resolve("e"));
+        Files.write(ici.resolve("haut.ini"), new byte[0]);
+        assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(profond.toFile())));
+        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + profond + " et les 4 dossiers au-dessus ; attendu : "),
+                erreur());
+        assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(new File("/"))));
+        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " ; "), erreur());
     }
 
     @Test
@@ -130,10 +150,23 @@ class ProcessusTest extends EssaiProcessus {
         assertEquals(0, statut(p), erreur());
         assertEquals("", erreur());
 
-        // un nom que cette langue ne sait pas écrire
-        p.command(java("", "--image=é.png", scene.toString()));
-        int statut = statut(p);
-        assertTrue(statut == 0 || statut == 1 && erreur().split("\n").length == 1, statut + " " + erreur());
+    }
+
+    @Test
+    void unNomQueLaLangueDuSystemeNeSaitPasLireDitPourquoiEtLeRemede() throws Exception {
+        supposerUnix();
+        Files.copy(Paths.get(SCENE), dossier.resolve("s.ini"));
+        String[][] demandes = {{"2", "--image=a.png", "sc\\303\\250ne.ini"}, {"1", "--image=\\303\\240.png", "s.ini"}};
+        for (String[] demande : demandes) {
+            List<String> commande = java("", "--taille=4x4");
+            // printf donne les octets d'un nom accentué, que ce test ne saurait peut-être pas passer lui-même
+            String arguments = "\"$(printf -- '" + demande[1] + "')\" \"$(printf -- '" + demande[2] + "')\"";
+            commande.addAll(0, Arrays.asList("/bin/sh", "-c", "LC_ALL=C exec \"$@\" " + arguments, "sh"));
+            assertEquals(demande[0], String.valueOf(statut(preparer(commande))), erreur());
+            assertTrue(erreur().matches("lancer : .+ : .*nom de fichier que la langue du syst.me, r.gl.e sur ANSI_X3.4-1968, ne permet pas de "
+                    + "lire : mettre LC_ALL=C.UTF-8 devant la commande( ; attendu : .+)?\n"), erreur());
+        }
+        verifierDossier("s.ini");
     }
 
     @Test

@@ -87,7 +87,7 @@ public final class Section {
             throw fautive(ligneCle, cle, "clé donnée deux fois, déjà ligne " + lignes.get(deja), "une seule fois chaque clé");
         }
         if (connues != null && !connue(cle)) {
-            throw fautive(ligneCle, cle, "clé inconnue", String.join(", ", connues));
+            throw fautive(ligneCle, cle, cleInconnue(cle), String.join(", ", connues));
         }
         if (cles.size() == CLES_MAX) {
             throw fautive(ligneCle, cle, "trop de clés", "au plus " + CLES_MAX + " clés dans une section");
@@ -95,6 +95,10 @@ public final class Section {
         cles.add(cle);
         valeurs.add(valeur);
         lignes.add(ligneCle);
+    }
+
+    private static String cleInconnue(String cle) {
+        return "clé inconnue" + Texte.imitations(cle);
     }
 
     private boolean connue(String cle) {
@@ -254,7 +258,7 @@ public final class Section {
                     "un commentaire seul sur sa ligne");
         }
         String faute = mot.indexOf(',') >= 0 ? "une virgule dans un nombre : " : "n'est pas un nombre : ";
-        return fautive(lignes.get(k), cles.get(k), faute + Texte.cite(mot),
+        return fautive(lignes.get(k), cles.get(k), faute + Texte.cite(mot) + Texte.imitations(mot),
                 attendu + (mot.indexOf(',') >= 0 ? ", avec un point décimal" : ""));
     }
 
@@ -276,7 +280,7 @@ public final class Section {
     public void verifierCles() {
         for (int k = 0; k < cles.size(); k++) {
             if ((lues & 1L << k) == 0) {
-                throw fautive(lignes.get(k), cles.get(k), "clé inconnue",
+                throw fautive(lignes.get(k), cles.get(k), cleInconnue(cles.get(k)),
                         demandees.isEmpty() ? "aucune clé" : String.join(", ", demandees));
             }
         }

@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -51,7 +50,7 @@ public final class Ecriture {
         try {
             cible = suivre(Paths.get(nom));
         } catch (InvalidPathException e) {
-            throw impossible("nom de fichier impossible");
+            throw impossible(Texte.nomImpossible(nom));
         } catch (IOException e) {
             throw impossible(raison(e));
         }
@@ -168,34 +167,7 @@ public final class Ecriture {
         if (e instanceof NoSuchFileException) {
             return "le dossier n'existe pas";
         }
-        String raison = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
-        if (raison == null) {
-            return "échec du système";
-        }
-        // le système parle la langue de la machine : sur une machine française, la dernière branche suffit
-        switch (raison) {
-            case "No space left on device":
-            case "Aucun espace disponible sur le périphérique":
-            case "There is not enough space on the disk":
-            case "Espace insuffisant sur le disque":
-                return "disque plein";
-            case "Disk quota exceeded":
-                return "quota de disque dépassé";
-            case "File too large":
-                return "fichier trop grand";
-            case "File name too long":
-                return "nom de fichier trop long";
-            case "Read-only file system":
-                return "système de fichiers en lecture seule";
-            case "Not a directory":
-                return "le dossier n'existe pas";
-            case "Is a directory":
-                return "c'est un dossier";
-            case "Broken pipe":
-                return "plus personne ne lit";
-            default:
-                return Texte.abrege(raison);
-        }
+        return Texte.panne(e);
     }
 
     private Echec impossible(String raison) {
