@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeEach;
@@ -61,6 +62,12 @@ abstract class EssaiCommande {
 
     static String lireTexte(Path fichier) throws IOException {
         return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+    }
+
+    /** Une sortie de ce nom qui ne prend rien, comme un disque plein ; le test est passé là où le système n'en a pas. */
+    Path disquePlein(String nom) throws IOException {
+        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
+        return lien(nom, Paths.get("/dev/full"));
     }
 
     /** Un lien symbolique ; le test est passé là où le système n'en permet pas. */

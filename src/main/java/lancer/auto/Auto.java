@@ -136,12 +136,13 @@ public final class Auto {
         return temoin;
     }
 
-    /** Mesure l'erreur de l'image qui vient d'être dessinée, sur d'autres pixels que ceux du choix, et l'ajoute au rapport. */
+    /** Mesure l'erreur de l'image qui vient d'être dessinée, sur d'autres pixels que ceux du choix s'il y en a, et l'ajoute au rapport. */
     public void controler() {
         long debut = System.nanoTime();
         double[] ecarts = new double[controle.blocs.size()];
         essais.passer(controle.blocs, limites.exactes.reflets, 0, (rang, bloc, pave, vue) ->
                 ecarts[rang] = temoin.releve(rang).ecart(Releve.references(bloc, vue, reseau)));
-        rapport.controler(controle.estimer(ecarts), controle.pixels(), lancer.getDureeNs(), System.nanoTime() - debut);
+        rapport.controler(controle.estimer(ecarts), controle.pixels(), !semis.controle.isEmpty(), lancer.getDureeNs(),
+                System.nanoTime() - debut);
     }
 }

@@ -19,6 +19,7 @@ public final class Rapport {
     private long essaisNs;
     private Estimation mesuree;
     private int pixelsControles;
+    private boolean autres;
     private double dessin;
 
     /**
@@ -34,9 +35,11 @@ public final class Rapport {
         this.essaisNs = essaisNs;
     }
 
-    void controler(Estimation erreur, int pixels, long dessinNs, long controleNs) {
+    /** @param autresQueDuChoix faux si l'image est trop petite pour avoir d'autres pixels que ceux du choix */
+    void controler(Estimation erreur, int pixels, boolean autresQueDuChoix, long dessinNs, long controleNs) {
         mesuree = erreur;
         pixelsControles = pixels;
+        autres = autresQueDuChoix;
         dessin = dessinNs / NS_PAR_S;
         essaisNs += controleNs;
     }
@@ -76,10 +79,18 @@ public final class Rapport {
     private String controle() {
         boolean erreur = options.erreurVoulue > 0;
         boolean tenu = erreur ? mesuree.erreur() <= options.erreurVoulue : dessin <= options.tempsVoulu;
-        return "erreur de " + nombre(mesuree.erreur()) + " ± " + nombre(mesuree.ecartType()) + " sur " + pixelsControles
-                + " pixels de l'image, autres que les " + pixelsEssayes + " du choix ; dessin en " + secondes(dessin) + ", essais en "
-                + secondes(essaisNs / NS_PAR_S) + " ; " + (erreur ? "erreur voulue " : "temps voulu ") + (tenu ? "tenu" : "dépassé")
-                + (erreur ? "e" : "");
+        return "erreur de " + nombre(mesuree.erreur()) + " ± " + nombre(mesuree.ecartType()) + " sur " + controles()
+                + " ; dessin en " + secondes(dessin) + ", essais en " + secondes(essaisNs / NS_PAR_S) + " ; "
+                + (erreur ? "erreur voulue " : "temps voulu ") + (tenu ? "tenu" : "dépassé") + (erreur ? "e" : "");
+    }
+
+    private String controles() {
+        boolean un = pixelsControles == 1;
+        if (!autres) {
+            return un ? "le seul pixel de l'image, celui du choix" : "les " + pixelsControles + " pixels de l'image, ceux du choix";
+        }
+        return pixelsControles + (un ? " pixel de l'image, autre" : " pixels de l'image, autres") + " que "
+                + (pixelsEssayes == 1 ? "celui" : "les " + pixelsEssayes) + " du choix";
     }
 
     /** Des lignes de plus pour {@code --statistiques}. */
