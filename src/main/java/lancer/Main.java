@@ -118,7 +118,7 @@ public class Main implements Toile {
             toile = auto.surveiller(this);
             reflets = auto.getChoisi().getReflets();
         }
-        image = new ImageMemoire(options.largeur, options.hauteur, pfm != null);
+        image = new ImageMemoire(options.largeur, options.hauteur, png != null, pfm != null);
         long[] traces = new long[options.repeter];
         BarreProgression barre = BarreProgression.possible() ? new BarreProgression(lancer, erreur) : null;
         if (barre != null) {
