@@ -13,11 +13,10 @@ import org.junit.jupiter.api.Test;
 /** Ce que dit {@code --statistiques}. */
 class StatistiquesTest extends EssaiCommande {
 
-    private static Map<String, String> statistiques(String... options) {
-        String[] arguments = Arrays.copyOf(options, options.length + 3);
+    private Map<String, String> statistiques(String... options) {
+        String[] arguments = Arrays.copyOf(options, options.length + 2);
         arguments[options.length] = "--statistiques";
-        arguments[options.length + 1] = "--image";
-        arguments[options.length + 2] = System.getProperty("os.name").startsWith("Windows") ? "NUL" : "/dev/null";
+        arguments[options.length + 1] = "--image=" + png;
         Map<String, String> valeurs = new LinkedHashMap<>();
         for (String ligne : dessiner(arguments).split("\r?\n")) {
             assertTrue(ligne.matches("[a-z]+(\\.[a-z]+)+: [0-9]+(\\.[0-9]+)?"), ligne);

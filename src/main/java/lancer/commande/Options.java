@@ -1,6 +1,7 @@
 package lancer.commande;
 
 import java.util.HashSet;
+import java.util.Locale;
 import java.util.Set;
 import lancer.Constantes;
 import lancer.lecture.Nombre;
@@ -112,10 +113,10 @@ public final class Options {
     private void option(String nom) {
         switch (nom) {
             case "--image":
-                image = valeur(nom, "un fichier .png");
+                image = fichier(nom, ".png");
                 break;
             case "--lineaire":
-                lineaire = valeur(nom, "un fichier .pfm");
+                lineaire = fichier(nom, ".pfm");
                 break;
             case "--taille":
                 taille(valeur(nom, "une taille, par exemple 800x600"));
@@ -168,6 +169,15 @@ public final class Options {
             throw faute("option sans sa valeur : " + nom + " ; attendu : " + attendu);
         }
         return valeur;
+    }
+
+    /** Le nom est jugé tel quel : ce qu'il y a au bout d'un lien ne compte pas. */
+    private String fichier(String nom, String fin) {
+        String fichier = valeur(nom, "un fichier " + fin);
+        if (!fichier.toLowerCase(Locale.ROOT).endsWith(fin)) {
+            throw horsLimites(nom, fichier, "un fichier dont le nom finit par " + fin);
+        }
+        return fichier;
     }
 
     private void sansValeur(String nom) {
