@@ -2,7 +2,6 @@ package lancer.sortie;
 
 import java.io.BufferedOutputStream;
 import java.io.File;
-import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -20,8 +19,10 @@ import lancer.commande.Echec;
 import lancer.lecture.Texte;
 
 /**
- * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé. Un lien symbolique est
- * suivi ; ce qui n'est pas un fichier ordinaire (un tube, {@code /dev/null}) est écrit directement.
+ * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé, avec les permissions de
+ * celui qu'il remplace. Un lien symbolique est suivi ; ce qui n'est pas un fichier ordinaire (un tube, par exemple) est écrit
+ * directement. Le nom provisoire dit quel processus écrit : si celui-ci est tué avant la fin, l'écriture suivante dans ce
+ * dossier efface ce qu'il a laissé.
  */
 public final class Ecriture {
 
@@ -32,8 +33,12 @@ public final class Ecriture {
 
     private static final int TAMPON = 1 << 16;
 
-    /** La sortie standard nommée comme un fichier : l'ouvrir une seconde fois écraserait ce qui y est déjà écrit. */
-    private static final String SORTIE_STANDARD = "/dev/stdout";
+    /** Autour d'un nom provisoire ; il est court, car celui de la cible peut déjà être aussi long que le système le permet. */
+    private static final String DEBUT_PROVISOIRE = ".lancer-";
+    private static final String FIN_PROVISOIRE = ".tmp";
+
+    /** Là où Linux montre les processus, chacun sous son numéro. */
+    private static final String PROCESSUS = "/proc";
 
     /** Nombre de liens symboliques suivis l'un après l'autre, comme le fait Linux. */
     private static final int LIENS_MAX = 40;
@@ -61,7 +66,10 @@ public final class Ecriture {
         if (dossier == null || !Files.isDirectory(dossier)) {
             throw impossible("le dossier n'existe pas");
         }
-        if (Files.exists(cible) && !Files.isWritable(cible) || !estSpecial() && !Files.isWritable(dossier)) {
+        if (!estSpecial() && !Files.isWritable(dossier)) {
+            throw impossible("écriture interdite dans le dossier " + Texte.echappe(dossier.toString()));
+        }
+        if (Files.exists(cible) && !Files.isWritable(cible)) {
             throw impossible("écriture interdite");
         }
     }
@@ -86,7 +94,7 @@ public final class Ecriture {
 
     /** Vrai pour ce qui n'est pas un fichier ordinaire : on y écrit, on ne le remplace pas. */
     private boolean estSpecial() {
-        return nom.equals(SORTIE_STANDARD) || Files.exists(cible) && !Files.isRegularFile(cible);
+        return Files.exists(cible) && !Files.isRegularFile(cible);
     }
 
     /** Le fichier qui sera écrit, liens suivis. */
@@ -108,38 +116,57 @@ public final class Ecriture {
     /** @throws Echec si l'écriture échoue ; le fichier est alors comme avant */
     public void ecrire(ImageMemoire image, Format format) {
         try {
-            if (nom.equals(SORTIE_STANDARD)) {
-                // jamais fermée : les statistiques la suivent
-                OutputStream sortie = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out), TAMPON);
-                format.ecrire(image, sortie);
-                sortie.flush();
-                return;
-            }
             if (estSpecial()) {
                 try (OutputStream sortie = new BufferedOutputStream(Files.newOutputStream(cible), TAMPON)) {
                     format.ecrire(image, sortie);
                 }
                 return;
             }
-            // un nom court : celui de la cible peut déjà être aussi long que le système le permet
-            Path provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
-            File aEffacer = provisoire.toFile();
-            // Ctrl+C pendant l'écriture ne laisse rien derrière lui
-            aEffacer.deleteOnExit();
+            String processus = new File(PROCESSUS, "self").getCanonicalFile().getName();
+            balayer(cible.toAbsolutePath().getParent().toFile(), processus);
             try {
-                try (OutputStream sortie = new BufferedOutputStream(creer(aEffacer), TAMPON)) {
-                    format.ecrire(image, sortie);
-                }
-                remplacer(provisoire);
-            } finally {
-                Files.deleteIfExists(provisoire);
+                ecrireACote(image, format, processus);
+            } catch (NoSuchFileException e) {
+                // ailleurs que sous Linux, ou sur un disque partagé, un autre programme a pu balayer le provisoire pendant qu'il s'écrivait
+                ecrireACote(image, format, processus);
             }
         } catch (IOException e) {
             throw impossible(raison(e));
         }
     }
 
-    /** Un fichier neuf, par {@code java.io}, déjà chargé (4 ms de moins) ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
+    /** Efface de ce dossier les provisoires des processus qui ne sont plus ; celui-ci n'en a pas encore. */
+    private static void balayer(File dossier, String processus) {
+        String[] noms = dossier.list();
+        for (String reste : noms == null ? new String[0] : noms) {
+            if (reste.startsWith(DEBUT_PROVISOIRE) && reste.endsWith(FIN_PROVISOIRE)) {
+                String ecrivain = reste.substring(DEBUT_PROVISOIRE.length()).split("-")[0];
+                if (ecrivain.equals(processus) || !new File(PROCESSUS, ecrivain).exists()) {
+                    new File(dossier, reste).delete();
+                }
+            }
+        }
+    }
+
+    private void ecrireACote(ImageMemoire image, Format format, String processus) throws IOException {
+        Path provisoire = cible.resolveSibling(
+                DEBUT_PROVISOIRE + processus + "-" + Long.toHexString(System.nanoTime()) + FIN_PROVISOIRE);
+        File aEffacer = provisoire.toFile();
+        // Ctrl+C pendant l'écriture ne laisse rien derrière lui
+        aEffacer.deleteOnExit();
+        try {
+            try (OutputStream sortie = new BufferedOutputStream(creer(aEffacer), TAMPON)) {
+                // avant d'écrire : ce que l'ancien fichier cachait ne se voit pas un instant
+                garderLesPermissions(provisoire);
+                format.ecrire(image, sortie);
+            }
+            remplacer(provisoire);
+        } finally {
+            Files.deleteIfExists(provisoire);
+        }
+    }
+
+    /** Un fichier neuf, par {@code java.io}, déjà chargé ; si cela échoue, {@code java.nio} dit pourquoi. */
     private static OutputStream creer(File fichier) throws IOException {
         try {
             if (fichier.createNewFile()) {
@@ -149,6 +176,16 @@ public final class Ecriture {
             // la suite échouera de même
         }
         return Files.newOutputStream(fichier.toPath(), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    }
+
+    private void garderLesPermissions(Path provisoire) {
+        try {
+            if (Files.exists(cible)) {
+                Files.setPosixFilePermissions(provisoire, Files.getPosixFilePermissions(cible));
+            }
+        } catch (IOException | UnsupportedOperationException e) {
+            // ce disque n'en a pas
+        }
     }
 
     /** D'un seul coup : {@code REPLACE_EXISTING} effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent. */
