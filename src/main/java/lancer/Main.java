@@ -22,8 +22,8 @@ import lancer.sortie.ImageMemoire;
 import lancer.sortie.Statistiques;
 
 /**
- * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un fichier. AWT
- * n'est touché que par {@link Fenetre}.
+ * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un
+ * fichier. AWT n'est touché que par {@link Fenetre}.
  */
 public class Main implements Toile {
 
@@ -200,7 +200,8 @@ public class Main implements Toile {
     }
 
     /**
-     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure aussi.
+     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure
+     * aussi.
      *
      * @param simple vrai pour les boucles du cours
      */
@@ -244,7 +245,7 @@ public class Main implements Toile {
         return lancer;
     }
 
-    /** Les comptes et les temps du dernier {@link #doTracerImage}, s'il est allé au bout ; le temps du brouillon n'en est pas. */
+    /** Les comptes et les temps du dernier {@link #doTracerImage} allé au bout, sans le temps du brouillon. */
     public Statistiques getStatistiques() {
         return new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, lancer.getDureeNs());
     }

@@ -22,7 +22,8 @@ class CommandeTest extends EssaiCommande {
             Essai e = Essai.executer(demande);
             assertEquals(0, e.code);
             assertEquals("", e.erreur);
-            for (String option : "--image --lineaire --taille --reflets --seuil --fils --repeter --statistiques --auto --aide --help -h --version"
+            for (String option : ("--image --lineaire --taille --reflets --seuil --fils --repeter --statistiques --auto "
+                    + "--aide --help -h --version")
                     .split(" ")) {
                 assertTrue(e.sortie.contains(option), option);
             }
@@ -125,7 +126,8 @@ class CommandeTest extends EssaiCommande {
     @Test
     void lImageNeDependNiDesFilsNiDesRepetitions() throws IOException {
         byte[] attendue = null;
-        for (String[] options : new String[][] {{}, {"--fils=1"}, {"--fils=2"}, {"--fils=7"}, {"--fils=1024"}, {"--repeter=3"}, {"--simple"}}) {
+        for (String[] options : new String[][] {{}, {"--fils=1"}, {"--fils=2"}, {"--fils=7"}, {"--fils=1024"}, {"--repeter=3"},
+                {"--simple"}}) {
             String[] arguments = Arrays.copyOf(options, options.length + 1);
             arguments[options.length] = "--lineaire=" + pfm;
             dessiner(arguments);

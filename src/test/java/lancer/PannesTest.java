@@ -117,7 +117,8 @@ class PannesTest extends EssaiProcessus {
     void unDisqueEnLectureSeuleEstRefuseAvantDeDessiner() throws Exception {
         // un dessin si long que le test n'en verrait pas la fin
         assertEquals(1, surUnDisque("ro", "--lineaire=disque/a.pfm", "--repeter=100000", "--taille=4000x3000", SCENE), erreur());
-        assertTrue(erreur().matches("lancer : disque/a.pfm : .+ interdite dans le dossier " + dossier.toRealPath() + "/disque\n"), erreur());
+        assertTrue(erreur().matches("lancer : disque/a.pfm : .+ interdite dans le dossier " + dossier.toRealPath() + "/disque\n"),
+                erreur());
         verifierReste("a.pfm");
     }
 

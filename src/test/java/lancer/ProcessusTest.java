@@ -32,7 +32,8 @@ class ProcessusTest extends EssaiProcessus {
                 erreur());
         assertTrue(sortie().contains("lancer.Main "), "les classes chargées ne sont pas dites");
         for (String ligne : sortie().split("\r?\n")) {
-            assertFalse(ligne.matches(".*\\b(java\\.awt|javax\\.swing|sun\\.awt|javax\\.imageio|lancer\\.sortie\\.Fenetre|lancer\\.auto)\\b.*"), ligne);
+            assertFalse(ligne.matches(
+                    ".*\\b(java\\.awt|javax\\.swing|sun\\.awt|javax\\.imageio|lancer\\.sortie\\.Fenetre|lancer\\.auto)\\b.*"), ligne);
         }
     }
 
@@ -68,10 +69,12 @@ class ProcessusTest extends EssaiProcessus {
         Path profond = Files.createDirectory(variante.resolve("e"));
         Files.write(ici.resolve("haut.ini"), new byte[0]);
         assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(profond.toFile())));
-        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + profond + " et les 4 dossiers au-dessus ; attendu : "),
+        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + profond
+                + " et les 4 dossiers au-dessus ; attendu : "),
                 erreur());
         assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(new File("/"))));
-        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " ; "), erreur());
+        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " ; "),
+                erreur());
     }
 
     @Test
@@ -94,8 +97,8 @@ class ProcessusTest extends EssaiProcessus {
     void uneImageDuCoursTientDans64Megaoctets() throws Exception {
         List<String> lignes = new ArrayList<>();
         for (int k = 0; k < 10; k++) {
-            lignes.addAll(Arrays.asList("[Sphere " + k + "]", "centre=" + (k - 4.5) / 2 + " 0 " + (5 + k % 3), "rayon=0.4", "Kd=0.5 0.5 0.9",
-                    "Ks=0.4 0.4 0.4", "ns=30"));
+            lignes.addAll(Arrays.asList("[Sphere " + k + "]", "centre=" + (k - 4.5) / 2 + " 0 " + (5 + k % 3), "rayon=0.4",
+                    "Kd=0.5 0.5 0.9", "Ks=0.4 0.4 0.4", "ns=30"));
         }
         lignes.addAll(Arrays.asList("[Lampe a]", "position=-4 6 -3", "couleur=1 1 1", "[Lampe b]", "position=4 6 0", "couleur=1 1 1"));
         Path scene = dossier.resolve("dix.ini");
@@ -163,8 +166,8 @@ class ProcessusTest extends EssaiProcessus {
             String arguments = "\"$(printf -- '" + demande[1] + "')\" \"$(printf -- '" + demande[2] + "')\"";
             commande.addAll(0, Arrays.asList("/bin/sh", "-c", "LC_ALL=C exec \"$@\" " + arguments, "sh"));
             assertEquals(demande[0], String.valueOf(statut(preparer(commande))), erreur());
-            assertTrue(erreur().matches("lancer : .+ : .*nom de fichier que la langue du syst.me, r.gl.e sur ANSI_X3.4-1968, ne permet pas de "
-                    + "lire : mettre LC_ALL=C.UTF-8 devant la commande( ; attendu : .+)?\n"), erreur());
+            assertTrue(erreur().matches("lancer : .+ : .*nom de fichier que la langue du syst.me, r.gl.e sur ANSI_X3.4-1968, "
+                    + "ne permet pas de lire : mettre LC_ALL=C.UTF-8 devant la commande( ; attendu : .+)?\n"), erreur());
         }
         verifierDossier("s.ini");
     }

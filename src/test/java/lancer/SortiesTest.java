@@ -199,7 +199,8 @@ class SortiesTest extends EssaiCommande {
         Files.setPosixFilePermissions(png, PosixFilePermissions.fromString("rw-------"));
         new Ecriture(png.toString()).ecrire(new ImageMemoire(3, 2, true), (image, sortie) -> {
             for (File fichier : dossier.toFile().listFiles()) {
-                assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(fichier.toPath())), fichier.getName());
+                assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(fichier.toPath())),
+                        fichier.getName());
             }
             assertEquals(2, dossier.toFile().list().length);
         });

@@ -46,7 +46,8 @@ public final class Rapport {
 
     /** Vrai si ce qui est voulu devrait être tenu. */
     public boolean estTenable() {
-        return options.erreurVoulue > 0 ? choisi.getErreurAuPlus() <= options.erreurVoulue : tempsAttendu <= options.tempsVoulu;
+        return options.erreurVoulue > 0 ? choisi.getErreurAuPlus() <= options.erreurVoulue
+                : tempsAttendu <= options.tempsVoulu;
     }
 
     /** L'erreur de l'image, mesurée sur quelques pixels, en niveaux. */
@@ -56,24 +57,29 @@ public final class Rapport {
 
     /** Trois lignes : le choix, pourquoi, et ce qu'il en est. */
     public List<String> getLignes() {
-        return Arrays.asList("auto, choisi : " + choisi, "auto, attendu : " + attente(), "auto, mesuré : " + controle());
+        return Arrays.asList("auto, choisi : " + choisi, "auto, attendu : " + attente(),
+                "auto, mesuré : " + controle());
     }
 
     private String attente() {
         return "erreur de " + nombre(choisi.getErreur()) + ", au plus " + nombre(choisi.getErreurAuPlus()) + " ; "
                 + nombre(choisi.getRayons()) + " rayons de l'écran par pixel, " + nombre(choisi.getPrix())
-                + " avec les ombres et les reflets" + (tempsAttendu > 0 ? " ; " + secondes(tempsAttendu) + " de dessin" : "")
+                + " avec les ombres et les reflets"
+                + (tempsAttendu > 0 ? " ; " + secondes(tempsAttendu) + " de dessin" : "")
                 + " ; " + raison();
     }
 
     private String raison() {
         boolean erreur = options.erreurVoulue > 0;
-        String voulu = erreur ? "une erreur de " + nombre(options.erreurVoulue) : secondes(options.tempsVoulu) + " de dessin";
+        String voulu = erreur ? "une erreur de " + nombre(options.erreurVoulue)
+                : secondes(options.tempsVoulu) + " de dessin";
         if (possibles == 1) {
             return "seul réglage permis, qui " + (estTenable() ? "promet " : "ne promet pas ") + voulu;
         }
-        return estTenable() ? (erreur ? "le moins cher" : "le plus juste") + " de " + possibles + " réglages pour " + voulu
-                : "aucun de " + possibles + " réglages ne promet " + voulu + ", voici le plus " + (erreur ? "juste" : "rapide");
+        return estTenable()
+                ? (erreur ? "le moins cher" : "le plus juste") + " de " + possibles + " réglages pour " + voulu
+                : "aucun de " + possibles + " réglages ne promet " + voulu + ", voici le plus "
+                + (erreur ? "juste" : "rapide");
     }
 
     private String controle() {
@@ -87,7 +93,8 @@ public final class Rapport {
     private String controles() {
         boolean un = pixelsControles == 1;
         if (!autres) {
-            return un ? "le seul pixel de l'image, celui du choix" : "les " + pixelsControles + " pixels de l'image, ceux du choix";
+            return un ? "le seul pixel de l'image, celui du choix"
+                    : "les " + pixelsControles + " pixels de l'image, ceux du choix";
         }
         return pixelsControles + (un ? " pixel de l'image, autre" : " pixels de l'image, autres") + " que "
                 + (pixelsEssayes == 1 ? "celui" : "les " + pixelsEssayes) + " du choix";
@@ -97,7 +104,8 @@ public final class Rapport {
     public String getStatistiques() {
         return "auto.erreur.attendue: " + nombre(choisi.getErreur())
                 + System.lineSeparator() + "auto.erreur.mesuree: " + nombre(mesuree.erreur())
-                + System.lineSeparator() + "auto.essais.ms: " + String.format(Locale.ROOT, "%.3f", essaisNs / NS_PAR_MS);
+                + System.lineSeparator() + "auto.essais.ms: "
+                + String.format(Locale.ROOT, "%.3f", essaisNs / NS_PAR_MS);
     }
 
     private static String secondes(double s) {

@@ -23,7 +23,8 @@ public final class Options {
     private static final double ERREUR_MAX = 255;
     private static final double TEMPS_MIN = 0.001;
     private static final double TEMPS_MAX = 3600;
-    private static final String AUTO = "erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
+    private static final String AUTO =
+            "erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
 
     /** Demandes d'un texte, sans rien dessiner ; la première rencontrée l'emporte. */
     public boolean aide;
@@ -86,7 +87,8 @@ public final class Options {
             String argument = arguments[suivant++];
             if (!argument.startsWith("-")) {
                 if (scene != null) {
-                    throw faute("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(argument) + " ; attendu : une seule");
+                    throw faute("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(argument)
+                            + " ; attendu : une seule");
                 }
                 if (argument.isEmpty()) {
                     throw faute("nom de scène vide ; attendu : un fichier, par exemple scenes/scene1.ini");
@@ -98,7 +100,8 @@ public final class Options {
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             valeurCollee = egal < 0 ? null : argument.substring(egal + 1);
             if (!vues.add(nom)) {
-                throw faute("option donnée deux fois : " + Texte.abrege(nom) + " ; attendu : une seule fois chaque option");
+                throw faute("option donnée deux fois : " + Texte.abrege(nom)
+                        + " ; attendu : une seule fois chaque option");
             }
             option(nom);
         }
@@ -106,7 +109,8 @@ public final class Options {
             throw faute("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
         if (auto && !versFichier() && !aide && !version) {
-            throw faute("--auto ne sert pas dans la fenêtre ; attendu : avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm");
+            throw faute("--auto ne sert pas dans la fenêtre ; attendu : avec elle, "
+                    + "--image FICHIER.png ou --lineaire FICHIER.pfm");
         }
     }
 

@@ -67,8 +67,8 @@ public final class Texte {
     }
 
     /**
-     * De quoi reconnaître, dans un mot refusé, un caractère qui en imite un autre : {@code ", où « е » est U+0435"}. Une lettre
-     * accentuée du français se voit, et ce qui ne se voit pas est déjà montré par son code.
+     * De quoi reconnaître, dans un mot refusé, un caractère qui en imite un autre : {@code ", où « е » est U+0435"}.
+     * Une lettre accentuée du français se voit, et ce qui ne se voit pas est déjà montré par son code.
      */
     static String imitations(String mot) {
         StringBuilder s = new StringBuilder();

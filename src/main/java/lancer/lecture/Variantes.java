@@ -7,8 +7,8 @@ import lancer.Scene;
 import lancer.contrat.Variante;
 
 /**
- * Les variantes présentes dans le chemin des classes. Elles sont cherchées dans un fil à part : Java fouille aussi ses propres
- * modules, ce qui prend 8 ms, pendant lesquelles la scène se lit.
+ * Les variantes présentes dans le chemin des classes. Elles sont cherchées dans un fil à part : Java fouille aussi ses
+ * propres modules, ce qui prend 8 ms, pendant lesquelles la scène se lit.
  */
 public final class Variantes implements Runnable {
 

@@ -19,10 +19,10 @@ import lancer.commande.Echec;
 import lancer.lecture.Texte;
 
 /**
- * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé, avec les permissions de
- * celui qu'il remplace. Un lien symbolique est suivi ; ce qui n'est pas un fichier ordinaire (un tube, par exemple) est écrit
- * directement. Le nom provisoire dit quel processus écrit : si celui-ci est tué avant la fin, l'écriture suivante dans ce
- * dossier efface ce qu'il a laissé.
+ * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé, avec les
+ * permissions de celui qu'il remplace. Un lien symbolique est suivi ; ce qui n'est pas un fichier ordinaire (un tube,
+ * par exemple) est écrit directement. Le nom provisoire dit quel processus écrit : si celui-ci est tué avant la fin,
+ * l'écriture suivante dans ce dossier efface ce qu'il a laissé.
  */
 public final class Ecriture {
 
@@ -33,7 +33,7 @@ public final class Ecriture {
 
     private static final int TAMPON = 1 << 16;
 
-    /** Autour d'un nom provisoire ; il est court, car celui de la cible peut déjà être aussi long que le système le permet. */
+    /** Autour d'un nom provisoire, court : celui de la cible peut déjà être aussi long que le système le permet. */
     private static final String DEBUT_PROVISOIRE = ".lancer-";
     private static final String FIN_PROVISOIRE = ".tmp";
 
@@ -74,7 +74,7 @@ public final class Ecriture {
         }
     }
 
-    /** Le fichier au bout des liens, qu'il existe ou non, dans le vrai dossier : deux écritures du même donnent le même. */
+    /** Le fichier au bout des liens, qu'il existe ou non, dans le vrai dossier : un fichier n'a que ce nom. */
     private static Path suivre(Path chemin) throws IOException {
         Path lien = chemin;
         for (int suivis = 0; Files.isSymbolicLink(lien); suivis++) {
@@ -105,7 +105,8 @@ public final class Ecriture {
     /** Vrai si écrire écraserait cet autre fichier : le même nom, ou le même fichier sous un autre nom. */
     public boolean vise(Path autre) {
         try {
-            // de deux chemins qui existent, seul le système sait s'ils mènent au même fichier : « lien/.. » est trompeur
+            // de deux chemins qui existent, seul le système sait s'ils mènent au même fichier : « lien/.. » est
+            // trompeur
             return Files.exists(cible) && Files.exists(autre) ? Files.isSameFile(cible, autre)
                     : cible.equals(autre.toAbsolutePath().normalize());
         } catch (IOException e) {
@@ -127,7 +128,8 @@ public final class Ecriture {
             try {
                 ecrireACote(image, format, processus);
             } catch (NoSuchFileException e) {
-                // ailleurs que sous Linux, ou sur un disque partagé, un autre programme a pu balayer le provisoire pendant qu'il s'écrivait
+                // ailleurs que sous Linux, ou sur un disque partagé, un autre programme a pu balayer le provisoire
+                // pendant qu'il s'écrivait
                 ecrireACote(image, format, processus);
             }
         } catch (IOException e) {

@@ -56,7 +56,7 @@ public final class ImageMemoire implements Toile {
         return codes;
     }
 
-    /** Les couleurs non limitées, trois composantes par pixel, ligne par ligne depuis le haut ; {@code null} si non gardées. */
+    /** Les couleurs non limitées, trois composantes par pixel, depuis le haut ; {@code null} si non gardées. */
     public float[] getLineaire() {
         return lineaire;
     }
