@@ -39,6 +39,14 @@ run: $(JARS)
 	png="$(CURDIR)/target/$${nom:-$$(basename "$(SCENE)" .ini)$(subst $(vide) $(vide),,$(VARIANTES:%=-%))}.png"; \
 	$(LANCER) $(OPTIONS) --image "$$png" "$(SCENE)" && echo "Pas d'écran ici : l'image est dans $$png"
 
+# Dans le dossier d'une variante, les tests de son paquet ; à la racine, ceux de tout.
+ifdef VARIANTE
+.PHONY: test
+test: outils
+	$(MVN) -f $(RACINE)/ensemble.xml -pl :$(VARIANTE) -am -Dtest='lancer/$(VARIANTE)/*' \
+	    -Dsurefire.failIfNoSpecifiedTests=false verify
+endif
+
 outils:
 	@command -v javac >/dev/null || { echo "Il faut un JDK, 11 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }
 	@command -v $(firstword $(MVN)) >/dev/null || { echo "Il faut Maven : sudo apt-get install maven" >&2; exit 1; }
