@@ -3,6 +3,7 @@ package lancer;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -10,6 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.TreeSet;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -28,6 +30,16 @@ abstract class EssaiCommande {
         dossier = dossier.toRealPath();
         png = dossier.resolve("image.png");
         pfm = dossier.resolve("image.pfm");
+    }
+
+    /** JUnit s'inquiéterait, en vidant le dossier, de ceux qui mènent ailleurs. */
+    @AfterEach
+    void effacerLesLiens() throws IOException {
+        for (File fichier : dossier.toFile().listFiles()) {
+            if (Files.isSymbolicLink(fichier.toPath())) {
+                Files.delete(fichier.toPath());
+            }
+        }
     }
 
     /** Dessine la scène en petit ; la demande doit aboutir, sans rien dire. */

@@ -175,6 +175,7 @@ class PannesTest extends EssaiProcessus {
         commande.addAll(java("", "--lineaire=flux/tube.pfm", "--taille=400x300", SCENE));
         statut(preparer(commande));
         attendre(() -> new String(Files.readAllBytes(dossier.resolve("flux/statut")), StandardCharsets.US_ASCII).equals("1\n"));
+        Files.delete(dossier.resolve("flux/tube.pfm"));
         assertTrue(erreur().matches("lancer : flux/tube.pfm : .+, plus personne ne lit\n"), erreur());
     }
 

@@ -113,15 +113,19 @@ public final class LecteurScene {
         try {
             chemin = Paths.get(fichier);
         } catch (InvalidPathException e) {
-            throw new SceneFautive(Section.message(fichier, 0, null, null, Texte.nomImpossible(fichier), UNE_SCENE), e);
+            String faute = "nom de fichier impossible" + Texte.horsLangue(fichier);
+            throw new SceneFautive(Section.message(fichier, 0, null, null, faute, UNE_SCENE), e);
         }
         Path trouve = chemin;
         for (int k = 0; k < DOSSIERS_AU_DESSUS && !chemin.isAbsolute() && !Files.exists(trouve); k++) {
             trouve = Paths.get("..").resolve(trouve);
         }
-        String faute = !Files.exists(trouve) ? absente(chemin) : Files.isDirectory(trouve) ? "c'est un dossier" : null;
-        if (faute != null) {
-            throw new SceneFautive(Section.message(fichier, 0, null, null, faute, UNE_SCENE));
+        if (!Files.exists(trouve)) {
+            throw new SceneFautive(Section.message(fichier, 0, null, null, absente(chemin), UNE_SCENE));
+        }
+        if (Files.isDirectory(trouve)) {
+            String dossier = trouve.equals(chemin) ? fichier : trouve.toString();
+            throw new SceneFautive(Section.message(dossier, 0, null, null, "c'est un dossier", UNE_SCENE));
         }
         return trouve;
     }
@@ -138,7 +142,8 @@ public final class LecteurScene {
         Path ici = Paths.get("").toAbsolutePath();
         int plusHaut = Math.min(DOSSIERS_AU_DESSUS, ici.getNameCount());
         return "fichier introuvable" + (chemin.isAbsolute() ? "" : " dans " + Texte.echappe(ici.toString())
-                + (plusHaut == 0 ? "" : plusHaut == 1 ? " et le dossier au-dessus" : " et les " + plusHaut + " dossiers au-dessus"));
+                + (plusHaut == 0 ? "" : plusHaut == 1 ? " et le dossier au-dessus" : " et les " + plusHaut + " dossiers au-dessus")
+                + Texte.horsLangue(ici.toString()));
     }
 
     public List<Objet3D> getObjets() {

@@ -1,5 +1,6 @@
 package lancer.lecture;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.FileSystemException;
@@ -85,12 +86,15 @@ public final class Texte {
         return s.toString();
     }
 
-    /** Ce qu'il faut dire d'un nom de fichier dont Java ne sait pas faire un chemin. */
-    public static String nomImpossible(String nom) {
+    /**
+     * Pourquoi Java ne sait rien faire d'un chemin, et le remède, si c'est qu'il n'a pu en lire les accents, ou ceux du
+     * dossier d'où il est suivi : il croit alors que ce dossier n'existe pas.
+     */
+    public static String horsLangue(String chemin) {
         String codage = System.getProperty("sun.jnu.encoding", "UTF-8");
-        return Charset.forName(codage).newEncoder().canEncode(nom) ? "nom de fichier impossible"
-                : "nom de fichier que la langue du système, réglée sur " + codage
-                        + ", ne permet pas de lire : mettre LC_ALL=C.UTF-8 devant la commande";
+        return Charset.forName(codage).newEncoder().canEncode(chemin) && new File("").getAbsoluteFile().exists() ? ""
+                : " (la langue du système, réglée sur " + codage
+                        + ", ne permet pas de lire ce nom : mettre LC_ALL=C.UTF-8 devant la commande)";
     }
 
     /** Ce que le système dit d'une panne de fichier, en français si on le connaît. */

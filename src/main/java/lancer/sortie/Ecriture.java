@@ -55,9 +55,9 @@ public final class Ecriture {
         try {
             cible = suivre(Paths.get(nom));
         } catch (InvalidPathException e) {
-            throw impossible(Texte.nomImpossible(nom));
+            throw impossible("nom de fichier impossible" + Texte.horsLangue(nom));
         } catch (IOException e) {
-            throw impossible(raison(e));
+            throw impossible(raison(e) + Texte.horsLangue(nom));
         }
         if (Files.isDirectory(cible)) {
             throw impossible("c'est un dossier");
