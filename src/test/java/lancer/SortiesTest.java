@@ -177,7 +177,7 @@ class SortiesTest extends EssaiCommande {
 
     @Test
     void uneImageGardeLesPermissionsDeCelleQuElleRemplace() throws IOException {
-        assumeTrue(Files.getFileStore(dossier).supportsFileAttributeView("posix"), "pas de permissions ici");
+        assumeTrue(dossier.getFileSystem().supportedFileAttributeViews().contains("posix"), "pas de permissions ici");
         for (String permissions : new String[] {"rw-r-----", "rw-------", "rwxrw-rw-"}) {
             ecrireTexte(png, "avant");
             Files.setPosixFilePermissions(png, PosixFilePermissions.fromString(permissions));
@@ -194,7 +194,7 @@ class SortiesTest extends EssaiCommande {
     /** L'ancien fichier était caché : le nouveau l'est avant même d'avoir un contenu. */
     @Test
     void uneImageCacheeLEstDejaPendantQuElleSEcrit() throws IOException {
-        assumeTrue(Files.getFileStore(dossier).supportsFileAttributeView("posix"), "pas de permissions ici");
+        assumeTrue(dossier.getFileSystem().supportedFileAttributeViews().contains("posix"), "pas de permissions ici");
         ecrireTexte(png, "avant");
         Files.setPosixFilePermissions(png, PosixFilePermissions.fromString("rw-------"));
         new Ecriture(png.toString()).ecrire(new ImageMemoire(3, 2, true), (image, sortie) -> {
