@@ -9,8 +9,8 @@ SCENE ?= scenes/scene1.ini
 OPTIONS ?=
 VARIANTES ?= $(VARIANTE)
 
-# Sans UTF-8, Java montrerait « sph?re » et ne saurait ouvrir un fichier au nom accentué.
-ifeq ($(findstring UTF-8,$(LC_ALL)$(LC_CTYPE)$(LANG))$(findstring utf8,$(LC_ALL)$(LC_CTYPE)$(LANG)),)
+# Sans UTF-8, Java montrerait « sph?re » et ne saurait ouvrir un fichier au nom accentué. Des trois, la première donnée compte.
+ifeq ($(filter %UTF-8 %UTF8 %utf-8 %utf8,$(firstword $(subst @, ,$(or $(LC_ALL),$(LC_CTYPE),$(LANG))))),)
 export LC_ALL := C.UTF-8
 endif
 
@@ -26,6 +26,7 @@ sources = $(shell find $(1)/src/main -type f 2>/dev/null)
 .PHONY: run outils
 
 # Une fenêtre, ou à défaut d'écran une image : là où DISPLAY manque, ou nomme un écran qui ne répond pas (statut 1).
+# L'image porte le nom de la variante dans le dossier de celle-ci, à la racine celui de la scène et des variantes mises ensemble.
 run: $(JARS)
 	@case "$(OPTIONS)" in \
 	    *--image*|*--lineaire*|*--pixel*|*--aide*|*--version*) $(LANCER) $(OPTIONS) "$(SCENE)"; exit;; \
@@ -34,8 +35,17 @@ run: $(JARS)
 	    $(LANCER) $(OPTIONS) "$(SCENE)"; statut=$$?; \
 	    [ $$statut = 1 ] || exit $$statut; \
 	fi; \
-	png="$(RACINE)/target/$$(basename "$(SCENE)" .ini).png"; \
+	nom="$(VARIANTE)"; \
+	png="$(CURDIR)/target/$${nom:-$$(basename "$(SCENE)" .ini)$(subst $(vide) $(vide),,$(VARIANTES:%=-%))}.png"; \
 	$(LANCER) $(OPTIONS) --image "$$png" "$(SCENE)" && echo "Pas d'écran ici : l'image est dans $$png"
+
+# Dans le dossier d'une variante, les tests de son paquet ; à la racine, ceux de tout.
+ifdef VARIANTE
+.PHONY: test
+test: outils
+	$(MVN) -f $(RACINE)/ensemble.xml -pl :$(VARIANTE) -am -Dtest='lancer/$(VARIANTE)/*' \
+	    -Dsurefire.failIfNoSpecifiedTests=false verify
+endif
 
 outils:
 	@command -v javac >/dev/null || { echo "Il faut un JDK, 11 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }

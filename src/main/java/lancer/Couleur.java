@@ -2,7 +2,8 @@ package lancer;
 
 /**
  * Une couleur par ses composantes rouge, verte et bleue. Pendant le calcul elles ne sont pas limitées à [0, 1] : deux
- * lampes peuvent s'ajouter, et une seule limitation, au tout dernier moment, est faite par {@link #getCode()}. Immuable.
+ * lampes peuvent s'ajouter, et une seule limitation, au tout dernier moment, est faite par {@link #getCode()}.
+ * Immuable.
  */
 public final class Couleur {
 
@@ -64,8 +65,8 @@ public final class Couleur {
     }
 
     /**
-     * La couleur telle qu'un écran la veut : {@code 0xFFRRGGBB}. Chaque composante est limitée à [0, 1], puis arrondie au
-     * plus proche de 0..255 (la moitié vers le haut) ; NaN donne 0.
+     * La couleur telle qu'un écran la veut : {@code 0xFFRRGGBB}. Chaque composante est limitée à [0, 1], puis arrondie
+     * au plus proche de 0..255 (la moitié vers le haut) ; NaN donne 0.
      */
     public int getCode() {
         return 0xFF000000 | octet(r) << 16 | octet(v) << 8 | octet(b);

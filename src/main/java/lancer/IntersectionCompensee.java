@@ -1,26 +1,29 @@
 package lancer;
 
 /**
- * L'intersection d'un rayon et d'une sphère là où l'arrondi de C − P, ou un carré qui déborde, fausserait {@link Sphere#distance} :
- * le rayon part près de la surface (au-dessus d'un sol immense, d'une sphère qui en touche une autre), ou les longueurs sortent de
- * 1e-135..1e150.
+ * L'intersection d'un rayon et d'une sphère là où l'arrondi de C − P, ou un carré qui déborde, fausserait
+ * {@link Sphere#distance} : le rayon part près de la surface (au-dessus d'un sol immense, d'une sphère qui en touche
+ * une autre), ou les longueurs sortent de 1e-135..1e150.
  *
- * <p>Une seule quantité y perd ses chiffres : la puissance de P, c = |C − P|² − r². Elle est calculée ici sans erreur sensible, C − P
- * gardé en deux termes (f + e = C − P exactement : Knuth, <i>The Art of Computer Programming</i>, t. 2, § 4.2.2), les carrés coupés en
- * morceaux dont les produits et les sommes tombent juste (Dekker, <i>A floating-point technique for extending the available
- * precision</i>, Numerische Mathematik 18, 1971 ; Rump, Ogita et Oishi, <i>Accurate floating-point summation</i>, SIAM Journal on
- * Scientific Computing 31, 2008, pour la coupe commune). Puis h² = b² − c : près de la surface, cette forme ne subit de la direction
- * que ce que la réponse en subit.
+ * <p>Une seule quantité y perd ses chiffres : la puissance de P, c = |C − P|² − r². Elle est calculée ici sans erreur
+ * sensible, C − P gardé en deux termes (f + e = C − P exactement : Knuth, <i>The Art of Computer Programming</i>, t. 2,
+ * § 4.2.2), les carrés coupés en morceaux dont les produits et les sommes tombent juste (Dekker, <i>A floating-point
+ * technique for extending the available precision</i>, Numerische Mathematik 18, 1971 ; Rump, Ogita et Oishi,
+ * <i>Accurate floating-point summation</i>, SIAM Journal on Scientific Computing 31, 2008, pour la coupe commune). Puis
+ * h² = b² − c : près de la surface, cette forme ne subit de la direction que ce que la réponse en subit.
  *
- * <p>Distance : erreur relative d'au plus 8 u (1 + r/h), u = 2⁻⁵³, arrondi de la direction compris (mesurée : moins de la moitié). Rien
- * n'est alloué, sauf hors d'échelle.
+ * <p>Distance : erreur relative d'au plus 8 u (1 + r/h), u = 2⁻⁵³, arrondi de la direction compris (mesurée : moins de
+ * la moitié). Rien n'est alloué, sauf hors d'échelle.
  */
 public final class IntersectionCompensee {
 
     /** Au-dessus de cette part de r², la puissance calculée d'abord est juste à u près. */
     private static final double ASSEZ = 0x1p-20;
 
-    /** Largeurs des morceaux, en puissances de deux de r : 1,5 · 2^k arrondit ce qu'on lui ajoute à un multiple de 2^(k−52). */
+    /**
+     * Largeurs des morceaux, en puissances de deux de r : 1,5 · 2^k arrondit ce qu'on lui ajoute à un multiple de
+     * 2^(k−52).
+     */
     private static final double COUPE = 0x1.8p27;
     private static final double COUPE_DU_RESTE = 0x1.8p1;
     private static final double COUPE_DE_L_ERREUR = 0x1.8p-25;
@@ -36,7 +39,7 @@ public final class IntersectionCompensee {
     private IntersectionCompensee() {
     }
 
-    /** La même distance que {@link Sphere#distance}, là où celle-ci est en doute : les mêmes cas, les mêmes réponses. */
+    /** La même distance que {@link Sphere#distance}, là où celle-ci est en doute : mêmes cas, mêmes réponses. */
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
         double fx = cx - px;
@@ -65,8 +68,9 @@ public final class IntersectionCompensee {
         return c < 0 ? c / (b - h) : Constantes.INFINI;
     }
 
-    /** Vrai si h² n'est négatif que par un arrondi : la perpendiculaire, elle, tombe juste quand les nombres sont ronds. */
-    private static boolean tangente(double fx, double fy, double fz, double vx, double vy, double vz, double b, double h2, double r) {
+    /** Vrai si h² n'est négatif que par un arrondi : la perpendiculaire tombe juste sur des nombres ronds. */
+    private static boolean tangente(double fx, double fy, double fz, double vx, double vy, double vz, double b,
+            double h2, double r) {
         double lx = fx - b * vx;
         double ly = fy - b * vy;
         double lz = fz - b * vz;
@@ -80,8 +84,8 @@ public final class IntersectionCompensee {
     }
 
     /**
-     * |f + e|² − r², à 2⁻⁵³ près en valeur relative, ou à 2⁻¹²⁷ r² près là où c'est davantage. Chaque longueur x vaut h + d, h multiple
-     * d'un même pas, assez court pour que les carrés et leur somme tombent juste ; x² = h² + 2hd + d².
+     * |f + e|² − r², à 2⁻⁵³ près en valeur relative, ou à 2⁻¹²⁷ r² près là où c'est davantage. Chaque longueur x vaut h
+     * + d, h multiple d'un même pas, assez court pour que les carrés et leur somme tombent juste ; x² = h² + 2hd + d².
      */
     static double puissance(double fx, double fy, double fz, double ex, double ey, double ez, double r) {
         double pas = Double.longBitsToDouble(Double.doubleToRawLongBits(r) & EXPOSANT);
@@ -100,7 +104,7 @@ public final class IntersectionCompensee {
         return Math.abs(c) > ASSEZ * (r * r) ? c : finement(haut, pas, hx, hy, hz, hr, dx, dy, dz, dr, ex, ey, ez);
     }
 
-    /** Quand presque tout s'annule : d et e sont coupés à leur tour, et rien n'est arrondi qui soit plus grand que 2⁻⁷⁶ r². */
+    /** Quand presque tout s'annule : d et e sont coupés aussi, et rien de plus grand que 2⁻⁷⁶ r² n'est arrondi. */
     private static double finement(double haut, double pas, double hx, double hy, double hz, double hr,
             double dx, double dy, double dz, double dr, double ex, double ey, double ez) {
         double coupeD = COUPE_DU_RESTE * pas;
@@ -125,10 +129,14 @@ public final class IntersectionCompensee {
         double s3 = s2 + z;
         double s4 = s3 + w;
         double s5 = s4 + carres;
-        return s5 + (reste(haut, x, s1) + reste(s1, y, s2) + reste(s2, z, s3) + reste(s3, w, s4) + reste(s4, carres, s5) + poussiere);
+        return s5 + (reste(haut, x, s1) + reste(s1, y, s2) + reste(s2, z, s3) + reste(s3, w, s4) + reste(s4, carres, s5)
+                + poussiere);
     }
 
-    /** Des longueurs dont les carrés ne sont pas des nombres ordinaires : les mêmes calculs, tout multiplié par une puissance de deux. */
+    /**
+     * Des longueurs dont les carrés ne sont pas des nombres ordinaires : les mêmes calculs, tout multiplié par une
+     * puissance de deux.
+     */
     private static double horsEchelle(double fx, double fy, double fz, double ex, double ey, double ez,
             double vx, double vy, double vz, double r) {
         double max = Math.max(Math.max(Math.abs(fx), Math.abs(fy)), Math.max(Math.abs(fz), r));
@@ -146,6 +154,7 @@ public final class IntersectionCompensee {
             return touche ? Math.scalb(b, -k) : Constantes.INFINI;
         }
         // un départ et un centre qui ont cette même différence, en deux termes
-        return Math.scalb(Sphere.distance(-Math.scalb(ex, k), -Math.scalb(ey, k), -Math.scalb(ez, k), vx, vy, vz, gx, gy, gz, q), -k);
+        return Math.scalb(Sphere.distance(-Math.scalb(ex, k), -Math.scalb(ey, k), -Math.scalb(ez, k), vx, vy, vz,
+                gx, gy, gz, q), -k);
     }
 }

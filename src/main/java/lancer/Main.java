@@ -25,8 +25,8 @@ import lancer.sortie.Statistiques;
 import lancer.sortie.UnPixel;
 
 /**
- * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un fichier. AWT
- * n'est touché que par {@link Fenetre}.
+ * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un
+ * fichier. AWT n'est touché que par {@link Fenetre}.
  */
 public class Main implements Toile {
 
@@ -128,7 +128,7 @@ public class Main implements Toile {
             toile = auto.surveiller(this);
             reflets = auto.getChoisi().getReflets();
         }
-        image = new ImageMemoire(options.largeur, options.hauteur, pfm != null);
+        image = new ImageMemoire(options.largeur, options.hauteur, png != null, pfm != null);
         long[] traces = new long[options.repeter];
         BarreProgression barre = BarreProgression.possible() ? new BarreProgression(lancer, erreur) : null;
         if (barre != null) {
@@ -202,7 +202,7 @@ public class Main implements Toile {
     /** Une sortie ne doit écraser ni la scène, ni l'autre sortie. */
     private void refuserMemeFichier(Path scene, Ecriture png, Ecriture pfm) {
         if (png != null && png.vise(scene) || pfm != null && pfm.vise(scene)) {
-            throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : " + Texte.echappe(options.scene)
+            throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : " + Texte.echappe(scene.toString())
                     + " ; attendu : un autre fichier");
         }
         if (png != null && pfm != null && png.vise(pfm.getCible())) {
@@ -241,7 +241,8 @@ public class Main implements Toile {
     }
 
     /**
-     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure aussi.
+     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure
+     * aussi.
      *
      * @param simple vrai pour les boucles du cours
      */
@@ -290,7 +291,7 @@ public class Main implements Toile {
         return lancer;
     }
 
-    /** Les comptes et les temps du dernier {@link #doTracerImage}, s'il est allé au bout ; le temps du brouillon n'en est pas. */
+    /** Les comptes et les temps du dernier {@link #doTracerImage} allé au bout, sans le temps du brouillon. */
     public Statistiques getStatistiques() {
         return new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, lancer.getDureeNs());
     }

@@ -36,7 +36,7 @@ public final class Scene {
     /**
      * Lit une scène dans un fichier, et y installe les variantes présentes.
      *
-     * @param nomFichier un chemin ; s'il est relatif et n'existe pas ici, cherché aussi un dossier plus haut
+     * @param nomFichier un chemin ; s'il est relatif et n'existe pas ici, cherché aussi dans les quatre dossiers au-dessus
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {
@@ -81,7 +81,7 @@ public final class Scene {
     /**
      * La même scène, à dessiner autrement : ce que compare {@code --auto}.
      *
-     * @param seuil voir {@link #setSeuil}
+     * @param autreSeuil voir {@link #setSeuil}
      */
     public Scene avec(Echantillonnage autreEchantillonnage, double autreSeuil) {
         Scene scene = new Scene(this);

@@ -1,8 +1,8 @@
 package lancer;
 
 /**
- * Un triplet de réels (x, y, z) : ce qu'un {@link Point} et un {@link Vecteur} ont en commun (cours, « Points et vecteurs »).
- * Immuable : toute opération rend une nouvelle instance.
+ * Un triplet de réels (x, y, z) : ce qu'un {@link Point} et un {@link Vecteur} ont en commun (cours, « Points et
+ * vecteurs »). Immuable : toute opération rend une nouvelle instance.
  */
 public class Tuple {
 

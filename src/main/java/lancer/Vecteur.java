@@ -7,8 +7,8 @@ package lancer;
 public class Vecteur extends Tuple {
 
     /**
-     * Carrés de norme entre lesquels la norme se calcule sans détour : au-dessous, les carrés des composantes perdraient des
-     * chiffres (le plus petit double normal est 2^-1022) ; au-dessus, leur somme pourrait déborder.
+     * Carrés de norme entre lesquels la norme se calcule sans détour : au-dessous, les carrés des composantes
+     * perdraient des chiffres (le plus petit double normal est 2^-1022) ; au-dessus, leur somme pourrait déborder.
      */
     public static final double NORME2_MIN = 0x1.0p-900;
 
@@ -16,8 +16,9 @@ public class Vecteur extends Tuple {
     public static final double NORME2_MAX = 0x1.0p1000;
 
     /**
-     * À moins de cela de 1, le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près : ni racine, ni division. La
-     * normale d'un contact et la direction d'un reflet sont toujours dans ce cas (5 % du temps d'une image de la scène du cours).
+     * À moins de cela de 1, le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près : ni racine,
+     * ni division. La normale d'un contact et la direction d'un reflet sont toujours dans ce cas (5 % du temps d'une
+     * image de la scène du cours).
      */
     public static final double PRESQUE_UN = 0x1p-27;
 

@@ -1,5 +1,6 @@
 package lancer;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -103,8 +104,9 @@ final class BancFenetre {
         return new String(octets.toByteArray(), StandardCharsets.UTF_8);
     }
 
-    /** Sans écran, le test est sauté ; mais il échoue si l'on a exigé les fenêtres. */
+    /** Une fenêtre ne s'ouvre que si on l'exige : sans cela, le test est sauté, même devant un écran ; avec, il lui en faut un. */
     static void exigerEcran() {
+        assumeTrue(Boolean.getBoolean("fenetre.exigee"), "ouvre une fenêtre, et -Dfenetre.exigee=true n'est pas donné");
         boolean ecran;
         try {
             ecran = !GraphicsEnvironment.isHeadless()
@@ -112,10 +114,7 @@ final class BancFenetre {
         } catch (HeadlessException | AWTError | LinkageError e) {
             ecran = false;
         }
-        if (!ecran && Boolean.getBoolean("fenetre.exigee")) {
-            fail("pas d'écran, et -Dfenetre.exigee=true");
-        }
-        assumeTrue(ecran, "pas d'écran");
+        assertTrue(ecran, "-Dfenetre.exigee=true, et pas d'écran, ou un Java sans fenêtres");
     }
 
     static void attendre(String quoi, Callable<Boolean> condition) throws Exception {

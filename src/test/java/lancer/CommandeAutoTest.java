@@ -3,11 +3,10 @@ package lancer;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Paths;
+import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
@@ -65,10 +64,22 @@ class CommandeAutoTest extends EssaiCommande {
                 + "tenu\\R"), e.erreur);
     }
 
+    /** Une image d'un seul bloc d'essai n'a pas d'autres pixels que ceux du choix. */
     @Test
-    void unEchecApresLeChoixNeDitQueLui() {
-        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
-        verifierRefus(1, "/dev/full : écriture impossible, disque plein", executer("--auto=erreur=30", "--image", "/dev/full"));
+    void uneTresPetiteImageDitSurQuelsPixelsElleEstMesuree() {
+        String[][] attendus = {{"1x1", "le seul pixel de l'image, celui du choix"}, {"2x1", "les 2 pixels de l'image, ceux du choix"},
+            {"3x1", "1 pixel de l'image, autre que les 2 du choix|2 pixels de l'image, autres que celui du choix"},
+            {"4x4", "8 pixels de l'image, autres que les 8 du choix"}};
+        for (String[] attendu : attendus) {
+            Essai e = Essai.executer("--auto", "erreur=30", "--taille", attendu[0], "--image=" + png, SCENE);
+            assertTrue(e.erreur.matches("(?s).* sur (" + attendu[1] + ") ; dessin en .*"), e.erreur);
+        }
+    }
+
+    @Test
+    void unEchecApresLeChoixNeDitQueLui() throws IOException {
+        Path pleine = disquePlein("pleine.png");
+        verifierRefus(1, pleine + " : écriture impossible, disque plein", executer("--auto=erreur=30", "--image", pleine.toString()));
     }
 
     @Test

@@ -22,7 +22,8 @@ class CommandeTest extends EssaiCommande {
             Essai e = Essai.executer(demande);
             assertEquals(0, e.code);
             assertEquals("", e.erreur);
-            for (String option : "--image --lineaire --taille --reflets --seuil --fils --repeter --statistiques --simple --pixel --auto --aide --help -h --version"
+            for (String option : ("--image --lineaire --taille --reflets --seuil --fils --repeter --statistiques --simple --pixel "
+                    + "--auto --aide --help -h --version")
                     .split(" ")) {
                 assertTrue(e.sortie.contains(option), option);
             }
@@ -47,64 +48,86 @@ class CommandeTest extends EssaiCommande {
                 Essai.executer("--image", png.toString(), absente.toString()));
         verifierRefus(2, dossier + " : c'est un dossier ; attendu : un fichier de scène",
                 Essai.executer("--image", png.toString(), dossier.toString()));
-        verifierRefus(2, "nulle-part/x.ini : fichier introuvable ; attendu : un fichier de scène",
-                Essai.executer("--image", png.toString(), "nulle-part/x.ini"));
+        Essai relative = Essai.executer("--image", png.toString(), "nulle-part/x.ini");
+        assertTrue(relative.erreur.startsWith("lancer : nulle-part/x.ini : fichier introuvable dans " + Paths.get("").toAbsolutePath()),
+                relative.toString());
+        assertEquals(2, relative.code);
         verifierFichiers();
     }
 
     @Test
-    void laSortieNePeutEtreLaScene() throws IOException {
-        Path scene = dossier.resolve("s.ini");
-        Files.copy(Paths.get(SCENE), scene);
-        byte[] avant = Files.readAllBytes(scene);
-        String message = "la sortie est la scène elle-même : " + scene + " ; attendu : un autre fichier";
-        Path sous = Files.createDirectory(dossier.resolve("sous"));
-        Path[] ecritures = {scene, dossier.resolve(".").resolve("s.ini"), sous.resolve("..").resolve("s.ini"), lien("lien.png", scene),
-            lien("lien-relatif.png", Paths.get("s.ini")), lien("ici", dossier).resolve("s.ini"),
-            Files.createLink(dossier.resolve("dur.png"), scene)};
-        for (Path sortie : ecritures) {
-            verifierRefus(2, message, Essai.executer("--image", sortie.toString(), scene.toString()));
-            verifierRefus(2, message, Essai.executer("--lineaire=" + sortie, scene.toString()));
+    void uneSceneQuOnNePeutAtteindreDitPourquoi() throws IOException {
+        Path boucle = lien("boucle", Paths.get("boucle"));
+        for (Path scene : new Path[] {boucle, boucle.resolve("s.ini")}) {
+            verifierRefus(2, scene + " : trop de liens symboliques ; attendu : un fichier de scène",
+                    Essai.executer("--image", png.toString(), scene.toString()));
         }
-        assertArrayEquals(avant, Files.readAllBytes(scene));
+        Path rompu = lien("rompu", Paths.get("parti.ini"));
+        verifierRefus(2, rompu + " : fichier introuvable ; attendu : un fichier de scène",
+                Essai.executer("--image", png.toString(), rompu.toString()));
+        Path dessous = Paths.get(SCENE, "s.ini");
+        verifierRefus(2, dessous + " : le dossier n'existe pas ; attendu : un fichier de scène",
+                Essai.executer("--image", png.toString(), dessous.toString()));
+    }
+
+    @Test
+    void laSortieNePeutEtreLaScene() throws IOException {
+        Path sous = Files.createDirectory(dossier.resolve("sous"));
+        Path ici = lien("ici", dossier);
+        byte[] avant = Files.readAllBytes(Paths.get(SCENE));
+        for (String option : new String[] {"--image", "--lineaire"}) {
+            String fin = option.equals("--image") ? ".png" : ".pfm";
+            Path scene = Files.write(dossier.resolve("s" + fin), avant);
+            String message = "la sortie est la scène elle-même : " + scene + " ; attendu : un autre fichier";
+            Path[] ecritures = {scene, dossier.resolve(".").resolve("s" + fin), sous.resolve("..").resolve("s" + fin),
+                lien("lien" + fin, scene), lien("lien-relatif" + fin, Paths.get("s" + fin)), ici.resolve("s" + fin),
+                Files.createLink(dossier.resolve("dur" + fin), scene)};
+            for (Path sortie : ecritures) {
+                verifierRefus(2, message, Essai.executer(option, sortie.toString(), scene.toString()));
+            }
+            assertArrayEquals(avant, Files.readAllBytes(scene));
+        }
         verifierRefus(2, "la sortie est la scène elle-même : " + dossier.resolve("lien.png") + " ; attendu : un autre fichier",
-                Essai.executer("--image", scene.toString(), dossier.resolve("lien.png").toString()));
+                Essai.executer("--image", dossier.resolve("s.png").toString(), dossier.resolve("lien.png").toString()));
     }
 
     @Test
     void lesDeuxSortiesNePeuventEtreLeMemeFichier() throws IOException {
         Path ici = lien("ici", dossier);
         String nom = dossier.getFileName().toString();
-        Path[] ecritures = {png, dossier.resolve("./image.png"), dossier.resolve("../" + nom + "/image.png"), ici.resolve("image.png"),
-            lien("versImage", png), lien("versVers", Paths.get("versImage"))};
+        lien("un.pfm", png);
+        lien("deux.pfm", Paths.get("un.pfm"));
+        Path[] ecritures = {dossier.resolve("un.pfm"), dossier.resolve("./un.pfm"), dossier.resolve("../" + nom + "/un.pfm"),
+            ici.resolve("un.pfm"), dossier.resolve("deux.pfm")};
         for (Path autre : ecritures) {
             String attendu = " ; attendu : deux fichiers";
             Essai e = executer("--image", png.toString(), "--lineaire", autre.toString());
             verifierRefus(2, "--image et --lineaire écrivent le même fichier : " + png + attendu, e);
-            e = executer("--lineaire", png.toString(), "--image", autre.toString());
-            verifierRefus(2, "--image et --lineaire écrivent le même fichier : " + autre + attendu, e);
+            e = executer("--lineaire=" + autre, "--image=" + ici.resolve("image.png"));
+            verifierRefus(2, "--image et --lineaire écrivent le même fichier : " + ici.resolve("image.png") + attendu, e);
         }
-        verifierFichiers("ici", "versImage", "versVers");
+        verifierFichiers("ici", "un.pfm", "deux.pfm");
     }
 
     @Test
     void unCheminParUnLienPuisPlusHautEstLeVraiChemin() throws IOException {
         Path ailleurs = Files.createDirectories(dossier.resolve("a/b"));
-        Path scene = dossier.resolve("s.ini");
+        Path scene = dossier.resolve("s.png");
         Files.copy(Paths.get(SCENE), scene);
-        Files.copy(Paths.get(SCENE), dossier.resolve("a/s.ini"));
+        Files.copy(Paths.get(SCENE), dossier.resolve("a/s.png"));
         // b est a/b : b/.. est a, et non ce dossier
-        Path autre = lien("b", ailleurs).resolve("../s.ini");
+        Path autre = lien("b", ailleurs).resolve("../s.png");
         Essai e = Essai.executer("--taille=4x4", "--image", scene.toString(), autre.toString());
         assertEquals(0, e.code, e.toString());
         assertEquals(4, ImageIO.read(scene.toFile()).getWidth());
-        assertArrayEquals(Files.readAllBytes(Paths.get(SCENE)), Files.readAllBytes(dossier.resolve("a/s.ini")));
+        assertArrayEquals(Files.readAllBytes(Paths.get(SCENE)), Files.readAllBytes(dossier.resolve("a/s.png")));
     }
 
     @Test
     void lImageNeDependNiDesFilsNiDesRepetitions() throws IOException {
         byte[] attendue = null;
-        for (String[] options : new String[][] {{}, {"--fils=1"}, {"--fils=2"}, {"--fils=7"}, {"--fils=1024"}, {"--repeter=3"}, {"--simple"}}) {
+        for (String[] options : new String[][] {{}, {"--fils=1"}, {"--fils=2"}, {"--fils=7"}, {"--fils=1024"}, {"--repeter=3"},
+                {"--simple"}}) {
             String[] arguments = Arrays.copyOf(options, options.length + 1);
             arguments[options.length] = "--lineaire=" + pfm;
             dessiner(arguments);

@@ -25,7 +25,8 @@ class DependancesTest {
     private static final Path SOURCES = Paths.get("src", "main", "java");
 
     /** Chaînes et commentaires ne dépendent de rien. */
-    private static final Pattern TEXTES = Pattern.compile("\"(\\\\.|[^\"\\\\])*\"|'(\\\\.|[^'\\\\])+'|//[^\n]*|/\\*.*?\\*/", Pattern.DOTALL);
+    private static final Pattern TEXTES = Pattern.compile("\"(\\\\.|[^\"\\\\])*\"|'(\\\\.|[^'\\\\])+'|//[^\n]*|/\\*.*?\\*/",
+            Pattern.DOTALL);
     private static final Pattern PAQUET = Pattern.compile("(?m)^package .*?;");
     private static final Pattern NOM = Pattern.compile("(?<![\\w.])(?:java|javax|sun|com|org|lancer)(?:\\.[a-z]\\w*)*\\.[A-Z]\\w*");
 
@@ -86,7 +87,8 @@ class DependancesTest {
 
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
-        verifier("lancer/auto/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.commande\\.Options|lancer\\.lecture\\.Section");
+        verifier("lancer/auto/.*",
+                "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.commande\\.Options|lancer\\.lecture\\.Section");
         verifier("(?!lancer/auto/|lancer/Main\\.java).*", "(?!lancer\\.auto\\.).*");
     }
 

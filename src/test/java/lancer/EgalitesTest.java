@@ -17,7 +17,9 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import org.junit.jupiter.api.Test;
 
-/** Deux façons de dire la même scène, ou de la dessiner, qui doivent donner la même image au bit près ; {@link DessinTest} en a d'autres. */
+/**
+ * Deux façons de dire la même scène, ou de la dessiner, qui doivent donner la même image au bit près ; {@link DessinTest} en a d'autres.
+ */
 class EgalitesTest {
 
     private static final Camera CAMERA = new Camera(64, 48);

@@ -3,12 +3,15 @@ package lancer;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.TreeSet;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -27,6 +30,16 @@ abstract class EssaiCommande {
         dossier = dossier.toRealPath();
         png = dossier.resolve("image.png");
         pfm = dossier.resolve("image.pfm");
+    }
+
+    /** JUnit s'inquiéterait, en vidant le dossier, de ceux qui mènent ailleurs. */
+    @AfterEach
+    void effacerLesLiens() throws IOException {
+        for (File fichier : dossier.toFile().listFiles()) {
+            if (Files.isSymbolicLink(fichier.toPath())) {
+                Files.delete(fichier.toPath());
+            }
+        }
     }
 
     /** Dessine la scène en petit ; la demande doit aboutir, sans rien dire. */
@@ -61,6 +74,12 @@ abstract class EssaiCommande {
 
     static String lireTexte(Path fichier) throws IOException {
         return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+    }
+
+    /** Une sortie de ce nom qui ne prend rien, comme un disque plein ; le test est passé là où le système n'en a pas. */
+    Path disquePlein(String nom) throws IOException {
+        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
+        return lien(nom, Paths.get("/dev/full"));
     }
 
     /** Un lien symbolique ; le test est passé là où le système n'en permet pas. */

@@ -116,7 +116,7 @@ abstract class EssaiProcessus {
     }
 
     static void attendre(Condition condition) throws Exception {
-        long fin = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
+        long fin = System.nanoTime() + TimeUnit.SECONDS.toNanos(100);
         while (!condition.vraie()) {
             assertTrue(System.nanoTime() < fin, "attente trop longue");
             Thread.sleep(2);

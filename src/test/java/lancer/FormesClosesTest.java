@@ -21,7 +21,8 @@ class FormesClosesTest {
     void lIntegraleDeLambertSurUneSphereEstConnue() {
         int cote = 400;
         for (double r : new double[] {0.7, 1.2, 1.9}) {
-            Ressources.Image image = imageRapide(scene(Collections.singletonList(boule(0, 0, 5, r, 1, 0, 1)), A_L_OEIL), new Camera(cote, cote), 0);
+            Ressources.Image image = imageRapide(scene(Collections.singletonList(boule(0, 0, 5, r, 1, 0, 1)), A_L_OEIL),
+                    new Camera(cote, cote), 0);
             double somme = 0;
             for (int k = 0; k < cote * cote; k++) {
                 // le ciel a un bleu d'au moins 0,1 de plus ou de moins que son rouge ; la boule est grise

@@ -25,7 +25,9 @@ class LectureDemesureeTest {
 
     private static final String DEBUT = "[Sphere 1]\ncentre=0 0 6\n";
 
-    /** Octets demandés à la mémoire par octet lu, rendus ou non : un caractère nul en devient six, passés plusieurs fois de main en main. */
+    /**
+     * Octets demandés à la mémoire par octet lu, rendus ou non : un caractère nul en devient six, passés plusieurs fois de main en main.
+     */
     private static final long MEMOIRE_PAR_OCTET = 400;
 
     @TempDir
@@ -60,8 +62,10 @@ class LectureDemesureeTest {
 
     @ParameterizedTest(name = "rayon={0}({1} un million de fois){2}")
     @CsvSource({"'', 7, '', nombre trop grand : « 7*… »", "0., 0, 1, hors limites : « 0.0*… »", "1e, 9, '', nombre trop grand : « 1e9*… »",
-        "1e-, 9, '', hors limites : « 1e-9*… »", "'', ' 1', '', 1000000 nombres au lieu de 1 : « 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1… »",
-        "'', -, '', n'est pas un nombre : « -*… »", "x, ${a}, '', n'est pas un nombre : « x${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${… »"})
+        "1e-, 9, '', hors limites : « 1e-9*… »",
+        "'', ' 1', '', 1000000 nombres au lieu de 1 : « 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1… »",
+        "'', -, '', n'est pas un nombre : « -*… »",
+        "x, ${a}, '', n'est pas un nombre : « x${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${a}${… »"})
     void uneValeurDUnMillionDeSignesEstRefusee(String debut, String motif, String fin, String faute) throws IOException {
         refuse(", ligne 3, [Sphere 1], rayon : " + faute, ecrire(DEBUT + "rayon=" + debut, motif, 1_000_000, fin));
     }

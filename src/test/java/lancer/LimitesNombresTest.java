@@ -102,7 +102,8 @@ class LimitesNombresTest {
     void uneSommeDependDeSonOrdre() {
         double[] apports = {0.1, 0.2, 0.3};
         assertFalse(apports[0] + apports[1] + apports[2] == apports[2] + apports[1] + apports[0]);
-        // ajouter pixel par pixel, dans l'ordre du fichier, ne dépend d'aucun partage : voir DessinTest.leNombreDeFilsNeChangeNiUnBitNiUnCompte
+        // ajouter pixel par pixel, dans l'ordre du fichier, ne dépend d'aucun partage : voir
+        // DessinTest.leNombreDeFilsNeChangeNiUnBitNiUnCompte
         Couleur dansLOrdre = new Couleur(0.1).add(new Couleur(0.2)).add(new Couleur(0.3));
         assertEquals(0.1 + 0.2 + 0.3, dansLOrdre.r, 0);
     }

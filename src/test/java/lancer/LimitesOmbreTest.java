@@ -152,7 +152,9 @@ class LimitesOmbreTest {
         assertTrue(noirs(scene) > 3_000, noirs(scene) + " points noirs");
     }
 
-    /** Un objet de plus, à la même place, n'est pas le départ : il le cache au gré des arrondis. D'où l'oubli des jumelles, à la lecture. */
+    /**
+     * Un objet de plus, à la même place, n'est pas le départ : il le cache au gré des arrondis. D'où l'oubli des jumelles, à la lecture.
+     */
     @Test
     void uneJumelleQuOnGardeFaitDeLAcne() {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0, 1);

@@ -94,7 +94,8 @@ class OmbresTest {
         for (double D : new double[] {1.01, 1.5, 3, 10, 1e3, 1e6}) {
             Sphere boule = boule(0.3, -0.2, 7, 1, 1, 0, 1);
             Point centre = boule.getCentre();
-            Scene scene = scene(Collections.singletonList(boule), new Lampe(centre.add(new Vecteur(2, 1, -2).normalized().mul(D)), new Couleur(1)));
+            Scene scene = scene(Collections.singletonList(boule), new Lampe(centre.add(new Vecteur(2, 1, -2).normalized().mul(D)),
+                    new Couleur(1)));
             int eclaires = 0;
             for (int k = 0; k < points; k++) {
                 // la spirale de Fibonacci : des points également répartis, sans hasard

@@ -45,9 +45,6 @@ class PannesTest extends EssaiProcessus {
         assertEquals(1, statut(p.redirectOutput(new File("/dev/full"))));
         assertEquals(1, erreur().split("\n").length, erreur());
         assertTrue(erreur().startsWith("lancer : sortie standard : "), erreur());
-        p = preparer(java("", "--image=/dev/stdout", "--taille=4x4", SCENE));
-        assertEquals(1, statut(p.redirectOutput(new File("/dev/full"))));
-        assertTrue(erreur().startsWith("lancer : /dev/stdout : "), erreur());
     }
 
     /** La limite d'un fichier, {@code ulimit -f}, fait comme un disque qui se remplit pendant l'écriture. */
@@ -120,7 +117,8 @@ class PannesTest extends EssaiProcessus {
     void unDisqueEnLectureSeuleEstRefuseAvantDeDessiner() throws Exception {
         // un dessin si long que le test n'en verrait pas la fin
         assertEquals(1, surUnDisque("ro", "--lineaire=disque/a.pfm", "--repeter=100000", "--taille=4000x3000", SCENE), erreur());
-        assertTrue(erreur().matches("lancer : disque/a.pfm : .+ interdite\n"), erreur());
+        assertTrue(erreur().matches("lancer : disque/a.pfm : .+ interdite dans le dossier " + dossier.toRealPath() + "/disque\n"),
+                erreur());
         verifierReste("a.pfm");
     }
 
@@ -140,7 +138,7 @@ class PannesTest extends EssaiProcessus {
         List<String> commande = new ArrayList<>(sansPouvoir);
         commande.addAll(java("", "--image=protege/a.png", "--taille=4x4", "s.ini"));
         assertEquals(1, statut(preparer(commande)), erreur());
-        assertTrue(erreur().matches("lancer : protege/a.png : .+ interdite\n"), erreur());
+        assertTrue(erreur().matches("lancer : protege/a.png : .+ interdite dans le dossier " + protege.toRealPath() + "\n"), erreur());
 
         assertTrue(scene.toFile().setReadable(false, false));
         commande = new ArrayList<>(sansPouvoir);
@@ -172,11 +170,13 @@ class PannesTest extends EssaiProcessus {
     @Test
     void unLecteurQuiSEnVaEstUnePanne() throws Exception {
         supposerUnix();
+        Files.createSymbolicLink(dossier.resolve("flux/tube.pfm"), Paths.get("/dev/stdout"));
         List<String> commande = new ArrayList<>(Arrays.asList("/bin/sh", "-c", "{ \"$@\"; echo $? > flux/statut; } | head -c 1", "sh"));
-        commande.addAll(java("", "--lineaire=/dev/stdout", "--taille=400x300", SCENE));
+        commande.addAll(java("", "--lineaire=flux/tube.pfm", "--taille=400x300", SCENE));
         statut(preparer(commande));
         attendre(() -> new String(Files.readAllBytes(dossier.resolve("flux/statut")), StandardCharsets.US_ASCII).equals("1\n"));
-        assertTrue(erreur().matches("lancer : /dev/stdout : .+, plus personne ne lit\n"), erreur());
+        Files.delete(dossier.resolve("flux/tube.pfm"));
+        assertTrue(erreur().matches("lancer : flux/tube.pfm : .+, plus personne ne lit\n"), erreur());
     }
 
     // Ctrl+C
@@ -252,6 +252,52 @@ class PannesTest extends EssaiProcessus {
             }
         }
         return false;
+    }
+
+    // un programme tué
+
+    /** Une image assez grande pour être arrêtée pendant qu'elle s'écrit ; {@code null} si elle était déjà finie. */
+    private File arreterPendantLEcriture() throws Exception {
+        int pid = demarrerInterruptible(Ressources.chemin("valides/vide.ini"), "--lineaire=a.pfm", "--taille=4000x3000");
+        attendre(() -> provisoire() != null && provisoire().length() > 0 || !processus.isAlive());
+        new ProcessBuilder("/bin/sh", "-c", "kill -STOP " + pid).start().waitFor();
+        return provisoire();
+    }
+
+    private File provisoire() {
+        File[] provisoires = dossier.toFile().listFiles((d, nom) -> nom.startsWith(".lancer-"));
+        return provisoires.length == 0 ? null : provisoires[0];
+    }
+
+    private void dessinerAussi() {
+        Essai e = Essai.executer("--image=" + dossier.resolve("b.png"), "--taille=4x4", SCENE);
+        assertEquals(0, e.code, e.toString());
+    }
+
+    @Test
+    void ceQuALaisseUnProgrammeTueEstEffaceParLeSuivantEtPasAvant() throws Exception {
+        supposerUnix();
+        File provisoire = arreterPendantLEcriture();
+        assumeTrue(provisoire != null, "l'image était déjà finie");
+        dessinerAussi();
+        assertTrue(provisoire.exists(), "son processus vit encore");
+        processus.destroyForcibly().waitFor();
+        assertTrue(provisoire.exists(), "personne n'a pu l'effacer");
+        dessinerAussi();
+        verifierDossier("b.png");
+    }
+
+    @Test
+    void uneEcritureInterrompueParUneAutreVaAuBout() throws Exception {
+        supposerUnix();
+        File provisoire = arreterPendantLEcriture();
+        assumeTrue(provisoire != null, "l'image était déjà finie");
+        // comme le ferait le balayage d'un programme qui ne voit pas ce processus
+        assertTrue(provisoire.delete());
+        new ProcessBuilder("/bin/sh", "-c", "kill -CONT $(cat flux/sortie)").directory(dossier.toFile()).start().waitFor();
+        assertEquals(0, processus.waitFor(), erreur());
+        assertEquals("PF\n4000 3000\n-1.0\n".length() + 12L * 4000 * 3000, Files.size(dossier.resolve("a.pfm")));
+        verifierDossier("a.pfm");
     }
 
     // la fenêtre

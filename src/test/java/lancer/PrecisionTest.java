@@ -109,8 +109,8 @@ class PrecisionTest {
             Exact exacte = new Exact(cas.p, cas.p2, cas.c, cas.r);
             if (!exacte.ambigu) {
                 double ecart = exacte.ecart(cas.distance());
-                assertTrue(ecart <= 1, "graine " + GRAINE + ", tirage " + k + ", " + cas + " : " + cas.distance() + ", exacte " + exacte.distance
-                        + ", " + ecart + " tolérances");
+                assertTrue(ecart <= 1, "graine " + GRAINE + ", tirage " + k + ", " + cas + " : " + cas.distance() + ", exacte "
+                        + exacte.distance + ", " + ecart + " tolérances");
                 touches += exacte.distance == Constantes.INFINI ? 0 : 1;
             }
         }
@@ -143,7 +143,8 @@ class PrecisionTest {
             Cas cas = tirer(famille);
             Vecteur V = new Rayon(cas.p, cas.p2).getV();
             double d = Sphere.distanceOuDoute(cas.p.x, cas.p.y, cas.p.z, V.x, V.y, V.z, cas.c.x, cas.c.y, cas.c.z, cas.r);
-            assertTrue(d >= 0 ? d == cas.distance() : cas.distance() >= Sphere.auMoins(d), "graine " + GRAINE + ", tirage " + k + ", " + cas);
+            assertTrue(d >= 0 ? d == cas.distance() : cas.distance() >= Sphere.auMoins(d), "graine " + GRAINE + ", tirage " + k + ", "
+                    + cas);
             doutes += d < 0 ? 1 : 0;
         }
         boolean prise = famille == Famille.SOL || famille == Famille.SURFACE || famille == Famille.HORIZON;
@@ -203,7 +204,8 @@ class PrecisionTest {
                 () -> assertEquals(Constantes.INFINI, distance(new Point(0, 2e-160, -1), z, new Point(), 1e-160), "à côté, de loin"),
                 () -> assertEquals(1, distance(new Point(0, 1e-160, -1), z, new Point(), 1e-160), 0, "tangente, de loin"),
                 () -> assertEquals(1e290, distance(new Point(0, 0, -1e290), z, new Point(), 1e-100), 0, "immensément loin"),
-                () -> assertEquals(Constantes.INFINI, distance(new Point(0, 2e-100, -1e290), z, new Point(), 1e-100), "à côté, immensément loin"),
+                () -> assertEquals(Constantes.INFINI, distance(new Point(0, 2e-100, -1e290), z, new Point(), 1e-100),
+                "à côté, immensément loin"),
                 () -> assertEquals(1e300, distance(new Point(0, 0, -2e300), z, new Point(), 1e300), 1e285, "immense"),
                 () -> assertEquals(Constantes.INFINI, distance(new Point(0, 0, 2e300), z, new Point(), 1e300), "immense, derrière"));
     }

@@ -38,7 +38,8 @@ class PresDeLaSurfaceTest {
         int presque = 0;
         for (int k = 0; k < 15_000; k++) {
             double r = Math.scalb(1 + hasard.nextDouble(), hasard.nextInt(40) - 20);
-            Vecteur n = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian() * Math.pow(10, -hasard.nextInt(8))).normalized();
+            Vecteur n = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian() * Math.pow(10, -hasard.nextInt(8)))
+                    .normalized();
             // de un millième du rayon à son dernier chiffre
             double ecart = hasard.nextInt(3) == 0 ? 0 : Math.pow(10, -3 - 13 * hasard.nextDouble()) * (hasard.nextBoolean() ? 1 : -1);
             double[] f = {n.x * r * (1 + ecart), n.y * r * (1 + ecart), n.z * r * (1 + ecart)};
@@ -55,7 +56,8 @@ class PresDeLaSurfaceTest {
             double c = IntersectionCompensee.puissance(f[0], f[1], f[2], e[0], e[1], e[2], r);
             double erreur = exact(c).subtract(juste).abs().doubleValue();
             double permise = U * Math.abs(juste.doubleValue()) + 0x1p-127 * r * r;
-            assertTrue(erreur <= permise, "graine " + GRAINE + ", tirage " + k + " : " + juste.doubleValue() / (r * r) + " r², erreur " + erreur / permise);
+            assertTrue(erreur <= permise, "graine " + GRAINE + ", tirage " + k + " : " + juste.doubleValue() / (r * r) + " r², erreur "
+                    + erreur / permise);
             presque += Math.abs(juste.doubleValue()) < 1e-24 * r * r ? 1 : 0;
         }
         assertTrue(presque > 100, presque + " puissances presque nulles");

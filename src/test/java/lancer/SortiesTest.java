@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.ByteBuffer;
@@ -18,6 +19,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -38,25 +40,27 @@ class SortiesTest extends EssaiCommande {
     void unDossierAbsentOuUnDossierEnSortieEstUnePanne() throws IOException {
         Path absent = dossier.resolve("absent").resolve("image.png");
         verifierRefus(1, absent + " : écriture impossible, le dossier n'existe pas", executer("--image", absent.toString()));
-        verifierRefus(1, dossier + " : écriture impossible, c'est un dossier", executer("--lineaire", dossier.toString()));
+        Path plein = Files.createDirectory(dossier.resolve("plein.pfm"));
+        verifierRefus(1, plein + " : écriture impossible, c'est un dossier", executer("--lineaire", plein.toString()));
         ecrireTexte(png, "pas un dossier");
         Path dessous = png.resolve("image.png");
         verifierRefus(1, dessous + " : écriture impossible, le dossier n'existe pas", executer("--image", dessous.toString()));
-        verifierFichiers("image.png");
+        verifierFichiers("image.png", "plein.pfm");
     }
 
     @Test
-    void unDisquePleinSeDit() {
-        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
-        verifierRefus(1, "/dev/full : écriture impossible, disque plein", executer("--image", "/dev/full"));
-        verifierRefus(1, "/dev/full : écriture impossible, disque plein", executer("--statistiques", "--lineaire", "/dev/full"));
+    void unDisquePleinSeDit() throws IOException {
+        Path image = disquePlein("plein.png");
+        verifierRefus(1, image + " : écriture impossible, disque plein", executer("--image", image.toString()));
+        Path lineaire = disquePlein("plein.pfm");
+        verifierRefus(1, lineaire + " : écriture impossible, disque plein", executer("--statistiques", "--lineaire", lineaire.toString()));
     }
 
     @Test
     void unEchecNeDitQueLui() throws IOException {
-        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
+        Path pleine = disquePlein("pleine.png");
         String scene = Ressources.chemin("valides/avertie-brume.ini");
-        verifierRefus(1, "/dev/full : écriture impossible, disque plein", Essai.executer("--taille=4x4", "--image=/dev/full", scene));
+        verifierRefus(1, pleine + " : écriture impossible, disque plein", Essai.executer("--taille=4x4", "--image=" + pleine, scene));
     }
 
     @Test
@@ -67,7 +71,8 @@ class SortiesTest extends EssaiCommande {
         assumeTrue(protege.toFile().setWritable(false) && png.toFile().setWritable(false));
         try {
             assumeFalse(Files.isWritable(protege), "cet utilisateur peut tout écrire");
-            verifierRefus(1, sortie + " : écriture impossible, écriture interdite", executer("--image", sortie.toString()));
+            String interdite = " : écriture impossible, écriture interdite dans le dossier " + protege;
+            verifierRefus(1, sortie + interdite, executer("--image", sortie.toString()));
             verifierRefus(1, png + " : écriture impossible, écriture interdite", executer("--image", png.toString()));
             assertEquals("avant", lireTexte(png));
         } finally {
@@ -77,7 +82,7 @@ class SortiesTest extends EssaiCommande {
 
     @Test
     void desLiensSansFinSontUnePanne() throws IOException {
-        Path boucle = lien("boucle", Paths.get("boucle"));
+        Path boucle = lien("boucle.png", Paths.get("boucle.png"));
         verifierRefus(1, boucle + " : écriture impossible, trop de liens symboliques", executer("--image", boucle.toString()));
     }
 
@@ -162,12 +167,43 @@ class SortiesTest extends EssaiCommande {
     }
 
     @Test
-    void leNeantEstUneSortiePermise() {
+    void leNeantEstUneSortiePermise() throws IOException {
         assumeTrue(Files.exists(Paths.get("/dev/null")), "pas de /dev/null ici");
-        dessiner("--image", "/dev/null");
-        dessiner("--lineaire", "/dev/null", "--image", png.toString());
+        dessiner("--image", lien("neant.png", Paths.get("/dev/null")).toString());
+        dessiner("--lineaire", lien("neant.pfm", Paths.get("/dev/null")).toString(), "--image", png.toString());
         assertFalse(Files.isRegularFile(Paths.get("/dev/null")));
-        verifierFichiers("image.png");
+        verifierFichiers("image.png", "neant.pfm", "neant.png");
+    }
+
+    @Test
+    void uneImageGardeLesPermissionsDeCelleQuElleRemplace() throws IOException {
+        assumeTrue(dossier.getFileSystem().supportedFileAttributeViews().contains("posix"), "pas de permissions ici");
+        for (String permissions : new String[] {"rw-r-----", "rw-------", "rwxrw-rw-"}) {
+            ecrireTexte(png, "avant");
+            Files.setPosixFilePermissions(png, PosixFilePermissions.fromString(permissions));
+            dessiner("--image", png.toString());
+            assertEquals(40, ImageIO.read(png.toFile()).getWidth());
+            assertEquals(permissions, PosixFilePermissions.toString(Files.getPosixFilePermissions(png)));
+        }
+        // une image neuve a celles de tout fichier neuf
+        Files.createFile(dossier.resolve("neuf"));
+        dessiner("--lineaire", pfm.toString());
+        assertEquals(Files.getPosixFilePermissions(dossier.resolve("neuf")), Files.getPosixFilePermissions(pfm));
+    }
+
+    /** L'ancien fichier était caché : le nouveau l'est avant même d'avoir un contenu. */
+    @Test
+    void uneImageCacheeLEstDejaPendantQuElleSEcrit() throws IOException {
+        assumeTrue(dossier.getFileSystem().supportedFileAttributeViews().contains("posix"), "pas de permissions ici");
+        ecrireTexte(png, "avant");
+        Files.setPosixFilePermissions(png, PosixFilePermissions.fromString("rw-------"));
+        new Ecriture(png.toString()).ecrire(new ImageMemoire(3, 2, true), (image, sortie) -> {
+            for (File fichier : dossier.toFile().listFiles()) {
+                assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(fichier.toPath())),
+                        fichier.getName());
+            }
+            assertEquals(2, dossier.toFile().list().length);
+        });
     }
 
     @Test

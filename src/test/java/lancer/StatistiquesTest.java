@@ -13,11 +13,10 @@ import org.junit.jupiter.api.Test;
 /** Ce que dit {@code --statistiques}. */
 class StatistiquesTest extends EssaiCommande {
 
-    private static Map<String, String> statistiques(String... options) {
-        String[] arguments = Arrays.copyOf(options, options.length + 3);
+    private Map<String, String> statistiques(String... options) {
+        String[] arguments = Arrays.copyOf(options, options.length + 2);
         arguments[options.length] = "--statistiques";
-        arguments[options.length + 1] = "--image";
-        arguments[options.length + 2] = System.getProperty("os.name").startsWith("Windows") ? "NUL" : "/dev/null";
+        arguments[options.length + 1] = "--image=" + png;
         Map<String, String> valeurs = new LinkedHashMap<>();
         for (String ligne : dessiner(arguments).split("\r?\n")) {
             assertTrue(ligne.matches("[a-z]+(\\.[a-z]+)+: [0-9]+(\\.[0-9]+)?"), ligne);
@@ -36,7 +35,7 @@ class StatistiquesTest extends EssaiCommande {
                 Locale.setDefault(langue);
                 Map<String, String> valeurs = statistiques();
                 for (String nom : new String[] {"rayons.primaires", "rayons.ombre", "rayons.reflechis", "tests.spheres", "noeuds.visites",
-                    "pixels.raffines", "rayons.par.seconde"}) {
+                    "pixels.raffines", "pixels.temoins", "rayons.par.seconde"}) {
                     assertTrue(valeurs.get(nom).matches("[0-9]+"), nom + " : " + valeurs.get(nom));
                 }
                 for (String nom : new String[] {"lecture.ms", "preparation.ms", "trace.ms"}) {
@@ -55,10 +54,11 @@ class StatistiquesTest extends EssaiCommande {
         assertNotEquals("0", attendus.get("rayons.ombre"));
         assertNotEquals("0", attendus.get("rayons.reflechis"));
         assertEquals("0", attendus.get("pixels.raffines"));
+        assertEquals("64", attendus.get("pixels.temoins"));
         for (String option : new String[] {"--fils=2", "--fils=7", "--repeter=2", "--repeter=5"}) {
             Map<String, String> valeurs = statistiques(option);
             for (String nom : new String[] {"rayons.primaires", "rayons.ombre", "rayons.reflechis", "tests.spheres", "noeuds.visites",
-                "pixels.raffines"}) {
+                "pixels.raffines", "pixels.temoins"}) {
                 assertEquals(attendus.get(nom), valeurs.get(nom), nom + " avec " + option);
             }
         }

@@ -7,10 +7,11 @@ import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 
 /**
- * {@code --auto} : choisit comment dessiner une scène, d'après quelques pixels essayés de toutes les façons permises, et contrôle
- * ensuite l'image sur d'autres. L'erreur est celle d'{@link Estimation}, contre la moyenne du pixel sans limite de réflexions ;
- * le prix se compte en rayons. Pour une erreur voulue, le choix ne dépend que de la scène, de la taille et de ce qui est voulu ou
- * fixé ; pour un temps voulu, il dépend aussi de la machine. Le brouillon n'est jamais choisi : ce n'est pas une image.
+ * {@code --auto} : choisit comment dessiner une scène, d'après quelques pixels essayés de toutes les façons permises,
+ * et contrôle ensuite l'image sur d'autres. L'erreur est celle d'{@link Estimation}, contre la moyenne du pixel sans
+ * limite de réflexions ; le prix se compte en rayons. Pour une erreur voulue, le choix ne dépend que de la scène, de la
+ * taille et de ce qui est voulu ou fixé ; pour un temps voulu, il dépend aussi de la machine. Le brouillon n'est jamais
+ * choisi : ce n'est pas une image.
  */
 public final class Auto {
 
@@ -66,8 +67,8 @@ public final class Auto {
         }
         choisi = new Reglage(meilleur.finesse, meilleur.limites);
         lancer = getLancer(choisi);
-        rapport = new Rapport(options, choisi, finesses.size() * limites.permises.size(), essai.pixels(), temps.getAttendu(),
-                System.nanoTime() - debut);
+        rapport = new Rapport(options, choisi, finesses.size() * limites.permises.size(), essai.pixels(),
+                temps.getAttendu(), System.nanoTime() - debut);
     }
 
     /** Le moins cher de ceux qui tiennent l'erreur voulue ; le plus juste de tous si aucun ne la tient. */
@@ -91,7 +92,7 @@ public final class Auto {
         return temps.choisir(getEssayes());
     }
 
-    /** Les limites auxquelles les échantillonnages s'essaient : les moins chères de celles qui n'y changent presque rien. */
+    /** Les limites où s'essaient les échantillonnages : les moins chères qui n'y changent presque rien. */
     private Limites limitesCommunes() {
         Limites communes = limites.exactes;
         for (Limites l : limites.permises) {
@@ -136,12 +137,13 @@ public final class Auto {
         return temoin;
     }
 
-    /** Mesure l'erreur de l'image qui vient d'être dessinée, sur d'autres pixels que ceux du choix, et l'ajoute au rapport. */
+    /** Mesure l'image dessinée, sur d'autres pixels que ceux du choix s'il y en a, et l'ajoute au rapport. */
     public void controler() {
         long debut = System.nanoTime();
         double[] ecarts = new double[controle.blocs.size()];
         essais.passer(controle.blocs, limites.exactes.reflets, 0, (rang, bloc, pave, vue) ->
                 ecarts[rang] = temoin.releve(rang).ecart(Releve.references(bloc, vue, reseau)));
-        rapport.controler(controle.estimer(ecarts), controle.pixels(), lancer.getDureeNs(), System.nanoTime() - debut);
+        rapport.controler(controle.estimer(ecarts), controle.pixels(), !semis.controle.isEmpty(), lancer.getDureeNs(),
+                System.nanoTime() - debut);
     }
 }

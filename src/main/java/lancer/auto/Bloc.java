@@ -9,8 +9,8 @@ final class Bloc {
     static final int PIXELS = COTE * COTE;
 
     /**
-     * Ce qu'un échantillonnage peut regarder avant et après un pixel pour en décider. Un qui regarderait plus loin serait jugé à
-     * peu près, comme au bord d'un pavé.
+     * Ce qu'un échantillonnage peut regarder avant et après un pixel pour en décider. Un qui regarderait plus loin
+     * serait jugé à peu près, comme au bord d'un pavé.
      */
     private static final int AVANT = 1;
     private static final int APRES = 2;

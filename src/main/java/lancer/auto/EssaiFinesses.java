@@ -6,8 +6,8 @@ import lancer.Couleur;
 import lancer.contrat.Compteurs;
 
 /**
- * Les échantillonnages, essayés sur quelques blocs tirés parmi ceux qui promettent de l'erreur ; puis, sur bien plus, ceux qui
- * semblent convenir.
+ * Les échantillonnages, essayés sur quelques blocs tirés parmi ceux qui promettent de l'erreur ; puis, sur bien plus,
+ * ceux qui semblent convenir.
  */
 final class EssaiFinesses {
 

@@ -10,8 +10,9 @@ import lancer.contrat.Compteurs;
 /** Les limites des reflets, essayées sur des rayons semés également. */
 final class EssaiLimites {
 
-    /** Profondeurs essayées ; au-delà de la dernière, le programme ne sait pas aller : ce qui y est vu passe pour exact. */
-    private static final int[] REFLETS = {0, 1, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 60, 80, 120, 160, 240, 320, 480, 640, 1000};
+    /** Profondeurs essayées ; le programme ne va pas plus loin que la dernière, qui passe pour exacte. */
+    private static final int[] REFLETS = {0, 1, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 60, 80, 120, 160, 240, 320, 480, 640,
+            1000};
     private static final double[] SEUILS = {Constantes.SEUIL, 1.0 / 4, 1.0 / 16, 1.0 / 64, 1.0 / 256, 1.0 / 4096, 0};
 
     /** Un écart que personne ne verra ni ne mesurera, en niveaux. */

@@ -8,7 +8,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
-/** Le temps d'un dessin, prévu en dessinant un pavé sur quelques-uns. À peu près : la machine fait aussi autre chose. */
+/** Le temps d'un dessin, prévu en dessinant un pavé sur quelques-uns ; à peu près, la machine n'étant pas seule. */
 final class EssaiTemps {
 
     /** Un pavé sur huit, s'il y en a assez pour que chaque fil en ait quelques-uns. */
@@ -24,7 +24,7 @@ final class EssaiTemps {
     private final int fils;
     private final double voulu;
 
-    /** Le dernier mesuré qui tienne le temps voulu, ou le moins cher de tous, et le temps qu'on en attend, en secondes. */
+    /** Le dernier mesuré qui tienne le temps voulu, ou le moins cher, et le temps attendu, en secondes. */
     private Reglage choisi;
     private double attendu;
 

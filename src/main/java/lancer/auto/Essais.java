@@ -11,7 +11,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
-/** De quoi essayer une scène préparée sur quelques blocs, avec tous les fils d'un dessin. Rien n'en dépend du nombre de fils. */
+/** De quoi essayer une scène préparée sur quelques blocs, avec tous les fils ; rien ne dépend de leur nombre. */
 final class Essais {
 
     /** Une toile dont personne ne regarde l'image. */

@@ -1,9 +1,10 @@
 package lancer.auto;
 
 /**
- * Une erreur quadratique moyenne, estimée sur quelques blocs d'une image : la racine de la moyenne, sur les pixels et les trois
- * composantes, du carré de l'écart entre couleurs limitées à [0, 1], en niveaux (1/255). C'est celle qui s'extrapole : la moyenne
- * de quelques carrés approche celle de tous, quand le plus grand écart de quelques pixels ne dit rien du plus grand de l'image.
+ * Une erreur quadratique moyenne, estimée sur quelques blocs d'une image : la racine de la moyenne, sur les pixels et
+ * les trois composantes, du carré de l'écart entre couleurs limitées à [0, 1], en niveaux (1/255). C'est celle qui
+ * s'extrapole : la moyenne de quelques carrés approche celle de tous, quand le plus grand écart de quelques pixels ne
+ * dit rien du plus grand de l'image.
  */
 final class Estimation {
 

@@ -42,7 +42,8 @@ final class Finesse {
         }
         if (finesses.isEmpty()) {
             Echantillonnage fixe = scene.getEchantillonnage();
-            finesses.add(new Finesse(fixe == Echantillonnage.CENTRE ? "un rayon par pixel" : "l'échantillonnage de la scène", fixe));
+            String nom = fixe == Echantillonnage.CENTRE ? "un rayon par pixel" : "l'échantillonnage de la scène";
+            finesses.add(new Finesse(nom, fixe));
         }
         return finesses;
     }

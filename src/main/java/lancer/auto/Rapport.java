@@ -19,6 +19,7 @@ public final class Rapport {
     private long essaisNs;
     private Estimation mesuree;
     private int pixelsControles;
+    private boolean autres;
     private double dessin;
 
     /**
@@ -34,16 +35,19 @@ public final class Rapport {
         this.essaisNs = essaisNs;
     }
 
-    void controler(Estimation erreur, int pixels, long dessinNs, long controleNs) {
+    /** @param autresQueDuChoix faux si l'image est trop petite pour avoir d'autres pixels que ceux du choix */
+    void controler(Estimation erreur, int pixels, boolean autresQueDuChoix, long dessinNs, long controleNs) {
         mesuree = erreur;
         pixelsControles = pixels;
+        autres = autresQueDuChoix;
         dessin = dessinNs / NS_PAR_S;
         essaisNs += controleNs;
     }
 
     /** Vrai si ce qui est voulu devrait être tenu. */
     public boolean estTenable() {
-        return options.erreurVoulue > 0 ? choisi.getErreurAuPlus() <= options.erreurVoulue : tempsAttendu <= options.tempsVoulu;
+        return options.erreurVoulue > 0 ? choisi.getErreurAuPlus() <= options.erreurVoulue
+                : tempsAttendu <= options.tempsVoulu;
     }
 
     /** L'erreur de l'image, mesurée sur quelques pixels, en niveaux. */
@@ -53,40 +57,55 @@ public final class Rapport {
 
     /** Trois lignes : le choix, pourquoi, et ce qu'il en est. */
     public List<String> getLignes() {
-        return Arrays.asList("auto, choisi : " + choisi, "auto, attendu : " + attente(), "auto, mesuré : " + controle());
+        return Arrays.asList("auto, choisi : " + choisi, "auto, attendu : " + attente(),
+                "auto, mesuré : " + controle());
     }
 
     private String attente() {
         return "erreur de " + nombre(choisi.getErreur()) + ", au plus " + nombre(choisi.getErreurAuPlus()) + " ; "
                 + nombre(choisi.getRayons()) + " rayons de l'écran par pixel, " + nombre(choisi.getPrix())
-                + " avec les ombres et les reflets" + (tempsAttendu > 0 ? " ; " + secondes(tempsAttendu) + " de dessin" : "")
+                + " avec les ombres et les reflets"
+                + (tempsAttendu > 0 ? " ; " + secondes(tempsAttendu) + " de dessin" : "")
                 + " ; " + raison();
     }
 
     private String raison() {
         boolean erreur = options.erreurVoulue > 0;
-        String voulu = erreur ? "une erreur de " + nombre(options.erreurVoulue) : secondes(options.tempsVoulu) + " de dessin";
+        String voulu = erreur ? "une erreur de " + nombre(options.erreurVoulue)
+                : secondes(options.tempsVoulu) + " de dessin";
         if (possibles == 1) {
             return "seul réglage permis, qui " + (estTenable() ? "promet " : "ne promet pas ") + voulu;
         }
-        return estTenable() ? (erreur ? "le moins cher" : "le plus juste") + " de " + possibles + " réglages pour " + voulu
-                : "aucun de " + possibles + " réglages ne promet " + voulu + ", voici le plus " + (erreur ? "juste" : "rapide");
+        return estTenable()
+                ? (erreur ? "le moins cher" : "le plus juste") + " de " + possibles + " réglages pour " + voulu
+                : "aucun de " + possibles + " réglages ne promet " + voulu + ", voici le plus "
+                + (erreur ? "juste" : "rapide");
     }
 
     private String controle() {
         boolean erreur = options.erreurVoulue > 0;
         boolean tenu = erreur ? mesuree.erreur() <= options.erreurVoulue : dessin <= options.tempsVoulu;
-        return "erreur de " + nombre(mesuree.erreur()) + " ± " + nombre(mesuree.ecartType()) + " sur " + pixelsControles
-                + " pixels de l'image, autres que les " + pixelsEssayes + " du choix ; dessin en " + secondes(dessin) + ", essais en "
-                + secondes(essaisNs / NS_PAR_S) + " ; " + (erreur ? "erreur voulue " : "temps voulu ") + (tenu ? "tenu" : "dépassé")
-                + (erreur ? "e" : "");
+        return "erreur de " + nombre(mesuree.erreur()) + " ± " + nombre(mesuree.ecartType()) + " sur " + controles()
+                + " ; dessin en " + secondes(dessin) + ", essais en " + secondes(essaisNs / NS_PAR_S) + " ; "
+                + (erreur ? "erreur voulue " : "temps voulu ") + (tenu ? "tenu" : "dépassé") + (erreur ? "e" : "");
+    }
+
+    private String controles() {
+        boolean un = pixelsControles == 1;
+        if (!autres) {
+            return un ? "le seul pixel de l'image, celui du choix"
+                    : "les " + pixelsControles + " pixels de l'image, ceux du choix";
+        }
+        return pixelsControles + (un ? " pixel de l'image, autre" : " pixels de l'image, autres") + " que "
+                + (pixelsEssayes == 1 ? "celui" : "les " + pixelsEssayes) + " du choix";
     }
 
     /** Des lignes de plus pour {@code --statistiques}. */
     public String getStatistiques() {
         return "auto.erreur.attendue: " + nombre(choisi.getErreur())
                 + System.lineSeparator() + "auto.erreur.mesuree: " + nombre(mesuree.erreur())
-                + System.lineSeparator() + "auto.essais.ms: " + String.format(Locale.ROOT, "%.3f", essaisNs / NS_PAR_MS);
+                + System.lineSeparator() + "auto.essais.ms: "
+                + String.format(Locale.ROOT, "%.3f", essaisNs / NS_PAR_MS);
     }
 
     private static String secondes(double s) {

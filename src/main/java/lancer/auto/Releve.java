@@ -18,8 +18,8 @@ final class Releve implements Toile {
     }
 
     /**
-     * Deux références du bloc : les couleurs moyennes de ses pixels, chacune à une erreur près, sans biais et sans rapport avec celle
-     * de l'autre. Toujours les mêmes pour un bloc.
+     * Deux références du bloc : les couleurs moyennes de ses pixels, chacune à une erreur près, sans biais et sans
+     * rapport avec celle de l'autre. Toujours les mêmes pour un bloc.
      *
      * @param reseau les points d'un pixel ; aucune grille régulière n'a les siens, et n'en est donc favorisée
      */
@@ -60,8 +60,9 @@ final class Releve implements Toile {
     }
 
     /**
-     * Le carré moyen de l'écart à la moyenne exacte du pixel, en niveaux², rapporté à un bloc entier. Parfois négatif, mais sans
-     * biais : pour deux références a et b, c'est (x − a)(x − b), où leurs erreurs s'annulent en moyenne au lieu de s'ajouter.
+     * Le carré moyen de l'écart à la moyenne exacte du pixel, en niveaux², rapporté à un bloc entier. Parfois négatif,
+     * mais sans biais : pour deux références a et b, c'est (x − a)(x − b), où leurs erreurs s'annulent en moyenne au
+     * lieu de s'ajouter.
      */
     double ecart(Releve[] references) {
         double somme = 0;

@@ -1,13 +1,13 @@
 package lancer.auto;
 
 /**
- * Des points répartis dans le carré unité, en réseau de Fibonacci (Sloan et Joe, « Lattice Methods for Multiple Integration »,
- * 1994) : l'erreur d'une moyenne sur un pixel coupé par un bord y décroît à peu près comme leur nombre à la puissance −3/4.
- * Immuable.
+ * Des points répartis dans le carré unité, en réseau de Fibonacci (Sloan et Joe, « Lattice Methods for Multiple
+ * Integration », 1994) : l'erreur d'une moyenne sur un pixel coupé par un bord y décroît à peu près comme leur nombre à
+ * la puissance −3/4. Immuable.
  */
 final class Reseau {
 
-    /** Points qu'il faut, dans chacune de deux références, pour que l'erreur de leur produit ne gêne pas à un niveau près. */
+    /** Points de chacune de deux références, pour que l'erreur de leur produit ne gêne pas à un niveau près. */
     private static final double POUR_UN_NIVEAU = 55;
 
     private static final int POINTS_MIN = 13;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** Des blocs semés sur toute l'image, toujours les mêmes pour une taille : les uns pour choisir, d'autres pour contrôler. */
+/** Des blocs semés sur l'image, toujours les mêmes pour une taille : les uns pour choisir, d'autres pour contrôler. */
 final class Semis {
 
     private static final int BLOCS = 4000;
@@ -15,7 +15,7 @@ final class Semis {
     /** Vide si l'image n'a qu'un bloc. */
     final List<Bloc> controle = new ArrayList<>();
 
-    /** L'image est coupée en tranches égales, dans l'ordre de la lecture ; de chacune, un bloc au hasard, et un autre. */
+    /** L'image coupée en tranches égales, dans l'ordre de la lecture ; de chacune, un bloc au hasard, et un autre. */
     Semis(int largeur, int hauteur) {
         int nombre = Bloc.nombre(largeur, hauteur);
         int tranches = Math.max(1, Math.min(BLOCS, nombre / 2));

@@ -3,7 +3,7 @@ package lancer.auto;
 import lancer.Couleur;
 import lancer.contrat.Vue;
 
-/** Une vue qui se souvient de ce qu'elle a montré : les échantillonnages essayés sur un bloc demandent souvent les mêmes points. */
+/** Une vue qui se souvient : les échantillonnages essayés sur un bloc demandent souvent les mêmes points. */
 final class Souvenir implements Vue {
 
     private static final int CASES = 1 << 10;

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Un choix de blocs d'autant plus probable qu'ils promettent d'erreur (tirage systématique à probabilités inégales, Madow, 1949) :
- * un pixel de ciel n'apprend rien, un pixel de bord beaucoup. Chaque mesure est divisée par sa probabilité, et leur moyenne
- * reste sans biais (Hansen et Hurwitz, 1943).
+ * Un choix de blocs d'autant plus probable qu'ils promettent d'erreur (tirage systématique à probabilités inégales,
+ * Madow, 1949) : un pixel de ciel n'apprend rien, un pixel de bord beaucoup. Chaque mesure est divisée par sa
+ * probabilité, et leur moyenne reste sans biais (Hansen et Hurwitz, 1943).
  */
 final class Tirage {
 
@@ -66,7 +66,7 @@ final class Tirage {
         return new Estimation(Math.max(0, moyenne), Math.max(0, duTirage) + Math.max(0, duSemis));
     }
 
-    /** Par pixel de l'image, un nombre compté sur chaque bloc tiré : un quotient, exact si tous les pixels se valent. */
+    /** Par pixel de l'image, un nombre compté sur chaque bloc tiré : exact si tous les pixels se valent. */
     double parPixel(int[] comptes) {
         double somme = 0;
         double pixels = 0;

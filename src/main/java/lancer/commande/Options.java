@@ -1,6 +1,7 @@
 package lancer.commande;
 
 import java.util.HashSet;
+import java.util.Locale;
 import java.util.Set;
 import lancer.Constantes;
 import lancer.lecture.Nombre;
@@ -22,7 +23,8 @@ public final class Options {
     private static final double ERREUR_MAX = 255;
     private static final double TEMPS_MIN = 0.001;
     private static final double TEMPS_MAX = 3600;
-    private static final String AUTO = "erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
+    private static final String AUTO =
+            "erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
 
     private static final String PIXEL =
             "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426";
@@ -97,7 +99,8 @@ public final class Options {
             String argument = arguments[suivant++];
             if (!argument.startsWith("-")) {
                 if (scene != null) {
-                    throw faute("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(argument) + " ; attendu : une seule");
+                    throw faute("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(argument)
+                            + " ; attendu : une seule");
                 }
                 if (argument.isEmpty()) {
                     throw faute("nom de scène vide ; attendu : un fichier, par exemple scenes/scene1.ini");
@@ -109,7 +112,8 @@ public final class Options {
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             valeurCollee = egal < 0 ? null : argument.substring(egal + 1);
             if (!vues.add(nom)) {
-                throw faute("option donnée deux fois : " + Texte.abrege(nom) + " ; attendu : une seule fois chaque option");
+                throw faute("option donnée deux fois : " + Texte.abrege(nom)
+                        + " ; attendu : une seule fois chaque option");
             }
             option(nom);
         }
@@ -120,17 +124,18 @@ public final class Options {
             throw faute("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
         if (auto && !versFichier() && !aide && !version) {
-            throw faute("--auto ne sert pas dans la fenêtre ; attendu : avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm");
+            throw faute("--auto ne sert pas dans la fenêtre ; attendu : avec elle, "
+                    + "--image FICHIER.png ou --lineaire FICHIER.pfm");
         }
     }
 
     private void option(String nom) {
         switch (nom) {
             case "--image":
-                image = valeur(nom, "un fichier .png");
+                image = fichier(nom, ".png");
                 break;
             case "--lineaire":
-                lineaire = valeur(nom, "un fichier .pfm");
+                lineaire = fichier(nom, ".pfm");
                 break;
             case "--taille":
                 taille(valeur(nom, "une taille, par exemple 800x600"));
@@ -186,6 +191,15 @@ public final class Options {
             throw faute("option sans sa valeur : " + nom + " ; attendu : " + attendu);
         }
         return valeur;
+    }
+
+    /** Le nom est jugé tel quel : ce qu'il y a au bout d'un lien ne compte pas. */
+    private String fichier(String nom, String fin) {
+        String fichier = valeur(nom, "un fichier " + fin);
+        if (!fichier.toLowerCase(Locale.ROOT).endsWith(fin)) {
+            throw horsLimites(nom, fichier, "un fichier dont le nom finit par " + fin);
+        }
+        return fichier;
     }
 
     private void sansValeur(String nom) {

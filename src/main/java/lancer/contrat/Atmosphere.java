@@ -3,8 +3,8 @@ package lancer.contrat;
 import lancer.Couleur;
 
 /**
- * Ce que l'air fait à la couleur que voit un rayon. Appelé une fois au bout de chaque rayon, le premier comme les réfléchis,
- * par tous les fils à la fois : une atmosphère n'a pas d'état.
+ * Ce que l'air fait à la couleur que voit un rayon. Appelé une fois au bout de chaque rayon, le premier comme les
+ * réfléchis, par tous les fils à la fois : une atmosphère n'a pas d'état.
  */
 public interface Atmosphere {
 

@@ -15,7 +15,10 @@ public final class Compteurs {
     /** Intersections d'un rayon et d'une sphère calculées. */
     public long testsSpheres;
 
-    /** Celles que leur forme directe laissait en doute, et qui ont été reprises par {@link lancer.IntersectionCompensee} ; les boucles du cours ne les comptent pas. */
+    /**
+     * Celles que leur forme directe laissait en doute, reprises par {@link lancer.IntersectionCompensee}. Les boucles du cours
+     * ne les comptent pas.
+     */
     public long testsPrecis;
 
     /** Nœuds ou cases de structures de recherche visités. */

@@ -1,8 +1,9 @@
 package lancer.contrat;
 
 /**
- * Des points de l'écran aux pixels : où prendre la couleur de chaque pixel d'un pavé. Un pavé entier à la fois, pour que des
- * pixels voisins puissent partager des points. Appelé par tous les fils à la fois : un échantillonnage n'a pas d'état.
+ * Des points de l'écran aux pixels : où prendre la couleur de chaque pixel d'un pavé. Un pavé entier à la fois, pour
+ * que des pixels voisins puissent partager des points. Appelé par tous les fils à la fois : un échantillonnage n'a pas
+ * d'état.
  */
 public interface Echantillonnage {
 
@@ -39,7 +40,7 @@ public interface Echantillonnage {
             return true;
         }
 
-        /** À part : la machine virtuelle compile une fois une méthode souvent appelée, deux fois une longue boucle en cours. */
+        /** À part : une méthode souvent appelée est compilée une fois, une longue boucle en cours deux fois. */
         private static void ligne(int i0, int i1, int j, Vue vue, Toile toile) {
             for (int i = i0; i < i1; i++) {
                 toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);

@@ -3,8 +3,8 @@ package lancer.contrat;
 import lancer.Vecteur;
 
 /**
- * Le reflet d'une lampe sur une surface brillante (cours, « Éclairement spéculaire »). Appelé par tous les fils à la fois :
- * une spécularité n'a pas d'état.
+ * Le reflet d'une lampe sur une surface brillante (cours, « Éclairement spéculaire »). Appelé par tous les fils à la
+ * fois : une spécularité n'a pas d'état.
  */
 public interface Specularite {
 
@@ -27,9 +27,9 @@ public interface Specularite {
     double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns);
 
     /**
-     * max(0, cosinus)^exposant, le cosinus ne comptant jamais pour plus de 1 (deux vecteurs de longueur 1 à un arrondi près
-     * ont un produit qui peut dépasser 1) ; 0^0 = 1. Un petit exposant entier se fait par carrés successifs : 4 à 8 % de
-     * moins pour une image de dix boules brillantes, à quelques unités du dernier chiffre.
+     * max(0, cosinus)^exposant, le cosinus ne comptant jamais pour plus de 1 (deux vecteurs de longueur 1 à un arrondi
+     * près ont un produit qui peut dépasser 1) ; 0^0 = 1. Un petit exposant entier se fait par carrés successifs : 4 à
+     * 8 % de moins pour une image de dix boules brillantes, à quelques unités du dernier chiffre.
      *
      * @param exposant positif ou nul
      */

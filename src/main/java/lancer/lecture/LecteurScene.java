@@ -33,12 +33,17 @@ public final class LecteurScene {
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
 
+    /** Nombre de dossiers au-dessus de celui d'où l'on part où une scène est cherchée aussi. */
+    private static final int DOSSIERS_AU_DESSUS = 4;
+    private static final String UNE_SCENE = "un fichier de scène";
+
     /** Nombre de couleurs retenues à la fois : au-delà, elles ne se répètent pas. */
     private static final int PALETTE_MAX = 256;
 
     private static final String[] CLES_LAMPE = {"position", "couleur"};
 
-    private final String fichier;
+    /** La scène comme on l'a nommée, ou le chemin où elle a été trouvée s'il est autre. */
+    private String fichier;
     private final Services services = new Services();
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
@@ -62,7 +67,11 @@ public final class LecteurScene {
      */
     public LecteurScene lire() {
         Lignes lignes = null;
-        try (InputStream entree = ouvrir(trouver(fichier))) {
+        Path chemin = trouver(fichier);
+        if (!chemin.equals(Paths.get(fichier))) {
+            fichier = chemin.toString();
+        }
+        try (InputStream entree = ouvrir(chemin)) {
             lignes = new Lignes(entree);
             new Decoupeur().parse(lignes, new Sections(lignes));
             return this;
@@ -87,7 +96,8 @@ public final class LecteurScene {
     }
 
     /**
-     * Le chemin de la scène : tel quel, ou un dossier plus haut s'il est relatif et n'existe pas ici.
+     * Le chemin de la scène : tel quel, ou s'il est relatif et n'existe pas ici, depuis le plus proche des quatre dossiers
+     * au-dessus d'où il mène à quelque chose.
      *
      * @throws SceneFautive s'il n'existe pas, ou n'est pas un fichier
      */
@@ -96,15 +106,37 @@ public final class LecteurScene {
         try {
             chemin = Paths.get(fichier);
         } catch (InvalidPathException e) {
-            throw new SceneFautive(Section.message(fichier, 0, null, null, "nom de fichier impossible", "un fichier de scène"), e);
+            String faute = "nom de fichier impossible" + Texte.horsLangue(fichier);
+            throw new SceneFautive(Section.message(fichier, 0, null, null, faute, UNE_SCENE), e);
         }
-        Path plusHaut = Paths.get("..").resolve(chemin);
-        Path trouve = Files.exists(chemin) || chemin.isAbsolute() || !Files.exists(plusHaut) ? chemin : plusHaut;
-        String faute = !Files.exists(trouve) ? "fichier introuvable" : Files.isDirectory(trouve) ? "c'est un dossier" : null;
-        if (faute != null) {
-            throw new SceneFautive(Section.message(fichier, 0, null, null, faute, "un fichier de scène"));
+        Path trouve = chemin;
+        for (int k = 0; k < DOSSIERS_AU_DESSUS && !chemin.isAbsolute() && !Files.exists(trouve); k++) {
+            trouve = Paths.get("..").resolve(trouve);
+        }
+        if (!Files.exists(trouve)) {
+            throw new SceneFautive(Section.message(fichier, 0, null, null, absente(chemin), UNE_SCENE));
+        }
+        if (Files.isDirectory(trouve)) {
+            String dossier = trouve.equals(chemin) ? fichier : trouve.toString();
+            throw new SceneFautive(Section.message(dossier, 0, null, null, "c'est un dossier", UNE_SCENE));
         }
         return trouve;
+    }
+
+    /** Pourquoi ce chemin ne mène à rien, et d'où il a été suivi. */
+    private static String absente(Path chemin) {
+        try {
+            chemin.toRealPath();
+        } catch (NoSuchFileException e) {
+            // dit plus bas
+        } catch (IOException e) {
+            return e instanceof AccessDeniedException ? "lecture interdite" : Texte.panne(e);
+        }
+        Path ici = Paths.get("").toAbsolutePath();
+        int plusHaut = Math.min(DOSSIERS_AU_DESSUS, ici.getNameCount());
+        return "fichier introuvable" + (chemin.isAbsolute() ? "" : " dans " + Texte.echappe(ici.toString())
+                + (plusHaut == 0 ? "" : plusHaut == 1 ? " et le dossier au-dessus" : " et les " + plusHaut + " dossiers au-dessus")
+                + Texte.horsLangue(ici.toString()));
     }
 
     public List<Objet3D> getObjets() {
@@ -196,7 +228,7 @@ public final class LecteurScene {
         String cle = Texte.minuscules(type);
         courante = new Section(fichier, nom, ligne, lampe ? CLES_LAMPE : variante ? null : objet.getCles());
         if (variante && !services.variantePresente(type) && !Services.varianteConnue(type)) {
-            throw courante.fautive(ligne, null, "type de section inconnu", services.types());
+            throw courante.fautive(ligne, null, "type de section inconnu" + Texte.imitations(type), services.types());
         }
         Integer deja = noms.putIfAbsent(cle + nom.substring(type.length()), ligne);
         if (deja != null) {
@@ -291,7 +323,7 @@ public final class LecteurScene {
     private SceneFautive inutilisable(IOException e) {
         String faute = e instanceof NoSuchFileException || e instanceof FileNotFoundException ? "fichier introuvable"
                 : e instanceof AccessDeniedException ? "lecture interdite"
-                : "lecture impossible (" + Texte.abrege(String.valueOf(e.getMessage())) + ")";
-        return refus(0, null, faute, "un fichier de scène", e);
+                : "lecture impossible (" + Texte.panne(e) + ")";
+        return refus(0, null, faute, UNE_SCENE, e);
     }
 }

@@ -10,17 +10,17 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * Un fichier UTF-8 donné ligne par ligne : ini4j lit une ligne à la fois, et le numéro de la dernière donnée est donc celui
- * de la ligne qu'il traite. Le fichier n'est jamais tout entier en mémoire. Une ligne de commentaire est donnée vide, sans
- * quoi ini4j garderait tous ceux qui se suivent. Un caractère de contrôle est donné par son code, comme {@link Texte} le
- * montre : ini4j le ferait disparaître au bout d'une clé ou d'une valeur.
+ * Un fichier UTF-8 donné ligne par ligne : ini4j lit une ligne à la fois, et le numéro de la dernière donnée est donc
+ * celui de la ligne qu'il traite. Le fichier n'est jamais tout entier en mémoire. Une ligne de commentaire est donnée
+ * vide, sans quoi ini4j garderait tous ceux qui se suivent. Un caractère de contrôle est donné par son code, comme
+ * {@link Texte} le montre : ini4j le ferait disparaître au bout d'une clé ou d'une valeur.
  */
 final class Lignes extends Reader {
 
     /** Taille des lectures, en octets. */
     private static final int TAMPON = 1 << 16;
 
-    /** Plus longue ligne, en octets et en caractères : de quoi s'arrêter devant ce qui n'en a pas, {@code /dev/zero} par exemple. */
+    /** Plus longue ligne, en octets et en caractères : de quoi s'arrêter devant {@code /dev/zero}, qui n'en a pas. */
     static final int LIGNE_MAX = 1 << 23;
 
     private final InputStream entree;
@@ -118,7 +118,8 @@ final class Lignes extends Reader {
 
     private void decoder(int de, int a) throws IOException {
         int i = de;
-        if (numero == 1 && a - i >= 3 && octets[i] == (byte) 0xEF && octets[i + 1] == (byte) 0xBB && octets[i + 2] == (byte) 0xBF) {
+        if (numero == 1 && a - i >= 3 && octets[i] == (byte) 0xEF && octets[i + 1] == (byte) 0xBB
+                && octets[i + 2] == (byte) 0xBF) {
             i += 3;
         }
         if (ligne.length <= a - i) {

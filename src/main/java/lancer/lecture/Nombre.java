@@ -2,8 +2,8 @@ package lancer.lecture;
 
 /**
  * L'écriture d'un nombre, dans les scènes comme en ligne de commande :
- * {@code [+-]?(chiffres[.chiffres] | chiffres. | .chiffres)([eE][+-]?chiffres)?}, et rien d'autre : {@link Double#parseDouble}
- * accepterait aussi « 1d », « 0x1p3 », « NaN » ou des blancs.
+ * {@code [+-]?(chiffres[.chiffres] | chiffres. | .chiffres)([eE][+-]?chiffres)?}, et rien d'autre :
+ * {@link Double#parseDouble} accepterait aussi « 1d », « 0x1p3 », « NaN » ou des blancs.
  */
 public final class Nombre {
 
@@ -21,8 +21,9 @@ public final class Nombre {
     }
 
     /**
-     * Le nombre écrit de {@code debut} (compris) à {@code fin} (exclu). Un entier court divisé ou multiplié par une puissance
-     * de dix exacte est déjà l'arrondi juste (Clinger, 1990) : c'est le cas de presque tous, et des millions à lire.
+     * Le nombre écrit de {@code debut} (compris) à {@code fin} (exclu). Un entier court divisé ou multiplié par une
+     * puissance de dix exacte est déjà l'arrondi juste (Clinger, 1990) : c'est le cas de presque tous, et des millions
+     * à lire.
      */
     static double lire(String s, int debut, int fin) {
         int i = debut;

@@ -8,9 +8,10 @@ import lancer.SceneFautive;
 import lancer.Vecteur;
 
 /**
- * Une section d'un fichier de scène : des clés et leurs valeurs, lues avec leur type et leurs limites. Toute valeur refusée
- * l'est par une {@link SceneFautive} d'une ligne. Une clé inconnue est refusée dès qu'elle est lue si la section sait d'avance
- * les siennes (celle d'un objet ou d'une lampe), sinon à la fin, si personne ne l'a demandée ({@link #verifierCles}).
+ * Une section d'un fichier de scène : des clés et leurs valeurs, lues avec leur type et leurs limites. Toute valeur
+ * refusée l'est par une {@link SceneFautive} d'une ligne. Une clé inconnue est refusée dès qu'elle est lue si la
+ * section sait d'avance les siennes (celle d'un objet ou d'une lampe), sinon à la fin, si personne ne l'a demandée
+ * ({@link #verifierCles}).
  */
 public final class Section {
 
@@ -90,10 +91,11 @@ public final class Section {
     void ajouter(String cle, String valeur, int ligneCle) {
         int deja = rang(cle);
         if (deja >= 0) {
-            throw fautive(ligneCle, cle, "clé donnée deux fois, déjà ligne " + lignes.get(deja), "une seule fois chaque clé");
+            throw fautive(ligneCle, cle, "clé donnée deux fois, déjà ligne " + lignes.get(deja),
+                    "une seule fois chaque clé");
         }
         if (connues != null && !connue(cle)) {
-            throw fautive(ligneCle, cle, "clé inconnue", String.join(", ", connues));
+            throw fautive(ligneCle, cle, cleInconnue(cle), String.join(", ", connues));
         }
         if (cles.size() == CLES_MAX) {
             throw fautive(ligneCle, cle, "trop de clés", "au plus " + CLES_MAX + " clés dans une section");
@@ -101,6 +103,10 @@ public final class Section {
         cles.add(cle);
         valeurs.add(valeur);
         lignes.add(ligneCle);
+    }
+
+    private static String cleInconnue(String cle) {
+        return "clé inconnue" + Texte.imitations(cle);
     }
 
     private boolean connue(String cle) {
@@ -171,7 +177,8 @@ public final class Section {
         }
         double valeur = nombres(k, 1, min, max, true)[0];
         if (valeur != (int) valeur) {
-            throw fautive(cle, "n'est pas un nombre entier : " + Texte.cite(valeurs.get(k)), "un entier de " + min + " à " + max);
+            throw fautive(cle, "n'est pas un nombre entier : " + Texte.cite(valeurs.get(k)),
+                    "un entier de " + min + " à " + max);
         }
         return (int) valeur;
     }
@@ -266,7 +273,8 @@ public final class Section {
         }
         if (trouves != combien) {
             String faute = trouves == 0 ? "valeur absente"
-                    : trouves + (trouves > 1 ? " nombres" : " nombre") + " au lieu de " + combien + " : " + Texte.cite(texte);
+                    : trouves + (trouves > 1 ? " nombres" : " nombre") + " au lieu de " + combien + " : "
+                    + Texte.cite(texte);
             throw fautive(lignes.get(k), cles.get(k), faute, attendu(combien, min, max, minPermis));
         }
         return nombres;
@@ -278,11 +286,12 @@ public final class Section {
         String mot = texte.substring(debut, fin);
         char premier = mot.charAt(0);
         if (premier == ';' || premier == '#') {
-            return fautive(lignes.get(k), cles.get(k), "commentaire après une valeur : " + Texte.cite(texte.substring(debut)),
+            return fautive(lignes.get(k), cles.get(k),
+                    "commentaire après une valeur : " + Texte.cite(texte.substring(debut)),
                     "un commentaire seul sur sa ligne");
         }
         String faute = mot.indexOf(',') >= 0 ? "une virgule dans un nombre : " : "n'est pas un nombre : ";
-        return fautive(lignes.get(k), cles.get(k), faute + Texte.cite(mot),
+        return fautive(lignes.get(k), cles.get(k), faute + Texte.cite(mot) + Texte.imitations(mot),
                 attendu + (mot.indexOf(',') >= 0 ? ", avec un point décimal" : ""));
     }
 
@@ -304,7 +313,7 @@ public final class Section {
     public void verifierCles() {
         for (int k = 0; k < cles.size(); k++) {
             if ((lues & 1L << k) == 0) {
-                throw fautive(lignes.get(k), cles.get(k), "clé inconnue",
+                throw fautive(lignes.get(k), cles.get(k), cleInconnue(cles.get(k)),
                         demandees.isEmpty() ? "aucune clé" : String.join(", ", demandees));
             }
         }
@@ -345,7 +354,7 @@ public final class Section {
         return new SceneFautive(message(fichier, ligneFaute, nom, cle, faute, attendu));
     }
 
-    /** Le message de toute faute d'un fichier de scène ; {@code ligne} 0, {@code nom} et {@code cle} null : inconnus. */
+    /** Le message de toute faute d'un fichier de scène ; {@code ligne} 0, {@code nom}, {@code cle} null : inconnus. */
     static String message(String fichier, int ligne, String nom, String cle, String faute, String attendu) {
         return Texte.echappe(fichier)
                 + (ligne > 0 ? ", ligne " + ligne : "")

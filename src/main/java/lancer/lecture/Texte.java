@@ -1,5 +1,11 @@
 package lancer.lecture;
 
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.file.FileSystemException;
+import java.util.Locale;
+
 /** Un texte venu d'ailleurs (fichier, ligne de commande), rendu montrable dans un message d'une ligne. */
 public final class Texte {
 
@@ -59,6 +65,71 @@ public final class Texte {
             }
         }
         return s.toString();
+    }
+
+    /**
+     * De quoi reconnaître, dans un mot refusé, un caractère qui en imite un autre : {@code ", où « е » est U+0435"}.
+     * Une lettre accentuée du français se voit, et ce qui ne se voit pas est déjà montré par son code.
+     */
+    static String imitations(String mot) {
+        StringBuilder s = new StringBuilder();
+        for (int i = 0; i < Math.min(mot.length(), CITATION_MAX); i += Character.charCount(mot.codePointAt(i))) {
+            int c = mot.codePointAt(i);
+            int type = Character.getType(c);
+            boolean dit = s.indexOf(new String(Character.toChars(c))) >= 0;
+            if (c > 0xFF && visible(type) && type != Character.OTHER_SYMBOL && !dit) {
+                String code = Integer.toHexString(c).toUpperCase(Locale.ROOT);
+                s.append(s.length() == 0 ? ", où « " : ", « ").appendCodePoint(c).append(" » est U+")
+                        .append("0000", Math.min(4, code.length()), 4).append(code);
+            }
+        }
+        return s.toString();
+    }
+
+    /**
+     * Pourquoi Java ne sait rien faire d'un chemin, et le remède, si c'est qu'il n'a pu en lire les accents, ou ceux du
+     * dossier d'où il est suivi : il croit alors que ce dossier n'existe pas.
+     */
+    public static String horsLangue(String chemin) {
+        String codage = System.getProperty("sun.jnu.encoding", "UTF-8");
+        return Charset.forName(codage).newEncoder().canEncode(chemin) && new File("").getAbsoluteFile().exists() ? ""
+                : " (la langue du système, réglée sur " + codage
+                        + ", ne permet pas de lire ce nom : mettre LC_ALL=C.UTF-8 devant la commande)";
+    }
+
+    /** Ce que le système dit d'une panne de fichier, en français si on le connaît. */
+    public static String panne(IOException e) {
+        String raison = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
+        if (raison == null) {
+            return "échec du système";
+        }
+        if (raison.startsWith("Too many levels of symbolic links")) {
+            return "trop de liens symboliques";
+        }
+        // le système parle la langue de la machine : sur une machine française, la dernière branche suffit
+        switch (raison) {
+            case "No space left on device":
+            case "Aucun espace disponible sur le périphérique":
+            case "There is not enough space on the disk":
+            case "Espace insuffisant sur le disque":
+                return "disque plein";
+            case "Disk quota exceeded":
+                return "quota de disque dépassé";
+            case "File too large":
+                return "fichier trop grand";
+            case "File name too long":
+                return "nom de fichier trop long";
+            case "Read-only file system":
+                return "système de fichiers en lecture seule";
+            case "Not a directory":
+                return "le dossier n'existe pas";
+            case "Is a directory":
+                return "c'est un dossier";
+            case "Broken pipe":
+                return "plus personne ne lit";
+            default:
+                return abrege(raison);
+        }
     }
 
     /** Le texte, chaque caractère qui casserait ou brouillerait la ligne remplacé par son code. */

@@ -7,8 +7,8 @@ import java.util.concurrent.Executors;
 import lancer.Main;
 
 /**
- * Où se font les images de la fenêtre. Un seul fil, donc une image à la fois : la suivante attend là, et non sur le fil des
- * événements, que celle qu'on abandonne ait vraiment fini d'écrire.
+ * Où se font les images de la fenêtre. Un seul fil, donc une image à la fois : la suivante attend là, et non sur le fil
+ * des événements, que celle qu'on abandonne ait vraiment fini d'écrire.
  */
 final class Atelier {
 

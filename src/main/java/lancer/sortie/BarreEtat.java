@@ -81,8 +81,10 @@ final class BarreEtat extends JPanel {
     void resumer(Tracage tracage) {
         Lancer lancer = tracage.getLancer();
         // l'espace fine des nombres français manque à bien des polices
-        String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons()).replace('\u202F', '\u00A0');
-        resumer(lancer.getCamera().getLargeur() + " × " + lancer.getCamera().getHauteur() + " pixels, " + rayons + " rayons, "
+        String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
+                .replace('\u202F', '\u00A0');
+        resumer(lancer.getCamera().getLargeur() + " × " + lancer.getCamera().getHauteur() + " pixels, " + rayons
+                + " rayons, "
                 + String.format(Locale.FRANCE, "%.2f s", lancer.getDureeNs() / 1e9));
     }
 
@@ -105,7 +107,8 @@ final class BarreEtat extends JPanel {
         float[] lineaire = image.getLineaire();
         if (lineaire != null) {
             // avec un point, comme dans les fichiers de scène
-            texte += String.format(Locale.ROOT, " ← %.3f %.3f %.3f", lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]);
+            texte += String.format(Locale.ROOT, " ← %.3f %.3f %.3f", lineaire[3 * k], lineaire[3 * k + 1],
+                    lineaire[3 * k + 2]);
         }
         pixel.setIcon(pastille);
         pixel.setText(texte);

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import lancer.Lancer;
 
-/** Une barre sur l'erreur standard pendant un dessin qui dure ; rien si ce n'est pas un terminal, ou si c'est fini vite. */
+/** Une barre sur l'erreur standard pendant un dessin qui dure ; rien si ce n'est pas un terminal, ou si c'est bref. */
 public final class BarreProgression implements Runnable {
 
     private static final int LARGEUR = 40;

@@ -112,7 +112,8 @@ final class Dialogues {
     static boolean confirmerRemplacement(Component parent, File fichier) {
         String[] reponses = {"Remplacer", "Annuler"};
         int reponse = JOptionPane.showOptionDialog(parent,
-                "Le fichier « " + Texte.echappe(fichier.getName()) + " » existe déjà. Le remplacer ?", "Enregistrer l'image",
+                "Le fichier « " + Texte.echappe(fichier.getName()) + " » existe déjà. Le remplacer ?",
+                "Enregistrer l'image",
                 JOptionPane.DEFAULT_OPTION, JOptionPane.WARNING_MESSAGE, null, reponses, reponses[1]);
         parent.requestFocus();
         return reponse == 0;
@@ -121,7 +122,8 @@ final class Dialogues {
     private static File choisir(Component parent, JFileChooser choix, int genre) {
         ouvert = true;
         try {
-            int reponse = genre == JFileChooser.SAVE_DIALOG ? choix.showSaveDialog(parent) : choix.showOpenDialog(parent);
+            int reponse = genre == JFileChooser.SAVE_DIALOG ? choix.showSaveDialog(parent)
+                    : choix.showOpenDialog(parent);
             return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
         } finally {
             ouvert = false;

@@ -23,7 +23,8 @@ final class Ecran {
             present = false;
         }
         if (!present) {
-            throw new Echec(CodeSortie.PANNE, "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            throw new Echec(CodeSortie.PANNE,
+                    "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
     }
 }

@@ -2,13 +2,11 @@ package lancer.sortie;
 
 import java.io.BufferedOutputStream;
 import java.io.File;
-import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -21,8 +19,10 @@ import lancer.commande.Echec;
 import lancer.lecture.Texte;
 
 /**
- * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé. Un lien symbolique est
- * suivi ; ce qui n'est pas un fichier ordinaire (un tube, {@code /dev/null}) est écrit directement.
+ * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé, avec les
+ * permissions de celui qu'il remplace. Un lien symbolique est suivi ; ce qui n'est pas un fichier ordinaire (un tube,
+ * par exemple) est écrit directement. Le nom provisoire dit quel processus écrit : si celui-ci est tué avant la fin,
+ * l'écriture suivante dans ce dossier efface ce qu'il a laissé.
  */
 public final class Ecriture {
 
@@ -33,8 +33,12 @@ public final class Ecriture {
 
     private static final int TAMPON = 1 << 16;
 
-    /** La sortie standard nommée comme un fichier : l'ouvrir une seconde fois écraserait ce qui y est déjà écrit. */
-    private static final String SORTIE_STANDARD = "/dev/stdout";
+    /** Autour d'un nom provisoire, court : celui de la cible peut déjà être aussi long que le système le permet. */
+    private static final String DEBUT_PROVISOIRE = ".lancer-";
+    private static final String FIN_PROVISOIRE = ".tmp";
+
+    /** Là où Linux montre les processus, chacun sous son numéro. */
+    private static final String PROCESSUS = "/proc";
 
     /** Nombre de liens symboliques suivis l'un après l'autre, comme le fait Linux. */
     private static final int LIENS_MAX = 40;
@@ -51,9 +55,9 @@ public final class Ecriture {
         try {
             cible = suivre(Paths.get(nom));
         } catch (InvalidPathException e) {
-            throw impossible("nom de fichier impossible");
+            throw impossible("nom de fichier impossible" + Texte.horsLangue(nom));
         } catch (IOException e) {
-            throw impossible(raison(e));
+            throw impossible(raison(e) + Texte.horsLangue(nom));
         }
         if (Files.isDirectory(cible)) {
             throw impossible("c'est un dossier");
@@ -62,12 +66,15 @@ public final class Ecriture {
         if (dossier == null || !Files.isDirectory(dossier)) {
             throw impossible("le dossier n'existe pas");
         }
-        if (Files.exists(cible) && !Files.isWritable(cible) || !estSpecial() && !Files.isWritable(dossier)) {
+        if (!estSpecial() && !Files.isWritable(dossier)) {
+            throw impossible("écriture interdite dans le dossier " + Texte.echappe(dossier.toString()));
+        }
+        if (Files.exists(cible) && !Files.isWritable(cible)) {
             throw impossible("écriture interdite");
         }
     }
 
-    /** Le fichier au bout des liens, qu'il existe ou non, dans le vrai dossier : deux écritures du même donnent le même. */
+    /** Le fichier au bout des liens, qu'il existe ou non, dans le vrai dossier : un fichier n'a que ce nom. */
     private static Path suivre(Path chemin) throws IOException {
         Path lien = chemin;
         for (int suivis = 0; Files.isSymbolicLink(lien); suivis++) {
@@ -87,7 +94,7 @@ public final class Ecriture {
 
     /** Vrai pour ce qui n'est pas un fichier ordinaire : on y écrit, on ne le remplace pas. */
     private boolean estSpecial() {
-        return nom.equals(SORTIE_STANDARD) || Files.exists(cible) && !Files.isRegularFile(cible);
+        return Files.exists(cible) && !Files.isRegularFile(cible);
     }
 
     /** Le fichier qui sera écrit, liens suivis. */
@@ -98,7 +105,8 @@ public final class Ecriture {
     /** Vrai si écrire écraserait cet autre fichier : le même nom, ou le même fichier sous un autre nom. */
     public boolean vise(Path autre) {
         try {
-            // de deux chemins qui existent, seul le système sait s'ils mènent au même fichier : « lien/.. » est trompeur
+            // de deux chemins qui existent, seul le système sait s'ils mènent au même fichier : « lien/.. » est
+            // trompeur
             return Files.exists(cible) && Files.exists(autre) ? Files.isSameFile(cible, autre)
                     : cible.equals(autre.toAbsolutePath().normalize());
         } catch (IOException e) {
@@ -109,38 +117,58 @@ public final class Ecriture {
     /** @throws Echec si l'écriture échoue ; le fichier est alors comme avant */
     public void ecrire(ImageMemoire image, Format format) {
         try {
-            if (nom.equals(SORTIE_STANDARD)) {
-                // jamais fermée : les statistiques la suivent
-                OutputStream sortie = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out), TAMPON);
-                format.ecrire(image, sortie);
-                sortie.flush();
-                return;
-            }
             if (estSpecial()) {
                 try (OutputStream sortie = new BufferedOutputStream(Files.newOutputStream(cible), TAMPON)) {
                     format.ecrire(image, sortie);
                 }
                 return;
             }
-            // un nom court : celui de la cible peut déjà être aussi long que le système le permet
-            Path provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
-            File aEffacer = provisoire.toFile();
-            // Ctrl+C pendant l'écriture ne laisse rien derrière lui
-            aEffacer.deleteOnExit();
+            String processus = new File(PROCESSUS, "self").getCanonicalFile().getName();
+            balayer(cible.toAbsolutePath().getParent().toFile(), processus);
             try {
-                try (OutputStream sortie = new BufferedOutputStream(creer(aEffacer), TAMPON)) {
-                    format.ecrire(image, sortie);
-                }
-                remplacer(provisoire);
-            } finally {
-                Files.deleteIfExists(provisoire);
+                ecrireACote(image, format, processus);
+            } catch (NoSuchFileException e) {
+                // ailleurs que sous Linux, ou sur un disque partagé, un autre programme a pu balayer le provisoire
+                // pendant qu'il s'écrivait
+                ecrireACote(image, format, processus);
             }
         } catch (IOException e) {
             throw impossible(raison(e));
         }
     }
 
-    /** Un fichier neuf, par {@code java.io}, déjà chargé (4 ms de moins) ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
+    /** Efface de ce dossier les provisoires des processus qui ne sont plus ; celui-ci n'en a pas encore. */
+    private static void balayer(File dossier, String processus) {
+        String[] noms = dossier.list();
+        for (String reste : noms == null ? new String[0] : noms) {
+            if (reste.startsWith(DEBUT_PROVISOIRE) && reste.endsWith(FIN_PROVISOIRE)) {
+                String ecrivain = reste.substring(DEBUT_PROVISOIRE.length()).split("-")[0];
+                if (ecrivain.equals(processus) || !new File(PROCESSUS, ecrivain).exists()) {
+                    new File(dossier, reste).delete();
+                }
+            }
+        }
+    }
+
+    private void ecrireACote(ImageMemoire image, Format format, String processus) throws IOException {
+        Path provisoire = cible.resolveSibling(
+                DEBUT_PROVISOIRE + processus + "-" + Long.toHexString(System.nanoTime()) + FIN_PROVISOIRE);
+        File aEffacer = provisoire.toFile();
+        // Ctrl+C pendant l'écriture ne laisse rien derrière lui
+        aEffacer.deleteOnExit();
+        try {
+            try (OutputStream sortie = new BufferedOutputStream(creer(aEffacer), TAMPON)) {
+                // avant d'écrire : ce que l'ancien fichier cachait ne se voit pas un instant
+                garderLesPermissions(provisoire);
+                format.ecrire(image, sortie);
+            }
+            remplacer(provisoire);
+        } finally {
+            Files.deleteIfExists(provisoire);
+        }
+    }
+
+    /** Un fichier neuf, par {@code java.io}, déjà chargé ; si cela échoue, {@code java.nio} dit pourquoi. */
     private static OutputStream creer(File fichier) throws IOException {
         try {
             if (fichier.createNewFile()) {
@@ -150,6 +178,16 @@ public final class Ecriture {
             // la suite échouera de même
         }
         return Files.newOutputStream(fichier.toPath(), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    }
+
+    private void garderLesPermissions(Path provisoire) {
+        try {
+            if (Files.exists(cible)) {
+                Files.setPosixFilePermissions(provisoire, Files.getPosixFilePermissions(cible));
+            }
+        } catch (IOException | UnsupportedOperationException e) {
+            // ce disque n'en a pas
+        }
     }
 
     /** D'un seul coup : {@code REPLACE_EXISTING} effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent. */
@@ -168,34 +206,7 @@ public final class Ecriture {
         if (e instanceof NoSuchFileException) {
             return "le dossier n'existe pas";
         }
-        String raison = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
-        if (raison == null) {
-            return "échec du système";
-        }
-        // le système parle la langue de la machine : sur une machine française, la dernière branche suffit
-        switch (raison) {
-            case "No space left on device":
-            case "Aucun espace disponible sur le périphérique":
-            case "There is not enough space on the disk":
-            case "Espace insuffisant sur le disque":
-                return "disque plein";
-            case "Disk quota exceeded":
-                return "quota de disque dépassé";
-            case "File too large":
-                return "fichier trop grand";
-            case "File name too long":
-                return "nom de fichier trop long";
-            case "Read-only file system":
-                return "système de fichiers en lecture seule";
-            case "Not a directory":
-                return "le dossier n'existe pas";
-            case "Is a directory":
-                return "c'est un dossier";
-            case "Broken pipe":
-                return "plus personne ne lit";
-            default:
-                return Texte.abrege(raison);
-        }
+        return Texte.panne(e);
     }
 
     private Echec impossible(String raison) {

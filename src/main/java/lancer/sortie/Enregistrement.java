@@ -12,12 +12,13 @@ import lancer.commande.Echec;
 import lancer.lecture.LecteurScene;
 import lancer.lecture.Texte;
 
-/** L'image de la fenêtre vers un fichier PNG, le même qu'avec {@code --image} ; le disque est touché dans un fil à part. */
+/** L'image de la fenêtre vers un fichier PNG, le même qu'avec {@code --image} ; le disque a un fil à part. */
 final class Enregistrement {
 
     private final Fenetre fenetre;
     /** Un fil qui retient le programme : fermer la fenêtre laisse finir d'écrire. */
-    private final ExecutorService disque = Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
+    private final ExecutorService disque =
+            Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
     private File dossier;
 
     Enregistrement(Fenetre fenetre) {
@@ -27,7 +28,8 @@ final class Enregistrement {
     /** Demande où l'enregistrer. @param image l'image achevée, ou {@code null} si elle ne l'est pas */
     void commencer(ImageMemoire image) {
         if (image == null) {
-            fenetre.dire(fenetre.enCours() ? "L'image se dessine encore : elle pourra être enregistrée une fois achevée."
+            fenetre.dire(fenetre.enCours()
+                    ? "L'image se dessine encore : elle pourra être enregistrée une fois achevée."
                     : "Pas d'image achevée à enregistrer ; F5 pour la dessiner.");
             return;
         }
@@ -46,7 +48,8 @@ final class Enregistrement {
         try {
             Ecriture ecriture = new Ecriture(cible.getPath());
             if (vise(ecriture, scene)) {
-                throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : " + Texte.echappe(cible.getPath())
+                throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : "
+                        + Texte.echappe(cible.getPath())
                         + " ; attendu : un autre fichier");
             }
             if (Files.exists(ecriture.getCible())) {

@@ -19,15 +19,15 @@ import lancer.lecture.Texte;
 import lancer.lecture.Variantes;
 
 /**
- * La fenêtre : elle montre l'image pendant que {@link Tracage} la dessine. Le fil des événements ne calcule pas, ne lit pas,
- * n'écrit pas et n'attend pas ; une horloge lui fait regarder trente fois par seconde où en est le dessin.
+ * La fenêtre : elle montre l'image pendant que {@link Tracage} la dessine. Le fil des événements ne calcule pas, ne lit
+ * pas, n'écrit pas et n'attend pas ; une horloge lui fait regarder trente fois par seconde où en est le dessin.
  */
 public final class Fenetre {
 
     /** Temps entre deux regards sur le dessin en cours, en millisecondes. */
     private static final int PERIODE_MS = 33;
 
-    /** Temps qu'on laisse à un brouillon avant de montrer ses morceaux, ou de le refaire à une autre taille, en nanosecondes. */
+    /** Temps laissé à un brouillon avant de montrer ses morceaux, ou de le refaire à une autre taille, en ns. */
     private static final long PATIENCE_NS = 300_000_000;
 
     private final Main main;
@@ -80,7 +80,7 @@ public final class Fenetre {
         return ouvrir(main, sortie, erreur, () -> System.exit(CodeSortie.FAIT));
     }
 
-    /** Comme {@link #ouvrir(Main, PrintStream, PrintStream)}, mais fermer la fenêtre appelle {@code fin}, dans un autre fil. */
+    /** {@link #ouvrir(Main, PrintStream, PrintStream)}, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
     public static Fenetre ouvrir(Main main, PrintStream sortie, PrintStream erreur, Runnable fin) {
         Atelier atelier = new Atelier(main, sortie, erreur);
         String fichier = main.getOptions().scene;
@@ -200,7 +200,7 @@ public final class Fenetre {
         barre.resumer(etat);
     }
 
-    /** Recommence le dessin à la taille du panneau ; l'ancienne image reste montrée jusqu'au brouillon de la nouvelle. */
+    /** Recommence le dessin à la taille du panneau ; l'ancienne image reste jusqu'au brouillon de la nouvelle. */
     private void dessiner(boolean relire) {
         boolean lire = relire || courant != null && courant.resteALire();
         Dimension voulue = panneau.getTaillePixels();

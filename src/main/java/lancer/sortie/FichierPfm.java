@@ -6,13 +6,13 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** Une image au format PFM : les couleurs non limitées, flottants de 32 bits petit-boutistes, la ligne du bas d'abord. */
+/** Une image au format PFM : les couleurs non limitées, en flottants petit-boutistes, la ligne du bas d'abord. */
 public final class FichierPfm {
 
     private FichierPfm() {
     }
 
-    /** Ce format, pour une {@link Ecriture} : une classe nommée, la première lambda du programme coûterait 20 ms au démarrage. */
+    /** Ce format, pour une {@link Ecriture} : une classe, la première lambda du programme ralentirait le démarrage. */
     public static final class Format implements Ecriture.Format {
         @Override
         public void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {

@@ -8,8 +8,8 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
 /**
- * Une image au format PNG (ISO/IEC 15948), 8 bits par composante, sans passer par ImageIO : charger AWT coûterait plus cher
- * que de dessiner la scène du cours.
+ * Une image au format PNG (ISO/IEC 15948), 8 bits par composante, sans passer par ImageIO : charger AWT coûterait plus
+ * cher que de dessiner la scène du cours.
  */
 public final class FichierPng {
 
@@ -19,8 +19,8 @@ public final class FichierPng {
     private static final byte FILTRE_GAUCHE = 1;
 
     /**
-     * Pixels filtrés par appel : une méthode est compilée après deux cents appels, une boucle en cours après soixante mille tours, qui
-     * prendraient 5 ms.
+     * Pixels filtrés par appel : une méthode est compilée après deux cents appels, une boucle en cours après soixante
+     * mille tours, qui prendraient 5 ms.
      */
     private static final int MORCEAU = 40;
 
@@ -30,7 +30,7 @@ public final class FichierPng {
     private FichierPng() {
     }
 
-    /** Ce format, pour une {@link Ecriture} : une classe nommée, la première lambda du programme coûterait 20 ms au démarrage. */
+    /** Ce format, pour une {@link Ecriture} : une classe, la première lambda du programme ralentirait le démarrage. */
     public static final class Format implements Ecriture.Format {
         @Override
         public void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {

@@ -3,7 +3,7 @@ package lancer.sortie;
 import lancer.Couleur;
 import lancer.contrat.Toile;
 
-/** Une image en mémoire : les codes à montrer, et si on le demande les couleurs non limitées. */
+/** Une image en mémoire : les codes à montrer, les couleurs non limitées, ou les deux. */
 public final class ImageMemoire implements Toile {
 
     private final int largeur;
@@ -11,18 +11,28 @@ public final class ImageMemoire implements Toile {
     private final int[] codes;
     private final float[] lineaire;
 
-    /** @param avecLineaire vrai pour garder aussi les couleurs non limitées, 12 octets par pixel */
+    /** @param avecLineaire vrai pour garder aussi les couleurs non limitées */
     public ImageMemoire(int largeur, int hauteur, boolean avecLineaire) {
+        this(largeur, hauteur, true, avecLineaire);
+    }
+
+    /**
+     * @param avecCodes vrai pour garder les codes, 4 octets par pixel
+     * @param avecLineaire vrai pour garder les couleurs non limitées, 12 octets par pixel
+     */
+    public ImageMemoire(int largeur, int hauteur, boolean avecCodes, boolean avecLineaire) {
         this.largeur = largeur;
         this.hauteur = hauteur;
-        this.codes = new int[largeur * hauteur];
+        this.codes = avecCodes ? new int[largeur * hauteur] : null;
         this.lineaire = avecLineaire ? new float[3 * largeur * hauteur] : null;
     }
 
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
         int k = ye * largeur + xe;
-        codes[k] = coul.getCode();
+        if (codes != null) {
+            codes[k] = coul.getCode();
+        }
         if (lineaire != null) {
             lineaire[3 * k] = (float) coul.r;
             lineaire[3 * k + 1] = (float) coul.v;
@@ -38,12 +48,15 @@ public final class ImageMemoire implements Toile {
         return hauteur;
     }
 
-    /** Les codes {@code 0xFFRRGGBB}, ligne par ligne depuis le haut : le tableau même, 0 là où rien n'est dessiné. */
+    /**
+     * Les codes {@code 0xFFRRGGBB}, ligne par ligne depuis le haut : le tableau même, 0 là où rien n'est dessiné ;
+     * {@code null} si non gardés.
+     */
     public int[] getCodes() {
         return codes;
     }
 
-    /** Les couleurs non limitées, trois composantes par pixel, ligne par ligne depuis le haut ; {@code null} si non gardées. */
+    /** Les couleurs non limitées, trois composantes par pixel, depuis le haut ; {@code null} si non gardées. */
     public float[] getLineaire() {
         return lineaire;
     }

@@ -62,11 +62,13 @@ final class PanneauImage extends JPanel {
     /** La taille du panneau, en pixels de l'écran ; un écran dense en a plusieurs par point. */
     Dimension getTaillePixels() {
         AffineTransform echelle = echelle();
-        return new Dimension((int) Math.round(getWidth() * echelle.getScaleX()), (int) Math.round(getHeight() * echelle.getScaleY()));
+        return new Dimension((int) Math.round(getWidth() * echelle.getScaleX()),
+                (int) Math.round(getHeight() * echelle.getScaleY()));
     }
 
     private AffineTransform echelle() {
-        return getGraphicsConfiguration() == null ? new AffineTransform() : getGraphicsConfiguration().getDefaultTransform();
+        return getGraphicsConfiguration() == null ? new AffineTransform()
+                : getGraphicsConfiguration().getDefaultTransform();
     }
 
     /**
@@ -110,7 +112,8 @@ final class PanneauImage extends JPanel {
         try {
             // défait l'agrandissement d'un écran dense : l'image a déjà ses pixels
             AffineTransform t = g2.getTransform();
-            g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()), Math.round(t.getTranslateY())));
+            g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
+                    Math.round(t.getTranslateY())));
             peindre(g2, fond);
             peindre(g2, calque);
         } finally {

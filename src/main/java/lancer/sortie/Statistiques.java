@@ -4,8 +4,8 @@ import java.util.Arrays;
 import lancer.contrat.Compteurs;
 
 /**
- * Ce que le programme dit de lui-même après une image : comptes d'un dessin, et temps. Toujours avec un point décimal, sans
- * séparateur de milliers ni exposant, quelle que soit la langue de la machine.
+ * Ce que le programme dit de lui-même après une image : comptes d'un dessin, et temps. Toujours avec un point décimal,
+ * sans séparateur de milliers ni exposant, quelle que soit la langue de la machine.
  */
 public final class Statistiques {
 

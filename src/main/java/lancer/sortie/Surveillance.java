@@ -7,8 +7,8 @@ import lancer.SceneFautive;
 import lancer.lecture.LecteurScene;
 
 /**
- * Veille sur le fichier de la scène, dans un fil à elle. Elle regarde l'heure et la taille, car un éditeur qui enregistre en
- * renommant échappe aux notifications du système.
+ * Veille sur le fichier de la scène, dans un fil à elle. Elle regarde l'heure et la taille, car un éditeur qui
+ * enregistre en renommant échappe aux notifications du système.
  */
 final class Surveillance implements Runnable {
 
@@ -63,7 +63,7 @@ final class Surveillance implements Runnable {
         }
     }
 
-    /** L'état du fichier s'il n'est plus celui qu'on connaît, {@code null} sinon, ou s'il a disparu : on enregistre, il revient. */
+    /** L'état du fichier s'il a changé ; {@code null} sinon, ou s'il a disparu : on enregistre, il revient. */
     private String nouveau() {
         String suivi;
         String ancien;

@@ -10,7 +10,7 @@ import lancer.Lancer;
 import lancer.Main;
 import lancer.SceneFautive;
 
-/** Un dessin pour la fenêtre : lit la scène s'il le faut, la prépare, et dessine brouillon et image, loin du fil des événements. */
+/** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
 
     private static final double NS_PAR_S = 1e9;

@@ -81,7 +81,8 @@ class OptionsTest {
         "--taille 1x1", "--taille 16384x1", "--taille 1x16384", "--taille 10000x10000", "--taille 16384x6103", "--taille 0800x0600",
         "--reflets 0", "--reflets 1000", "--fils 1", "--fils 1024", "--repeter 1", "--repeter 100000",
         "--seuil 0", "--seuil 1e308", "--seuil 1e-400", "--seuil +.5E-3", "--seuil 5.", "--seuil -0", "--seuil 4.9e-324",
-        "--image a=b.png s.ini", "--image=a=b.png s.ini", "--image=--x s.ini", "--image -x s.ini", "a=b.ini", "s.ini --statistiques"})
+        "--image a=b.png s.ini", "--image=a=b.png s.ini", "--image=--x.png s.ini", "--image -x.png s.ini", "--image .png s.ini",
+        "--image A.PNG --lineaire=a.Pfm s.ini", "a=b.ini", "s.ini --statistiques"})
     void uneValeurAuBordEstPermise(String ligne) {
         Options.lire(arguments(ligne));
     }
@@ -89,7 +90,7 @@ class OptionsTest {
     @Test
     void leSigneEgalNeCoupeQuUneFois() {
         assertEquals("a=b.png", Options.lire("--image=a=b.png", "s.ini").image);
-        assertEquals("--x", Options.lire("--image=--x", "s.ini").image);
+        assertEquals("--x.png", Options.lire("--image=--x.png", "s.ini").image);
     }
 
     @ParameterizedTest
@@ -114,12 +115,23 @@ class OptionsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"--image a --image b", "--image=a --image a", "--lineaire a --lineaire a", "--taille 1x1 --taille=1x1",
+    @ValueSource(strings = {"--image a.png --image b.png", "--image=a.png --image a.png", "--lineaire a.pfm --lineaire a.pfm",
+        "--taille 1x1 --taille=1x1",
         "--reflets 1 --reflets 1", "--seuil 0 --seuil 0", "--fils 1 --fils 2", "--repeter 1 --repeter 1",
         "--statistiques --statistiques", "--simple --simple", "--pixel 1,1 --pixel=1,1", "--auto erreur=1 --auto temps=1s"})
     void uneOptionDonneeDeuxFoisEstRefusee(String ligne) {
         String nom = ligne.replaceAll("[= ].*", "");
         verifierRefus("s.ini " + ligne, "option donnée deux fois : " + nom + " ; attendu : une seule fois chaque option");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--image a", "--image a.jpg", "--image a.pfm", "--image a.png/", "--image png", "--image /dev/stdout",
+        "--image=/dev/fd/1", "--lineaire a.png", "--lineaire /dev/stdout", "--lineaire=a.pfm.gz"})
+    void uneSortieQuiNeFinitPasCommeUneImageEstRefusee(String ligne) {
+        String[] mots = ligne.split("[ =]");
+        verifierRefus("s.ini " + ligne, "valeur impossible pour " + mots[0] + " : « " + mots[1]
+                + " » ; attendu : un fichier dont le nom finit par "
+                + (mots[0].equals("--image") ? ".png" : ".pfm"));
     }
 
     @ParameterizedTest
@@ -153,7 +165,8 @@ class OptionsTest {
     @CsvSource({"erreur=1, 1, 0", "erreur=0.01, 0.01, 0", "erreur=255, 255, 0", "erreur=.5, 0.5, 0", "temps=0.5s, 0, 0.5",
         "temps=500ms, 0, 0.5", "temps=1ms, 0, 0.001", "temps=3600s, 0, 3600", "temps=1.5e3ms, 0, 1.5"})
     void uneErreurOuUnTempsPeutEtreVoulu(String souhait, double erreur, double temps) {
-        for (String[] arguments : new String[][] {{"--auto", souhait, "--image=a.png", "s.ini"}, {"--lineaire=a.pfm", "s.ini", "--auto=" + souhait}}) {
+        for (String[] arguments : new String[][] {{"--auto", souhait, "--image=a.png", "s.ini"},
+                {"--lineaire=a.pfm", "s.ini", "--auto=" + souhait}}) {
             Options o = Options.lire(arguments);
             assertTrue(o.auto);
             assertEquals(erreur, o.erreurVoulue);

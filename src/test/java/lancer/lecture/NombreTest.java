@@ -109,7 +109,8 @@ class NombreTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"", " ", ".", "+", "-", "e5", ".e5", "1e", "1e+", "+-1", "1 ", " 1", "1d", "1f", "1D", "0x1", "0x1p3",
-        "NaN", "Infinity", "+Infinity", "-NaN", "1,5", "1_0", "1..2", "1.2.", "1e1.5", "1e1e1", "\u0661", "\uff11", "\u22121", "∞", "1L", "0b1"})
+        "NaN", "Infinity", "+Infinity", "-NaN", "1,5", "1_0", "1..2", "1.2.", "1e1.5", "1e1e1", "\u0661", "\uff11", "\u22121", "∞", "1L",
+        "0b1"})
     void ceQueJavaAccepteraitEnTropEstRefuse(String texte) {
         assertTrue(Double.isNaN(Nombre.lire(texte)), texte);
     }

@@ -45,7 +45,8 @@ final class ScenesDEssai {
         scenes.put("amas dispersés", new ScenesDEssai(12).amas(taille, 40, 0.1).deuxLampes().scene());
         scenes.put("boules tangentes", new ScenesDEssai(13).tangentes(taille).deuxLampes().scene());
         scenes.put("presque jumelles", new ScenesDEssai(14).presqueJumelles(taille).deuxLampes().scene());
-        scenes.put("loin de tout", new ScenesDEssai(15).foule(taille, 3, 0.05, 0.3).sphere(1e6, 1e6, 1e6, 10).lampe(1e9, 1e9, -1e9).scene());
+        scenes.put("loin de tout", new ScenesDEssai(15).foule(taille, 3, 0.05, 0.3).sphere(1e6, 1e6, 1e6, 10).lampe(1e9, 1e9, -1e9)
+                .scene());
         scenes.put("étoiles", foule(20, taille, 1e11).sphere(-3e10, 1e10, 1e11, 1e10).sphere(4e37, 3e37, 1e38, 1e37).scene());
         scenes.put("poussière", new ScenesDEssai(16).foule(taille, 3, 1e-4, 1e-3).sphere(0, 0, 7, 1).deuxLampes().scene());
         scenes.put("un plan d'élève", new ScenesDEssai(17).plan(-1.2).foule(taille, 2, 0.1, 0.4).plan(-1.2).deuxLampes().scene());
@@ -63,7 +64,8 @@ final class ScenesDEssai {
                 .lampe(1e-100, 1e-90, 1e-80).lampe(3, 4, -2).scene());
         scenes.put("1e30", new ScenesDEssai(32).foule(taille, 2, 0.1, 0.4).sphere(0, -1e30, 0, 1e30).sphere(0, 0, 4e37, 1e37)
                 .lampe(0, 1e38, -1e38).lampe(3, 4, -2).scene());
-        scenes.put("1e15", new ScenesDEssai(33).foule(taille, 2, 0.1, 0.4).sphere(0, -1e15 - 2, 0, 1e15).lampe(0, 1e16, 0).lampe(3, 4, -2).scene());
+        scenes.put("1e15", new ScenesDEssai(33).foule(taille, 2, 0.1, 0.4).sphere(0, -1e15 - 2, 0, 1e15).lampe(0, 1e16, 0).lampe(3, 4, -2)
+                .scene());
         scenes.put("rayon 1e100", new ScenesDEssai(34).sphere(0, 0, 0, 1e100).sphere(0, 0, 8, 1).deuxLampes().scene());
         return scenes;
     }

@@ -9,8 +9,8 @@ import lancer.lecture.Section;
 import lancer.lecture.Texte;
 
 /**
- * Anticrénelage (cours, « Anticrénelage ») : la couleur d'un pixel est la moyenne de celles de n × n sous-pixels, et une
- * méthode adaptative dit quels pixels peuvent se contenter de moins.
+ * Anticrénelage (cours, « Anticrénelage ») : la couleur d'un pixel est la moyenne de celles de n × n sous-pixels, et
+ * une méthode adaptative dit quels pixels peuvent se contenter de moins.
  */
 public final class Antialias implements Variante {
 
@@ -18,12 +18,17 @@ public final class Antialias implements Variante {
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
 
-    /** Du moins cher au plus cher sur les scènes de {@code methodes.csv} : n, méthode, seuils du plus lâche au plus serré. */
-    private static final String[] REGLAGES = {"1 coins 0", "3 partage 0.3", "4 partage 0.3", "8 partage 0.3", "3 partage 0.2",
-        "4 partage 0.2", "8 partage 0.2", "4 partage 0.15", "8 partage 0.15", "4 partage 0.1", "8 partage 0.1", "16 partage 0.1",
-        "2 coins 0", "4 partage 0.06", "8 partage 0.06", "16 partage 0.06", "3 coins 0.2", "3 coins 0.1", "3 coins 0.05",
-        "4 coins 0.2", "4 coins 0.1", "4 coins 0.05", "8 partage 0.03", "16 partage 0.03", "3 coins 0", "8 coins 0.2", "8 coins 0.1",
-        "8 coins 0.05", "4 coins 0", "16 partage 0.015", "8 coins 0", "16 partage 0.005", "16 coins 0"};
+    /**
+     * Du moins cher au plus cher sur les scènes de {@code methodes.csv} : n, méthode, seuils du plus lâche au plus
+     * serré.
+     */
+    private static final String[] REGLAGES = {
+        "1 coins 0", "3 partage 0.3", "4 partage 0.3", "8 partage 0.3", "3 partage 0.2", "4 partage 0.2",
+        "8 partage 0.2", "4 partage 0.15", "8 partage 0.15", "4 partage 0.1", "8 partage 0.1", "16 partage 0.1",
+        "2 coins 0", "4 partage 0.06", "8 partage 0.06", "16 partage 0.06", "3 coins 0.2", "3 coins 0.1",
+        "3 coins 0.05", "4 coins 0.2", "4 coins 0.1", "4 coins 0.05", "8 partage 0.03", "16 partage 0.03", "3 coins 0",
+        "8 coins 0.2", "8 coins 0.1", "8 coins 0.05", "4 coins 0", "16 partage 0.015", "8 coins 0", "16 partage 0.005",
+        "16 coins 0"};
 
     /**
      * La méthode du cours : quatre coins d'abord, tous les sous-pixels s'ils diffèrent.

@@ -6,13 +6,13 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
 /**
- * Le travail de {@link Partage} sur un pavé. La case d'un pixel va de son premier sous-pixel à ceux des pixels suivants, à
- * droite et en dessous ; aux bords du pavé, où rien ne suit, à son dernier. Une case de (x0, y0) à (x1, y1) répond des
- * sous-pixels de x0 à x1 − 1 et de y0 à y1 − 1, et des derniers du pavé. N'appartient qu'à un fil.
+ * Le travail de {@link Partage} sur un pavé. La case d'un pixel va de son premier sous-pixel à ceux des pixels
+ * suivants, à droite et en dessous ; aux bords du pavé, où rien ne suit, à son dernier. Une case de (x0, y0) à (x1, y1)
+ * répond des sous-pixels de x0 à x1 − 1 et de y0 à y1 − 1, et des derniers du pavé. N'appartient qu'à un fil.
  */
 final class Cases {
 
-    /** Le contraste qu'on suppose invisible entre quatre couleurs égales : sous ce seuil, la case de tout pixel est coupée. */
+    /** Le contraste supposé invisible entre quatre couleurs égales : sous ce seuil, toute case est coupée. */
     static final double PRUDENCE = 0.05;
 
     private final int n;
@@ -84,7 +84,7 @@ final class Cases {
         return suspects;
     }
 
-    /** Vrai si le pixel en cours ou l'un de ses huit voisins est suspect : un détail déborde souvent de la case qui le trahit. */
+    /** Vrai si le pixel ou l'un de ses huit voisins est suspect : un détail déborde souvent de sa case. */
     private boolean voisinSuspect(boolean[][] suspects) {
         for (int y = Math.max(0, j - 1); y < Math.min(hauteur, j + 2); y++) {
             for (int x = Math.max(0, i - 1); x < Math.min(largeur, i + 2); x++) {
@@ -129,8 +129,8 @@ final class Cases {
     }
 
     /**
-     * Ajoute au pixel les sous-pixels dont répond la case, interpolés entre ses quatre coins : autant de fois la valeur au
-     * milieu, puisque c'est la moyenne d'une fonction bilinéaire sur un rectangle.
+     * Ajoute au pixel les sous-pixels dont répond la case, interpolés entre ses quatre coins : autant de fois la valeur
+     * au milieu, puisque c'est la moyenne d'une fonction bilinéaire sur un rectangle.
      */
     private void interpoler(int x0, int y0, int x1, int y1) {
         int suivantX = x1 == n - 1 && x1 == finX ? n : x1;

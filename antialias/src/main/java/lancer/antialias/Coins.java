@@ -46,6 +46,7 @@ final class Coins implements Echantillonnage {
     }
 
     private double contraste(Grille grille) {
-        return Contraste.entre(grille.voir(0, 0), grille.voir(n - 1, 0), grille.voir(0, n - 1), grille.voir(n - 1, n - 1));
+        return Contraste.entre(grille.voir(0, 0), grille.voir(n - 1, 0), grille.voir(0, n - 1),
+                grille.voir(n - 1, n - 1));
     }
 }

@@ -10,7 +10,8 @@ final class Contraste {
 
     /** Le plus grand écart entre quatre couleurs limitées, sur une composante : de 0 à 1. */
     static double entre(Couleur a, Couleur b, Couleur c, Couleur d) {
-        return Math.max(etendue(a.r, b.r, c.r, d.r), Math.max(etendue(a.v, b.v, c.v, d.v), etendue(a.b, b.b, c.b, d.b)));
+        return Math.max(etendue(a.r, b.r, c.r, d.r),
+                Math.max(etendue(a.v, b.v, c.v, d.v), etendue(a.b, b.b, c.b, d.b)));
     }
 
     /** Sans Math.min ni Math.max, dont le soin pour NaN et −0.0 doublerait le temps de la méthode. */

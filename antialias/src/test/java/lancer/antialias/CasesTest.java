@@ -56,13 +56,17 @@ class CasesTest {
         }
     }
 
-    /** Quatre couleurs dont le contraste, augmenté de la prudence, est exactement le seuil ne font pas couper ; un seuil d'un chiffre de moins, si. */
+    /**
+     * Quatre couleurs dont le contraste, augmenté de la prudence, est exactement le seuil ne font pas couper ; un seuil d'un chiffre de
+     * moins, si.
+     */
     @Test
     void leContrasteDUneCaseDoitDepasserLeSeuil() {
         Pave deux = new Pave(0, 0, 2, 2);
         double seuil = 0.25 + Cases.PRUDENCE;
         assertEquals(0, new Partage(3, seuil).tracer(deux, (xe, ye) -> new Couleur(xe > 1 && ye > 1 ? 0.25 : 0), SANS_TOILE));
-        assertEquals(4, new Partage(3, Math.nextDown(seuil)).tracer(deux, (xe, ye) -> new Couleur(xe > 1 && ye > 1 ? 0.25 : 0), SANS_TOILE));
+        assertEquals(4, new Partage(3, Math.nextDown(seuil)).tracer(deux, (xe, ye) -> new Couleur(xe > 1 && ye > 1 ? 0.25 : 0),
+                SANS_TOILE));
     }
 
     /** Coupé jusqu'au bout, un pavé a tous ses sous-pixels vus une fois ; seul son dernier pixel, qui n'a qu'une case, n'est pas coupé. */

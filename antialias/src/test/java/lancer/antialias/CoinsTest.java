@@ -82,7 +82,8 @@ class CoinsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1, 0, 1, 0", "1, 0.05, 1, 0", "2, 0, 4, 0", "2, 0.05, 4, 0", "3, 0.05, 4, 0", "3, 0, 9, 1", "8, 0.05, 4, 0", "8, 0, 64, 1"})
+    @CsvSource({"1, 0, 1, 0", "1, 0.05, 1, 0", "2, 0, 4, 0", "2, 0.05, 4, 0", "3, 0.05, 4, 0", "3, 0, 9, 1", "8, 0.05, 4, 0",
+            "8, 0, 64, 1"})
     void unPixelHomogeneCouteExactementQuatreRayons(int n, double seuil, int rayons, int raffines) {
         Compteurs compteurs = compteurs(Collections.<Sphere>emptyList(), n, seuil);
         assertEquals(rayons * 40 * 30, compteurs.primaires);

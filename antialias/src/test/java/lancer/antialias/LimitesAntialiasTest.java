@@ -112,7 +112,8 @@ class LimitesAntialiasTest {
         boule.setKd(new Couleur(0.3, 0.6, 0.9));
         boule.setKs(new Couleur(0.5));
         boule.setNs(20);
-        Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(new Point(3, 4, -2), new Couleur(0.9))));
+        Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(new Point(3, 4, -2),
+                new Couleur(0.9))));
         assertEquals(Arrays.asList(image(scene, null, 50)), Arrays.asList(image(scene, new Coins(1, 0.05), 50)));
         assertEquals(Arrays.asList(image(scene, new Coins(2, 0), 50)), Arrays.asList(image(scene, new Coins(2, 0.05), 50)));
         assertFalse(Arrays.asList(image(scene, null, 50)).equals(Arrays.asList(image(scene, new Coins(2, 0), 50))));

@@ -108,7 +108,8 @@ class AutoAntialiasTest {
         String section = moities[0].replace(" ", "\n");
         Files.write(scene, ("\n" + section + "\n").getBytes(StandardCharsets.UTF_8), StandardOpenOption.APPEND);
         String[] options = moities[1].split(" ");
-        float[] alamain = Essai.dessinerAvec(Arrays.asList(Essai.origine(Antialias.class)), dossier, scene, avec(options, "--taille=120x90"));
+        float[] alamain = Essai.dessinerAvec(Arrays.asList(Essai.origine(Antialias.class)), dossier, scene,
+                avec(options, "--taille=120x90"));
         assertArrayEquals(alamain, Essai.pfm(Files.readAllBytes(dossier.resolve("auto.pfm"))));
     }
 

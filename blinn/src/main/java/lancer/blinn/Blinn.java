@@ -7,8 +7,8 @@ import lancer.contrat.Variante;
 import lancer.lecture.Section;
 
 /**
- * Le reflet de Blinn (cours, « Reflet spéculaire de Blinn ») : max(0, N·H)^(facteur·ns), H étant la bissectrice de L et −V.
- * Immuable.
+ * Le reflet de Blinn (cours, « Reflet spéculaire de Blinn ») : max(0, N·H)^(facteur·ns), H étant la bissectrice de L et
+ * −V. Immuable.
  */
 public final class Blinn implements Variante, Specularite {
 

@@ -9,8 +9,8 @@ import lancer.lecture.Section;
 import lancer.lecture.Texte;
 
 /**
- * Brume de distance (cours, « Extensions ») : couleur finale = k·brume + (1 − k)·couleur de l'objet, sur le premier rayon
- * comme sur chaque rayon réfléchi, k dépendant de la longueur de ce rayon-là. Immuable.
+ * Brume de distance (cours, « Extensions ») : couleur finale = k·brume + (1 − k)·couleur de l'objet, sur le premier
+ * rayon comme sur chaque rayon réfléchi, k dépendant de la longueur de ce rayon-là. Immuable.
  */
 public final class Brume implements Variante, Atmosphere {
 
@@ -49,7 +49,8 @@ public final class Brume implements Variante, Atmosphere {
             double fin = valeurs.reel("fin", FIN, 0, Double.MAX_VALUE);
             if (debut >= fin) {
                 throw valeurs.fautive(valeurs.contient("debut") ? "debut" : "fin", "la brume commencerait à "
-                        + Texte.cite(valeurs.mot("debut", "0")) + " et finirait à " + Texte.cite(valeurs.mot("fin", "30")),
+                        + Texte.cite(valeurs.mot("debut", "0")) + " et finirait à "
+                        + Texte.cite(valeurs.mot("fin", "30")),
                         "debut plus petit que fin (à défaut, 0 et 30)");
             }
             return new LoiBrume.Lineaire(debut, fin);

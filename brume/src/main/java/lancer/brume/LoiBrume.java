@@ -41,7 +41,8 @@ interface LoiBrume {
 
         @Override
         public double k(double distance) {
-            // pas de limite à 1 : 1 − exp d'un négatif ne la dépasse pas ; expm1 garde les chiffres d'une brume très légère
+            // pas de limite à 1 : 1 − exp d'un négatif ne la dépasse pas ; expm1 garde les chiffres d'une brume très
+            // légère
             return Math.max(0, -Math.expm1(-densite * (distance - debut)));
         }
     }

@@ -65,7 +65,8 @@ class BrumeTest {
      * distance cumulée, donnent un autre nombre.
      */
     @ParameterizedTest
-    @CsvSource({"0, fin=20", "1, fin=20", "5, fin=20", "20, fin=20", "0, densite=0.1", "1, densite=0.1", "5, densite=0.1", "20, densite=0.1"})
+    @CsvSource({"0, fin=20", "1, fin=20", "5, fin=20", "20, fin=20", "0, densite=0.1", "1, densite=0.1", "5, densite=0.1",
+            "20, densite=0.1"})
     void laBrumeEntreDeuxMiroirsAUneFormeClose(int n, String loi) throws IOException {
         float[] image = Essai.dessiner(dossier, scene("[Sphere 1]", "centre=0 0 7", "rayon=3", "Kd=0.5 0.5 0.5", "Ks=0.5 0.5 0.5", "ns=2",
                 "[Sphere 2]", "centre=0 0 -7", "rayon=3", "Kd=0.5 0.5 0.5", "Ks=0.5 0.5 0.5", "ns=2",
@@ -147,16 +148,20 @@ class BrumeTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "debut=30             | 2 | debut   | la brume commencerait à « 30 » et finirait à « 30 » ; attendu : debut plus petit que fin (à défaut, 0 et 30)",
-        "fin=0                | 2 | fin     | la brume commencerait à « 0 » et finirait à « 0 » ; attendu : debut plus petit que fin (à défaut, 0 et 30)",
-        "fin=4~debut=5        | 3 | debut   | la brume commencerait à « 5 » et finirait à « 4 » ; attendu : debut plus petit que fin (à défaut, 0 et 30)",
+        "debut=30             | 2 | debut   | la brume commencerait à « 30 » et finirait à « 30 » ; attendu : debut plus petit "
+                + "que fin (à défaut, 0 et 30)",
+        "fin=0                | 2 | fin     | la brume commencerait à « 0 » et finirait à « 0 » ; attendu : debut plus petit "
+                + "que fin (à défaut, 0 et 30)",
+        "fin=4~debut=5        | 3 | debut   | la brume commencerait à « 5 » et finirait à « 4 » ; attendu : debut plus petit "
+                + "que fin (à défaut, 0 et 30)",
         "fin=20~densite=1     | 3 | densite | donnée en même temps que fin ; attendu : fin ou densite, pas les deux",
         "densite=-0.1         | 2 | densite | hors limites : « -0.1 » ; attendu : un nombre d'au moins 0",
         "densite=1e999        | 2 | densite | nombre trop grand : « 1e999 » ; attendu : un nombre d'au moins 0",
         "densite=NaN          | 2 | densite | n'est pas un nombre : « NaN » ; attendu : un nombre d'au moins 0",
         "debut=-1             | 2 | debut   | hors limites : « -1 » ; attendu : un nombre d'au moins 0",
         "fin=-1               | 2 | fin     | hors limites : « -1 » ; attendu : un nombre d'au moins 0",
-        "couleur=1 1          | 2 | couleur | 2 nombres au lieu de 3 : « 1 1 » ; attendu : 3 nombres séparés par des blancs, chacun de 0 à 1000000",
+        "couleur=1 1          | 2 | couleur | 2 nombres au lieu de 3 : « 1 1 » ; attendu : 3 nombres séparés par des blancs, "
+                + "chacun de 0 à 1000000",
         "couleur=1 1 2e6      | 2 | couleur | hors limites : « 2e6 » ; attendu : 3 nombres séparés par des blancs, chacun de 0 à 1000000",
         "densité=1            | 2 | densité | clé inconnue ; attendu : couleur, debut, densite, fin",
         "densite=1~epaisseur=2| 3 | epaisseur | clé inconnue ; attendu : couleur, debut, densite, fin"})
@@ -173,7 +178,8 @@ class BrumeTest {
     void deuxBrumesSontRefusees() throws IOException {
         Path scene = scene("[Brume]", "[Brume 2]");
         Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
-        assertEquals("lancer : " + scene + ", ligne 2, [Brume 2] : deuxième section de ce type, la première ligne 1 ; attendu : une seule section Brume"
+        assertEquals("lancer : " + scene
+                + ", ligne 2, [Brume 2] : deuxième section de ce type, la première ligne 1 ; attendu : une seule section Brume"
                 + System.lineSeparator(), essai.erreur);
         assertEquals(2, essai.code);
     }

@@ -8,7 +8,7 @@ import lancer.Vecteur;
 import lancer.contrat.Forme;
 import lancer.lecture.Section;
 
-/** Une forme d'un module de variante, inscrite à côté de {@link Nuit} : un disque plat. */
+/** Une forme d'un module de variante, inscrite à côté de celle de {@code Nuit} : un disque plat. */
 public final class Disque extends Objet3D implements Forme {
 
     private Point centre;

@@ -3,31 +3,140 @@ package lancer.brume;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.File;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.ZipFile;
+import javax.imageio.ImageIO;
 import lancer.Essai;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Une variante de plus ne demande qu'une classe et une ligne de services : rien de la base ne change. */
+/** Une variante de plus, faite en suivant le README à la lettre dans une copie du projet : rien de la base ne change. */
 class QuatriemeVarianteTest {
 
+    private static final Pattern FICHIER = Pattern.compile("`([^`]+)` :");
+    private static final Pattern INSERTION = Pattern.compile("Dans `([^`]+)`, sous `([^`]+)` :");
+
+    @TempDir
+    static Path copie;
     @TempDir
     Path dossier;
 
-    private List<Path> nuit() {
-        Path essais = Essai.origine(Nuit.class);
-        return Arrays.asList(essais, essais.resolve("quatrieme"));
+    /** Ce qu'a dit la dernière commande du README. */
+    private static String dit;
+
+    @BeforeAll
+    static void suivreLeReadme() throws Exception {
+        for (String outil : new String[] {"make", "mvn", "sed"}) {
+            assumeTrue(Arrays.stream(System.getenv("PATH").split(File.pathSeparator)).anyMatch(d -> new File(d, outil).canExecute()),
+                    "pas de " + outil + " ici");
+        }
+        copier(Paths.get("..").toRealPath());
+        String readme = lireTexte(copie.resolve("README.md"));
+        String partie = readme.substring(readme.indexOf("### Une quatrième variante\n"), readme.indexOf("## Vitesse et précision\n"));
+        String prose = "";
+        StringBuilder bloc = new StringBuilder();
+        for (String ligne : (partie + "fin").split("\n")) {
+            if (ligne.isEmpty() || ligne.startsWith("    ")) {
+                bloc.append(ligne.isEmpty() ? "" : ligne.substring(4)).append('\n');
+                continue;
+            }
+            if (!bloc.toString().trim().isEmpty()) {
+                suivre(prose, bloc.toString().replaceAll("^\n+|(?<=\n)\n+$", ""));
+            }
+            bloc.setLength(0);
+            prose = ligne;
+        }
+    }
+
+    /** Un bloc du README est un fichier à écrire, des lignes à ajouter, ou des commandes : ce qui est dit juste avant le dit. */
+    private static void suivre(String prose, String bloc) throws Exception {
+        Matcher fichier = FICHIER.matcher(prose);
+        Matcher insertion = INSERTION.matcher(prose);
+        if (fichier.matches()) {
+            Files.write(copie.resolve(fichier.group(1)), bloc.getBytes(StandardCharsets.UTF_8));
+        } else if (insertion.matches()) {
+            Path ou = copie.resolve(insertion.group(1));
+            String avant = lireTexte(ou);
+            int ligne = avant.indexOf('\n', avant.indexOf(insertion.group(2))) + 1;
+            Files.write(ou, (avant.substring(0, ligne) + bloc + avant.substring(ligne)).getBytes(StandardCharsets.UTF_8));
+        } else {
+            Path sortie = copie.resolve("sortie.txt");
+            ProcessBuilder sh = new ProcessBuilder("sh", "-e", "-c", bloc).directory(copie.toFile())
+                    .redirectErrorStream(true).redirectOutput(sortie.toFile());
+            // ni l'écran, ni les réglages du make qui lance ces tests ; et le même Java qu'eux
+            sh.environment().keySet().removeAll(Arrays.asList("DISPLAY", "MAKEFLAGS", "MAKELEVEL", "MFLAGS"));
+            String java = System.getProperty("java.home");
+            sh.environment().put("JAVA_HOME", java);
+            sh.environment().put("PATH", java + File.separator + "bin" + File.pathSeparator + System.getenv("PATH"));
+            int statut = sh.start().waitFor();
+            dit = lireTexte(sortie);
+            assertEquals(0, statut, bloc + dit);
+        }
+    }
+
+    private static String lireTexte(Path fichier) throws IOException {
+        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+    }
+
+    private static void copier(Path projet) throws IOException {
+        Files.walkFileTree(projet, new SimpleFileVisitor<Path>() {
+            @Override
+            public FileVisitResult preVisitDirectory(Path d, BasicFileAttributes a) throws IOException {
+                if (d.getFileName().toString().matches("target|\\..*")) {
+                    return FileVisitResult.SKIP_SUBTREE;
+                }
+                Files.createDirectories(copie.resolve(projet.relativize(d).toString()));
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult visitFile(Path f, BasicFileAttributes a) throws IOException {
+                Files.copy(f, copie.resolve(projet.relativize(f).toString()));
+                return FileVisitResult.CONTINUE;
+            }
+        });
+    }
+
+    private static List<Path> nuit() {
+        return Collections.singletonList(copie.resolve("nuit/target/nuit.jar"));
     }
 
     private String boule(String... suite) throws IOException {
         return Essai.scene(dossier.resolve("boule.ini"), "[Sphere 1]", "centre=0 0 6", "rayon=1", "Kd=1 1 1", "[Lampe 1]",
                 "position=0 0 -10", "couleur=1 1 1", String.join("\n", suite)).toString();
+    }
+
+    @Test
+    void sesTestsSontFaitsEtSansEcranLImageEstDansSonDossier() throws IOException {
+        assertTrue(dit.contains("Running lancer.nuit.NuitTest") && dit.contains("Tests run: 1, Failures: 0"), dit);
+        Path png = copie.toRealPath().resolve("nuit/target/nuit.png");
+        assertTrue(dit.contains("Pas d'écran ici : l'image est dans " + png + "\n"), dit);
+        assertEquals(800, ImageIO.read(png.toFile()).getWidth());
+        assertFalse(Files.exists(copie.resolve("target/scene1.png")));
+    }
+
+    @Test
+    void sonArchivePorteLaLicenceDIni4j() throws IOException {
+        try (ZipFile archive = new ZipFile(copie.resolve("nuit/target/nuit.jar").toFile())) {
+            assertTrue(archive.getEntry("META-INF/licences/ini4j.txt").getSize() > 10_000);
+        }
     }
 
     @Test
@@ -78,10 +187,9 @@ class QuatriemeVarianteTest {
     @Test
     void deuxVariantesQuiVeulentLAirSontNommeesToutesDeux() throws Exception {
         Path image = dossier.resolve("nuit.pfm");
-        List<Path> nuit = nuit();
-        List<Path> classes = Arrays.asList(nuit.get(0), nuit.get(1), Essai.origine(Brume.class));
+        List<Path> classes = Arrays.asList(nuit().get(0), Essai.origine(Brume.class));
         Essai essai = Essai.executerAvec(classes, "--lineaire", image.toString(), boule());
-        assertEquals("lancer : deux variantes veulent changer l'air : lancer.brume.Nuit$Obscurite et lancer.brume.Brume ; attendu : "
+        assertEquals("lancer : deux variantes veulent changer l'air : lancer.nuit.Nuit et lancer.brume.Brume ; attendu : "
                 + "une seule des deux dans le chemin des classes" + System.lineSeparator(), essai.erreur);
         assertEquals(2, essai.code);
         assertFalse(Files.exists(image));

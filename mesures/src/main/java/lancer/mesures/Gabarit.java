@@ -82,7 +82,8 @@ final class Gabarit {
                     SplittableRandom hasard = new SplittableRandom(graine << 2 * Short.SIZE | j << Short.SIZE | i);
                     Couleur somme = new Couleur();
                     for (int k = 0; k < COTE * COTE; k++) {
-                        somme = somme.add(vue.couleur(i + (k % COTE + hasard.nextDouble()) / COTE, j + (k / COTE + hasard.nextDouble()) / COTE));
+                        somme = somme.add(vue.couleur(i + (k % COTE + hasard.nextDouble()) / COTE,
+                                j + (k / COTE + hasard.nextDouble()) / COTE));
                     }
                     toile.drawPixel(somme.div(COTE * COTE), i, j);
                 }

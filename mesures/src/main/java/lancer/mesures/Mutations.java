@@ -104,7 +104,8 @@ public final class Mutations {
             if (survit) {
                 Path source = module.resolve("src/main/java").resolve(classe.replace('.', '/') + ".java");
                 String ligne = lignes(source).get(Integer.parseInt(m[4]) - 1).trim();
-                survivants.merge(apresDernierPoint(m[1]) + "." + m[3] + ", " + apresDernierPoint(m[2]) + ", `" + ligne + "`", 1, Integer::sum);
+                survivants.merge(apresDernierPoint(m[1]) + "." + m[3] + ", " + apresDernierPoint(m[2]) + ", `" + ligne + "`", 1,
+                        Integer::sum);
             }
         }
         return tropLongs;

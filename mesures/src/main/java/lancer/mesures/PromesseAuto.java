@@ -88,7 +88,8 @@ final class PromesseAuto {
     String csv() {
         return FichierCsv.ligne(scene, voulue, auto.getChoisi(), promise ? "oui" : "non", nombre(auto.getChoisi().getErreur()),
                 nombre(auto.getChoisi().getErreurAuPlus()), nombre(erreur), estTenue() ? "oui" : "non",
-                nombre(auto.getChoisi().getPrix()), nombre(rayons), estTenue() ? suffisant : "", estTenue() ? nombre(rayonsSuffisants) : "");
+                nombre(auto.getChoisi().getPrix()), nombre(rayons), estTenue() ? suffisant : "",
+                estTenue() ? nombre(rayonsSuffisants) : "");
     }
 
     private static String nombre(double x) {

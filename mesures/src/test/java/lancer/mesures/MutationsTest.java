@@ -29,7 +29,8 @@ class MutationsTest {
     @BeforeEach
     void ecrireUnModule() throws IOException {
         page = module.resolve("page.md");
-        ecrire("src/main/java/rond/Cercle.java", "package rond;", "class Cercle {", "    if (r > 0 || r == 0) {", "    return 3.14 * r * r;");
+        ecrire("src/main/java/rond/Cercle.java", "package rond;", "class Cercle {", "    if (r > 0 || r == 0) {",
+                "    return 3.14 * r * r;");
         ecrire("target/pit-reports/mutations.csv",
                 "Cercle.java,rond.Cercle," + NOM + "ConditionalsBoundaryMutator,aire,3,SURVIVED,none",
                 "Cercle.java,rond.Cercle$Petit," + NOM + "returns.NullReturnValsMutator,rayon,2,TIMED_OUT,none",

@@ -87,7 +87,8 @@ final class Chiffres {
 
     /** La pire erreur du programme, en unités de κ u t. */
     double unites(String figure) {
-        return de(figure, Methode.PROGRAMME).stream().filter(Chiffres::estClasse).mapToDouble(r -> r.erreurEnUnites).max().orElse(Double.NaN);
+        return de(figure, Methode.PROGRAMME).stream().filter(Chiffres::estClasse).mapToDouble(r -> r.erreurEnUnites).max()
+                .orElse(Double.NaN);
     }
 
     /** L'exposant de la distance dans l'erreur du manuel, de dix à un million de rayons. */
@@ -102,14 +103,16 @@ final class Chiffres {
 
     /** D'où, au-delà de dix rayons, le manuel classe mal plus d'un rayon sur dix. */
     double perdu() {
-        return de(Mesures.LOIN, Methode.MANUEL).stream().filter(r -> r.x >= 10 && !estClasse(r)).mapToDouble(r -> r.x).min().orElse(Double.NaN);
+        return de(Mesures.LOIN, Methode.MANUEL).stream().filter(r -> r.x >= 10 && !estClasse(r)).mapToDouble(r -> r.x).min()
+                .orElse(Double.NaN);
     }
 
     /** Combien de fois l'erreur du programme fait celle du manuel, en moyenne géométrique, là où les deux classent bien. */
     double rapportDesErreurs(String figure) {
         List<Resultat> manuel = de(figure, Methode.MANUEL).stream().filter(Chiffres::estClasse).collect(Collectors.toList());
         List<Resultat> programme = de(figure, Methode.PROGRAMME);
-        return Math.exp(manuel.stream().mapToDouble(m -> Math.log(m.erreurRelative / en(programme, m.x).erreurRelative)).average().orElse(0));
+        return Math.exp(manuel.stream().mapToDouble(m -> Math.log(m.erreurRelative / en(programme, m.x).erreurRelative)).average()
+                .orElse(0));
     }
 
     /** Le nombre de chiffres justes de la distance, au-dessus du plus grand sol. */

@@ -164,7 +164,8 @@ final class Defauts {
     private void dos() {
         Sphere boule = boule(0, 0, 5, 1.5, 0, 0.5);
         boule.setNs(0);
-        Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(new Point(0, 0, 50), new Couleur(1))));
+        Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(new Point(0, 0, 50),
+                new Couleur(1))));
         Analytique forme = forme(boule);
         noter("dos", scene, 0, (xe, ye) -> vu(forme, xe, ye, 0.5), (xe, ye) -> vu(forme, xe, ye, 0));
     }

@@ -21,7 +21,8 @@ final class Figures {
     /** Ce que {@link Defauts} appelle d'un mot. */
     private static final String[][] NOMS = {
         {"acne", "une surface s'ombre elle-même"}, {"epsilon-court", "epsilon de 10⁻⁶, sol de rayon 3·10¹⁰"},
-        {"epsilon-long", "epsilon de 10⁻⁴, boule à 5·10⁻⁵"}, {"voisin", "départ exclu par la distance"}, {"jumelle", "sphère jumelle gardée"},
+        {"epsilon-long", "epsilon de 10⁻⁴, boule à 5·10⁻⁵"}, {"voisin", "départ exclu par la distance"},
+        {"jumelle", "sphère jumelle gardée"},
         {"au-dela", "ombre d'un objet derrière la lampe"}, {"lampe-lointaine", "b² − 4ac, lampe à 10⁹"},
         {"miroir", "un miroir se réfléchit lui-même"}, {"dedans", "première racine seule, vue du dedans"},
         {"dos", "ns = 0 sans regarder N·L"}, {"demi-pixel", "pixels vus en leur coin"}, {"limiter", "limiter avant de moyenner"},
@@ -35,7 +36,8 @@ final class Figures {
 
     Figures(Chiffres chiffres) {
         this.chiffres = chiffres;
-        this.note = "Pire de " + Style.nombre(chiffres.tires()) + " rayons tirés au sort par abscisse, jugés sans arrondi (70 chiffres) ; ceux qu'un "
+        this.note = "Pire de " + Style.nombre(chiffres.tires())
+                + " rayons tirés au sort par abscisse, jugés sans arrondi (70 chiffres) ; ceux qu'un "
                 + "arrondi de leur direction fait changer d'avis sont laissés. Un trait s'arrête là où plus d'un rayon sur dix est mal "
                 + "classé. u = 2⁻⁵³. make mesures";
     }
@@ -50,7 +52,8 @@ final class Figures {
                 + fois(chiffres.fauxAuBout(Methode.PROGRAMME, Mesures.LOIN)));
         courbes(erreur, Mesures.LOIN, r -> Math.max(0.1, r.erreurEnUnites));
         return new Planche("De loin : le manuel se perd dès " + Style.puissance(chiffres.perdu()) + " r, le programme "
-                + (chiffres.fauxDeLoin(Methode.PROGRAMME) == 0 ? "jamais" : "se trompe " + fois(chiffres.fauxDeLoin(Methode.PROGRAMME))), note
+                + (chiffres.fauxDeLoin(Methode.PROGRAMME) == 0 ? "jamais" : "se trompe " + fois(chiffres.fauxDeLoin(Methode.PROGRAMME))),
+                note
                 + ". κ u t = u (1 + r/h)(|P − C| + r) : ce qu'un arrondi des données change à t").volet(erreur, 1.2).volet(genre, 1);
     }
 
@@ -58,7 +61,8 @@ final class Figures {
     Planche ras() {
         Volet pres = new Volet(rasant(Mesures.RAS), "À " + Style.nombre(Mesures.PRES) + " r du centre", "1 − l/r, vers la tangente", ERREUR)
                 .versZero();
-        Volet loin = new Volet(rasant(Mesures.RAS_LOIN), "À " + Style.nombre(Mesures.LOINTAIN) + " r du centre", "1 − l/r, vers la tangente",
+        Volet loin = new Volet(rasant(Mesures.RAS_LOIN), "À " + Style.nombre(Mesures.LOINTAIN) + " r du centre",
+                "1 − l/r, vers la tangente",
                 ERREUR).versZero();
         courbes(pres, Mesures.RAS, r -> r.erreurRelative);
         courbes(loin, Mesures.RAS_LOIN, r -> r.erreurRelative);
@@ -68,7 +72,8 @@ final class Figures {
             volet.serie(guide("u (1 + r/h), l'effet d'un arrondi", Style.FRONT, figure, 1));
         }
         double pire = Math.max(chiffres.unites(Mesures.RAS), chiffres.unites(Mesures.RAS_LOIN));
-        return new Planche("Au ras : le programme, " + Style.arrondi(pire) + " fois l'effet d'un seul arrondi", note).volet(pres, 1).volet(loin, 1);
+        return new Planche("Au ras : le programme, " + Style.arrondi(pire) + " fois l'effet d'un seul arrondi", note).volet(pres, 1)
+                .volet(loin, 1);
     }
 
     private String rasant(String figure) {
@@ -77,11 +82,13 @@ final class Figures {
 
     /** C : le sol, et ce qui est posé dessus. */
     Planche sol() {
-        Volet sol = new Volet("Sur un sol de " + Style.puissance(chiffres.leBout(Mesures.SOL)) + ", il reste " + chiffres.chiffresJustes(Methode.MANUEL) + " chiffres au manuel, "
+        Volet sol = new Volet("Sur un sol de " + Style.puissance(chiffres.leBout(Mesures.SOL)) + ", il reste "
+                + chiffres.chiffresJustes(Methode.MANUEL) + " chiffres au manuel, "
                 + chiffres.chiffresJustes(Methode.PROGRAMME) + " au programme", "Un œil à hauteur 1", "rayon du sol", ERREUR);
         courbes(sol, Mesures.SOL, r -> r.erreurRelative);
         Volet pose = new Volet("À 10⁻¹⁶ r, le manuel se trompe de côté " + fois(chiffres.fauxAuRas(Methode.MANUEL)) + ", le programme "
-                + fois(chiffres.fauxAuRas(Methode.PROGRAMME)), "Un départ posé sur une surface", "hauteur du départ / rayon", ERREUR).versZero();
+                + fois(chiffres.fauxAuRas(Methode.PROGRAMME)), "Un départ posé sur une surface", "hauteur du départ / rayon",
+                ERREUR).versZero();
         courbes(pose, Mesures.POSE, r -> r.erreurRelative);
         int siens = chiffres.chiffresJustes(Methode.PROGRAMME);
         int autres = chiffres.chiffresJustes(Methode.PERPENDICULAIRE);
@@ -91,10 +98,12 @@ final class Figures {
 
     /** D : qui touche, qui manque. */
     Planche carte() {
-        Planche planche = new Planche("Toucher ou manquer : manuel faux à " + Style.arrondi(100 * chiffres.part(Methode.MANUEL, Mesures.CARTE))
+        Planche planche = new Planche("Toucher ou manquer : manuel faux à "
+                + Style.arrondi(100 * chiffres.part(Methode.MANUEL, Mesures.CARTE))
                 + " %, programme " + fois(chiffres.faux(Methode.PROGRAMME, Mesures.CARTE)),
                 "Part des rayons mal classés, d'un côté de la tangente ou de l'autre ; blanc : aucun. Chaque case : "
-                + chiffres.parCase() + " rayons tirés au sort, jugés sans arrondi. Sans objet : un arrondi de la direction change la réponse. "
+                + chiffres.parCase()
+                + " rayons tirés au sort, jugés sans arrondi. Sans objet : un arrondi de la direction change la réponse. "
                 + "make mesures");
         for (Methode methode : Mesures.DE_LA_CARTE) {
             List<Resultat> cases = chiffres.de(Mesures.CARTE, methode);
@@ -116,7 +125,8 @@ final class Figures {
         List<Marque> temoins = chiffres.defauts(true).stream().map(r -> Marque.en(r.faux, 0)).collect(Collectors.toList());
         double max = naifs.stream().mapToDouble(r -> r.faux).max().orElse(1);
         int faux = chiffres.faux(Methode.PROGRAMME, Defauts.FIGURE);
-        return new Planche(noms.size() + " défauts courants, de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à " + Style.nombre(max)
+        return new Planche(noms.size() + " défauts courants, de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à "
+                + Style.nombre(max)
                 + " pixels faux ; le programme, " + (faux == 0 ? "aucun" : Style.nombre(faux)),
                 "Petites scènes dont la géométrie donne chaque couleur ; faux : plus d'un demi-pas de l'écran d'écart. make mesures")
                 .volet(new Barres("Des images de " + Style.nombre(naifs.get(0).essais) + " pixels, et ce que chaque défaut y change",
@@ -132,7 +142,8 @@ final class Figures {
     private Volet parts(String figure, String nomX, String constat) {
         Volet volet = new Volet(constat, "Rayons mal classés", nomX, "rayons mal classés, en %").plancher(0.05);
         for (Methode methode : Methode.values()) {
-            List<Marque> marques = chiffres.de(figure, methode).stream().map(r -> Marque.en(r.x, 100 * r.part())).collect(Collectors.toList());
+            List<Marque> marques = chiffres.de(figure, methode).stream().map(r -> Marque.en(r.x, 100 * r.part()))
+                    .collect(Collectors.toList());
             volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, true, marques));
         }
         return volet;

@@ -51,7 +51,8 @@ public final class Barres implements Contenu {
         phrase(g, place.getWidth()).dessiner(g, place.getX() + 8, place.getY(), Style.ENCRE);
         double gauche = noms.stream().mapToDouble(n -> g.getFontMetrics(Style.AXE).stringWidth(n)).max().orElse(0) + 28;
         double haut = place.getY() + enTete;
-        Rectangle2D cadre = new Rectangle2D.Double(place.getX() + gauche, haut, place.getWidth() - gauche - 16, place.getMaxY() - haut - BAS);
+        Rectangle2D cadre = new Rectangle2D.Double(place.getX() + gauche, haut, place.getWidth() - gauche - 16,
+                place.getMaxY() - haut - BAS);
         double zero = axe.valueToJava2D(axe.place(0), cadre, RectangleEdge.BOTTOM);
         double un = axe.valueToJava2D(axe.seuilDeZero(), cadre, RectangleEdge.BOTTOM);
         g.setColor(Style.BANDE);

@@ -71,9 +71,11 @@ public final class Damier implements Contenu {
     public void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
         Paragraphe phrase = phrase(g, place.getWidth());
         phrase.dessiner(g, place.getX() + 8, place.getY(), Style.ENCRE);
-        new Paragraphe(g, sujet, Style.SOUS_TITRE, place.getWidth()).dessiner(g, place.getX() + 8, place.getY() + phrase.hauteur() + 2, Style.GRIS);
+        new Paragraphe(g, sujet, Style.SOUS_TITRE, place.getWidth()).dessiner(g, place.getX() + 8, place.getY() + phrase.hauteur() + 2,
+                Style.GRIS);
         double haut = place.getY() + enTete;
-        Rectangle2D cadre = new Rectangle2D.Double(place.getX() + GAUCHE, haut, place.getWidth() - GAUCHE - 24, place.getMaxY() - haut - BAS);
+        Rectangle2D cadre = new Rectangle2D.Double(place.getX() + GAUCHE, haut, place.getWidth() - GAUCHE - 24,
+                place.getMaxY() - haut - BAS);
         g.setColor(Style.GRILLE);
         g.fill(cadre);
         for (double[] c : cases) {

@@ -65,7 +65,8 @@ final class FigureModele {
             min = Math.min(min, b.medianeMs() / p.medianeMs());
             max = Math.max(max, b.medianeMs() / p.medianeMs());
         }
-        return verdict(plusRapide, plusLent, blinns.size()) + " : de " + Style.arrondi(min) + " à " + Style.arrondi(max) + " fois son temps";
+        return verdict(plusRapide, plusLent, blinns.size()) + " : de " + Style.arrondi(min) + " à " + Style.arrondi(max)
+                + " fois son temps";
     }
 
     private static String verdict(int plusRapide, int plusLent, int tous) {

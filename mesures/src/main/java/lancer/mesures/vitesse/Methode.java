@@ -58,7 +58,8 @@ final class Methode {
     }
 
     Methode limitee(int autreProfondeur, double autreSeuil) {
-        return new Methode(famille, nom, parametres, echantillonnage, autreProfondeur, autreSeuil, changement, brouillon, lisible, parPaves);
+        return new Methode(famille, nom, parametres, echantillonnage, autreProfondeur, autreSeuil, changement, brouillon, lisible,
+                parPaves);
     }
 
     /** Une fois la scène changée ainsi. */

@@ -59,10 +59,12 @@ final class TableBesoins {
                     .append(Style.arrondi(100 * Double.parseDouble(b.get("part_antialias")))).append(" % |\n");
         }
         s.append("\nUne réflexion compte si, sans elle, l'image de l'écran ne serait pas celle de mille réflexions sans seuil.\n"
-                + "Le programme en fait " + Constantes.MAX_REFLETS + " si on ne lui dit rien : là où il en faudrait plus, un pixel au moins n'a pas\n"
+                + "Le programme en fait " + Constantes.MAX_REFLETS
+                + " si on ne lui dit rien : là où il en faudrait plus, un pixel au moins n'a pas\n"
                 + "sa couleur. La dernière colonne est celle de l'anticrénelage du cours, à ses réglages par défaut.\n\n"
                 + "## Ce que le programme fait pour elle\n\n"
-                + "| scène | premiers rayons | rayons réfléchis | ombres, lampe par lampe | sphères essayées par rayon | rayons non lancés |\n"
+                + "| scène | premiers rayons | rayons réfléchis | ombres, lampe par lampe "
+                + "| sphères essayées par rayon | rayons non lancés |\n"
                 + "|---|---|---|---|---|---|\n");
         for (Map<String, String> b : besoins) {
             String[] noms = b.get("structures").split(" ");

@@ -82,7 +82,8 @@ class StabiliteTest {
         }
         Chiffres chiffres = new Chiffres(Resultat.lire(dossier.resolve(Stabilite.CSV)));
         // ce que la page promet et raconte, sur ces rayons-ci aussi
-        assertTrue(chiffres.unites(Mesures.LOIN) <= Cas.K && chiffres.unites(Mesures.RAS) <= Cas.K && chiffres.unites(Mesures.RAS_LOIN) <= Cas.K);
+        assertTrue(chiffres.unites(Mesures.LOIN) <= Cas.K && chiffres.unites(Mesures.RAS) <= Cas.K
+                && chiffres.unites(Mesures.RAS_LOIN) <= Cas.K);
         assertEquals(0, chiffres.fauxDeLoin(Methode.PROGRAMME));
         assertEquals(0, chiffres.faux(Methode.PROGRAMME, Mesures.CARTE));
         assertEquals(0, chiffres.faux(Methode.PROGRAMME, Defauts.FIGURE));

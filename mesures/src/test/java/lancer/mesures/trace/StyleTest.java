@@ -49,7 +49,8 @@ class StyleTest {
     @DisplayName("gradue un axe logarithmique de nombres ronds, d'autant moins qu'il est long")
     void lesGraduations() {
         assertEquals(Arrays.asList("0,5", "1", "2", "5", "10", "20"), graduations(0.4, 25, 0));
-        assertEquals(Arrays.asList("2", "2,5", "3", "3,5", "4", "4,5"), graduations(2, 4.6, 0).stream().limit(6).collect(Collectors.toList()));
+        assertEquals(Arrays.asList("2", "2,5", "3", "3,5", "4", "4,5"),
+                graduations(2, 4.6, 0).stream().limit(6).collect(Collectors.toList()));
         assertEquals(Arrays.asList("0,001", "0,01", "0,1", "1", "10", "100"), graduations(0.001, 100, 0));
         assertEquals(Arrays.asList("0,01", "0,1", "1", "10", "100", "0"), graduations(0.001, 100, 0.0005));
     }

@@ -32,7 +32,8 @@ class ConstatsTest {
         Constats c = constats(releves);
         assertEquals("Le défaut, « coins » (3 ; 0,05), est sur le front. Jamais sur le front : grilles",
                 c.anticrenelage());
-        assertEquals("Le défaut, la profondeur 5, se trompe de 0,02 pas d'écran : il est battu, le seuil 1/256 fait au moins aussi bien pour "
+        assertEquals("Le défaut, la profondeur 5, se trompe de 0,02 pas d'écran : il est battu, le seuil 1/256 "
+                + "fait au moins aussi bien pour "
                 + "2 fois moins de rayons", c.limites());
     }
 

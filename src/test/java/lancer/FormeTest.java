@@ -1,0 +1,146 @@
+package lancer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystems;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.PathMatcher;
+import java.nio.file.Paths;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** La forme des sources, de tous les modules : celle que {@code .editorconfig} demande aux éditeurs. */
+class FormeTest {
+
+    private static final Path RACINE = Paths.get("");
+    private static final List<Path> FICHIERS = new ArrayList<>();
+
+    /** Chaque section de {@code .editorconfig} : à quels fichiers elle s'applique, et ce qu'elle en dit. */
+    private static final Map<PathMatcher, Map<String, String>> SECTIONS = new LinkedHashMap<>();
+
+    @BeforeAll
+    static void lire() throws IOException {
+        Map<String, String> section = new HashMap<>();
+        for (String ligne : Files.readAllLines(RACINE.resolve(".editorconfig"))) {
+            if (ligne.startsWith("[")) {
+                String noms = ligne.substring(1, ligne.lastIndexOf(']'));
+                section = new HashMap<>();
+                // un motif sans barre vaut dans tous les dossiers
+                SECTIONS.put(FileSystems.getDefault().getPathMatcher("glob:" + (noms.contains("/") ? noms : "{**/,}" + noms)), section);
+            } else if (ligne.contains("=")) {
+                section.put(ligne.substring(0, ligne.indexOf('=')).trim(), ligne.substring(ligne.indexOf('=') + 1).trim());
+            }
+        }
+        Files.walkFileTree(RACINE.toAbsolutePath(), new SimpleFileVisitor<Path>() {
+            @Override
+            public FileVisitResult preVisitDirectory(Path dossier, BasicFileAttributes a) {
+                String nom = dossier.getFileName().toString();
+                return nom.equals("target") || nom.startsWith(".") && !nom.equals(".ci")
+                        ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult visitFile(Path fichier, BasicFileAttributes a) {
+                if (fichier.getFileName().toString().matches(".*\\.(java|xml|md|mk|sh)|Makefile|run")) {
+                    FICHIERS.add(RACINE.toAbsolutePath().relativize(fichier));
+                }
+                return FileVisitResult.CONTINUE;
+            }
+        });
+    }
+
+    /** Ce qui est demandé de ce fichier : la dernière section qui le dise. */
+    private static Map<String, String> demande(Path fichier) {
+        Map<String, String> demande = new HashMap<>();
+        SECTIONS.forEach((motif, section) -> {
+            if (motif.matches(fichier)) {
+                demande.putAll(section);
+            }
+        });
+        return demande;
+    }
+
+    private static List<String> fautes(Path fichier, Map<String, String> demande) throws IOException {
+        List<String> fautes = new ArrayList<>();
+        String texte;
+        try {
+            texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier))).toString();
+        } catch (CharacterCodingException e) {
+            return Collections.singletonList(fichier + " : pas de l'UTF-8");
+        }
+        if (texte.indexOf('\r') >= 0) {
+            fautes.add(fichier + " : des fins de ligne qui ne sont pas LF");
+        }
+        if (!texte.endsWith("\n") || texte.endsWith("\n\n")) {
+            fautes.add(fichier + " : la dernière ligne n'est pas finie, ou est vide");
+        }
+        String[] lignes = texte.split("\n");
+        String max = demande.getOrDefault("max_line_length", "off");
+        for (int k = 0; k < lignes.length; k++) {
+            String ligne = lignes[k];
+            String ou = fichier + ":" + (k + 1) + " : ";
+            if (ligne.matches(".*[ \t]")) {
+                fautes.add(ou + "des blancs au bout");
+            }
+            if (ligne.startsWith(demande.get("indent_style").equals("tab") ? " " : "\t")) {
+                fautes.add(ou + "retrait qui n'est pas fait de " + demande.get("indent_style"));
+            }
+            if (!max.equals("off") && ligne.codePointCount(0, ligne.length()) > Integer.parseInt(max)) {
+                fautes.add(ou + "plus de " + max + " colonnes");
+            }
+        }
+        return fautes;
+    }
+
+    @Test
+    void lesSourcesOntLaFormeQueDitEditorconfig() throws IOException {
+        List<String> fautes = new ArrayList<>();
+        for (Path fichier : FICHIERS) {
+            fautes.addAll(fautes(fichier, demande(fichier)));
+        }
+        assertTrue(FICHIERS.contains(Paths.get("src/main/java/lancer/Main.java")), "les sources ne sont pas là");
+        assertEquals("", String.join("\n", fautes));
+    }
+
+    @Test
+    void leCodeDeLaBaseEtDesVariantesTientEnCentVingtColonnesEtLeResteEnCentQuarante() {
+        for (String principal : new String[] {"src/main/java/lancer/Main.java", "src/main/java/lancer/auto/Auto.java",
+            "brume/src/main/java/lancer/brume/Brume.java", "nuit/src/main/java/lancer/nuit/Nuit.java"}) {
+            assertEquals("120", demande(Paths.get(principal)).get("max_line_length"), principal);
+        }
+        for (String autre : new String[] {"src/test/java/lancer/Tests.java", "mesures/src/main/java/lancer/mesures/Banc.java"}) {
+            assertEquals("140", demande(Paths.get(autre)).get("max_line_length"), autre);
+        }
+        assertFalse(demande(Paths.get("README.md")).containsKey("max_line_length"));
+    }
+
+    /** Chaque paquet de la maison : la variante d'un étudiant n'y est pas tenue. */
+    @Test
+    void chaquePaquetDitCeQuiYVit() {
+        List<String> sans = new ArrayList<>();
+        for (Path fichier : FICHIERS) {
+            if (fichier.toString().replace('\\', '/').matches("((brume|blinn|antialias|mesures|correction)/)?src/main/java/.*")
+                    && !FICHIERS.contains(fichier.resolveSibling("package-info.java"))
+                    && !sans.contains(fichier.getParent().toString())) {
+                sans.add(fichier.getParent().toString());
+            }
+        }
+        assertEquals(Collections.emptyList(), sans);
+    }
+}

@@ -1,0 +1,42 @@
+package lancer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/** Ce que make décide avant de lancer quoi que ce soit. */
+class MakefileTest extends EssaiProcessus {
+
+    /** Ce que vaut LC_ALL pour les commandes de make, lancé avec ces trois variables, {@code null} pour celle qui manque. */
+    private String langue(String lcAll, String lcCtype, String lang) throws IOException, InterruptedException {
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("commun.mk").getAbsolutePath(),
+                "--eval", "langue:;@echo $$LC_ALL", "langue"));
+        Map<String, String> variables = make.environment();
+        variables.keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "LC_ALL", "LC_CTYPE", "LANG"));
+        String[] noms = {"LC_ALL", "LC_CTYPE", "LANG"};
+        String[] valeurs = {lcAll, lcCtype, lang};
+        for (int k = 0; k < noms.length; k++) {
+            if (valeurs[k] != null) {
+                variables.put(noms[k], valeurs[k]);
+            }
+        }
+        assertEquals(0, statut(make), erreur());
+        return sortie().trim();
+    }
+
+    @Test
+    void laLangueEstCelleDeLaPremiereVariableDonnee() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        assertEquals("", langue(null, null, "fr_FR.UTF-8"), "rien à changer : c'est de l'UTF-8");
+        assertEquals("", langue("", "fr_FR.utf8@euro", "C"), "vide, c'est comme absente");
+        assertEquals("fr_FR.UTF-8", langue("fr_FR.UTF-8", "C", "C"));
+        assertEquals("C.UTF-8", langue(null, null, null));
+        assertEquals("C.UTF-8", langue(null, "C", "fr_FR.UTF-8"), "LC_CTYPE l'emporte sur LANG");
+        assertEquals("C.UTF-8", langue("POSIX", "fr_FR.UTF-8", "fr_FR.UTF-8"), "LC_ALL l'emporte sur tout");
+    }
+}
