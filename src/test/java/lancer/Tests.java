@@ -459,7 +459,8 @@ public class Tests {
         @DisplayName("getCouleurPixel : la couleur de la sphère la plus proche")
         void unPixelALaCouleurDeLaPlusProcheSphere() {
             Scene scene = scene(lampe(0, 0, -9), boule(0, 0, 9, 1, BLANC, NOIR, 1), pres);
-            verifier("le pixel du centre : getColor de la boule proche", vue(scene, devant, 0), pixel(scene));
+            Couleur couleur = pixel(scene);
+            verifier("le pixel du centre : getColor de la boule proche", vue(scene, devant, 0), couleur);
         }
     }
 

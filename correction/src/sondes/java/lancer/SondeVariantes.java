@@ -1,0 +1,8 @@
+package lancer;
+
+/** Interroge les variantes d'un étudiant. */
+public final class SondeVariantes {
+
+    private SondeVariantes() {
+    }
+}
