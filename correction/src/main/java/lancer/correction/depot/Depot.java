@@ -7,10 +7,12 @@ import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -58,7 +60,9 @@ public final class Depot {
             throw new Panne(2, "aucun rendu dans " + rendus);
         }
         depot.rendus.values().forEach(Depot::conclure);
-        return new ArrayList<>(depot.rendus.values());
+        List<Rendu> liste = new ArrayList<>(depot.rendus.values());
+        liste.sort(Comparator.comparing((Rendu r) -> naturel(r.getNom())).thenComparing(r -> naturel(r.getId())));
+        return liste;
     }
 
     /** Ce qui est refusé n'empêche pas de juger le reste, si c'en est assez pour qu'il y ait quelque chose à juger. */
@@ -146,6 +150,12 @@ public final class Depot {
     /** Vrai si ces noms, les premiers d'un dossier ou d'une archive, sont ceux d'un projet, et non ceux de plusieurs étudiants. */
     private static boolean estUnSeul(List<String> noms) {
         return noms.stream().noneMatch(n -> NomMoodle.lire(n) != null) && noms.stream().anyMatch(n -> UN_SEUL_RENDU.matcher(n).matches());
+    }
+
+    /** De quoi ranger « Étudiant 2 » avant « Étudiant 10 ». */
+    private static String naturel(String nom) {
+        Matcher m = Pattern.compile("\\d{1,18}").matcher(nom);
+        return m.replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));
     }
 
     private static boolean estArchive(String nom) {

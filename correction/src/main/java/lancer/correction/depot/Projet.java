@@ -79,8 +79,14 @@ public final class Projet {
             }
             for (Source source : groupes.get(racine)) {
                 String nom = source.paquet.isEmpty() ? source.classe : source.paquet.replace('.', '/') + "/" + source.classe;
-                if (classes.putIfAbsent(nom, source.texte) == null && source.remarque != null) {
-                    remarques.add(source.remarque);
+                String cachee = source.classeDeJavaCachee();
+                if (cachee != null) {
+                    remarques.add(source.chemin + " : laissé de côté, il déclare une classe " + cachee + " qui cacherait celle de Java");
+                } else if (!classes.containsKey(nom)) {
+                    classes.put(nom, source.paquet.equals("lancer") ? Ponts.ajouter(source.classe, source.texte, remarques) : source.texte);
+                    if (source.remarque != null) {
+                        remarques.add(source.remarque);
+                    }
                 }
             }
         }

@@ -9,9 +9,10 @@ import java.util.regex.Pattern;
 import lancer.correction.modele.Modele;
 
 /** Un fichier source : son texte, quel que soit son codage, dans le paquet {@code lancer}, même si l'étudiant l'a changé ou oublié. */
-final class Source {
+public final class Source {
 
     private static final Pattern PAQUET = Pattern.compile("(?m)^\\s*package\\s+([\\w.]+)\\s*;");
+    private static final Pattern DECLARATION = Pattern.compile("\\b(?:class|interface|enum|record)\\s+(\\w+)");
     private static final Pattern COMMENTAIRES = Pattern.compile("/\\*.*?\\*/|//[^\n]*", Pattern.DOTALL);
 
     final String chemin;
@@ -70,6 +71,27 @@ final class Source {
     /** Le même texte, les commentaires remplacés par des blancs. */
     static String sansCommentaires(String texte) {
         return COMMENTAIRES.matcher(texte).replaceAll(" ");
+    }
+
+    /**
+     * Une classe déclarée ici, dans le paquet {@code lancer}, du nom d'une classe de {@code java.lang} : nos vérifications, qui sont
+     * du même paquet, la prendraient pour celle-ci.
+     */
+    String classeDeJavaCachee() {
+        Matcher m = DECLARATION.matcher(sansCommentaires(texte));
+        while (paquet.equals("lancer") && m.find()) {
+            try {
+                return Class.forName("java.lang." + m.group(1), false, null).getSimpleName();
+            } catch (ClassNotFoundException | LinkageError e) {
+                // ce nom-là est libre
+            }
+        }
+        return null;
+    }
+
+    /** Vrai si deux textes ne diffèrent que par leurs commentaires et leurs blancs. */
+    public static boolean memeCode(String a, String b) {
+        return sansCommentaires(a).replaceAll("\\s+", "").equals(sansCommentaires(b).replaceAll("\\s+", ""));
     }
 
     private static Charset codage(byte[] octets) {

@@ -36,7 +36,7 @@ public final class Compilateur {
     public static void main(String[] args) throws IOException {
         PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
         System.setOut(System.err);
-        JavaCompiler compilateur = ServiceLoader.load(JavaCompiler.class).iterator().next();
+        JavaCompiler compilateur = eclipse();
         BufferedReader demandes = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
         for (String ligne = demandes.readLine(); ligne != null; ligne = demandes.readLine()) {
             String[] mots = ligne.split("\t");
@@ -47,6 +47,16 @@ public final class Compilateur {
             }
             sortie.println("FIN");
         }
+    }
+
+    /** Le compilateur d'Eclipse, et non celui du JDK, qui est un service lui aussi. */
+    private static JavaCompiler eclipse() {
+        for (JavaCompiler compilateur : ServiceLoader.load(JavaCompiler.class)) {
+            if (compilateur.getClass().getName().startsWith("org.eclipse.")) {
+                return compilateur;
+            }
+        }
+        throw new IllegalStateException("le compilateur d'Eclipse n'est pas là");
     }
 
     private static void compiler(JavaCompiler compilateur, Path sources, Path classes, PrintStream sortie) throws IOException {

@@ -99,7 +99,9 @@ final class Verifications {
         StringBuilder texte = new StringBuilder();
         if (e instanceof StackOverflowError) {
             texte.append("appels sans fin (StackOverflowError)");
-        } else if (nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem")) {
+        } else if (nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem")
+                || e instanceof LinkageError || nom.endsWith(".DiscoveryIssueException")) {
+            // une classe dont il n'est rien resté manque à tout ce qui la nomme
             texte.append("ne se compile pas");
         } else {
             texte.append(nom.replaceFirst(".*\\.", "")).append(e.getMessage() == null ? "" : " : " + message);

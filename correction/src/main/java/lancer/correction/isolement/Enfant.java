@@ -83,6 +83,11 @@ public final class Enfant implements AutoCloseable {
 
     /** La ligne suivante, si elle vient dans les limites. */
     public String attendre() throws Arret {
+        return attendre(limites.calcul);
+    }
+
+    /** @param calculMax temps de processeur permis, en secondes */
+    public String attendre(double calculMax) throws Arret {
         double debut = calcul();
         double dernier = debut;
         int immobile = 0;
@@ -105,8 +110,8 @@ public final class Enfant implements AutoCloseable {
             double maintenant = calcul();
             immobile = maintenant - dernier > TOUR_MS / 1e4 ? 0 : immobile + 1;
             dernier = maintenant;
-            if (maintenant - debut > limites.calcul) {
-                throw arreter("arrêté après " + (int) limites.calcul + " s de calcul : une boucle sans fin ?");
+            if (maintenant - debut > calculMax) {
+                throw arreter("arrêté après " + Math.round(calculMax) + " s de calcul : une boucle sans fin ?");
             }
             if (immobile * TOUR_MS > 1000 * limites.attente) {
                 throw arreter("arrêté : plus de " + (int) limites.attente + " s sans rien faire, bloqué ou endormi");
