@@ -3,7 +3,7 @@ include commun.mk
 N ?= 1000000
 XVFB := xvfb-run -a -s "-screen 0 1280x800x24"
 
-.PHONY: test images scene-geante bench noyaux mesures juge mesure-auto mutations aide propre
+.PHONY: test images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger comparer reponses aide propre
 
 # Tout, tous modules ; les fenêtres s'ouvrent sur un écran à elles, pas sur celui de l'utilisateur.
 test: outils
@@ -72,6 +72,24 @@ mutations: mesures/target/mesures.jar
 	    test-compile org.pitest:pitest-maven:mutationCoverage > target/mutations.log 2>&1 || { cat target/mutations.log >&2; exit 1; }
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
 
+CORRECTION := correction/target/correction.jar
+$(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(shell find correction/src -type f) $(wildcard scenes/*.ini) \
+    $(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
+	@echo "Construction de $@"
+	@$(MVN) -q -f ensemble.xml -pl :correction -am -DskipTests package
+	@touch $@
+
+# Le projet que reçoivent les étudiants : make squelette DOSSIER=../lancer-base
+squelette: $(CORRECTION)
+	@test -n "$(DOSSIER)" || { echo "Où l'écrire ? make squelette DOSSIER=../lancer-base" >&2; exit 2; }
+	@$(JAVA) -jar $(CORRECTION) --squelette "$(DOSSIER)"
+
+# Noter une classe : make corriger RENDUS=rendus.zip NOTES=notes.csv ; SANS_CONFINEMENT=1 là où bwrap ne marche pas.
+corriger: $(CORRECTION)
+	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv]" >&2; exit 2; }
+	@$(JAVA) -jar $(CORRECTION) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
+	    $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
+
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -86,6 +104,8 @@ aide:
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/foule.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
+	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
+	@echo "make corriger RENDUS=…     note les rendus d'une classe ; NOTES=feuille.csv de Moodle, BAREME=points.ini, SORTIE=dossier"
 	@echo "make propre                efface ce qui est construit"
 
 propre: outils

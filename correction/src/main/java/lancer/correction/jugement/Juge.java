@@ -86,7 +86,19 @@ final class Juge {
             resultat.verdicts.put(v.id(), conclure(v, parEnsemble.get(v.id()), parSeule.get(v.id())));
         }
         dessiner();
+        variantes();
         return resultat;
+    }
+
+    private void variantes() throws Arret {
+        Variantes variantes = new Variantes(this, reference, ensemble, chantier.getDossier(), resultat.verdicts);
+        for (Map.Entry<String, Map<String, String>> variante : projet.getVariantes().entrySet()) {
+            // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
+            Map<String, String> sources = Chantier.squelette();
+            sources.putAll(projet.getBase());
+            sources.putAll(variante.getValue());
+            variantes.juger(variante.getKey(), chantier.assembler(variante.getKey(), sources));
+        }
     }
 
     private boolean intacte(String classe) {

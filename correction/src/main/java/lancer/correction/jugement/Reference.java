@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -26,6 +27,7 @@ public final class Reference implements AutoCloseable {
     private final Map<String, Verdict> duSquelette = new HashMap<>();
     private final Map<String, String> titres = new HashMap<>();
     private final Machines.Rendue machine;
+    private final Chantier chantier;
     private final Juge corrige;
     private final Assemblage assemblage;
     private final Image coins;
@@ -33,7 +35,7 @@ public final class Reference implements AutoCloseable {
 
     Reference(Machines machines, Machines.Compilation compilation, Path dossier) throws Arret {
         Path sienne = creer(dossier.resolve("corrige"));
-        Chantier chantier = new Chantier(sienne, compilation);
+        chantier = new Chantier(sienne, compilation);
         machine = machines.new Rendue(sienne);
         assemblage = chantier.assembler("corrige", Chantier.corrige());
         if (!assemblage.fautes.isEmpty()) {
@@ -95,6 +97,17 @@ public final class Reference implements AutoCloseable {
     synchronized String chemin(double x, double y) throws Arret {
         return corrige.sonde(assemblage, "SondeChemin", "decrire", corrige.scene(), "" + Juge.LARGEUR, "" + Juge.HAUTEUR, "" + x, "" + y,
                 "" + Juge.PROFONDEUR);
+    }
+
+    /** Le reflet de Blinn seul, par les classes du corrigé. */
+    synchronized String blinn(String scene, double decalage, int facteur) throws Arret {
+        Path copie = chantier.getDossier().resolve("scenes/blinn.ini");
+        try {
+            Files.copy(Path.of(scene), copie, StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return corrige.sonde(assemblage, "SondeVariantes", "blinn", copie.toString(), "" + Juge.LARGEUR, "" + Juge.HAUTEUR, "" + decalage, "" + facteur);
     }
 
     @Override
