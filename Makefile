@@ -79,6 +79,11 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 	@$(MVN) -q -f ensemble.xml -pl :correction -am -DskipTests package
 	@touch $@
 
+# Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
+comparer: $(BASE)
+	@test -n "$(A)" -a -n "$(B)" || { echo "Que comparer ? make comparer A=attendue.png B=autre.png (ou une scène)" >&2; exit 2; }
+	@$(JAVA) -jar $(BASE) $(OPTIONS) --comparer "$(A)" "$(B)"
+
 # Le projet que reçoivent les étudiants : make squelette DOSSIER=../lancer-base
 squelette: $(CORRECTION)
 	@test -n "$(DOSSIER)" || { echo "Où l'écrire ? make squelette DOSSIER=../lancer-base" >&2; exit 2; }
@@ -104,6 +109,7 @@ aide:
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/foule.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
+	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corriger RENDUS=…     note les rendus d'une classe ; NOTES=feuille.csv de Moodle, BAREME=points.ini, SORTIE=dossier"
 	@echo "make propre                efface ce qui est construit"

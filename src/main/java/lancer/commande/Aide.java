@@ -23,6 +23,8 @@ public final class Aide {
                 + "  --auto erreur=1          choisit reflets, seuil et, s'il est là, anticrénelage : au meilleur prix pour une\n"
                 + "                           erreur quadratique moyenne d'un niveau sur 255 au plus, et dit ce qu'il en est ;\n"
                 + "                           --auto temps=0.5s : au plus juste pour ce temps de dessin. Avec --image ou --lineaire\n"
+                + "  --comparer REF.png       compare la scène, ou une autre image, à un PNG ou un PFM : statut 0 pareilles, 1 différentes ;\n"
+                + "                           --tolerance 1 : l'écart permis, en niveaux sur 255 ; --image : l'image des différences\n"
                 + "  --aide, --help, -h       ce texte\n"
                 + "  --version                la version\n"
                 + "\n"

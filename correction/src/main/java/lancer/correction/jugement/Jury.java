@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,13 +22,14 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.correction.Panne;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
-import lancer.correction.modele.Modele;
 
 /** Juge tous les rendus, plusieurs à la fois, et se souvient de chacun : ce qui n'a pas changé n'est pas jugé de nouveau. */
 public final class Jury implements AutoCloseable {
@@ -60,10 +62,21 @@ public final class Jury implements AutoCloseable {
         } catch (Arret e) {
             throw new Panne(1, "le corrigé n'a pu être jugé : " + e.getMessage());
         }
-        StringBuilder tout = new StringBuilder(confinement.estConfine() + " " + limites + " " + Runtime.version() + Modele.tests());
-        Modele.classes().forEach(c -> tout.append(Modele.corrige(c)).append(Modele.squelette(c)));
-        Modele.SONDES.forEach(s -> tout.append(Modele.sonde(s)));
-        regles = empreinte(tout.toString().getBytes(StandardCharsets.UTF_8));
+        regles = confinement.estConfine() + " " + limites + " " + Runtime.version() + " " + duProgramme();
+    }
+
+    /** L'empreinte de ce qui juge : un programme changé juge de nouveau. */
+    private static String duProgramme() {
+        Path lieu = Machines.lieu();
+        MessageDigest calcul = sha256();
+        try (Stream<Path> flux = Files.walk(lieu)) {
+            for (Path fichier : flux.filter(Files::isRegularFile).sorted().collect(Collectors.toList())) {
+                calcul.update(Files.readAllBytes(fichier));
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return hexa(calcul.digest());
     }
 
     public Reference getReference() {
@@ -158,10 +171,6 @@ public final class Jury implements AutoCloseable {
             calcul.update(source.getValue());
         }
         return hexa(calcul.digest());
-    }
-
-    private static String empreinte(byte[] octets) {
-        return hexa(sha256().digest(octets));
     }
 
     private static MessageDigest sha256() {

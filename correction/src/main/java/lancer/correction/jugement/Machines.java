@@ -49,6 +49,11 @@ final class Machines {
         return String.join(File.pathSeparator, lieux);
     }
 
+    /** Là d'où nous venons : une archive, ou un dossier de classes. */
+    static Path lieu() {
+        return Paths.get(lieu(Machines.class));
+    }
+
     private static String lieu(Class<?> classe) {
         try {
             return Paths.get(classe.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
