@@ -73,7 +73,7 @@ mutations: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
 
 CORRECTION := correction/target/correction.jar
-$(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(shell find correction/src -type f) $(wildcard scenes/*.ini) \
+$(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(shell find correction/src/main correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
     $(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
 	@echo "Construction de $@"
 	@$(MVN) -q -f ensemble.xml -pl :correction -am -DskipTests package

@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 public final class Confinement {
 
     private static final int DISQUE = 64 << 20;
+    private static final int BLOC = 512;
     private static final int ESSAI_SECONDES = 20;
 
     private final boolean confine;
@@ -78,6 +79,10 @@ public final class Confinement {
             visibles.add(accueil());
             visibles.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
             commande.addAll(List.of(ecriture ? "--bind" : "--ro-bind", dossier.toString(), dossier.toString(), "--chdir", "/tmp"));
+        }
+        if (!confine && Files.isExecutable(Paths.get("/bin/sh"))) {
+            // à défaut d'un disque à part, au moins pas de fichier sans fin
+            commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; exec \"$@\"", "sh"));
         }
         commande.addAll(List.of(accueil() + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m", "-XX:MaxDirectMemorySize=32m",
                 "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",

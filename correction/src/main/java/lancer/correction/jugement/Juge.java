@@ -42,6 +42,8 @@ final class Juge {
     private final Projet projet;
     private final Resultat resultat = new Resultat();
     private Assemblage ensemble;
+    /** Vrai si les dernières vérifications lancées ne l'ont pas toutes été, faute de finir. */
+    private boolean trop;
     private final Map<String, Assemblage> seules = new HashMap<>();
     /** De quoi dépend une classe qui ne se compile pas seule dans le corrigé. */
     private final Map<String, String> dependances = new HashMap<>();
@@ -69,6 +71,7 @@ final class Juge {
             }
         }
         Map<String, Verdict> parEnsemble = lancer(ensemble, reference.getVerifications());
+        boolean coupe = trop;
         Map<String, List<Verification>> aReprendre = new LinkedHashMap<>();
         for (Verification v : reference.getVerifications()) {
             if (parEnsemble.get(v.id()).etat != Etat.REUSSI && projet.texte(v.classe) != null && !intacte(v.classe)) {
@@ -85,7 +88,12 @@ final class Juge {
         for (Verification v : reference.getVerifications()) {
             resultat.verdicts.put(v.id(), conclure(v, parEnsemble.get(v.id()), parSeule.get(v.id())));
         }
-        dessiner();
+        if (coupe) {
+            resultat.sansImage = "trop de vérifications n'ont pas fini";
+            resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, resultat.sansImage));
+        } else {
+            dessiner();
+        }
         variantes();
         return resultat;
     }
@@ -148,6 +156,7 @@ final class Juge {
     }
 
     Map<String, Verdict> lancer(Assemblage assemblage, List<Verification> verifications) {
+        trop = false;
         Map<String, Verdict> verdicts = new HashMap<>();
         Map<String, Integer> arrets = new HashMap<>();
         String dernier = "";
@@ -162,6 +171,7 @@ final class Juge {
             } catch (Arret e) {
                 dernier = e.getMessage();
                 total++;
+                trop = total >= ARRETS_PAR_ASSEMBLAGE;
                 arrets.merge(v.etape, 1, Integer::sum);
                 verdicts.put(v.id(), new Verdict(Etat.RATE, dernier));
             }
@@ -197,9 +207,10 @@ final class Juge {
         }
         Verdict verdict = seule != null ? seule : ensemble;
         if (verdict.etat == Etat.NON_COMMENCE) {
-            String besoin = reference.besoin(v.etape);
-            return verdict.message.startsWith("étape non évaluable") || !besoin.isEmpty()
-                    ? new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de « " + besoin + " » (" + verdict.message + ")") : verdict;
+            // le jaune vif : à la première étape de getColor, elle n'est pas commencée ; aux suivantes, elle manque
+            String besoin = verdict.message.contains("jaune vif") ? reference.besoin(v.etape) : "";
+            return verdict.message.startsWith("étape non évaluable") || !besoin.isEmpty() ? new Verdict(Etat.NON_EVALUABLE,
+                    (besoin.isEmpty() ? "" : "non évaluable : dépend de « " + besoin + " » ; ") + verdict.message) : verdict;
         }
         if (dependances.containsKey(v.classe) && verdict.message.startsWith("ne se compile pas")) {
             return new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe));

@@ -1,15 +1,10 @@
 package lancer.correction.jugement;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
@@ -54,15 +49,14 @@ public final class Jury implements AutoCloseable {
             Files.createDirectories(souvenirs);
             Chantier.effacer(travail.resolve("chantiers"));
             Path reperes = Files.createDirectories(travail.resolve("chantiers/reference"));
-            try (Machines.Compilation compilation = machines.new Compilation(reperes)) {
-                reference = new Reference(machines, compilation, reperes);
-            }
+            regles = confinement.estConfine() + " " + limites + " " + Runtime.version() + " " + duProgramme();
+            String nom = "reference-" + hexa(sha256().digest(regles.getBytes(StandardCharsets.UTF_8)));
+            reference = new Reference(machines, reperes, souvenirs.resolve(nom));
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
         } catch (Arret e) {
             throw new Panne(1, "le corrigé n'a pu être jugé : " + e.getMessage());
         }
-        regles = confinement.estConfine() + " " + limites + " " + Runtime.version() + " " + duProgramme();
     }
 
     /** L'empreinte de ce qui juge : un programme changé juge de nouveau. */
@@ -134,9 +128,9 @@ public final class Jury implements AutoCloseable {
             return refuse(rendu, rendu.getRefus());
         }
         Path souvenir = souvenirs.resolve(empreinte(rendu));
-        Resultat connu = relire(souvenir);
-        if (connu != null) {
-            return connu;
+        Object connu = Souvenirs.relire(souvenir);
+        if (connu instanceof Resultat) {
+            return (Resultat) connu;
         }
         Resultat resultat;
         Files.createDirectories(dossier);
@@ -151,7 +145,7 @@ public final class Jury implements AutoCloseable {
         } finally {
             Chantier.effacer(dossier);
         }
-        ecrire(souvenir, resultat);
+        Souvenirs.ecrire(souvenir, resultat);
         return resultat;
     }
 
@@ -187,24 +181,6 @@ public final class Jury implements AutoCloseable {
             texte.append(String.format("%02x", b));
         }
         return texte.toString();
-    }
-
-    private static Resultat relire(Path souvenir) {
-        try (InputStream flux = Files.newInputStream(souvenir); ObjectInputStream objets = new ObjectInputStream(flux)) {
-            return (Resultat) objets.readObject();
-        } catch (IOException | ClassNotFoundException | RuntimeException e) {
-            // absent, ou d'une autre version : à juger
-            return null;
-        }
-    }
-
-    private static void ecrire(Path souvenir, Resultat resultat) throws IOException {
-        // deux rendus identiques peuvent s'écrire en même temps
-        Path neuf = Files.createTempFile(souvenir.getParent(), "neuf", null);
-        try (OutputStream flux = Files.newOutputStream(neuf); ObjectOutputStream objets = new ObjectOutputStream(flux)) {
-            objets.writeObject(resultat);
-        }
-        Files.move(neuf, souvenir, StandardCopyOption.REPLACE_EXISTING);
     }
 
     @Override

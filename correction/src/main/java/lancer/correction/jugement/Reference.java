@@ -1,6 +1,7 @@
 package lancer.correction.jugement;
 
 import java.io.IOException;
+import java.io.Serializable;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,43 +24,76 @@ public final class Reference implements AutoCloseable {
 
     private static final Map<String, String> BESOINS = Map.of("phong", "lambert", "ombres", "lambert", "reflets", "lambert");
 
-    private final List<Verification> verifications;
-    private final Map<String, Verdict> duSquelette = new HashMap<>();
-    private final Map<String, String> titres = new HashMap<>();
-    private final Machines.Rendue machine;
-    private final Chantier chantier;
-    private final Juge corrige;
-    private final Assemblage assemblage;
-    private final Image coins;
-    private final Image centres;
+    /** Ce qu'on en garde d'une fois à l'autre. */
+    private static final class Memoire implements Serializable {
 
-    Reference(Machines machines, Machines.Compilation compilation, Path dossier) throws Arret {
-        Path sienne = creer(dossier.resolve("corrige"));
-        chantier = new Chantier(sienne, compilation);
-        machine = machines.new Rendue(sienne);
-        assemblage = chantier.assembler("corrige", Chantier.corrige());
-        if (!assemblage.fautes.isEmpty()) {
-            throw new IllegalStateException("le corrigé ne se compile pas : " + assemblage.fautes.get(0));
+        private static final long serialVersionUID = 1;
+
+        private List<Verification> verifications;
+        private final HashMap<String, Verdict> duSquelette = new HashMap<>();
+        private Image coins;
+        private Image centres;
+    }
+
+    private final Machines machines;
+    private final Path dossier;
+    private final Map<String, String> titres = new HashMap<>();
+    private final Memoire memoire;
+
+    /** Le corrigé, compilé, et la machine où il tourne : quand on en a besoin. */
+    private Chantier chantier;
+    private Machines.Rendue machine;
+    private Juge corrige;
+    private Assemblage assemblage;
+
+    /** @param souvenir fichier où se trouve, ou sera mis, ce qui n'est pas à refaire */
+    Reference(Machines machines, Path dossier, Path souvenir) throws Arret, IOException {
+        this.machines = machines;
+        this.dossier = dossier;
+        Object connue = Souvenirs.relire(souvenir);
+        if (connue instanceof Memoire) {
+            memoire = (Memoire) connue;
+        } else {
+            memoire = new Memoire();
+            apprendre();
+            Souvenirs.ecrire(souvenir, memoire);
         }
-        List<Verification> toutes = Juge.verifications(machine, assemblage);
-        verifications = Collections.unmodifiableList(toutes);
-        toutes.forEach(v -> titres.put(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", "")));
-        corrige = new Juge(this, chantier, machine, null);
-        coins = corrige.image(assemblage, 0);
-        centres = corrige.image(assemblage, 0.5);
-        Map<String, String> vide = Chantier.squelette();
-        Path dossierVide = creer(dossier.resolve("squelette"));
-        try (Machines.Rendue autre = machines.new Rendue(dossierVide)) {
-            Chantier autreChantier = new Chantier(dossierVide, compilation);
-            Assemblage squelette = autreChantier.assembler("ensemble", vide);
-            Juge juge = new Juge(this, autreChantier, autre, new Projet(vide, Collections.emptyMap(), new ArrayList<>()));
-            duSquelette.putAll(juge.lancer(squelette, toutes));
-            for (Verification v : toutes) {
-                if (duSquelette.get(v.id()).etat != Etat.REUSSI) {
-                    duSquelette.put(v.id(), juge.lancer(juge.seule(v.classe), List.of(v)).get(v.id()));
+        memoire.verifications.forEach(v -> titres.put(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", "")));
+    }
+
+    private void apprendre() throws Arret {
+        preparer();
+        memoire.verifications = Juge.verifications(machine, assemblage);
+        memoire.coins = corrige.image(assemblage, 0);
+        memoire.centres = corrige.image(assemblage, 0.5);
+        Path vide = creer(dossier.resolve("squelette"));
+        try (Machines.Compilation compilation = machines.new Compilation(vide); Machines.Rendue autre = machines.new Rendue(vide)) {
+            Projet projet = new Projet(Chantier.squelette(), Collections.emptyMap(), new ArrayList<>());
+            Chantier autreChantier = new Chantier(vide, compilation);
+            Juge juge = new Juge(this, autreChantier, autre, projet);
+            memoire.duSquelette.putAll(juge.lancer(autreChantier.assembler("ensemble", projet.getBase()), memoire.verifications));
+            for (Verification v : memoire.verifications) {
+                if (memoire.duSquelette.get(v.id()).etat != Etat.REUSSI) {
+                    memoire.duSquelette.put(v.id(), juge.lancer(juge.seule(v.classe), List.of(v)).get(v.id()));
                 }
             }
         }
+    }
+
+    private void preparer() throws Arret {
+        if (assemblage != null) {
+            return;
+        }
+        Path sien = creer(dossier.resolve("corrige"));
+        machine = machines.new Rendue(sien);
+        try (Machines.Compilation compilation = machines.new Compilation(sien)) {
+            chantier = new Chantier(sien, compilation);
+            assemblage = chantier.assembler("corrige", Chantier.corrige());
+        }
+        if (!assemblage.fautes.isEmpty()) {
+            throw new IllegalStateException("le corrigé ne se compile pas : " + assemblage.fautes.get(0));
+        }
+        corrige = new Juge(this, chantier, machine, null);
     }
 
     private static Path creer(Path dossier) {
@@ -71,16 +105,16 @@ public final class Reference implements AutoCloseable {
     }
 
     public List<Verification> getVerifications() {
-        return verifications;
+        return Collections.unmodifiableList(memoire.verifications);
     }
 
     /** Vrai si le projet à compléter ne la passe pas : elle compte. */
     public boolean compte(Verification v) {
-        return duSquelette.get(v.id()).etat != Etat.REUSSI;
+        return memoire.duSquelette.get(v.id()).etat != Etat.REUSSI;
     }
 
     String messageDuSquelette(Verification v) {
-        return duSquelette.get(v.id()).message;
+        return memoire.duSquelette.get(v.id()).message;
     }
 
     /** Le titre de l'étape dont celle-ci dépend, vide si elle ne dépend que des classes des étudiants. */
@@ -90,17 +124,19 @@ public final class Reference implements AutoCloseable {
 
     /** L'image du corrigé, aux coordonnées entières ou au centre des pixels. */
     public Image getImage(boolean auCentre) {
-        return auCentre ? centres : coins;
+        return auCentre ? memoire.centres : memoire.coins;
     }
 
     /** Ce que répondent, en chemin, les méthodes du corrigé. */
     synchronized String chemin(double x, double y) throws Arret {
+        preparer();
         return corrige.sonde(assemblage, "SondeChemin", "decrire", corrige.scene(), "" + Juge.LARGEUR, "" + Juge.HAUTEUR, "" + x, "" + y,
                 "" + Juge.PROFONDEUR);
     }
 
     /** Le reflet de Blinn seul, par les classes du corrigé. */
     synchronized String blinn(String scene, double decalage, int facteur) throws Arret {
+        preparer();
         Path copie = chantier.getDossier().resolve("scenes/blinn.ini");
         try {
             Files.copy(Path.of(scene), copie, StandardCopyOption.REPLACE_EXISTING);
@@ -112,6 +148,8 @@ public final class Reference implements AutoCloseable {
 
     @Override
     public void close() {
-        machine.close();
+        if (machine != null) {
+            machine.close();
+        }
     }
 }
