@@ -3,7 +3,7 @@ include commun.mk
 N ?= 1000000
 XVFB := xvfb-run -a -s "-screen 0 1280x800x24"
 
-.PHONY: test images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger comparer reponses aide propre
+.PHONY: test images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger comparer reponses image-classe aide propre
 
 # Tout, tous modules ; les fenêtres s'ouvrent sur un écran à elles, pas sur celui de l'utilisateur.
 test: outils
@@ -98,6 +98,13 @@ corriger: $(CORRECTION)
 	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv]" >&2; exit 2; }
 	@$(JAVA) -jar $(CORRECTION) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
 	    $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
+
+# La page de la classe que donnent les rendus d'essai, telle que le README la montre : Chromium la photographie.
+image-classe: $(CORRECTION)
+	@command -v chromium >/dev/null || { echo "Il faut Chromium : sudo apt-get install chromium" >&2; exit 1; }
+	@$(JAVA) -jar $(CORRECTION) --sortie target/classe-image correction/src/test/resources/classe
+	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1090 \
+	    --screenshot=images/classe.png "file://$(CURDIR)/target/classe-image/index.html" 2>/dev/null
 
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"

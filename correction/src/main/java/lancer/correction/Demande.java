@@ -12,7 +12,7 @@ final class Demande {
             + "Note les rendus d'une classe : un dossier, l'archive « Télécharger tous les travaux remis » de Moodle, ou un seul rendu.\n"
             + "\n"
             + "  --notes FEUILLE.csv     la feuille de notes de Moodle : écrit notes-a-deposer.csv et retours.zip\n"
-            + "  --sortie DOSSIER        où écrire les pages et les fichiers (par défaut correction/target/classe)\n"
+            + "  --sortie DOSSIER        où écrire les pages et les fichiers (par défaut correction/classe)\n"
             + "  --bareme FICHIER.ini    les points de chaque étape (par défaut bareme.ini, dans ce dossier ; écrit s'il n'existe pas)\n"
             + "  --sans-confinement      exécute le code des étudiants même si bwrap manque : il peut alors lire et écrire vos fichiers\n"
             + "  --squelette DOSSIER     écrit le projet à compléter\n"
@@ -24,7 +24,7 @@ final class Demande {
     String squelette;
     Path rendus;
     Path notes;
-    Path sortie = Paths.get("correction", "target", "classe");
+    Path sortie = Paths.get("correction", "classe");
     Path bareme;
     boolean sansConfinement;
 

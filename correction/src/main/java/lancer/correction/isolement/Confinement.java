@@ -86,7 +86,7 @@ public final class Confinement {
         }
         commande.addAll(List.of(accueil() + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m", "-XX:MaxDirectMemorySize=32m",
                 "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
-                "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr", "-cp", chemin, principale.getName()));
+                "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr", "-Djava.io.tmpdir=" + (confine ? "/tmp" : dossier), "-cp", chemin, principale.getName()));
         return commande;
     }
 
