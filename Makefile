@@ -9,7 +9,8 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations aide propre
+.PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
+    comparer reponses image-classe aide propre
 
 # Tout, tous modules. Maven dit où il en est, module par module et classe par classe.
 test: outils
@@ -88,6 +89,40 @@ mutations: mesures/target/mesures.jar
 	    test-compile org.pitest:pitest-maven:mutationCoverage > target/mutations.log 2>&1 || { cat target/mutations.log >&2; exit 1; }
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
 
+CORRECTION := correction/target/correction.jar
+$(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(shell find correction/src/main correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
+    $(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
+	@echo "Construction de $@"
+	@$(MVN) -q -f ensemble.xml -pl :correction -am -DskipTests package
+	@touch $@
+
+# Les figures et les nombres de docs/reponses.md.
+reponses: mesures/target/mesures.jar
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Reponses docs/reponses.md images
+
+# Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
+comparer: $(BASE)
+	@test -n "$(A)" -a -n "$(B)" || { echo "Que comparer ? make comparer A=attendue.png B=autre.png (ou une scène)" >&2; exit 2; }
+	@$(JAVA) -jar $(BASE) $(OPTIONS) --comparer "$(A)" "$(B)"
+
+# Le projet que reçoivent les étudiants : make squelette DOSSIER=../lancer-base
+squelette: $(CORRECTION)
+	@test -n "$(DOSSIER)" || { echo "Où l'écrire ? make squelette DOSSIER=../lancer-base" >&2; exit 2; }
+	@$(JAVA) -jar $(CORRECTION) --squelette "$(DOSSIER)"
+
+# Noter une classe : make corriger RENDUS=rendus.zip NOTES=notes.csv ; SANS_CONFINEMENT=1 là où bwrap ne marche pas.
+corriger: $(CORRECTION)
+	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv]" >&2; exit 2; }
+	@$(JAVA) -jar $(CORRECTION) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
+	    $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
+
+# La page de la classe que donnent les rendus d'essai, telle que le README la montre : Chromium la photographie.
+image-classe: $(CORRECTION)
+	@command -v chromium >/dev/null || { echo "Il faut Chromium : sudo apt-get install chromium" >&2; exit 1; }
+	@$(JAVA) -jar $(CORRECTION) --sortie target/classe-image correction/src/test/resources/classe
+	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1090 \
+	    --screenshot=images/classe.png "file://$(CURDIR)/target/classe-image/index.html" 2>/dev/null
+
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -104,6 +139,10 @@ aide:
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/foule.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
+	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"
+	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
+	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
+	@echo "make corriger RENDUS=…     note les rendus d'une classe ; NOTES=feuille.csv de Moodle, BAREME=points.ini, SORTIE=dossier"
 	@echo "make propre                efface ce qui est construit"
 
 propre: outils

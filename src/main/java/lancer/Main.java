@@ -3,6 +3,7 @@ package lancer;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.concurrent.CancellationException;
 import lancer.auto.Auto;
 import lancer.commande.Aide;
@@ -16,10 +17,12 @@ import lancer.lecture.LecteurScene;
 import lancer.lecture.Texte;
 import lancer.rapide.Preparation;
 import lancer.sortie.BarreProgression;
+import lancer.sortie.Comparaison;
 import lancer.sortie.Ecriture;
 import lancer.sortie.Fenetre;
 import lancer.sortie.FichierPfm;
 import lancer.sortie.FichierPng;
+import lancer.sortie.ImageLue;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.Statistiques;
 import lancer.sortie.UnPixel;
@@ -66,6 +69,9 @@ public class Main implements Toile {
                 return CodeSortie.FAIT;
             }
             Main main = new Main(options);
+            if (options.comparer != null) {
+                return main.comparer(sortie);
+            }
             if (options.pixel) {
                 main.versLaSortie(sortie, erreur);
             } else if (options.versFichier()) {
@@ -197,6 +203,35 @@ public class Main implements Toile {
         sortie.write(octets, 0, octets.length);
         verifierSortie(sortie);
         avertir(erreur);
+    }
+
+    /** @return {@link CodeSortie#FAIT} si les images sont pareilles, {@link CodeSortie#PANNE} sinon : c'est une réponse, pas une panne */
+    private int comparer(PrintStream sortie) {
+        Path reference = Paths.get(options.comparer);
+        Ecriture png = options.image == null ? null : new Ecriture(options.image);
+        if (png != null && (png.vise(reference) || png.vise(Paths.get(options.scene)))) {
+            throw new Echec(CodeSortie.DEMANDE, "la sortie est une des images comparées : " + Texte.echappe(options.image)
+                    + " ; attendu : un autre fichier");
+        }
+        ImageLue attendue = ImageLue.lire(options.comparer);
+        Comparaison comparaison = new Comparaison(ImageLue.estImage(options.scene) ? ImageLue.lire(options.scene)
+                : dessinee(attendue.getLargeur(), attendue.getHauteur()), attendue, options.tolerance);
+        if (png != null) {
+            png.ecrire(comparaison.getDifferences(), new FichierPng.Format());
+        }
+        dire(sortie, comparaison.toString());
+        return comparaison.pareilles() ? CodeSortie.FAIT : CodeSortie.PANNE;
+    }
+
+    private ImageLue dessinee(int largeur, int hauteur) {
+        lireScene(options.scene);
+        image = new ImageMemoire(largeur, hauteur, true);
+        try {
+            preparer(largeur, hauteur).TracerPixels(this, options.reflets, options.fils);
+        } catch (PixelFautif e) {
+            throw nommer(e, largeur, hauteur);
+        }
+        return new ImageLue(image);
     }
 
     /** Une sortie ne doit écraser ni la scène, ni l'autre sortie. */

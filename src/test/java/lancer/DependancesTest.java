@@ -94,7 +94,8 @@ class DependancesTest {
 
     @Test
     void seuleLaFenetreConnaitAwt() {
-        String sansFenetre = "(?!lancer/sortie/).*|lancer/sortie/(Ecriture|Fichier\\w+|ImageMemoire|UnPixel|Statistiques|BarreProgression)\\.java";
+        String sansFenetre = "(?!lancer/sortie/).*|lancer/sortie/(Ecriture|Fichier\\w+|Image(Memoire|Lue)|UnPixel|Lecture\\w+"
+                + "|Comparaison|Statistiques|BarreProgression)\\.java";
         verifier(sansFenetre, "(?!java\\.awt|javax\\.|sun\\.|com\\.).*");
         NOMS.forEach((fichier, noms) -> {
             if (noms.stream().anyMatch(n -> n.matches("(java\\.awt|javax\\.swing)\\..*"))) {

@@ -1,515 +1,891 @@
 package lancer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertSame;
-import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.ClassOrderer;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.MethodOrderer;
 import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Order;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestClassOrder;
+import org.junit.jupiter.api.TestMethodOrder;
 
 /**
- * Les vérifications élémentaires du cours, classe par classe, dans l'ordre de l'énoncé. À lancer avec le <i>runner</i> JUnit 5.
- * Elles signalent les erreurs grossières ; les autres classes de test vont plus loin.
+ * Les vérifications élémentaires du cours, étape par étape, dans l'ordre de l'énoncé. À lancer avec le <i>runner</i> JUnit 5. Elles
+ * ne demandent que ce que l'énoncé demande, et chaque échec dit ce qui était attendu et ce qui est venu. Une étape que l'on n'a pas
+ * commencée ({@code getColor} rend encore du jaune vif, {@code getClosestIntersection} ne trouve rien) est abandonnée, pas ratée.
  */
 @DisplayName("Vérifications élémentaires du TP")
+@TestClassOrder(ClassOrderer.OrderAnnotation.class)
 public class Tests {
 
     /** Deux réels égaux à quelques arrondis près. */
-    private static final double PRES = 1e-12;
+    private static final double PRES = 1e-9;
 
-    private static void assertTuple(double x, double y, double z, Tuple t) {
-        assertEquals(x, t.x, PRES, "x de " + t);
-        assertEquals(y, t.y, PRES, "y de " + t);
-        assertEquals(z, t.z, PRES, "z de " + t);
+    private static final Couleur NOIR = new Couleur(0, 0, 0);
+    private static final Couleur BLANC = new Couleur(1, 1, 1);
+    private static final Couleur JAUNE = new Couleur(1, 1, 0);
+    private static final Couleur VERT = new Couleur(0, 1, 0);
+
+    private static boolean pres(double a, double b) {
+        // l'égalité d'abord : elle seule compare deux infinis
+        return a == b || Math.abs(a - b) <= PRES;
     }
 
-    private static void assertCouleur(double r, double v, double b, Couleur c) {
-        assertEquals(r, c.r, PRES, "rouge de " + c);
-        assertEquals(v, c.v, PRES, "vert de " + c);
-        assertEquals(b, c.b, PRES, "bleu de " + c);
+    private static boolean pres(Couleur c, Couleur d) {
+        return pres(c.r, d.r) && pres(c.v, d.v) && pres(c.b, d.b);
+    }
+
+    private static void verifier(String demande, double attendu, double obtenu) {
+        dire(pres(attendu, obtenu), demande, attendu, obtenu);
+    }
+
+    private static void verifier(String demande, double x, double y, double z, Tuple t) {
+        dire(t != null && pres(x, t.x) && pres(y, t.y) && pres(z, t.z), demande, triplet(x, y, z), t == null ? t : triplet(t.x, t.y, t.z));
+    }
+
+    private static void verifier(String demande, Couleur attendue, Couleur c) {
+        dire(c != null && pres(attendue, c), demande, triplet(attendue.r, attendue.v, attendue.b), c == null ? c : triplet(c.r, c.v, c.b));
+    }
+
+    private static void dire(boolean juste, String demande, Object attendu, Object obtenu) {
+        if (!juste) {
+            fail(demande + " ; attendu : " + attendu + ", obtenu : " + obtenu);
+        }
+    }
+
+    private static String triplet(double x, double y, double z) {
+        return "(" + x + ", " + y + ", " + z + ")";
+    }
+
+    private static Sphere boule(double x, double y, double z, double rayon, Couleur Kd, Couleur Ks, double ns) {
+        Sphere boule = new Sphere(new Point(x, y, z), rayon);
+        boule.setKd(Kd);
+        boule.setKs(Ks);
+        boule.setNs(ns);
+        return boule;
+    }
+
+    private static Lampe lampe(double x, double y, double z) {
+        return new Lampe(new Point(x, y, z), BLANC);
+    }
+
+    private static Scene scene(Lampe lampe, Sphere... boules) {
+        return new Scene(Arrays.asList(boules), lampe == null ? Collections.<Lampe>emptyList() : Collections.singletonList(lampe));
+    }
+
+    private static Rayon rayon(double px, double py, double pz, double vx, double vy, double vz) {
+        return new Rayon(new Point(px, py, pz), new Vecteur(vx, vy, vz));
+    }
+
+    /** La couleur que voit ce rayon : il doit rencontrer quelque chose. */
+    private static Couleur vue(Scene scene, Rayon rayon, int profondeur) {
+        PointContact contact = scene.getClosestIntersection(rayon, null);
+        if (contact == null) {
+            return fail("ce rayon rencontre une boule : getClosestIntersection doit la trouver");
+        }
+        return contact.objet.getColor(scene, rayon, contact, profondeur);
+    }
+
+    /** Abandonne le test tant que getClosestIntersection ne trouve rien. */
+    private static void sceneCommencee() {
+        assumeTrue(scene(null, new Sphere(new Point(0, 0, 5), 1)).getClosestIntersection(rayon(0, 0, 0, 0, 0, 1), null) != null,
+                "étape non commencée : getClosestIntersection ne trouve encore rien");
+    }
+
+    /** Abandonne le test tant que getColor rend du jaune vif. */
+    private static void couleurCommencee() {
+        sceneCommencee();
+        Scene scene = scene(null, boule(0, 0, 5, 1, NOIR, NOIR, 1));
+        assumeTrue(!pres(JAUNE, vue(scene, rayon(0, 0, 0, 0, 0, 1), 0)), "étape non commencée : getColor rend encore du jaune vif");
     }
 
     @Nested
-    @DisplayName("Tuple")
-    class UnTuple {
-
-        @Test
-        void sansArgumentEstNul() {
-            assertTuple(0, 0, 0, new Tuple());
-        }
-
-        @Test
-        void estEgalAUnAutreDeMemesComposantes() {
-            assertEquals(new Tuple(1, 2, 3), new Tuple(1, 2, 3));
-            assertEquals(new Tuple(1, 2, 3).hashCode(), new Tuple(1, 2, 3).hashCode());
-            assertNotEquals(new Tuple(1, 2, 3), new Tuple(1, 2, 4));
-        }
-
-        @Test
-        void nEstPasEgalAUnTupleDUneAutreClasse() {
-            assertNotEquals(new Point(1, 2, 3), new Vecteur(1, 2, 3));
-            assertNotEquals(new Point(1, 2, 3), null);
-        }
-
-        @Test
-        void distingueLesDeuxZerosEtReconnaitNaN() {
-            assertNotEquals(new Vecteur(0.0, 0, 0), new Vecteur(-0.0, 0, 0));
-            assertEquals(new Vecteur(Double.NaN, 0, 0), new Vecteur(Double.NaN, 0, 0));
-        }
-
-        @Test
-        void seMontreAvecSaClasseEtSesComposantes() {
-            assertEquals("Vecteur(1.0, 0.0, -2.5)", new Vecteur(1, 0, -2.5).toString());
-        }
-    }
-
-    @Nested
-    @DisplayName("Vecteur")
-    class UnVecteur {
+    @Order(1)
+    @Tag("vecteurs")
+    @DisplayName("1. Points et vecteurs")
+    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
+    class Vecteurs {
 
         private final Vecteur u = new Vecteur(1, 2, 3);
         private final Vecteur v = new Vecteur(4, -5, 6);
-
-        @Test
-        void entreDeuxPointsVaDuPremierAuSecond() {
-            assertTuple(3, -7, 3, new Vecteur(new Point(1, 2, 3), new Point(4, -5, 6)));
-        }
-
-        @Test
-        void sAdditionneEtSeSoustrait() {
-            assertTuple(5, -3, 9, u.add(v));
-            assertTuple(-3, 7, -3, u.sub(v));
-        }
-
-        @Test
-        void seMultiplieEtSeDiviseParUnReel() {
-            assertTuple(2, 4, 6, u.mul(2));
-            assertTuple(0.5, 1, 1.5, u.div(2));
-            assertTuple(-1, -2, -3, u.neg());
-        }
-
-        @Test
-        void aUnProduitScalaireNulAvecSaPerpendiculaire() {
-            assertEquals(4 - 10 + 18, u.dot(v), PRES);
-            assertEquals(0, new Vecteur(1, 1, 0).dot(new Vecteur(-1, 1, 0)), PRES);
-        }
-
-        @Test
-        void aPourNormeLaRacineDeSonProduitAvecLuiMeme() {
-            assertEquals(14, u.norme2(), PRES);
-            assertEquals(5, new Vecteur(0, 3, -4).norme(), PRES);
-        }
-
-        @Test
-        void normaliseEstDeLongueurUnEtDeMemeDirection() {
-            assertTuple(0, 0.6, -0.8, new Vecteur(0, 3, -4).normalized());
-            assertEquals(u.normalized(), Vecteur.normalize(u));
-        }
-
-        @Test
-        void minusculeSeNormaliseAussiBien() {
-            assertTuple(0, 0.6, -0.8, new Vecteur(0, 3e-9, -4e-9).normalized());
-            assertTuple(0, 0.6, -0.8, new Vecteur(0, 3e-200, -4e-200).normalized());
-        }
-
-        @Test
-        void nulOuInfiniNeSeNormalisePas() {
-            assertThrows(ArithmeticException.class, () -> new Vecteur().normalized());
-            assertThrows(ArithmeticException.class, () -> Vecteur.normalize(new Vecteur(1, Double.NaN, 0)));
-            assertThrows(ArithmeticException.class, () -> new Vecteur(Double.POSITIVE_INFINITY, 0, 0).normalized());
-        }
-
-        @Test
-        void aDesFormesStatiquesDeMemeResultat() {
-            assertEquals(u.add(v), Vecteur.add(u, v));
-            assertEquals(u.sub(v), Vecteur.sub(u, v));
-            assertEquals(u.mul(3), Vecteur.mul(u, 3));
-            assertEquals(u.div(3), Vecteur.div(u, 3));
-            assertEquals(u.neg(), Vecteur.neg(u));
-            assertEquals(u.dot(v), Vecteur.dot(u, v));
-        }
-
-        @Test
-        void neChangeJamais() {
-            u.add(v);
-            u.mul(7);
-            u.normalized();
-            assertEquals(new Vecteur(1, 2, 3), u);
-        }
-    }
-
-    @Nested
-    @DisplayName("Point")
-    class UnPoint {
-
         private final Point p = new Point(1, 2, 3);
-        private final Vecteur v = new Vecteur(4, -5, 6);
+        private final Point q = new Point(4, -5, 6);
 
         @Test
-        void seTranslateDUnVecteur() {
-            assertEquals(new Point(5, -3, 9), p.add(v));
-            assertEquals(new Point(-3, 7, -3), p.sub(v));
-            assertEquals(p.add(v), Point.add(p, v));
-            assertEquals(p.sub(v), Point.sub(p, v));
+        @Order(1)
+        @Tag("Vecteur")
+        @DisplayName("new Vecteur(a, b) va de a à b")
+        void entreDeuxPointsUnVecteurVaDuPremierAuSecond() {
+            verifier("le vecteur de a(1,2,3) à b(4,-5,6) est b - a", 3, -7, 3, new Vecteur(p, q));
         }
 
         @Test
-        void moinsUnPointEstUnVecteur() {
-            assertEquals(new Vecteur(1, 1, 1), p.sub(new Point(0, 1, 2)));
-            assertEquals(p.sub(new Point(0, 1, 2)), Point.sub(p, new Point(0, 1, 2)));
-        }
-    }
-
-    @Nested
-    @DisplayName("Couleur")
-    class UneCouleur {
-
-        private final Couleur c = new Couleur(0.2, 0.4, 0.6);
-        private final Couleur d = new Couleur(0.5, 1, 2);
-
-        @Test
-        void parDefautEstNoireEtAUnSeulArgumentGrise() {
-            assertCouleur(0, 0, 0, new Couleur());
-            assertCouleur(0.3, 0.3, 0.3, new Couleur(0.3));
+        @Order(2)
+        @Tag("Vecteur")
+        @DisplayName("u.sub(v) soustrait deux vecteurs")
+        void unVecteurSeSoustrait() {
+            verifier("(1,2,3) - (4,-5,6)", -3, 7, -3, u.sub(v));
+            verifier("Vecteur.sub(u, v) vaut u.sub(v)", -3, 7, -3, Vecteur.sub(u, v));
         }
 
         @Test
-        void seCalculeComposanteParComposante() {
-            assertCouleur(0.7, 1.4, 2.6, c.add(d));
-            assertCouleur(-0.3, -0.6, -1.4, c.sub(d));
-            assertCouleur(0.1, 0.4, 1.2, c.mul(d));
-            assertCouleur(0.4, 0.8, 1.2, c.mul(2));
-            assertCouleur(0.1, 0.2, 0.3, c.div(2));
+        @Order(3)
+        @Tag("Point")
+        @DisplayName("p.sub(v) translate le point de -v")
+        void unPointMoinsUnVecteurEstUnPoint() {
+            verifier("le point (1,2,3) translaté de -(4,-5,6)", -3, 7, -3, p.sub(v));
+            verifier("Point.sub(p, v) vaut p.sub(v)", -3, 7, -3, Point.sub(p, v));
         }
 
         @Test
-        void aDesFormesStatiquesDeMemeResultat() {
-            assertEquals(c.add(d), Couleur.add(c, d));
-            assertEquals(c.sub(d), Couleur.sub(c, d));
-            assertEquals(c.mul(d), Couleur.mul(c, d));
-            assertEquals(c.mul(2), Couleur.mul(c, 2));
-            assertEquals(c.div(2), Couleur.div(c, 2));
+        @Order(4)
+        @Tag("Point")
+        @DisplayName("p.sub(q) est le vecteur de q à p")
+        void unPointMoinsUnPointEstUnVecteur() {
+            verifier("p(1,2,3) - q(4,-5,6), le vecteur qui va de q à p", -3, 7, -3, p.sub(q));
+            verifier("Point.sub(p, q) vaut p.sub(q)", -3, 7, -3, Point.sub(p, q));
         }
 
         @Test
-        void aPourCodeSesTroisOctetsEtUneOpaciteEntiere() {
-            assertEquals(0xFF000000, new Couleur().getCode());
-            assertEquals(0xFFFFFFFF, new Couleur(1).getCode());
-            assertEquals(0xFFFF8000, new Couleur(1, 0.5, 0).getCode());
+        @Order(5)
+        @Tag("Vecteur")
+        @DisplayName("u.dot(v) est le produit scalaire")
+        void leProduitScalaireAjouteLesProduitsDesComposantes() {
+            verifier("(1,2,3)·(4,-5,6) = 4 - 10 + 18", 12, u.dot(v));
+            verifier("Vecteur.dot(u, v) vaut u.dot(v)", 12, Vecteur.dot(u, v));
         }
 
         @Test
-        void seLimiteSeulementDansSonCode() {
-            assertEquals(0xFFFF0000, new Couleur(7, -3, 0).getCode());
-            assertCouleur(14, -6, 0, new Couleur(7, -3, 0).mul(2));
+        @Order(6)
+        @Tag("Vecteur")
+        @DisplayName("norme2 est le carré de la norme")
+        void laNormeAuCarreEstLeProduitScalaireDuVecteurParLuiMeme() {
+            verifier("le carré de la norme de (1,2,3) : 1 + 4 + 9", 14, u.norme2());
+            verifier("la norme de (0,3,-4)", 5, new Vecteur(0, 3, -4).norme());
         }
 
         @Test
-        void sArronditAuPlusProcheLaMoitieVersLeHaut() {
-            assertEquals(0xFF000000, new Couleur(0.499 / 255).getCode());
-            assertEquals(0xFF010101, new Couleur(0.501 / 255).getCode());
-            assertEquals(0xFF808080, new Couleur(0.5).getCode());
+        @Order(7)
+        @Tag("Vecteur")
+        @DisplayName("les deux façons de normaliser donnent la longueur 1, sans changer la direction")
+        void normaliseUnVecteurEstDeLongueurUnEtDeMemeDirection() {
+            verifier("(0,3,-4) normalisé par normalized()", 0, 0.6, -0.8, new Vecteur(0, 3, -4).normalized());
+            verifier("(0,3,-4) normalisé par Vecteur.normalize", 0, 0.6, -0.8, Vecteur.normalize(new Vecteur(0, 3, -4)));
         }
 
         @Test
-        void quiNEstPasUnNombreOuEstInfinieAQuandMemeUnCode() {
-            assertEquals(0xFF00FF00, new Couleur(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY).getCode());
-            assertEquals(0xFF000000, new Couleur(-0.0).getCode());
-        }
-    }
-
-    @Nested
-    @DisplayName("Rayon")
-    class UnRayon {
-
-        @Test
-        void vaDuPremierPointVersLeSecond() {
-            Rayon rayon = new Rayon(new Point(1, 1, 1), new Point(1, 1, 9));
-            assertEquals(new Point(1, 1, 1), rayon.getP());
-            assertTuple(0, 0, 1, rayon.getV());
-        }
-
-        @Test
-        void normaliseLaDirectionDonnee() {
-            assertTuple(0, 0.6, 0.8, new Rayon(new Point(), new Vecteur(0, 30, 40)).getV());
-        }
-
-        @Test
-        void sansDirectionEstRefuse() {
-            assertThrows(ArithmeticException.class, () -> new Rayon(new Point(1, 2, 3), new Point(1, 2, 3)));
-            assertThrows(ArithmeticException.class, () -> new Rayon(new Point(), new Vecteur()));
-        }
-
-        @Test
-        void neufNeToucheRien() {
-            Rayon rayon = new Rayon(new Point(), new Vecteur(0, 0, 1));
-            assertEquals(Constantes.INFINI, rayon.getDistance());
-            assertNull(rayon.getObjet());
-            assertNull(rayon.calcContact());
-        }
-
-        @Test
-        void calculeSonPointDeContact() {
-            Sphere sphere = new Sphere(new Point(0, 0, 5), 1);
-            Rayon rayon = new Rayon(new Point(), new Vecteur(0, 0, 1));
-            sphere.getIntersectionDistance(rayon);
-            PointContact contact = rayon.calcContact();
-            assertTuple(0, 0, 4, contact);
-            assertSame(sphere, contact.objet);
-            assertEquals(4, contact.distance, PRES);
-        }
-
-        @Test
-        void versLeHautVoitLeCielBleu() {
-            assertCouleur(0, 0, 1, new Rayon(new Point(), new Vecteur(0, 1, 0)).getSkyColor());
-            assertCouleur(0.28, 0.28, 1, new Rayon(new Point(), new Vecteur(0, 0.6, 0.8)).getSkyColor());
-        }
-
-        @Test
-        void versLeBasOuLHorizonVoitLaTerre() {
-            assertCouleur(0.5, 0.4, 0.1, new Rayon(new Point(), new Vecteur(0, 0, 1)).getSkyColor());
-            assertCouleur(0.5, 0.2, 0.1, new Rayon(new Point(), new Vecteur(0, -1, 0)).getSkyColor());
+        @Order(8)
+        @Tag("Vecteur")
+        @DisplayName("les opérations fournies marchent toujours")
+        void lesAutresOperationsSontIntactes() {
+            verifier("(1,2,3) + (4,-5,6)", 5, -3, 9, u.add(v));
+            verifier("2 (1,2,3)", 2, 4, 6, u.mul(2));
+            verifier("(1,2,3) / 2", 0.5, 1, 1.5, u.div(2));
+            verifier("l'opposé de (1,2,3)", -1, -2, -3, u.neg());
+            verifier("le point (1,2,3) translaté de (4,-5,6)", 5, -3, 9, p.add(v));
         }
     }
 
     @Nested
-    @DisplayName("Camera")
-    class UneCamera {
+    @Order(2)
+    @Tag("rayons")
+    @DisplayName("2. Rayons et caméra")
+    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
+    class RayonsEtCamera {
 
         @Test
-        void rameneLaLargeurDeLEcranAEchelleUnites() {
-            assertTuple(-1, 0.75, 0, new Camera(800, 600).getRayon(0, 0).getP());
-            assertTuple(1, -0.75, 0, new Camera(800, 600).getRayon(800, 600).getP());
+        @Order(1)
+        @Tag("Rayon")
+        @DisplayName("new Rayon(p1, p2) part de p1 vers p2, et son vecteur est normalisé")
+        void unRayonVaDUnPointVersUnAutre() {
+            Rayon rayon = new Rayon(new Point(1, 1, 1), new Point(1, 4, 5));
+            verifier("le rayon de (1,1,1) vers (1,4,5) part de (1,1,1)", 1, 1, 1, rayon.getP());
+            verifier("le rayon de (1,1,1) vers (1,4,5) a pour vecteur (0,3,4) normalisé", 0, 0.6, 0.8, rayon.getV());
         }
 
         @Test
-        void cadreDeMemeAToutesLesTailles() {
-            assertEquals(new Camera(800, 600).getRayon(200, 150).getP(), new Camera(1600, 1200).getRayon(400, 300).getP());
+        @Order(2)
+        @Tag("Rayon")
+        @DisplayName("new Rayon(p, v) part de p, et son vecteur est normalisé")
+        void unRayonNormaliseSonVecteur() {
+            Rayon rayon = rayon(1, 2, 3, 0, 30, 40);
+            verifier("le rayon de départ (1,2,3)", 1, 2, 3, rayon.getP());
+            verifier("le rayon de direction (0,30,40) a pour vecteur cette direction normalisée", 0, 0.6, 0.8, rayon.getV());
         }
 
         @Test
-        void regardeDroitDevantAuCentre() {
+        @Order(3)
+        @Tag("Camera")
+        @DisplayName("le pixel (0, 0) est en haut à gauche, à x = -ECHELLE/2")
+        void leCoinEnHautAGaucheEstAMoinsUn() {
+            verifier("le pixel (0,0) d'un écran 800 x 600, avec ECHELLE = 2", -1, 0.75, 0, new Camera(800, 600).getRayon(0, 0).getP());
+            verifier("le pixel (0,0) d'un écran 1280 x 1024", -1, 0.8, 0, new Camera(1280, 1024).getRayon(0, 0).getP());
+        }
+
+        @Test
+        @Order(4)
+        @Tag("Camera")
+        @DisplayName("le coin (L, H) est en bas à droite, à x = ECHELLE/2")
+        void leCoinEnBasADroiteEstAPlusUn() {
+            verifier("le coin (800,600) d'un écran 800 x 600", 1, -0.75, 0, new Camera(800, 600).getRayon(800, 600).getP());
+        }
+
+        @Test
+        @Order(5)
+        @Tag("Camera")
+        @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
+        void leCadrageEstLeMemeAToutesLesTailles() {
+            verifier("(200,150) d'un écran 800 x 600", -0.5, 0.375, 0, new Camera(800, 600).getRayon(200, 150).getP());
+            verifier("(400,300) d'un écran 1600 x 1200 : le même point", -0.5, 0.375, 0, new Camera(1600, 1200).getRayon(400, 300).getP());
+        }
+
+        @Test
+        @Order(6)
+        @Tag("Camera")
+        @DisplayName("au centre de l'écran, le rayon va droit devant")
+        void auCentreLeRayonVaDroitDevant() {
             Rayon rayon = new Camera(800, 600).getRayon(400, 300);
-            assertTuple(0, 0, 0, rayon.getP());
-            assertTuple(0, 0, 1, rayon.getV());
+            verifier("le centre de l'écran est l'origine", 0, 0, 0, rayon.getP());
+            verifier("l'œil est derrière l'écran, la scène devant (z > 0)", 0, 0, 1, rayon.getV());
         }
 
         @Test
-        void voitLaLargeurSousTrenteDegres() {
-            Vecteur gauche = new Camera(800, 600).getRayon(0, 300).getV();
-            Vecteur droite = new Camera(800, 600).getRayon(800, 300).getV();
-            assertEquals(Constantes.CHAMP, Math.toDegrees(Math.acos(gauche.dot(droite))), 1e-9);
+        @Order(7)
+        @Tag("Camera")
+        @DisplayName("l'œil voit la largeur de l'écran sous 30° (distance focale)")
+        void laLargeurDeLEcranEstVueSousTrenteDegres() {
+            double sinus = new Camera(800, 600).getRayon(800, 300).getV().x;
+            verifier("au milieu du bord droit, le rayon s'écarte de l'axe de CHAMP/2 = 15° ; en degrés", 15, Math.toDegrees(Math.asin(sinus)));
         }
 
         @Test
-        void sansPixelEstRefusee() {
-            assertThrows(IllegalArgumentException.class, () -> new Camera(0, 600));
-        }
-    }
-
-    @Nested
-    @DisplayName("Sphere")
-    class UneSphere {
-
-        private final Sphere sphere = new Sphere(new Point(0, 0, 5), 1);
-
-        private double distance(double px, double py, double pz, double vx, double vy, double vz) {
-            return sphere.getIntersectionDistance(new Rayon(new Point(px, py, pz), new Vecteur(vx, vy, vz)));
-        }
-
-        @Test
-        void estToucheeAuPlusProcheDesDeuxPoints() {
-            assertEquals(4, distance(0, 0, 0, 0, 0, 1), PRES);
-        }
-
-        @Test
-        void estManqueeParUnRayonQuiPasseACote() {
-            assertEquals(Constantes.INFINI, distance(0, 2, 0, 0, 0, 1));
-        }
-
-        @Test
-        void derriereLeRayonNEstPasVue() {
-            assertEquals(Constantes.INFINI, distance(0, 0, 0, 0, 0, -1));
-        }
-
-        @Test
-        void vueDeLInterieurEstToucheeALaSortie() {
-            assertEquals(1, distance(0, 0, 5, 0, 0, 1), PRES);
-            assertEquals(1.5, distance(0, 0, 5.5, 0, 0, -1), PRES);
-        }
-
-        @Test
-        void estToucheeParSaTangente() {
-            assertEquals(5, distance(1, 0, 0, 0, 0, 1), PRES);
-        }
-
-        @Test
-        void noteDansLeRayonCeQuElleTrouveMemeRien() {
-            Rayon rayon = new Rayon(new Point(), new Vecteur(0, 0, 1));
-            sphere.getIntersectionDistance(rayon);
-            assertSame(sphere, rayon.getObjet());
-            assertEquals(4, rayon.getDistance(), PRES);
-            new Sphere(new Point(9, 9, 9), 1).getIntersectionDistance(rayon);
-            assertNull(rayon.getObjet());
-            assertEquals(Constantes.INFINI, rayon.getDistance());
-        }
-
-        @Test
-        void aUneNormaleVersLExterieurDeLongueurUn() {
-            assertTuple(0, 0, -1, sphere.getNormale(new Point(0, 0, 4)));
-            assertTuple(0, 1, 0, sphere.getNormale(new Point(0, 1, 5)));
-        }
-
-        @Test
-        void sansVraiRayonEstRefusee() {
-            for (double rayon : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
-                assertThrows(IllegalArgumentException.class, () -> new Sphere(new Point(), rayon));
+        @Order(8)
+        @Tag("Camera")
+        @DisplayName("chaque rayon vient de l'œil")
+        void tousLesRayonsPassentParLOeil() {
+            double focale = 1 / Math.tan(Math.toRadians(15));
+            for (double[] pixel : new double[][] {{0, 0}, {800, 600}, {123, 456}}) {
+                Rayon rayon = new Camera(800, 600).getRayon(pixel[0], pixel[1]);
+                double recul = focale / rayon.getV().z;
+                String demande = "en reculant sur le rayon du pixel (" + pixel[0] + "," + pixel[1] + "), on arrive à l'œil";
+                verifier(demande, 0, 0, -focale, rayon.getP().add(rayon.getV().mul(-recul)));
             }
         }
     }
 
     @Nested
-    @DisplayName("Scene")
-    class UneScene {
+    @Order(3)
+    @Tag("sphere")
+    @DisplayName("3. Intersection d'un rayon et d'une sphère")
+    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
+    class UneSphere {
 
-        private final Sphere pres = new Sphere(new Point(0, 0, 5), 1);
-        private final Sphere loin = new Sphere(new Point(0, 0, 9), 1);
-        private final Scene scene = new Scene(Arrays.asList(loin, pres), Collections.<Lampe>emptyList());
-        private final Rayon devant = new Rayon(new Point(), new Vecteur(0, 0, 1));
+        private final Sphere sphere = new Sphere(new Point(0, 0, 5), 1);
 
-        @Test
-        void donneLObjetLePlusProche() {
-            PointContact contact = scene.getClosestIntersection(devant);
-            assertSame(pres, contact.objet);
-            assertEquals(4, contact.distance, PRES);
-            assertSame(pres, devant.getObjet());
+        private void distance(String demande, double attendue, Sphere sphere, Rayon rayon) {
+            verifier(demande, attendue, sphere.getIntersectionDistance(rayon));
         }
 
         @Test
-        void ignoreLObjetDOuPartLeRayon() {
-            assertSame(loin, scene.getClosestIntersection(devant, pres).objet);
+        @Order(1)
+        @Tag("Sphere")
+        @DisplayName("des deux points touchés, la distance est celle du plus proche")
+        void laDistanceEstCelleDuPlusProcheDesDeuxPoints() {
+            distance("sphère de centre (0,0,5) et de rayon 1, vue de (0,0,0) : points à 4 et 6", 4, sphere, rayon(0, 0, 0, 0, 0, 1));
+            distance("sphère de centre (4,0,-3) et de rayon 2, vue de (1,0,-7) : points à 3 et 7", 3,
+                    new Sphere(new Point(4, 0, -3), 2), rayon(1, 0, -7, 3, 0, 4));
         }
 
         @Test
-        void ignoreCeQueLeRayonRetenaitAvant() {
-            pres.getIntersectionDistance(devant);
-            assertEquals(8, scene.getClosestIntersection(devant, pres).distance, PRES);
+        @Order(2)
+        @Tag("Sphere")
+        @DisplayName("un rayon qui ne passe pas par le centre touche plus loin")
+        void lEcartALAxeCompte() {
+            distance("rayon de (0,0.6,0) vers +z : demi-corde 0.8, donc 5 - 0.8", 4.2, sphere, rayon(0, 0.6, 0, 0, 0, 1));
         }
 
         @Test
-        void neDonneRienLaOuIlNYARien() {
-            assertNull(scene.getClosestIntersection(new Rayon(new Point(), new Vecteur(0, 1, 0))));
+        @Order(3)
+        @Tag("Sphere")
+        @DisplayName("sans intersection, la distance est +∞")
+        void aCoteLaDistanceEstInfinie() {
+            distance("rayon de (0,2,0) vers +z, qui passe à 2 du centre", Double.POSITIVE_INFINITY, sphere, rayon(0, 2, 0, 0, 0, 1));
         }
 
         @Test
-        void donneLePremierDeDeuxObjetsALaMemeDistance() {
-            Sphere a = new Sphere(new Point(0, 0, 5), 1);
-            Sphere b = new Sphere(new Point(0, 0, 6), 2);
-            assertSame(a, new Scene(Arrays.asList(a, b), scene.getLampes()).getClosestIntersection(devant).objet);
-            assertSame(b, new Scene(Arrays.asList(b, a), scene.getLampes()).getClosestIntersection(devant).objet);
+        @Order(4)
+        @Tag("Sphere")
+        @DisplayName("une sphère dans le dos du rayon n'est pas touchée")
+        void dansLeDosLaDistanceEstInfinie() {
+            distance("rayon de (0,0,0) vers -z : la sphère est derrière, à -4 et -6", Double.POSITIVE_INFINITY, sphere,
+                    rayon(0, 0, 0, 0, 0, -1));
         }
 
         @Test
-        void laisseDeCoteUneSphereDejaLa() {
-            Sphere jumelle = new Sphere(new Point(-0.0, 0, 5), 1);
-            assertEquals(1, new Scene(Arrays.asList(pres, jumelle), scene.getLampes()).getObjets().size());
+        @Order(5)
+        @Tag("Sphere")
+        @DisplayName("de l'intérieur, la distance est celle de la sortie, jamais négative")
+        void deLInterieurLaDistanceEstCelleDeLaSortie() {
+            distance("rayon parti de (0,0,5.5) vers -z : points à -0.5, dans le dos, et à 1.5", 1.5, sphere, rayon(0, 0, 5.5, 0, 0, -1));
         }
 
         @Test
-        void deLaBaseSeLitDansSonFichier() {
-            Scene lue = new Scene("scenes/scene1.ini");
-            assertTrue(lue.getObjets().size() >= 8, "une dizaine de boules");
-            assertEquals(2, lue.getLampes().size());
-        }
-
-        @Test
-        void sansFichierEstFautive() {
-            SceneFautive faute = assertThrows(SceneFautive.class, () -> new Scene("scenes/absente.ini"));
-            assertNotNull(faute.getMessage());
+        @Order(6)
+        @Tag("Sphere")
+        @DisplayName("la distance trouvée est aussi notée dans le rayon")
+        void laDistanceEstNoteeDansLeRayon() {
+            Rayon rayon = rayon(0, 0, 0, 0, 0, 1);
+            sphere.getIntersectionDistance(rayon);
+            verifier("rayon.getDistance() après getIntersectionDistance", 4, rayon.getDistance());
         }
     }
 
     @Nested
-    @DisplayName("Objet3D et Lampe")
-    class UnObjet {
+    @Order(4)
+    @Tag("scene")
+    @DisplayName("4. Scène de sphères")
+    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
+    class UneScene {
 
-        private final Sphere boule = new Sphere(new Point(0, 0, 5), 1);
-        private final Rayon devant = new Rayon(new Point(), new Vecteur(0, 0, 1));
+        private final Sphere pres = boule(0, 0, 5, 1, NOIR, NOIR, 1);
+        private final Sphere loin = boule(0, 0, 9, 1, NOIR, NOIR, 1);
+        private final Rayon devant = rayon(0, 0, 0, 0, 0, 1);
 
-        private Couleur couleur(int profondeur, Lampe... lampes) {
-            Scene scene = new Scene(Collections.singletonList(boule), Arrays.asList(lampes));
-            return boule.getColor(scene, devant, scene.getClosestIntersection(devant), profondeur);
+        private void plusProche(String demande, Sphere attendue, PointContact contact) {
+            dire(contact != null && contact.objet == attendue, demande, nom(attendue), contact == null ? null : nom(contact.objet));
+        }
+
+        private String nom(Objet3D objet) {
+            return objet == pres ? "la boule proche" : objet == loin ? "la boule lointaine" : String.valueOf(objet);
         }
 
         @Test
-        void sansLampeEstNoir() {
-            boule.setKd(new Couleur(1));
-            assertCouleur(0, 0, 0, couleur(0));
+        @Order(1)
+        @Tag("Rayon")
+        @DisplayName("calcContact : le point P + distance V")
+        void leContactEstSurLeRayonALaDistanceTrouvee() {
+            Rayon rayon = rayon(1, 0, 0, 0, 0, 1);
+            Sphere sphere = new Sphere(new Point(1, 0, 5), 1);
+            sphere.getIntersectionDistance(rayon);
+            assumeTrue(Double.isInfinite(rayon.getDistance()) || rayon.calcContact() != null,
+                    "étape non commencée : calcContact ne rend encore rien");
+            PointContact contact = rayon.calcContact();
+            verifier("le contact du rayon de (1,0,0) vers +z avec la sphère de centre (1,0,5) et de rayon 1", 1, 0, 4, contact);
+            dire(contact.objet == sphere, "l'objet du contact est la sphère touchée", sphere, contact.objet);
         }
 
         @Test
-        void matEstEclaireCommeLeCosinus() {
-            boule.setKd(new Couleur(0.5, 0.25, 1));
-            assertCouleur(0.5, 0.25, 1, couleur(0, new Lampe(new Point(0, 0, -9), new Couleur(1))));
-            // la lampe à 60° de la normale, à une distance de 2
-            Lampe oblique = new Lampe(new Point(Math.sqrt(3), 0, 3), new Couleur(1));
-            assertCouleur(0.25, 0.125, 0.5, couleur(0, oblique));
+        @Order(2)
+        @Tag("Rayon")
+        @DisplayName("calcContact : null si la distance est infinie")
+        void sansDistanceIlNYAPasDeContact() {
+            dire(devant.calcContact() == null, "calcContact d'un rayon qui n'a rien touché", null, "un contact");
         }
 
         @Test
-        void estSombreDansLeDos() {
-            boule.setKd(new Couleur(1));
-            boule.setKs(new Couleur(1));
-            assertCouleur(0, 0, 0, couleur(0, new Lampe(new Point(0, 0, 20), new Couleur(1))));
+        @Order(3)
+        @Tag("Scene")
+        @DisplayName("getClosestIntersection : la plus proche des sphères, quel que soit leur ordre")
+        void laPlusProcheDesSpheresEstTrouvee() {
+            sceneCommencee();
+            plusProche("boules à 4 (proche) et à 8 (lointaine), la lointaine en premier", pres,
+                    scene(null, loin, pres).getClosestIntersection(devant, null));
+            plusProche("boules à 4 (proche) et à 8 (lointaine), la proche en premier", pres,
+                    scene(null, pres, loin).getClosestIntersection(devant, null));
         }
 
         @Test
-        void brillantRefleteLaLampeCommeUnePuissanceDuCosinus() {
-            boule.setKs(new Couleur(1, 0.5, 0.25));
-            boule.setNs(2);
-            Lampe oblique = new Lampe(new Point(Math.sqrt(3), 0, 3), new Couleur(1));
-            assertCouleur(0.25, 0.125, 0.0625, couleur(0, oblique));
+        @Order(4)
+        @Tag("Scene")
+        @DisplayName("getClosestIntersection : le contact a la distance et la position de la plus proche")
+        void leContactEstCeluiDeLaPlusProche() {
+            sceneCommencee();
+            PointContact contact = scene(null, pres, loin).getClosestIntersection(devant, null);
+            verifier("la distance du contact, la boule proche étant à 4 et la lointaine à 8", 4, contact.distance);
+            verifier("le point de contact", 0, 0, 4, contact);
         }
 
         @Test
-        void ajouteLesLampes() {
-            boule.setKd(new Couleur(1));
-            Lampe lampe = new Lampe(new Point(0, 0, -9), new Couleur(0.75));
-            assertCouleur(1.5, 1.5, 1.5, couleur(0, lampe, lampe));
+        @Order(5)
+        @Tag("Scene")
+        @DisplayName("getClosestIntersection : la sphère à ignorer est ignorée")
+        void laSphereAIgnorerEstIgnoree() {
+            sceneCommencee();
+            plusProche("sauf la boule proche", loin, scene(null, loin, pres).getClosestIntersection(devant, pres));
+            plusProche("sauf la boule lointaine", pres, scene(null, pres, loin).getClosestIntersection(devant, loin));
         }
 
         @Test
-        void estDansLOmbreDUnObjetEntreLaLampeEtLui() {
-            boule.setKd(new Couleur(1));
-            Lampe lampe = new Lampe(new Point(0, 8, 4), new Couleur(1));
-            Point contact = new Point(0, 0, 4);
-            Sphere ecran = new Sphere(new Point(0, 4, 4), 1);
-            Sphere derriere = new Sphere(new Point(0, 12, 4), 1);
-            Sphere aCote = new Sphere(new Point(3, 4, 4), 1);
-            Scene avec = new Scene(Arrays.asList(boule, ecran), Collections.singletonList(lampe));
-            Scene sans = new Scene(Arrays.asList(boule, derriere, aCote), Collections.singletonList(lampe));
-            assertTrue(Ombre.cachee(avec, lampe, contact, boule));
-            assertTrue(!Ombre.cachee(sans, lampe, contact, boule));
+        @Order(6)
+        @Tag("Scene")
+        @DisplayName("getClosestIntersection : null où il n'y a rien, même derrière le rayon")
+        void ouIlNYARienIlNYAPasDeContact() {
+            sceneCommencee();
+            Scene scene = scene(null, pres, loin);
+            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 1, 0), null) == null, "rayon vers le haut, boules devant", null, "un contact");
+            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 0, -1), null) == null, "rayon dos aux boules", null, "un contact");
+            dire(scene.getClosestIntersection(devant, null) != null && scene(null, pres).getClosestIntersection(devant, pres) == null,
+                    "une seule boule, à ignorer", null, "un contact");
+        }
+
+        private Couleur pixel(Scene scene) {
+            sceneCommencee();
+            Couleur couleur = new Lancer(scene, new Camera(800, 600)).getCouleurPixel(400, 300, 0);
+            assumeTrue(!pres(VERT, couleur), "étape non commencée : getCouleurPixel rend encore du vert");
+            return couleur;
         }
 
         @Test
-        void refleteLeCiel() {
-            boule.setKs(new Couleur(0.5));
-            Couleur ciel = new Rayon(new Point(), new Vecteur(0, 0, -1)).getSkyColor();
-            assertEquals(ciel.mul(0.5), couleur(1));
+        @Order(7)
+        @Tag("Lancer")
+        @DisplayName("getCouleurPixel : la couleur du ciel où il n'y a rien")
+        void unPixelVideALaCouleurDuCiel() {
+            verifier("le pixel du centre d'une scène vide : getSkyColor du rayon", rayon(0, 0, 0, 0, 0, 1).getSkyColor(), pixel(scene(null)));
         }
 
         @Test
-        void neRefletePlusAProfondeurZero() {
-            boule.setKs(new Couleur(0.5));
-            assertCouleur(0, 0, 0, couleur(0));
+        @Order(8)
+        @Tag("Lancer")
+        @DisplayName("getCouleurPixel : la couleur de la sphère la plus proche")
+        void unPixelALaCouleurDeLaPlusProcheSphere() {
+            Scene scene = scene(lampe(0, 0, -9), boule(0, 0, 9, 1, BLANC, NOIR, 1), pres);
+            Couleur couleur = pixel(scene);
+            verifier("le pixel du centre : getColor de la boule proche", vue(scene, devant, 0), couleur);
+        }
+    }
+
+    @Nested
+    @Order(5)
+    @Tag("lambert")
+    @DisplayName("5. Éclairement diffus (Lambert)")
+    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
+    class Lambert {
+
+        private final Rayon devant = rayon(0, 0, 0, 0, 0, 1);
+
+        private Couleur eclairee(Scene scene) {
+            couleurCommencee();
+            return vue(scene, devant, 0);
+        }
+
+        @Test
+        @Order(1)
+        @Tag("Sphere")
+        @DisplayName("getNormale : vers l'extérieur, de longueur 1")
+        void laNormaleEstVersLExterieurEtDeLongueurUn() {
+            Sphere sphere = new Sphere(new Point(0, 0, 5), 2);
+            assumeTrue(!new Vecteur().equals(sphere.getNormale(new Point(0, 0, 3))), "étape non commencée : getNormale rend encore le vecteur nul");
+            verifier("la normale en (0,0,3) de la sphère de centre (0,0,5) et de rayon 2", 0, 0, -1, sphere.getNormale(new Point(0, 0, 3)));
+            verifier("la normale en (2,0,5)", 1, 0, 0, sphere.getNormale(new Point(2, 0, 5)));
+        }
+
+        @Test
+        @Order(2)
+        @Tag("Objet3D")
+        @DisplayName("face à la lampe : Kd")
+        void faceALaLampeLaCouleurEstKd() {
+            Couleur Kd = new Couleur(0.5, 0.25, 1);
+            verifier("lampe blanche droit devant, N.L = 1 : Kd", Kd,
+                    eclairee(scene(lampe(0, 0, 3), boule(0, 0, 5, 1, Kd, NOIR, 1))));
+        }
+
+        @Test
+        @Order(3)
+        @Tag("Objet3D")
+        @DisplayName("de biais : Kd fois le cosinus N.L")
+        void deBiaisLaCouleurSuitLeCosinus() {
+            // de (0, 0, 4), la lampe est dans la direction (0.6, 0, -0.8), à une distance de 1
+            verifier("N.L = 0.8", new Couleur(0.8, 0.4, 0.2),
+                    eclairee(scene(lampe(0.6, 0, 3.2), boule(0, 0, 5, 1, new Couleur(1, 0.5, 0.25), NOIR, 1))));
+        }
+
+        @Test
+        @Order(4)
+        @Tag("Objet3D")
+        @DisplayName("L est normalisé : l'éclairement ne dépend pas de la distance de la lampe")
+        void laDistanceDeLaLampeNeChangeRien() {
+            for (double d : new double[] {0.5, 1, 5, 50}) {
+                verifier("lampe dans la direction (0.6,0,-0.8), à la distance " + d + ", N.L = 0.8", new Couleur(0.8, 0.8, 0.8),
+                        eclairee(scene(lampe(0.6 * d, 0, 4 - 0.8 * d), boule(0, 0, 5, 1, BLANC, NOIR, 1))));
+            }
+        }
+
+        @Test
+        @Order(5)
+        @Tag("Objet3D")
+        @DisplayName("N est normalisé : l'éclairement ne dépend pas du rayon de la sphère")
+        void leRayonDeLaSphereNeChangeRien() {
+            for (double r : new double[] {0.5, 1, 3}) {
+                verifier("sphère de rayon " + r + ", lampe à une distance de 1, N.L = 0.8", new Couleur(0.8, 0.8, 0.8),
+                        eclairee(scene(lampe(0.6, 0, 3.2), boule(0, 0, 4 + r, r, BLANC, NOIR, 1))));
+            }
+        }
+
+        @Test
+        @Order(6)
+        @Tag("Objet3D")
+        @DisplayName("dans le dos (N.L négatif), rien")
+        void dansLeDosIlFaitNoir() {
+            verifier("lampe derrière la boule, N.L = -1", NOIR, eclairee(scene(lampe(0, 0, 9), boule(0, 0, 5, 1, BLANC, NOIR, 1))));
+        }
+
+        @Test
+        @Order(7)
+        @Tag("Objet3D")
+        @DisplayName("la couleur de la lampe multiplie Kd, composante par composante")
+        void laCouleurDeLaLampeMultiplieKd() {
+            Lampe rose = new Lampe(new Point(0, 0, 3), new Couleur(1, 0.5, 0.5));
+            verifier("Kd (0.5,0.5,1), lampe (1,0.5,0.5), N.L = 1", new Couleur(0.5, 0.25, 0.5),
+                    eclairee(scene(rose, boule(0, 0, 5, 1, new Couleur(0.5, 0.5, 1), NOIR, 1))));
+        }
+
+        @Test
+        @Order(8)
+        @Tag("Objet3D")
+        @DisplayName("plusieurs lampes s'ajoutent")
+        void lesLampesSAjoutent() {
+            List<Lampe> deux = Arrays.asList(lampe(0, 0, 3), lampe(0.6, 0, 3.2));
+            verifier("une lampe à N.L = 1, une à N.L = 0.8, Kd = 0.5", new Couleur(0.9, 0.9, 0.9),
+                    eclairee(new Scene(Arrays.asList(boule(0, 0, 5, 1, new Couleur(0.5, 0.5, 0.5), NOIR, 1)), deux)));
+        }
+    }
+
+    @Nested
+    @Order(6)
+    @Tag("phong")
+    @DisplayName("6. Éclairement spéculaire (Phong)")
+    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
+    class Phong {
+
+        @BeforeEach
+        void commencee() {
+            couleurCommencee();
+        }
+
+        /** Ce qu'une lampe, à une distance de 1 du contact (0, 0, 4), ajoute à une boule noire et brillante. */
+        private Couleur reflet(Couleur Ks, double ns, double vx, double vz, double lx, double lz) {
+            Sphere boule = boule(0, 0, 5, 1, NOIR, Ks, ns);
+            Rayon avec = rayon(-vx, 0, 4 - vz, vx, 0, vz);
+            Rayon sans = rayon(-vx, 0, 4 - vz, vx, 0, vz);
+            return vue(scene(lampe(lx, 0, 4 + lz), boule), avec, 0).sub(vue(scene(null, boule), sans, 0));
+        }
+
+        /** Rien de faux où il ne faut rien ne prouve rien tant qu'il n'y a rien nulle part. */
+        private void refletCommence() {
+            assumeTrue(!pres(NOIR, reflet(BLANC, 1, 0, 1, 0, -1)), "étape non commencée : face à la lampe et à l'œil, aucun reflet");
+        }
+
+        @Test
+        @Order(1)
+        @Tag("Objet3D")
+        @DisplayName("face à la lampe et à l'œil : Ks")
+        void faceALaLampeEtALOeilLeRefletEstKs() {
+            Couleur Ks = new Couleur(1, 0.5, 0.25);
+            verifier("L, N et -V confondus : R.-V = 1, donc Ks", Ks, reflet(Ks, 8, 0, 1, 0, -1));
+        }
+
+        @Test
+        @Order(2)
+        @Tag("Objet3D")
+        @DisplayName("dans la direction du miroir : Ks")
+        void dansLaDirectionDuMiroirLeRefletEstKs() {
+            verifier("V (0.6,0,0.8), N (0,0,-1), L (0.6,0,-0.8) : l'œil est sur le miroir de L, R.-V = 1", BLANC,
+                    reflet(BLANC, 8, 0.6, 0.8, 0.6, -0.8));
+        }
+
+        @Test
+        @Order(3)
+        @Tag("Objet3D")
+        @DisplayName("hors du miroir : Ks fois le cosinus R.-V à la puissance ns")
+        void leRefletEstUnePuissanceDuCosinus() {
+            verifier("R.-V = 0.8, ns = 1", new Couleur(0.8, 0.8, 0.8), reflet(BLANC, 1, 0, 1, 0.6, -0.8));
+            verifier("R.-V = 0.8, ns = 2", new Couleur(0.64, 0.64, 0.64), reflet(BLANC, 2, 0, 1, 0.6, -0.8));
+            double puissance = Math.pow(0.96, 50);
+            verifier("V (0.6,0,0.8), L (0.8,0,-0.6) : R.-V = 0.96, ns = 50", new Couleur(puissance, puissance, puissance),
+                    reflet(BLANC, 50, 0.6, 0.8, 0.8, -0.6));
+        }
+
+        @Test
+        @Order(4)
+        @Tag("Objet3D")
+        @DisplayName("un cosinus négatif ne donne pas de reflet, même élevé au carré")
+        void unCosinusNegatifNeDonneRien() {
+            refletCommence();
+            verifier("V (0.6,0,0.8), L (-0.96,0,-0.28) : R.-V = -0.352, ns = 2", NOIR, reflet(BLANC, 2, 0.6, 0.8, -0.96, -0.28));
+        }
+
+        @Test
+        @Order(5)
+        @Tag("Objet3D")
+        @DisplayName("une lampe derrière la surface ne s'y reflète pas")
+        void uneLampeDerriereNeSeRefletePas() {
+            refletCommence();
+            verifier("N.L = -0.28 et R.-V = 0.352", NOIR, reflet(BLANC, 1, 0.6, 0.8, 0.96, 0.28));
+        }
+
+        @Test
+        @Order(6)
+        @Tag("Objet3D")
+        @DisplayName("le reflet s'ajoute à l'éclairement diffus")
+        void leRefletSAjouteAuDiffus() {
+            refletCommence();
+            Lampe lampe = lampe(0, 0, 3);
+            Rayon devant = rayon(0, 0, 0, 0, 0, 1);
+            Couleur Kd = new Couleur(0.5, 0.25, 0.125);
+            Couleur Ks = new Couleur(0.25, 0.5, 0.75);
+            Couleur mate = vue(scene(lampe, boule(0, 0, 5, 1, Kd, NOIR, 8)), devant, 0);
+            Couleur noire = vue(scene(lampe, boule(0, 0, 5, 1, NOIR, Ks, 8)), devant, 0);
+            Couleur deux = vue(scene(lampe, boule(0, 0, 5, 1, Kd, Ks, 8)), devant, 0);
+            verifier("une boule mate et brillante : ce que donne la mate (Ks nul), plus ce que donne la brillante (Kd nul)",
+                    mate.add(noire), deux);
+        }
+    }
+
+    @Nested
+    @Order(7)
+    @Tag("ombres")
+    @DisplayName("7. Ombres portées")
+    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
+    class Ombres {
+
+        private final Sphere boule = boule(0, 0, 5, 1, new Couleur(0.5, 0.5, 0.5), new Couleur(0.25, 0.25, 0.25), 1);
+        // du contact (0, 0, 4), dans la direction (0.6, 0, -0.8), à une distance de 10
+        private final Lampe lampe = lampe(6, 0, -4);
+
+        private Couleur couleur(Lampe lampe, Sphere... boules) {
+            return vue(scene(lampe, boules), rayon(0, 0, 0, 0, 0, 1), 0);
+        }
+
+        private Couleur eclairee;
+        private Couleur eteinte;
+
+        @BeforeEach
+        void commencee() {
+            couleurCommencee();
+            eclairee = couleur(lampe, boule);
+            eteinte = couleur(null, boule);
+            assumeTrue(!pres(eclairee, eteinte), "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
+        }
+
+        private void ombreCommencee() {
+            assumeTrue(!pres(eclairee, couleur(lampe, boule, boule(3, 0, 0, 1, BLANC, NOIR, 1))),
+                    "étape non commencée : une boule entre la lampe et le contact ne change rien");
+        }
+
+        @Test
+        @Order(1)
+        @Tag("Objet3D")
+        @DisplayName("une boule entre la lampe et le contact le met à l'ombre")
+        void unObstacleMetALOmbre() {
+            verifier("une boule à mi-chemin de la lampe : comme si la lampe était éteinte", eteinte,
+                    couleur(lampe, boule, boule(3, 0, 0, 1, BLANC, NOIR, 1)));
+        }
+
+        @Test
+        @Order(2)
+        @Tag("Objet3D")
+        @DisplayName("un obstacle est un obstacle, où qu'il soit dans la liste")
+        void lOrdreDesBoulesNeComptePas() {
+            verifier("la boule qui cache est la première de la scène", eteinte,
+                    couleur(lampe, boule(3, 0, 0, 1, BLANC, NOIR, 1), boule));
+        }
+
+        @Test
+        @Order(3)
+        @Tag("Objet3D")
+        @DisplayName("une boule derrière la lampe ne fait pas d'ombre")
+        void derriereLaLampeRienNeCache() {
+            ombreCommencee();
+            verifier("une boule au-delà de la lampe : rien ne change", eclairee, couleur(lampe, boule, boule(12, 0, -12, 1, BLANC, NOIR, 1)));
+        }
+
+        @Test
+        @Order(4)
+        @Tag("Objet3D")
+        @DisplayName("une boule à côté, ou de l'autre côté, ne fait pas d'ombre")
+        void aCoteRienNeCache() {
+            ombreCommencee();
+            verifier("une boule à côté du chemin de la lumière", eclairee, couleur(lampe, boule, boule(3, 3, 0, 1, BLANC, NOIR, 1)));
+            verifier("une boule derrière la boule éclairée, dans le prolongement", eclairee,
+                    couleur(lampe, boule, boule(-6, 0, 12, 1, BLANC, NOIR, 1)));
+        }
+
+        @Test
+        @Order(5)
+        @Tag("Objet3D")
+        @DisplayName("une boule seule n'est pas dans sa propre ombre")
+        void uneBouleNeSeCachePasElleMeme() {
+            ombreCommencee();
+            int noirs = 0;
+            int points = 0;
+            for (double y = -0.55; y < 0.6; y += 0.1) {
+                for (double x = -0.53; x < 0.6; x += 0.1) {
+                    Rayon rayon = rayon(x, y, 0, 0.01, 0.02, 1);
+                    Sphere mate = boule(0, 0, 5, 1, BLANC, NOIR, 1);
+                    points++;
+                    noirs += pres(NOIR, vue(scene(lampe(1, 2, -7), mate), rayon, 0)) ? 1 : 0;
+                }
+            }
+            dire(noirs == 0, "points noirs sur " + points + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même", 0, noirs);
+        }
+
+        @Test
+        @Order(6)
+        @Tag("Objet3D")
+        @DisplayName("l'ombre d'une lampe n'enlève rien aux autres")
+        void lesAutresLampesRestent() {
+            List<Sphere> boules = Arrays.asList(boule, boule(3, 0, 0, 1, BLANC, NOIR, 1));
+            Lampe autre = lampe(-6, 0, -4);
+            Rayon devant = rayon(0, 0, 0, 0, 0, 1);
+            verifier("la première de deux lampes est cachée : il reste l'autre", couleur(autre, boule),
+                    vue(new Scene(boules, Arrays.asList(lampe, autre)), devant, 0));
+        }
+    }
+
+    @Nested
+    @Order(8)
+    @Tag("reflets")
+    @DisplayName("8. Reflets des objets")
+    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
+    class Reflets {
+
+        private final Couleur Ks = new Couleur(0.5, 0.25, 0.75);
+
+        @BeforeEach
+        void commencee() {
+            couleurCommencee();
+        }
+
+        /** Ce qu'une profondeur de 1, au lieu de 0, ajoute à la couleur vue. */
+        private Couleur apport(Scene scene, double px, double py, double pz, double vx, double vy, double vz) {
+            return vue(scene, rayon(px, py, pz, vx, vy, vz), 1).sub(vue(scene, rayon(px, py, pz, vx, vy, vz), 0));
+        }
+
+        private void commenceeOuSansFin() {
+            try {
+                refletCommence();
+            } catch (StackOverflowError e) {
+                // commencée, et sans fin : la vérification le dira mieux
+            }
+        }
+
+        private void refletCommence() {
+            assumeTrue(!pres(NOIR, apport(scene(null, boule(0, -0.6, 5, 1, NOIR, BLANC, 1)), 0, 0, 0, 0, 0, 1))
+                    || !pres(NOIR, vue(scene(null, boule(0, -0.6, 5, 1, NOIR, BLANC, 1)), rayon(0, 0, 0, 0, 0, 1), 0)),
+                    "étape non commencée : une boule brillante, seule, ne reflète rien");
+        }
+
+        @Test
+        @Order(1)
+        @Tag("Objet3D")
+        @DisplayName("une boule seule reflète le ciel, multiplié par Ks")
+        void uneBouleRefleteLeCiel() {
+            // N (0, 0.6, -0.8) : le rayon (0, 0, 1) repart en (0, 0.96, -0.28)
+            Couleur ciel = rayon(0, 0, 0, 0, 0.96, -0.28).getSkyColor();
+            verifier("profondeur 1 moins profondeur 0 : Ks fois le ciel dans la direction du miroir, (0,0.96,-0.28)", Ks.mul(ciel),
+                    apport(scene(null, boule(0, -0.6, 5, 1, NOIR, Ks, 1)), 0, 0, 0, 0, 0, 1));
+        }
+
+        @Test
+        @Order(2)
+        @Tag("Objet3D")
+        @DisplayName("à profondeur 0, pas de reflet")
+        void aProfondeurZeroIlNYAPasDeReflet() {
+            commenceeOuSansFin();
+            verifier("une boule noire et brillante, sans lampe, à profondeur 0", NOIR,
+                    vue(scene(null, boule(0, 0, 5, 1, NOIR, Ks, 1)), rayon(0, 0, 0, 0, 0, 1), 0));
+        }
+
+        @Test
+        @Order(3)
+        @Tag("Objet3D")
+        @DisplayName("une boule mate (Ks nul) ne reflète rien")
+        void sansKsIlNYAPasDeReflet() {
+            commenceeOuSansFin();
+            verifier("profondeur 1 moins profondeur 0, Ks = (0,0,0)", NOIR,
+                    apport(scene(null, boule(0, 0, 5, 1, BLANC, NOIR, 1)), 0, 0, 0, 0, 0, 1));
+        }
+
+        @Test
+        @Order(4)
+        @Tag("Objet3D")
+        @DisplayName("une boule reflète les autres boules")
+        void uneBouleRefleteUneAutreBoule() {
+            Sphere miroir = boule(0, -0.6, 5, 1, NOIR, Ks, 1);
+            // sur le chemin du rayon réfléchi, parti de (0, 0, 4.2) dans la direction (0, 0.96, -0.28), suivi un peu plus loin
+            Sphere mate = boule(0, 4.8, 2.8, 1, new Couleur(0.25, 0.5, 1), NOIR, 1);
+            Scene scene = scene(lampe(0, 0, 8), miroir, mate);
+            Couleur reflechie = vue(scene, rayon(0, 0.96, 3.92, 0, 0.96, -0.28), 0);
+            for (double t = 0.25; t < 2; t += 0.25) {
+                assumeTrue(!pres(NOIR, reflechie) && pres(reflechie, vue(scene, rayon(0, 0.96 * t, 4.2 - 0.28 * t, 0, 0.96, -0.28), 0)),
+                        "étape non évaluable : la boule à refléter n'est pas éclairée, ou pas toujours de même (ombre d'elle-même ?)");
+            }
+            verifier("profondeur 1 moins profondeur 0 : Ks fois la couleur de la boule reflétée", Ks.mul(reflechie),
+                    apport(scene, 0, 0, 0, 0, 0, 1));
+        }
+
+        @Test
+        @Order(5)
+        @Tag("Objet3D")
+        @DisplayName("une boule ne se reflète pas elle-même")
+        void uneBouleNeSeRefletePasElleMeme() {
+            Sphere miroir = boule(0, 0, 5, 1, NOIR, BLANC, 1);
+            for (double y = -0.55; y < 0.6; y += 0.1) {
+                Couleur vue = apport(scene(null, miroir), 0.13, y, 0, 0.01, 0.02, 1);
+                dire(vue.b > 0.05, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y, "le ciel", triplet(vue.r, vue.v, vue.b));
+            }
+        }
+
+        /** Deux miroirs face à face, l'éclairement c de chacun : c (1 + 1/2 + 1/4 + ...). */
+        private void miroirs(int profondeur) {
+            Couleur demi = new Couleur(0.5, 0.5, 0.5);
+            Scene scene = scene(lampe(0, 3, 4), boule(0, 0, 9, 1, BLANC, demi, 1), boule(0, 0, -1, 1, BLANC, demi, 1));
+            try {
+                Couleur seule = vue(scene, rayon(0, 0, 4, 0, 0, 1), 0);
+                double somme = 2 - Math.pow(0.5, profondeur);
+                verifier("deux miroirs face à face, Ks = 1/2, profondeur " + profondeur + " : " + somme + " fois la couleur sans reflet",
+                        seule.mul(somme), vue(scene, rayon(0, 0, 4, 0, 0, 1), profondeur));
+            } catch (StackOverflowError e) {
+                fail("deux miroirs face à face se renvoient le rayon sans fin : la profondeur doit diminuer à chaque reflet ; "
+                        + "attendu : au plus " + profondeur + " reflets, obtenu : une récursion qui ne s'arrête pas");
+            }
+        }
+
+        @Test
+        @Order(6)
+        @Tag("Objet3D")
+        @DisplayName("deux miroirs face à face : un reflet de plus à chaque niveau de profondeur")
+        void deuxMiroirsSeRenvoientLaLumiere() {
+            miroirs(1);
+            miroirs(2);
+            miroirs(5);
+        }
+
+        @Test
+        @Order(7)
+        @Tag("Objet3D")
+        @DisplayName("deux miroirs face à face : la récursion s'arrête")
+        void laRecursionSArrete() {
+            commenceeOuSansFin();
+            List<Integer> profondeurs = new ArrayList<>(Arrays.asList(0, 1, 20));
+            Couleur demi = new Couleur(0.5, 0.5, 0.5);
+            Scene scene = scene(null, boule(0, 0, 9, 1, NOIR, demi, 1), boule(0, 0, -1, 1, NOIR, demi, 1));
+            try {
+                profondeurs.removeIf(p -> pres(NOIR, vue(scene, rayon(0, 0, 4, 0, 0, 1), p)));
+            } catch (StackOverflowError e) {
+                fail("deux miroirs face à face se renvoient le rayon sans fin : le paramètre profondeur doit arrêter les appels");
+            }
+            assertEquals(Collections.emptyList(), profondeurs, "sans lampe, deux miroirs noirs face à face restent noirs, à toute profondeur");
         }
     }
 }

@@ -30,7 +30,7 @@ public final class Options {
             "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426";
 
     /** Ce que l'image d'un seul pixel ne peut ni écrire, ni choisir, ni répéter. */
-    private static final String[] SANS_PIXEL = {"--image", "--lineaire", "--auto", "--repeter"};
+    private static final String[] SANS_PIXEL = {"--image", "--lineaire", "--auto", "--repeter", "--comparer"};
 
     /** Demandes d'un texte, sans rien dessiner ; la première rencontrée l'emporte. */
     public boolean aide;
@@ -64,6 +64,10 @@ public final class Options {
 
     /** Le temps de dessin voulu, en secondes ; 0 si aucun. */
     public double tempsVoulu;
+
+    /** L'image à laquelle comparer, {@code null} si aucune ; et le plus grand écart permis, en niveaux sur 255. */
+    public String comparer;
+    public double tolerance;
 
     /** Vrai si le nombre de réflexions, ou le seuil, est demandé : {@code --auto} n'y touche pas. */
     public boolean refletsDonnes;
@@ -120,12 +124,30 @@ public final class Options {
         if (pixel && !aide && !version) {
             verifierPixel(vues);
         }
+        if (comparer != null && !aide && !version) {
+            accorderComparaison(vues);
+        }
+        if (vues.contains("--tolerance") && comparer == null && !aide && !version) {
+            throw faute("--tolerance ne sert pas seule ; attendu : avec elle, --comparer REFERENCE.png");
+        }
         if ((versFichier() || pixel) && scene == null && !aide && !version) {
             throw faute("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
         if (auto && !versFichier() && !aide && !version) {
             throw faute("--auto ne sert pas dans la fenêtre ; attendu : avec elle, "
                     + "--image FICHIER.png ou --lineaire FICHIER.pfm");
+        }
+    }
+
+    /** Une comparaison se fait à la taille de la référence, et n'écrit que l'image des différences. */
+    private void accorderComparaison(Set<String> vues) {
+        if (scene == null) {
+            throw faute("rien à comparer à " + Texte.cite(comparer) + " ; attendu : une scène, ou une image PNG ou PFM");
+        }
+        for (String autre : new String[] {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"}) {
+            if (vues.contains(autre)) {
+                throw faute(autre + " ne va pas avec --comparer ; attendu : l'une ou l'autre");
+            }
         }
     }
 
@@ -137,6 +159,15 @@ public final class Options {
             case "--lineaire":
                 lineaire = fichier(nom, ".pfm");
                 break;
+            case "--comparer":
+                comparer = valeur(nom, "une image PNG ou PFM");
+                if (!comparer.toLowerCase(Locale.ROOT).matches("(?s).*\\.(png|pfm)")) {
+                    throw horsLimites(nom, comparer, "une image PNG ou PFM");
+                }
+                break;
+            case "--tolerance":
+                tolerance = positif(nom, "un nombre de niveaux positif ou nul, par exemple 1");
+                break;
             case "--taille":
                 taille(valeur(nom, "une taille, par exemple 800x600"));
                 break;
@@ -145,7 +176,7 @@ public final class Options {
                 refletsDonnes = true;
                 break;
             case "--seuil":
-                seuil = seuil(valeur(nom, "un nombre positif ou nul"));
+                seuil = positif(nom, "un nombre positif ou nul, par exemple 0.001");
                 seuilDonne = true;
                 break;
             case "--fils":
@@ -231,10 +262,11 @@ public final class Options {
         return texte.isEmpty() ? -1 : n;
     }
 
-    private double seuil(String texte) {
+    private double positif(String nom, String attendu) {
+        String texte = valeur(nom, attendu.replaceFirst(",.*", ""));
         double valeur = Nombre.lire(texte);
         if (!(valeur >= 0 && valeur <= Double.MAX_VALUE)) {
-            throw horsLimites("--seuil", texte, "un nombre positif ou nul, par exemple 0.001");
+            throw horsLimites(nom, texte, attendu);
         }
         return valeur;
     }

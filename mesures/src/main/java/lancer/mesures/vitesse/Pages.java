@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
  * Les nombres d'une page Markdown qui viennent des mesures. Chacun y est écrit entre deux commentaires, que GitHub ne montre
  * pas : {@code <!--v:nom-->2,1<!--/v-->}.
  */
-final class Pages {
+public final class Pages {
 
     private static final Pattern VALEUR = Pattern.compile("<!--v:([^>]*?)-->.*?<!--/v-->", Pattern.DOTALL);
 
@@ -20,7 +20,7 @@ final class Pages {
     }
 
     /** Réécrit les nombres de cette page ; une page qui n'existe pas n'en a pas. */
-    static void reecrire(Path page, Map<String, String> valeurs) throws IOException {
+    public static void reecrire(Path page, Map<String, String> valeurs) throws IOException {
         if (!Files.exists(page)) {
             return;
         }
@@ -32,7 +32,7 @@ final class Pages {
     }
 
     /** @throws IllegalArgumentException si un nombre demandé n'est pas de ceux que l'on a */
-    static String remplacer(String texte, Map<String, String> valeurs) {
+    public static String remplacer(String texte, Map<String, String> valeurs) {
         Matcher m = VALEUR.matcher(texte);
         StringBuffer s = new StringBuffer();
         while (m.find()) {

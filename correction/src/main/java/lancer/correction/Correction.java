@@ -1,0 +1,99 @@
+package lancer.correction;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.atomic.AtomicInteger;
+import lancer.correction.depot.Depot;
+import lancer.correction.depot.Rendu;
+import lancer.correction.isolement.Confinement;
+import lancer.correction.isolement.Limites;
+import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.Jury;
+import lancer.correction.jugement.Resultat;
+import lancer.correction.modele.Squelette;
+import lancer.correction.note.Bareme;
+import lancer.correction.note.FeuilleMoodle;
+import lancer.correction.note.Note;
+import lancer.correction.page.Pages;
+
+/** Le programme : note les rendus d'une classe, ou écrit le projet à compléter. */
+public final class Correction {
+
+    private final Demande demande;
+    private final PrintStream sortie;
+    private final PrintStream suivi;
+
+    private Correction(Demande demande, PrintStream sortie, PrintStream suivi) {
+        this.demande = demande;
+        this.sortie = sortie;
+        this.suivi = suivi;
+    }
+
+    /** @param args voir {@code --aide} */
+    public static void main(String[] args) {
+        int code = executer(args, System.out, System.err);
+        if (code != 0) {
+            System.exit(code);
+        }
+    }
+
+    /** @return le statut de sortie ; pour 1 et 2, une ligne a été écrite sur {@code erreur} */
+    static int executer(String[] args, PrintStream sortie, PrintStream erreur) {
+        try {
+            Demande demande = Demande.lire(args);
+            if (demande.aide) {
+                sortie.println(Demande.AIDE);
+            } else if (demande.squelette != null) {
+                Squelette.ecrire(demande.squelette, sortie);
+            } else {
+                new Correction(demande, sortie, erreur).corriger();
+            }
+            return 0;
+        } catch (Panne e) {
+            erreur.println("correction : " + e.getMessage().replaceAll("\\s+", " "));
+            return e.getCode();
+        } catch (IOException e) {
+            erreur.println("correction : lecture ou écriture impossible : " + e);
+            return 1;
+        }
+    }
+
+    private void corriger() throws IOException {
+        Path dossier = Files.createDirectories(demande.sortie).toRealPath();
+        Path travail = Files.createDirectories(dossier.resolve(".travail"));
+        // une feuille de notes qui ne convient pas se dit tout de suite, pas après avoir tout jugé
+        FeuilleMoodle feuille = demande.notes == null ? null : new FeuilleMoodle(demande.notes);
+        List<Rendu> rendus = Depot.lire(demande.rendus, travail);
+        Confinement confinement = Confinement.essayer();
+        if (!confinement.estConfine() && !demande.sansConfinement) {
+            throw new Panne(1, "rien n'a été exécuté : " + confinement.getManque()
+                    + " ; pour exécuter quand même le code des étudiants, qui pourra lire et écrire vos fichiers : SANS_CONFINEMENT=1 (--sans-confinement)");
+        }
+        suivi.println("correction : " + rendus.size() + " rendus ; le corrigé d'abord");
+        try (Jury jury = new Jury(travail, confinement, Limites.ordinaires())) {
+            Grille grille = new Grille(jury.getReference());
+            Bareme bareme = new Bareme(demande.bareme == null ? dossier.resolve("bareme.ini") : demande.bareme, grille);
+            AtomicInteger finis = new AtomicInteger();
+            List<Resultat> resultats = jury.juger(rendus, (rang, resultat) -> suivi.println(String.format(Locale.FRANCE,
+                    "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(), rendus.get(rang).getNom(),
+                    resultat.refus.isEmpty() ? String.format(Locale.FRANCE, "%.2f/%.4g", new Note(grille, resultat, bareme).total(), bareme.total())
+                            : resultat.refus.get(0))));
+            List<Eleve> eleves = new ArrayList<>();
+            for (int k = 0; k < rendus.size(); k++) {
+                String page = String.format("%02d-%s.html", k + 1, rendus.get(k).getId().replaceAll("[^A-Za-z0-9-]+", "_"));
+                eleves.add(new Eleve(rendus.get(k), resultats.get(k), new Note(grille, resultats.get(k), bareme), page));
+            }
+            new Pages(grille, bareme, jury.getReference(), confinement).ecrire(dossier, eleves);
+            sortie.println("La classe : " + dossier.resolve("index.html"));
+            if (feuille != null) {
+                feuille.ecrire(dossier, eleves, bareme);
+                sortie.println("À déposer dans Moodle : " + dossier.resolve("notes-a-deposer.csv") + " et " + dossier.resolve("retours.zip"));
+            }
+        }
+    }
+}

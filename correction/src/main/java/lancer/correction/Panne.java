@@ -1,0 +1,19 @@
+package lancer.correction;
+
+/** Ce qui empêche de noter, en une ligne. */
+public final class Panne extends RuntimeException {
+
+    private static final long serialVersionUID = 1;
+
+    private final int code;
+
+    /** @param code statut de sortie : 1, la machine n'a pas pu ; 2, la demande était fausse */
+    public Panne(int code, String message) {
+        super(message);
+        this.code = code;
+    }
+
+    public int getCode() {
+        return code;
+    }
+}

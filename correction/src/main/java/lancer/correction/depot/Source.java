@@ -1,0 +1,108 @@
+package lancer.correction.depot;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lancer.correction.modele.Modele;
+
+/** Un fichier source : son texte, quel que soit son codage, dans le paquet {@code lancer}, même si l'étudiant l'a changé ou oublié. */
+public final class Source {
+
+    private static final Pattern PAQUET = Pattern.compile("(?m)^\\s*package\\s+([\\w.]+)\\s*;");
+    private static final Pattern DECLARATION = Pattern.compile("\\b(?:class|interface|enum|record)\\s+(\\w+)");
+    private static final Pattern COMMENTAIRES = Pattern.compile("/\\*.*?\\*/|//[^\n]*", Pattern.DOTALL);
+
+    final String chemin;
+    final String classe;
+    /** Le dossier où commencent les paquets. */
+    final String racine;
+    final String paquet;
+    final String texte;
+    /** Ce qu'il a fallu arranger, {@code null} si rien. */
+    final String remarque;
+
+    private Source(String chemin, String classe, String racine, String paquet, String texte, String remarque) {
+        this.chemin = chemin;
+        this.classe = classe;
+        this.racine = racine;
+        this.paquet = paquet;
+        this.texte = texte;
+        this.remarque = remarque;
+    }
+
+    static Source lire(String chemin, byte[] octets) {
+        String nom = chemin.substring(chemin.lastIndexOf('/') + 1);
+        String classe = nom.substring(0, nom.length() - ".java".length());
+        String dossier = chemin.substring(0, chemin.length() - nom.length());
+        String remarque = null;
+        Charset codage = codage(octets);
+        String texte = new String(octets, codage).replace("\uFEFF", "").replace("\r\n", "\n").replace('\r', '\n');
+        if (codage != StandardCharsets.UTF_8) {
+            remarque = chemin + " n'est pas en UTF-8 : lu en " + codage.name();
+        }
+        Matcher m = PAQUET.matcher(sansCommentaires(texte));
+        String paquet = m.find() ? m.group(1) : "";
+        boolean duCours = Modele.classes().contains(classe) || classe.equals("Tests");
+        String racine = dossier;
+        if (!paquet.isEmpty()) {
+            String suffixe = paquet.replace('.', '/') + "/";
+            racine = dossier.endsWith(suffixe) ? dossier.substring(0, dossier.length() - suffixe.length()) : dossier;
+        } else if (dossier.endsWith("lancer/")) {
+            racine = dossier.substring(0, dossier.length() - "lancer/".length());
+        }
+        if (duCours && !paquet.equals("lancer")) {
+            if (paquet.isEmpty()) {
+                // sur la première ligne : les numéros des autres restent ceux de l'étudiant
+                texte = "package lancer; " + texte;
+                remarque = chemin + " : la ligne « package lancer; » manque";
+            } else {
+                texte = texte.replaceFirst("package\\s+" + Pattern.quote(paquet) + "\\s*;", "package lancer;")
+                        .replace("import " + paquet + ".", "import lancer.").replace("import static " + paquet + ".", "import static lancer.");
+                remarque = chemin + " : le paquet est « " + paquet + " » au lieu de « lancer »";
+            }
+            paquet = "lancer";
+        }
+        return new Source(chemin, classe, racine, paquet, texte, remarque);
+    }
+
+    /** Le même texte, les commentaires remplacés par des blancs. */
+    static String sansCommentaires(String texte) {
+        return COMMENTAIRES.matcher(texte).replaceAll(" ");
+    }
+
+    /**
+     * Une classe déclarée ici, dans le paquet {@code lancer}, du nom d'une classe de {@code java.lang} : nos vérifications, qui sont
+     * du même paquet, la prendraient pour celle-ci.
+     */
+    String classeDeJavaCachee() {
+        Matcher m = DECLARATION.matcher(sansCommentaires(texte));
+        while (paquet.equals("lancer") && m.find()) {
+            try {
+                return Class.forName("java.lang." + m.group(1), false, null).getSimpleName();
+            } catch (ClassNotFoundException | LinkageError e) {
+                // ce nom-là est libre
+            }
+        }
+        return null;
+    }
+
+    /** Vrai si deux textes ne diffèrent que par leurs commentaires et leurs blancs. */
+    public static boolean memeCode(String a, String b) {
+        return sansCommentaires(a).replaceAll("\\s+", "").equals(sansCommentaires(b).replaceAll("\\s+", ""));
+    }
+
+    private static Charset codage(byte[] octets) {
+        if (octets.length >= 2 && (octets[0] == (byte) 0xFE && octets[1] == (byte) 0xFF || octets[0] == (byte) 0xFF && octets[1] == (byte) 0xFE)) {
+            return StandardCharsets.UTF_16;
+        }
+        try {
+            StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets));
+            return StandardCharsets.UTF_8;
+        } catch (CharacterCodingException e) {
+            return Charset.isSupported("windows-1252") ? Charset.forName("windows-1252") : StandardCharsets.ISO_8859_1;
+        }
+    }
+}

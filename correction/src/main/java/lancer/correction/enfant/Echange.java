@@ -1,0 +1,22 @@
+package lancer.correction.enfant;
+
+/** Ce que le correcteur et la machine virtuelle où tourne un rendu se disent, une ligne à la fois. */
+public final class Echange {
+
+    /** Statut de sortie d'un rendu qui imprime sans fin. */
+    public static final int TROP_IMPRIME = 88;
+
+    /** Ce qu'un rendu peut imprimer, en octets. */
+    public static final long IMPRESSION_MAX = 1 << 20;
+
+    private static final int LONGUEUR_MAX = 2000;
+
+    private Echange() {
+    }
+
+    /** Un texte en une ligne, sans tabulation, et pas trop long. */
+    public static String protege(String texte) {
+        String court = texte.length() > LONGUEUR_MAX ? texte.substring(0, LONGUEUR_MAX) + "…" : texte;
+        return court.replaceAll("[\\p{Cntrl}\\s]+", " ").trim();
+    }
+}

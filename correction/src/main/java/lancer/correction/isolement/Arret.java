@@ -1,0 +1,11 @@
+package lancer.correction.isolement;
+
+/** Un programme qu'il a fallu arrêter, ou qui s'est arrêté de lui-même, avant d'avoir répondu. */
+public final class Arret extends Exception {
+
+    private static final long serialVersionUID = 1;
+
+    Arret(String cause) {
+        super(cause);
+    }
+}

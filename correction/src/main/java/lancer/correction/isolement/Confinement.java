@@ -1,0 +1,123 @@
+package lancer.correction.isolement;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** De quoi lancer Java sans réseau ni disque, par bubblewrap, ou sans confinement là où il ne marche pas et où on l'accepte. */
+public final class Confinement {
+
+    private static final int DISQUE = 64 << 20;
+    private static final int BLOC = 512;
+    private static final int ESSAI_SECONDES = 20;
+
+    private final boolean confine;
+    private final String manque;
+
+    private Confinement(boolean confine, String manque) {
+        this.confine = confine;
+        this.manque = manque;
+    }
+
+    /** Essaie bubblewrap. */
+    public static Confinement essayer() {
+        List<String> essai = enveloppe();
+        essai.add("/usr/bin/true");
+        try {
+            Process processus = new ProcessBuilder(essai).redirectErrorStream(true).start();
+            processus.getOutputStream().close();
+            if (!processus.waitFor(ESSAI_SECONDES, TimeUnit.SECONDS)) {
+                processus.destroyForcibly();
+                return new Confinement(false, "bwrap ne répond pas");
+            }
+            String dit = new String(processus.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
+            return processus.exitValue() == 0 ? new Confinement(true, "")
+                    : new Confinement(false, "bwrap refuse : " + dit.replaceAll("\\s+", " "));
+        } catch (IOException e) {
+            return new Confinement(false, "bwrap n'est pas installé (sudo apt-get install bubblewrap)");
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return new Confinement(false, "interrompu");
+        }
+    }
+
+    /** Aucun confinement, quoi que la machine permette. */
+    public static Confinement aucun() {
+        return new Confinement(false, "confinement non demandé");
+    }
+
+    public boolean estConfine() {
+        return confine;
+    }
+
+    /** Ce qui manque pour confiner, vide si rien. */
+    public String getManque() {
+        return manque;
+    }
+
+    /**
+     * La commande qui lance une classe dans une machine virtuelle à part.
+     *
+     * @param dossier ce qu'elle voit du travail
+     * @param ecriture vrai si elle peut y écrire
+     */
+    public List<String> java(Class<?> principale, String chemin, Path dossier, boolean ecriture, Limites limites) {
+        List<String> commande = new ArrayList<>();
+        if (confine) {
+            commande.addAll(enveloppe());
+            Set<String> visibles = new LinkedHashSet<>(List.of(chemin.split(File.pathSeparator)));
+            visibles.add(accueil());
+            visibles.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
+            commande.addAll(List.of(ecriture ? "--bind" : "--ro-bind", dossier.toString(), dossier.toString(), "--chdir", "/tmp"));
+        }
+        if (!confine && Files.isExecutable(Paths.get("/bin/sh"))) {
+            // à défaut d'un disque à part, au moins pas de fichier sans fin
+            commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; exec \"$@\"", "sh"));
+        }
+        commande.addAll(List.of(accueil() + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m", "-XX:MaxDirectMemorySize=32m",
+                "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
+                "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr", "-Djava.io.tmpdir=" + (confine ? "/tmp" : dossier), "-cp", chemin, principale.getName()));
+        return commande;
+    }
+
+    private static String accueil() {
+        try {
+            return Paths.get(System.getProperty("java.home")).toRealPath().toString();
+        } catch (IOException e) {
+            return System.getProperty("java.home");
+        }
+    }
+
+    private static List<String> enveloppe() {
+        List<String> commande = new ArrayList<>(List.of("bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--clearenv",
+                "--setenv", "LANG", "C.UTF-8", "--setenv", "PATH", "/usr/bin", "--ro-bind", "/usr", "/usr"));
+        for (String dossier : List.of("/lib", "/lib64", "/bin")) {
+            Path ici = Paths.get(dossier);
+            if (Files.isSymbolicLink(ici)) {
+                commande.addAll(List.of("--symlink", "usr" + dossier, dossier));
+            } else if (Files.isDirectory(ici)) {
+                commande.addAll(List.of("--ro-bind", dossier, dossier));
+            }
+        }
+        // Debian met une partie de la configuration de Java hors de son dossier
+        try (Stream<Path> flux = Files.list(Paths.get("/etc"))) {
+            for (String java : flux.map(Path::toString).filter(f -> f.startsWith("/etc/java")).collect(Collectors.toList())) {
+                commande.addAll(List.of("--ro-bind-try", java, java));
+            }
+        } catch (IOException e) {
+            // pas de /etc : rien à montrer
+        }
+        commande.addAll(List.of("--proc", "/proc", "--dev", "/dev", "--size", String.valueOf(DISQUE), "--tmpfs", "/tmp", "--dir", "/root"));
+        return commande;
+    }
+}

@@ -1,0 +1,161 @@
+package lancer.correction.isolement;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.OutputStream;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lancer.correction.Panne;
+import lancer.correction.enfant.Echange;
+
+/**
+ * Une machine virtuelle à part, à qui l'on demande une chose après l'autre. Elle est surveillée du dehors : ce qu'elle calcule, ce
+ * qu'elle écrit, combien de processus elle lance. Le temps d'attente se compte en tours de la surveillance, non à l'horloge : une
+ * machine suspendue puis reprise n'a pas attendu.
+ */
+public final class Enfant implements AutoCloseable {
+
+    private static final long TOUR_MS = 50;
+    private static final long SORTIE_MAX = 64 << 20;
+    private static final String FIN = "\0fin";
+
+    private final Process processus;
+    private final Limites limites;
+    private final BlockingQueue<String> lignes = new LinkedBlockingQueue<>();
+    private volatile boolean sortieDemesuree;
+
+    /** @param prefixe ce par quoi commencent les lignes qui comptent ; les autres sont laissées */
+    public Enfant(List<String> commande, String prefixe, Limites limites) {
+        this.limites = limites;
+        try {
+            processus = new ProcessBuilder(commande).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+        } catch (IOException e) {
+            throw new Panne(1, "une machine virtuelle n'a pas pu être lancée : " + e.getMessage());
+        }
+        Thread lecteur = new Thread(() -> lire(prefixe), "lecteur");
+        lecteur.setDaemon(true);
+        lecteur.start();
+    }
+
+    private void lire(String prefixe) {
+        char[] tampon = new char[1 << 16];
+        long total = 0;
+        StringBuilder ligne = new StringBuilder();
+        try (Reader sortie = new BufferedReader(new InputStreamReader(processus.getInputStream(), StandardCharsets.UTF_8))) {
+            for (int n = sortie.read(tampon); n >= 0 && !sortieDemesuree; n = sortie.read(tampon)) {
+                total += n;
+                for (int k = 0; k < n; k++) {
+                    if (tampon[k] != '\n') {
+                        ligne.append(tampon[k]);
+                        continue;
+                    }
+                    if (ligne.indexOf(prefixe) == 0) {
+                        lignes.add(ligne.substring(prefixe.length()));
+                    }
+                    ligne.setLength(0);
+                }
+                sortieDemesuree = total > SORTIE_MAX;
+            }
+        } catch (IOException e) {
+            // le programme est mort : c'est la fin, elle aussi
+        }
+        lignes.add(FIN);
+    }
+
+    /** Envoie une ligne. */
+    public void dire(String ligne) throws Arret {
+        try {
+            OutputStream entree = processus.getOutputStream();
+            entree.write((ligne + "\n").getBytes(StandardCharsets.UTF_8));
+            entree.flush();
+        } catch (IOException e) {
+            throw mort();
+        }
+    }
+
+    /** La ligne suivante, si elle vient dans les limites. */
+    public String attendre() throws Arret {
+        return attendre(limites.calcul);
+    }
+
+    /** @param calculMax temps de processeur permis, en secondes */
+    public String attendre(double calculMax) throws Arret {
+        double debut = calcul();
+        double dernier = debut;
+        int immobile = 0;
+        while (true) {
+            String ligne = lignes.poll();
+            try {
+                if (ligne == null) {
+                    ligne = lignes.poll(TOUR_MS, TimeUnit.MILLISECONDS);
+                }
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                throw arreter("interrompu");
+            }
+            if (ligne != null) {
+                if (ligne.equals(FIN)) {
+                    throw mort();
+                }
+                return ligne;
+            }
+            double maintenant = calcul();
+            immobile = maintenant - dernier > TOUR_MS / 1e4 ? 0 : immobile + 1;
+            dernier = maintenant;
+            if (maintenant - debut > calculMax) {
+                throw arreter("arrêté après " + Math.round(calculMax) + " s de calcul : une boucle sans fin ?");
+            }
+            if (immobile * TOUR_MS > 1000 * limites.attente) {
+                throw arreter("arrêté : plus de " + (int) limites.attente + " s sans rien faire, bloqué ou endormi");
+            }
+            if (sortieDemesuree) {
+                throw arreter("arrêté : imprime sans fin");
+            }
+            if (processus.descendants().count() > limites.processus) {
+                throw arreter("arrêté : lance sans fin d'autres programmes");
+            }
+        }
+    }
+
+    /** Le temps de processeur, en secondes, de l'enfant et de ce qu'il a lancé. */
+    private double calcul() {
+        try (Stream<ProcessHandle> tous = Stream.concat(Stream.of(processus.toHandle()), processus.descendants())) {
+            return tous.map(p -> p.info().totalCpuDuration().orElse(Duration.ZERO)).mapToLong(Duration::toMillis).sum() / 1e3;
+        }
+    }
+
+    private Arret arreter(String cause) {
+        close();
+        return new Arret(cause);
+    }
+
+    private Arret mort() {
+        int statut;
+        try {
+            processus.waitFor(1, TimeUnit.SECONDS);
+            statut = processus.isAlive() ? -1 : processus.exitValue();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            statut = -1;
+        }
+        close();
+        return new Arret(sortieDemesuree || statut == Echange.TROP_IMPRIME ? "arrêté : imprime sans fin"
+                : statut == 3 ? "mémoire épuisée" : "le programme s'est arrêté de lui-même (System.exit ?), statut " + statut);
+    }
+
+    /** Tue la machine virtuelle, et tout ce qu'elle a lancé. */
+    @Override
+    public void close() {
+        List<ProcessHandle> descendance = processus.descendants().collect(Collectors.toList());
+        processus.destroyForcibly();
+        descendance.forEach(ProcessHandle::destroyForcibly);
+    }
+}

@@ -1,0 +1,95 @@
+package lancer.correction.jugement;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Ce que répondent en chemin, pour un pixel, les méthodes du corrigé et celles de l'étudiant, et la première réponse qui s'écarte. */
+public final class Chemin implements Serializable {
+
+    private static final long serialVersionUID = 1;
+
+    private static final double PRES = 1e-6;
+
+    /** Une réponse. */
+    public static final class Pas implements Serializable {
+
+        private static final long serialVersionUID = 1;
+
+        public final String nom;
+        public final String attendu;
+        public final String obtenu;
+        public final boolean pareil;
+
+        Pas(String nom, String attendu, String obtenu) {
+            this.nom = nom;
+            this.attendu = attendu;
+            this.obtenu = obtenu;
+            this.pareil = pareil(attendu, obtenu);
+        }
+    }
+
+    public final int x;
+    public final int y;
+    private final List<Pas> pas = new ArrayList<>();
+
+    /** @param reference ce que répond {@code SondeChemin} par le corrigé ; @param etudiant par l'étudiant */
+    Chemin(int x, int y, String reference, String etudiant) {
+        this.x = x;
+        this.y = y;
+        Map<String, String> siens = decouper(etudiant);
+        Map<String, String> attendus = decouper(reference);
+        for (Map.Entry<String, String> attendu : attendus.entrySet()) {
+            String obtenu = siens.remove(attendu.getKey());
+            pas.add(new Pas(attendu.getKey(), attendu.getValue(), obtenu == null ? "(pas de réponse)" : obtenu));
+        }
+        siens.forEach((nom, obtenu) -> pas.add(new Pas(nom, "(pas de réponse)", obtenu)));
+    }
+
+    public List<Pas> getPas() {
+        return pas;
+    }
+
+    /** La première réponse qui s'écarte, {@code null} s'il n'y en a pas. */
+    public Pas getPremierEcart() {
+        return pas.stream().filter(p -> !p.pareil).findFirst().orElse(null);
+    }
+
+    /** Combien de réponses avant la première qui s'écarte. */
+    int rangDuPremierEcart() {
+        return getPremierEcart() == null ? Integer.MAX_VALUE : pas.indexOf(getPremierEcart());
+    }
+
+    private static Map<String, String> decouper(String texte) {
+        Map<String, String> reponses = new LinkedHashMap<>();
+        for (String reponse : texte.split("\t")) {
+            int egal = reponse.indexOf('=');
+            if (egal > 0) {
+                reponses.put(reponse.substring(0, egal), reponse.substring(egal + 1));
+            }
+        }
+        return reponses;
+    }
+
+    private static boolean pareil(String a, String b) {
+        String[] x = a.split(" ");
+        String[] y = b.split(" ");
+        if (x.length != y.length) {
+            return false;
+        }
+        try {
+            for (int k = 0; k < x.length; k++) {
+                double u = Double.parseDouble(x[k]);
+                double v = Double.parseDouble(y[k]);
+                if (u != v && !(Math.abs(u - v) <= PRES * (1 + Math.abs(u)))) {
+                    return false;
+                }
+            }
+            return true;
+        } catch (NumberFormatException e) {
+            return a.equals(b);
+        }
+    }
+}

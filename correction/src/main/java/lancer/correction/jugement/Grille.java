@@ -1,0 +1,61 @@
+package lancer.correction.jugement;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Ce qui se note : les étapes de l'énoncé, dans son ordre, l'image, puis les variantes ; et pour chacune, ce qui compte. */
+public final class Grille {
+
+    /** Une ligne d'une étape. */
+    public static final class Critere {
+
+        public final String id;
+        public final String titre;
+        public final boolean compte;
+
+        Critere(String id, String titre, boolean compte) {
+            this.id = id;
+            this.titre = titre;
+            this.compte = compte;
+        }
+    }
+
+    /** Une étape et ses critères. */
+    public static final class Etape {
+
+        public final String nom;
+        public final String titre;
+        public final List<Critere> criteres = new ArrayList<>();
+
+        Etape(String nom, String titre) {
+            this.nom = nom;
+            this.titre = titre;
+        }
+    }
+
+    /** Le critère de l'image. */
+    public static final String IMAGE = "image.image";
+
+    private final Map<String, Etape> etapes = new LinkedHashMap<>();
+
+    public Grille(Reference reference) {
+        for (Verification v : reference.getVerifications()) {
+            ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""), v.id(), v.titre, reference.compte(v));
+        }
+        ajouter("image", "L'image entière", IMAGE, "la scène du cours, par toutes les classes du rendu, est la même que celle du corrigé", true);
+        for (Variantes.Critere critere : Variantes.CRITERES) {
+            ajouter(critere.variante, critere.titreVariante, critere.id(), critere.titre, true);
+        }
+    }
+
+    private void ajouter(String etape, String titreEtape, String id, String titre, boolean compte) {
+        etapes.computeIfAbsent(etape, e -> new Etape(e, titreEtape)).criteres.add(new Critere(id, titre, compte));
+    }
+
+    public List<Etape> getEtapes() {
+        return Collections.unmodifiableList(new ArrayList<>(etapes.values()));
+    }
+}

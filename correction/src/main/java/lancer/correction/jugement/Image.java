@@ -1,0 +1,52 @@
+package lancer.correction.jugement;
+
+import java.io.Serializable;
+import java.nio.ByteBuffer;
+import java.util.Base64;
+
+/** Une image, en couleurs non limitées. */
+public final class Image implements Serializable {
+
+    private static final long serialVersionUID = 1;
+
+    public final int largeur;
+    public final int hauteur;
+    private final float[] rvb;
+
+    Image(int largeur, int hauteur, float[] rvb) {
+        this.largeur = largeur;
+        this.hauteur = hauteur;
+        this.rvb = rvb;
+    }
+
+    /** @param texte ce que répond {@code SondeImage} */
+    static Image lire(int largeur, int hauteur, String texte) {
+        ByteBuffer octets = ByteBuffer.wrap(Base64.getDecoder().decode(texte));
+        float[] rvb = new float[largeur * hauteur * 3];
+        octets.asFloatBuffer().get(rvb);
+        return new Image(largeur, hauteur, rvb);
+    }
+
+    /** Une composante, limitée à [0, 1], en niveaux de 255 ; 0 si ce n'est pas un nombre. */
+    double niveau(int pixel, int composante) {
+        float x = rvb[3 * pixel + composante];
+        return x > 0 ? 255 * Math.min(1, x) : 0;
+    }
+
+    double brut(int pixel, int composante) {
+        return rvb[3 * pixel + composante];
+    }
+
+    int pixels() {
+        return largeur * hauteur;
+    }
+
+    /** Le pixel comme un écran le veut. */
+    public int code(int x, int y) {
+        int code = 0;
+        for (int k = 0; k < 3; k++) {
+            code = code << 8 | (int) Math.round(niveau(y * largeur + x, k));
+        }
+        return code;
+    }
+}

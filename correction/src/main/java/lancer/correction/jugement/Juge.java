@@ -1,0 +1,326 @@
+package lancer.correction.jugement;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import lancer.correction.depot.Projet;
+import lancer.correction.depot.Source;
+import lancer.correction.isolement.Arret;
+import lancer.correction.jugement.Chantier.Assemblage;
+import lancer.correction.jugement.Verdict.Etat;
+import lancer.correction.modele.Modele;
+
+/**
+ * Juge un rendu : toutes ses classes ensemble, puis chacune seule parmi celles du corrigé, pour qu'une faute ne cache pas les autres.
+ */
+final class Juge {
+
+    static final int LARGEUR = 160;
+    static final int HAUTEUR = 120;
+    static final int PROFONDEUR = 5;
+
+    /** Temps de processeur permis pour dessiner, en secondes. */
+    private static final double TEMPS_IMAGE = 20;
+
+    /** Après autant d'arrêts dans une étape, le reste de l'étape n'est pas lancé ; dans un assemblage, le reste de celui-ci. */
+    private static final int ARRETS_PAR_ETAPE = 2;
+    private static final int ARRETS_PAR_ASSEMBLAGE = 3;
+
+    /** Pixels où l'on cherche d'où vient la faute. */
+    private static final int PIXELS_ESSAYES = 200;
+
+    private static final String ENSEMBLE = "ensemble";
+
+    private final Reference reference;
+    private final Chantier chantier;
+    private final Machines.Rendue machine;
+    private final Projet projet;
+    private final Resultat resultat = new Resultat();
+    private Assemblage ensemble;
+    /** Vrai si les dernières vérifications lancées ne l'ont pas toutes été, faute de finir. */
+    private boolean trop;
+    private final Map<String, Assemblage> seules = new HashMap<>();
+    /** De quoi dépend une classe qui ne se compile pas seule dans le corrigé. */
+    private final Map<String, String> dependances = new HashMap<>();
+
+    Juge(Reference reference, Chantier chantier, Machines.Rendue machine, Projet projet) {
+        this.reference = reference;
+        this.chantier = chantier;
+        this.machine = machine;
+        this.projet = projet;
+    }
+
+    Resultat juger() throws Arret {
+        resultat.remarques.addAll(projet.getRemarques());
+        Map<String, String> sources = Chantier.squelette();
+        sources.putAll(projet.getBase());
+        for (String classe : Modele.A_COMPLETER) {
+            if (projet.texte(classe) == null) {
+                resultat.remarques.add("la classe " + classe + " manque : celle du projet à compléter en tient lieu");
+            }
+        }
+        ensemble = chantier.assembler(ENSEMBLE, sources);
+        for (Faute faute : ensemble.fautes) {
+            if (projet.getBase().containsKey(faute.fichier.replaceFirst("\\.java$", ""))) {
+                resultat.fautes.add(faute);
+            }
+        }
+        Map<String, Verdict> parEnsemble = lancer(ensemble, reference.getVerifications());
+        boolean coupe = trop;
+        Map<String, List<Verification>> aReprendre = new LinkedHashMap<>();
+        for (Verification v : reference.getVerifications()) {
+            if (parEnsemble.get(v.id()).etat != Etat.REUSSI && projet.texte(v.classe) != null && !intacte(v.classe)) {
+                aReprendre.computeIfAbsent(v.classe, c -> new ArrayList<>()).add(v);
+            }
+        }
+        Map<String, Verdict> parSeule = new HashMap<>();
+        for (Map.Entry<String, List<Verification>> reprise : aReprendre.entrySet()) {
+            Assemblage seule = seule(reprise.getKey());
+            if (seule != null) {
+                parSeule.putAll(lancer(seule, reprise.getValue()));
+            }
+        }
+        for (Verification v : reference.getVerifications()) {
+            resultat.verdicts.put(v.id(), conclure(v, parEnsemble.get(v.id()), parSeule.get(v.id())));
+        }
+        if (coupe) {
+            resultat.sansImage = "trop de vérifications n'ont pas fini";
+            resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, resultat.sansImage));
+        } else {
+            dessiner();
+        }
+        variantes();
+        return resultat;
+    }
+
+    private void variantes() throws Arret {
+        Variantes variantes = new Variantes(this, reference, ensemble, chantier.getDossier(), resultat.verdicts);
+        for (Map.Entry<String, Map<String, String>> variante : projet.getVariantes().entrySet()) {
+            // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
+            Map<String, String> sources = Chantier.squelette();
+            sources.putAll(projet.getBase());
+            sources.putAll(variante.getValue());
+            variantes.juger(variante.getKey(), chantier.assembler(variante.getKey(), sources));
+        }
+    }
+
+    private boolean intacte(String classe) {
+        return Source.memeCode(projet.texte(classe), Modele.squelette(classe));
+    }
+
+    /** La classe de l'étudiant parmi celles du corrigé ; avec celles des siennes dont elle a besoin, si elle en a besoin. */
+    Assemblage seule(String classe) throws Arret {
+        if (seules.containsKey(classe)) {
+            return seules.get(classe);
+        }
+        Map<String, String> sources = Chantier.corrige();
+        projet.getBase().forEach((nom, texte) -> {
+            if (!Modele.classes().contains(nom.replace("lancer/", ""))) {
+                sources.put(nom, texte);
+            }
+        });
+        sources.put("lancer/" + classe, projet.texte(classe));
+        Assemblage seule = chantier.assembler("seule-" + classe, sources);
+        if (fautesNouvelles(seule, classe)) {
+            List<String> nommees = new ArrayList<>();
+            for (String autre : Modele.classes()) {
+                String texte = projet.texte(autre);
+                if (texte != null && !autre.equals(classe) && !autre.equals("Main")
+                        && Pattern.compile("\\b" + autre + "\\b|\\." + autre.toLowerCase() + "\\b").matcher(projet.texte(classe)).find()) {
+                    nommees.add(autre);
+                    sources.put("lancer/" + autre, texte);
+                }
+            }
+            seule = chantier.assembler("avec-" + classe, sources);
+            if (fautesNouvelles(seule, classe) || seule.fautes.size() > seule.fautesDe(classe).size()) {
+                TreeSet<String> cassees = new TreeSet<>();
+                seule.fautes.stream().map(Faute::classe).filter(nommees::contains).forEach(cassees::add);
+                dependances.put(classe, cassees.isEmpty() ? String.join(", ", nommees) : String.join(", ", cassees));
+            } else {
+                resultat.remarques.add(classe + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
+                        + String.join(", ", nommees));
+            }
+        }
+        seules.put(classe, seule);
+        return seule;
+    }
+
+    /** Vrai si la classe a là des fautes qu'elle n'a pas avec toutes celles de l'étudiant. */
+    private boolean fautesNouvelles(Assemblage seule, String classe) {
+        return seule.fautesDe(classe).size() > (ensemble == null ? 0 : ensemble.fautesDe(classe).size());
+    }
+
+    Map<String, Verdict> lancer(Assemblage assemblage, List<Verification> verifications) {
+        trop = false;
+        Map<String, Verdict> verdicts = new HashMap<>();
+        Map<String, Integer> arrets = new HashMap<>();
+        String dernier = "";
+        int total = 0;
+        for (Verification v : verifications) {
+            if (total >= ARRETS_PAR_ASSEMBLAGE || arrets.getOrDefault(v.etape, 0) >= ARRETS_PAR_ETAPE) {
+                verdicts.put(v.id(), new Verdict(Etat.RATE, "non lancé, ce qui précède n'ayant pas fini : " + dernier));
+                continue;
+            }
+            try {
+                verdicts.put(v.id(), lire(machine.demander(machine.calcul(), "T", assemblage.classes, v.classeJava, v.methode)));
+            } catch (Arret e) {
+                dernier = e.getMessage();
+                total++;
+                trop = total >= ARRETS_PAR_ASSEMBLAGE;
+                arrets.merge(v.etape, 1, Integer::sum);
+                verdicts.put(v.id(), new Verdict(Etat.RATE, dernier));
+            }
+        }
+        return verdicts;
+    }
+
+    private static Verdict lire(String reponse) {
+        String[] mots = reponse.split("\t", 2);
+        String message = mots.length > 1 ? mots[1] : "";
+        switch (mots[0]) {
+            case "REUSSI":
+                return new Verdict(Etat.REUSSI, "");
+            case "ABANDONNE":
+                return new Verdict(Etat.NON_COMMENCE, message);
+            default:
+                return new Verdict(Etat.RATE, message);
+        }
+    }
+
+    private Verdict conclure(Verification v, Verdict ensemble, Verdict seule) {
+        if (ensemble.etat == Etat.REUSSI) {
+            return ensemble;
+        }
+        if (projet.texte(v.classe) == null) {
+            return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + " n'est pas dans le rendu");
+        }
+        if (intacte(v.classe)) {
+            return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + " est celle du projet à compléter");
+        }
+        if (seule != null && seule.etat == Etat.REUSSI) {
+            return new Verdict(Etat.CACHE, ensemble.message);
+        }
+        Verdict verdict = seule != null ? seule : ensemble;
+        if (verdict.etat == Etat.NON_COMMENCE) {
+            // le jaune vif : à la première étape de getColor, elle n'est pas commencée ; aux suivantes, elle manque
+            String besoin = verdict.message.contains("jaune vif") ? reference.besoin(v.etape) : "";
+            return verdict.message.startsWith("étape non évaluable") || !besoin.isEmpty() ? new Verdict(Etat.NON_EVALUABLE,
+                    (besoin.isEmpty() ? "" : "non évaluable : dépend de « " + besoin + " » ; ") + verdict.message) : verdict;
+        }
+        if (dependances.containsKey(v.classe) && verdict.message.startsWith("ne se compile pas")) {
+            return new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe));
+        }
+        if (verdict.message.startsWith("ne se compile pas")) {
+            return new Verdict(Etat.RATE, verdict.message + causes(v.classe));
+        }
+        return verdict.message.equals(reference.messageDuSquelette(v)) ? new Verdict(Etat.NON_COMMENCE,
+                "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
+    }
+
+    private String causes(String classe) {
+        List<Faute> fautes = new ArrayList<>(ensemble.fautesDe(classe));
+        if (fautes.isEmpty()) {
+            fautes.addAll(resultat.fautes);
+        }
+        return fautes.isEmpty() ? "" : " ; " + fautes.get(0);
+    }
+
+    private void dessiner() {
+        try {
+            Image image = image(ensemble, 0);
+            resultat.image = image;
+            Ecart coins = new Ecart(reference.getImage(false), image);
+            Ecart centres = new Ecart(reference.getImage(true), image);
+            resultat.centre = centres.rmse < coins.rmse;
+            resultat.ecart = resultat.centre ? centres : coins;
+            boolean meme = resultat.ecart.memeImage();
+            resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "") : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
+                    String.format(Locale.FRANCE, "%d pixels faux sur %d", resultat.ecart.faux, resultat.ecart.pixels)));
+            if (!meme) {
+                chercherLaFaute(image);
+            }
+        } catch (Arret | IllegalStateException e) {
+            if (resultat.image == null) {
+                resultat.sansImage = e.getMessage();
+                resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, e.getMessage()));
+            } else {
+                resultat.remarques.add("la recherche de la faute dans l'image s'est arrêtée : " + e.getMessage());
+            }
+        }
+    }
+
+    /** Faux pour l'image d'une seule couleur du projet à compléter. */
+    private static boolean commencee(Image image) {
+        for (int p = 1; p < image.pixels(); p++) {
+            if (image.code(p % image.largeur, p / image.largeur) != image.code(0, 0)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void chercherLaFaute(Image image) throws Arret {
+        Image attendue = reference.getImage(resultat.centre);
+        resultat.chemin = chemin(resultat.ecart.pireX, resultat.ecart.pireY);
+        // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où vient la faute
+        int pas = Math.max(1, image.pixels() / PIXELS_ESSAYES);
+        for (int p = pas / 2; p < image.pixels(); p += pas) {
+            if (Ecart.ecart(attendue, image, p) > 1) {
+                Chemin autre = chemin(p % LARGEUR, p / LARGEUR);
+                if (autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart()
+                        && (resultat.cheminPlusTot == null || autre.rangDuPremierEcart() < resultat.cheminPlusTot.rangDuPremierEcart())) {
+                    resultat.cheminPlusTot = autre;
+                }
+            }
+        }
+        for (String classe : Modele.A_COMPLETER) {
+            if (projet.texte(classe) != null && !intacte(classe)) {
+                try {
+                    Image seule = image(seule(classe), 0);
+                    if (!new Ecart(reference.getImage(false), seule).memeImage() && !new Ecart(reference.getImage(true), seule).memeImage()) {
+                        resultat.classesFautives.add(classe);
+                    }
+                } catch (Arret | IllegalStateException e) {
+                    resultat.classesFautives.add(classe);
+                }
+            }
+        }
+    }
+
+    private Chemin chemin(int x, int y) throws Arret {
+        double decalage = resultat.centre ? 0.5 : 0;
+        String siens = sonde(ensemble, "SondeChemin", "decrire", scene(), "" + LARGEUR, "" + HAUTEUR, "" + x, "" + y, "" + PROFONDEUR);
+        return new Chemin(x, y, reference.chemin(x + decalage, y + decalage), siens);
+    }
+
+    String scene() {
+        return chantier.getDossier().resolve("scenes/scene1.ini").toString();
+    }
+
+    /** @throws IllegalStateException si les classes ne savent pas dessiner, avec pourquoi */
+    Image image(Assemblage assemblage, double decalage) throws Arret {
+        return Image.lire(LARGEUR, HAUTEUR, sonde(assemblage, "SondeImage", "dessiner", scene(), "" + LARGEUR, "" + HAUTEUR, "" + PROFONDEUR,
+                "" + decalage));
+    }
+
+    String sonde(Assemblage assemblage, String sonde, String methode, String... arguments) throws Arret {
+        List<String> mots = new ArrayList<>(List.of("S", assemblage.classes, sonde, methode));
+        mots.addAll(List.of(arguments));
+        String reponse = machine.demander(TEMPS_IMAGE, mots.toArray(new String[0]));
+        if (!reponse.startsWith("REPONSE\t")) {
+            throw new IllegalStateException(reponse.replaceFirst("^ECHEC\t", ""));
+        }
+        return reponse.substring("REPONSE\t".length());
+    }
+
+    /** Les vérifications, telles que JUnit les voit dans cet assemblage. */
+    static List<Verification> verifications(Machines.Rendue machine, Assemblage assemblage) throws Arret {
+        return Verification.lire(machine.demander(TEMPS_IMAGE, "L", assemblage.classes));
+    }
+
+}

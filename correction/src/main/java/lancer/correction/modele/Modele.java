@@ -1,0 +1,104 @@
+package lancer.correction.modele;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même texte dit les
+ * deux : entre {@code //&#123;} et {@code //=}, la réponse ; de là à {@code //&#125;}, ce que le squelette a à sa place.
+ */
+public final class Modele {
+
+    /** Les classes à compléter, dans l'ordre de l'énoncé. */
+    public static final List<String> A_COMPLETER =
+            List.of("Vecteur", "Point", "Rayon", "Camera", "Sphere", "Scene", "Lancer", "Objet3D");
+
+    /** Les classes données achevées. */
+    public static final List<String> DONNEES =
+            List.of("Tuple", "Couleur", "Lampe", "PointContact", "Constantes", "LecteurScene", "Toile", "Main");
+
+    /** Ce qui interroge les classes d'un étudiant, compilé contre elles. */
+    public static final List<String> SONDES = List.of("SondeImage", "SondeChemin", "SondeVariantes");
+
+    public static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume", "foule");
+
+    private Modele() {
+    }
+
+    /** Toutes les classes du projet, sans ses tests. */
+    public static List<String> classes() {
+        List<String> toutes = new ArrayList<>(A_COMPLETER);
+        toutes.addAll(DONNEES);
+        return toutes;
+    }
+
+    /** La classe à compléter : des {@code FIXME} à la place des réponses. */
+    public static String squelette(String classe) {
+        return extraire(ressource("modele/lancer/" + classe + ".java"), false);
+    }
+
+    /** La classe complétée. */
+    public static String corrige(String classe) {
+        return extraire(ressource("modele/lancer/" + classe + ".java"), true);
+    }
+
+    public static String tests() {
+        return ressource("modele/lancer/Tests.java");
+    }
+
+    public static String sonde(String classe) {
+        return ressource("sondes/lancer/" + classe + ".java");
+    }
+
+    public static String scene(String nom) {
+        return ressource("scenes/" + nom + ".ini");
+    }
+
+    /** Un fichier qui accompagne les classes : pom.xml, Makefile… */
+    public static String projet(String fichier) {
+        return ressource("projet/" + fichier);
+    }
+
+    static String extraire(String texte, boolean reponses) {
+        StringBuilder resultat = new StringBuilder();
+        boolean dansReponse = false;
+        boolean dansMarque = false;
+        for (String ligne : texte.split("\n")) {
+            String nue = ligne.trim();
+            String marge = ligne.substring(0, ligne.length() - ligne.stripLeading().length());
+            if (nue.startsWith("//{")) {
+                dansMarque = true;
+                dansReponse = true;
+                if (!reponses && nue.length() > 3) {
+                    resultat.append(marge).append("// FIXME").append(nue.substring(3)).append('\n');
+                }
+            } else if (dansMarque && nue.startsWith("//=")) {
+                dansReponse = false;
+                if (!reponses) {
+                    resultat.append(marge).append(nue.substring(4)).append('\n');
+                }
+            } else if (dansMarque && nue.equals("//}")) {
+                dansMarque = false;
+                dansReponse = false;
+            } else if (!dansReponse || reponses) {
+                resultat.append(ligne).append('\n');
+            }
+        }
+        return resultat.toString();
+    }
+
+    private static String ressource(String nom) {
+        try (InputStream flux = Modele.class.getResourceAsStream("/" + nom)) {
+            if (flux == null) {
+                throw new IllegalStateException("ressource absente : " + nom);
+            }
+            return new String(flux.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package lancer.correction.note;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.Reader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import lancer.correction.Panne;
+import lancer.correction.jugement.Grille;
+import org.ini4j.Ini;
+import org.ini4j.Profile;
+
+/** Les points de chaque étape, d'un petit fichier INI que l'enseignant peut changer. */
+public final class Bareme {
+
+    private final Map<String, Double> poids = new LinkedHashMap<>();
+
+    /**
+     * Lit le barème, ou l'écrit d'abord s'il n'existe pas.
+     *
+     * @throws Panne s'il ne convient pas
+     */
+    public Bareme(Path fichier, Grille grille) {
+        try {
+            if (!Files.exists(fichier)) {
+                Files.write(fichier, parDefaut());
+            }
+            Ini ini = new Ini();
+            try (Reader texte = Files.newBufferedReader(fichier, StandardCharsets.UTF_8)) {
+                ini.load(texte);
+            }
+            lire(fichier, ini, grille.getEtapes().stream().map(e -> e.nom).collect(Collectors.toList()));
+        } catch (IOException e) {
+            throw new Panne(2, "barème illisible : " + fichier + " (" + e.getMessage() + ")");
+        }
+    }
+
+    private static byte[] parDefaut() {
+        try (InputStream flux = Bareme.class.getResourceAsStream("/bareme.ini")) {
+            return flux.readAllBytes();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private void lire(Path fichier, Ini ini, List<String> etapes) {
+        Profile.Section section = ini.get("Barème");
+        if (section == null) {
+            throw new Panne(2, fichier + " : la section [Barème] manque");
+        }
+        for (Map.Entry<String, String> ligne : section.entrySet()) {
+            String faute = fichier + ", [Barème], " + ligne.getKey();
+            if (!etapes.contains(ligne.getKey())) {
+                throw new Panne(2, faute + " : étape inconnue ; attendu : une parmi " + String.join(", ", etapes));
+            }
+            String texte = ligne.getValue() == null ? "" : ligne.getValue().trim().replace(',', '.');
+            if (!texte.matches("\\d{1,4}(\\.\\d{1,6})?")) {
+                throw new Panne(2, faute + " : « " + texte + " » ; attendu : un nombre positif ou nul");
+            }
+            poids.put(ligne.getKey(), Double.valueOf(texte));
+        }
+        if (!(total() > 0)) {
+            throw new Panne(2, fichier + " : la somme des points est nulle");
+        }
+    }
+
+    public double poids(String etape) {
+        return poids.getOrDefault(etape, 0.0);
+    }
+
+    public double total() {
+        return poids.values().stream().mapToDouble(Double::doubleValue).sum();
+    }
+}

@@ -1,0 +1,151 @@
+package lancer.correction.note;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.StringReader;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import lancer.correction.Eleve;
+import lancer.correction.Panne;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVParser;
+import org.apache.commons.csv.CSVPrinter;
+import org.apache.commons.csv.CSVRecord;
+import org.apache.commons.csv.QuoteMode;
+
+/**
+ * La feuille de notes de Moodle, dont on ne change que les cases de la note et du commentaire (moodle,
+ * {@code mod/assign/feedback/offline/importgradeslib.php}). Une note vide est ignorée par Moodle, mais un commentaire vide efface celui
+ * qui y est : une case où il n'y a rien à dire est recopiée.
+ */
+public final class FeuilleMoodle {
+
+    private static final Pattern NUMERO = Pattern.compile("\\D*(\\d+)\\s*");
+    private static final String DEBUT = "Correction automatique : ";
+    private static final String FIN = " ; le détail est dans le fichier de retour.";
+    private static final String BOM = "\uFEFF";
+
+    private final Path fichier;
+    private final boolean bom;
+    private final List<List<String>> lignes = new ArrayList<>();
+    private final int identifiant;
+    private final int note;
+    private final int maximum;
+    private final int commentaire;
+    private final int modifiable;
+
+    /** @throws Panne si ce n'est pas une feuille de notes que Moodle accepterait */
+    public FeuilleMoodle(Path fichier) {
+        this.fichier = fichier;
+        String texte;
+        try {
+            texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier))).toString();
+        } catch (CharacterCodingException e) {
+            throw new Panne(2, fichier + " : n'est pas en UTF-8 ; attendu : la feuille de notes telle que Moodle la donne");
+        } catch (IOException e) {
+            throw new Panne(2, "feuille de notes illisible : " + fichier + " (" + e.getMessage() + ")");
+        }
+        bom = texte.startsWith(BOM);
+        try (CSVParser csv = CSVParser.parse(new StringReader(bom ? texte.substring(1) : texte), CSVFormat.DEFAULT)) {
+            for (CSVRecord ligne : csv) {
+                lignes.add(new ArrayList<>(ligne.toList()));
+            }
+        } catch (IOException | RuntimeException e) {
+            throw new Panne(2, fichier + " : n'est pas un tableau CSV (" + e.getMessage() + ")");
+        }
+        identifiant = colonne(true, "Identifier", "Identifiant");
+        note = colonne(true, "Grade", "Note");
+        colonne(true, "Last modified (grade)", "Dernière modification (note)");
+        maximum = colonne(false, "Maximum Grade", "Note maximale");
+        commentaire = colonne(false, "Feedback comments", "Feedback par commentaires");
+        modifiable = colonne(false, "Grade can be changed", "La note peut être modifiée");
+    }
+
+    private int colonne(boolean exigee, String anglais, String francais) {
+        List<String> titres = lignes.isEmpty() ? List.of() : lignes.get(0);
+        int k = titres.indexOf(anglais) >= 0 ? titres.indexOf(anglais) : titres.indexOf(francais);
+        if (k < 0 && exigee) {
+            throw new Panne(2, fichier + " : la colonne « " + francais + " » (« " + anglais + " ») manque ; "
+                    + "attendu : la feuille de notes telle que Moodle la donne, séparée par des virgules");
+        }
+        return k;
+    }
+
+    /** Écrit {@code notes-a-deposer.csv} et {@code retours.zip}. */
+    public void ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
+        Map<String, Eleve> parId = new HashMap<>();
+        eleves.forEach(e -> parId.put(e.rendu.getId(), e));
+        try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"), StandardCharsets.UTF_8)) {
+            if (bom) {
+                texte.write(BOM);
+            }
+            CSVFormat format = CSVFormat.DEFAULT.builder().setRecordSeparator('\n').setQuoteMode(QuoteMode.MINIMAL).get();
+            try (CSVPrinter csv = new CSVPrinter(texte, format)) {
+                for (int k = 0; k < lignes.size(); k++) {
+                    List<String> ligne = new ArrayList<>(lignes.get(k));
+                    if (k > 0) {
+                        noter(ligne, parId, bareme);
+                    }
+                    csv.printRecord(ligne);
+                }
+            }
+        }
+        retours(dossier, eleves);
+    }
+
+    private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme) {
+        Matcher m = NUMERO.matcher(ligne.size() > identifiant ? ligne.get(identifiant) : "");
+        Eleve eleve = m.matches() ? parId.get(m.group(1)) : null;
+        if (eleve == null || ligne.size() <= note || !modifiable(ligne)) {
+            return;
+        }
+        if (!eleve.illisible()) {
+            double sur = maximum(ligne, bareme.total());
+            ligne.set(note, String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.note.total() / bareme.total() * sur)));
+        }
+        if (commentaire >= 0 && commentaire < ligne.size()) {
+            // ce que l'enseignant y a mis reste ; ce que nous y avions mis est refait
+            String dit = ligne.get(commentaire).replaceFirst("\\s*" + Pattern.quote(DEBUT) + ".*" + Pattern.quote(FIN), "").trim();
+            ligne.set(commentaire, (dit.isEmpty() ? "" : dit + " ") + DEBUT + (eleve.illisible() ? "rendu qui n'a pas pu être jugé"
+                    : "étape atteinte, « " + eleve.note.getAtteinte() + " »") + FIN);
+        }
+    }
+
+    /** Une note verrouillée serait ignorée : autant la laisser. */
+    private boolean modifiable(List<String> ligne) {
+        return modifiable < 0 || modifiable >= ligne.size() || !ligne.get(modifiable).trim().matches("(?i)no|non");
+    }
+
+    private double maximum(List<String> ligne, double defaut) {
+        String texte = maximum >= 0 && maximum < ligne.size() ? ligne.get(maximum).trim().replace(',', '.') : "";
+        return texte.matches("\\d{1,9}(\\.\\d+)?") ? Double.parseDouble(texte) : defaut;
+    }
+
+    /** Chaque page, dans le dossier où Moodle la cherche ({@code mod/assign/feedback/file/importziplib.php}). */
+    private static void retours(Path dossier, List<Eleve> eleves) throws IOException {
+        try (OutputStream flux = Files.newOutputStream(dossier.resolve("retours.zip"));
+                ZipOutputStream zip = new ZipOutputStream(flux, StandardCharsets.UTF_8)) {
+            for (Eleve eleve : eleves) {
+                if (eleve.rendu.getId().matches("\\d+")) {
+                    String nom = eleve.rendu.getNom().replaceAll("[_/\\\\\\p{Cntrl}]", " ").replaceFirst("^[.~]+", "");
+                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.rendu.getId() + "_assignsubmission_file/correction.html"));
+                    zip.write(Files.readAllBytes(dossier.resolve("etudiants").resolve(eleve.page)));
+                    zip.closeEntry();
+                }
+            }
+        }
+    }
+}

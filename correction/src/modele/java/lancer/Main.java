@@ -1,0 +1,107 @@
+package lancer;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import javax.imageio.ImageIO;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.SwingUtilities;
+import javax.swing.SwingWorker;
+import javax.swing.Timer;
+
+/** Le programme (cours, « Bilan intermédiaire ») : lit une scène, et la dessine dans une fenêtre ; ou, sans fenêtre, dans un fichier. */
+public class Main implements Toile {
+
+    private final Scene scene;
+    private final BufferedImage image =
+            new BufferedImage(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE, BufferedImage.TYPE_INT_RGB);
+    private volatile double fait;
+
+    public Main(Scene scene) {
+        this.scene = scene;
+    }
+
+    /** @param args la scène, par exemple scenes/scene1.ini ; puis, pour se passer de fenêtre, l'image PNG à écrire */
+    public static void main(String[] args) throws IOException {
+        Main main;
+        try {
+            main = new Main(new Scene(args.length > 0 ? args[0] : "scenes/scene1.ini"));
+        } catch (IllegalArgumentException e) {
+            System.err.println(e.getMessage());
+            System.exit(2);
+            return;
+        }
+        if (args.length > 1) {
+            main.doTracerImage(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
+            ImageIO.write(main.image, "png", new File(args[1]));
+        } else {
+            SwingUtilities.invokeLater(main::ouvrirFenetre);
+        }
+    }
+
+    /** Dessine un pixel de cette couleur. */
+    @Override
+    public void drawPixel(Couleur coul, int xe, int ye) {
+        image.setRGB(xe, ye, coul.getCode());
+    }
+
+    @Override
+    public void avancer(double part) {
+        fait = part;
+    }
+
+    /** Dessine la scène : le travail du SwingWorker. */
+    public void doTracerImage(int largeur, int hauteur) {
+        new Lancer(scene, new Camera(largeur, hauteur)).TracerImage(this, largeur, hauteur, Constantes.MAX_REFLETS);
+    }
+
+    private void ouvrirFenetre() {
+        JPanel dessin = new JPanel() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            protected void paintComponent(Graphics g) {
+                g.drawImage(image, 0, 0, null);
+            }
+        };
+        dessin.setPreferredSize(new Dimension(image.getWidth(), image.getHeight()));
+        JProgressBar jauge = new JProgressBar(0, 100);
+        JFrame fenetre = new JFrame("Lancer de rayons");
+        fenetre.setDefaultCloseOperation(JFrame.EXIT_ON_CLOSE);
+        fenetre.add(dessin, BorderLayout.CENTER);
+        fenetre.add(jauge, BorderLayout.SOUTH);
+        fenetre.pack();
+        fenetre.setLocationRelativeTo(null);
+        fenetre.setVisible(true);
+        Timer rafraichir = new Timer(50, e -> {
+            jauge.setValue((int) (100 * fait));
+            dessin.repaint();
+        });
+        rafraichir.start();
+        new SwingWorker<Void, Void>() {
+            @Override
+            protected Void doInBackground() {
+                doTracerImage(image.getWidth(), image.getHeight());
+                return null;
+            }
+
+            @Override
+            protected void done() {
+                rafraichir.stop();
+                jauge.setValue(100);
+                dessin.repaint();
+                try {
+                    get();
+                } catch (InterruptedException | java.util.concurrent.ExecutionException e) {
+                    // une erreur du dessin : la montrer, plutôt qu'une image à moitié faite
+                    e.printStackTrace();
+                }
+            }
+        }.execute();
+    }
+}

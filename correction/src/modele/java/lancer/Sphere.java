@@ -1,0 +1,57 @@
+package lancer;
+
+/** Une sphère (cours, « Intersection de rayons et de sphères »). */
+public class Sphere extends Objet3D {
+
+    private final Point centre;
+    private final double rayon;
+
+    /** @param rayon demi-diamètre */
+    public Sphere(Point centre, double rayon) {
+        this.centre = centre;
+        this.rayon = rayon;
+    }
+
+    public Point getCentre() {
+        return centre;
+    }
+
+    public double getRayon() {
+        return rayon;
+    }
+
+    @Override
+    public double getIntersectionDistance(Rayon incident) {
+        //{ compléter : la distance du plus proche des points de contact, sauf ceux dans le dos du rayon ; +∞ s'il n'y en a pas
+        Vecteur CP = new Vecteur(centre, incident.getP());
+        double b = 2 * CP.dot(incident.getV());
+        double c = CP.norme2() - rayon * rayon;
+        double delta = b * b - 4 * c;
+        double distance = Constantes.INFINI;
+        if (delta >= 0) {
+            double racine = Math.sqrt(delta);
+            if (-b - racine > 0) {
+                distance = (-b - racine) / 2;
+            } else if (-b + racine > 0) {
+                distance = (-b + racine) / 2;
+            }
+        }
+        //= double distance = 0;
+        //}
+        incident.setContact(this, distance);
+        return distance;
+    }
+
+    @Override
+    public Vecteur getNormale(Point contact) {
+        //{ compléter : le vecteur normal à la sphère en ce point, vers l'extérieur, de longueur 1
+        return new Vecteur(centre, contact).normalized();
+        //= return new Vecteur();
+        //}
+    }
+
+    @Override
+    public String toString() {
+        return "Sphere(" + centre + ", " + rayon + ")";
+    }
+}

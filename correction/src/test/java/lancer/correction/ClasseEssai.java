@@ -1,0 +1,112 @@
+package lancer.correction;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVParser;
+import org.apache.commons.csv.CSVRecord;
+
+/** De quoi noter des rendus d'essai, et relire ce que le programme en écrit. */
+public abstract class ClasseEssai {
+
+    public static final Path RENDUS = Paths.get("src", "test", "resources");
+
+    /** Ce que le programme a dit. */
+    static final class Essai {
+
+        int code;
+        String sortie;
+        String erreur;
+    }
+
+    static Essai executer(Object... arguments) {
+        Essai essai = new Essai();
+        ByteArrayOutputStream sortie = new ByteArrayOutputStream();
+        ByteArrayOutputStream erreur = new ByteArrayOutputStream();
+        try (PrintStream s = new PrintStream(sortie, true, "UTF-8"); PrintStream e = new PrintStream(erreur, true, "UTF-8")) {
+            essai.code = Correction.executer(Stream.of(arguments).map(String::valueOf).toArray(String[]::new), s, e);
+        } catch (java.io.UnsupportedEncodingException e) {
+            throw new IllegalStateException(e);
+        }
+        essai.sortie = new String(sortie.toByteArray(), StandardCharsets.UTF_8);
+        essai.erreur = new String(erreur.toByteArray(), StandardCharsets.UTF_8);
+        return essai;
+    }
+
+    /** Les lignes de classe.csv, par identifiant. */
+    static Map<String, Map<String, String>> noter(Path rendus, Path dossier, Object... options) throws IOException {
+        List<Object> arguments = new ArrayList<>(List.of("--sortie", dossier, "--sans-confinement"));
+        arguments.addAll(List.of(options));
+        arguments.add(rendus);
+        Essai essai = executer(arguments.toArray());
+        assertEquals(0, essai.code, essai.erreur);
+        return classe(dossier);
+    }
+
+    static Map<String, Map<String, String>> classe(Path dossier) throws IOException {
+        Map<String, Map<String, String>> lignes = new LinkedHashMap<>();
+        try (Reader texte = Files.newBufferedReader(dossier.resolve("classe.csv"), StandardCharsets.UTF_8);
+                CSVParser csv = CSVParser.parse(texte, CSVFormat.DEFAULT.builder().setHeader().setSkipHeaderRecord(true).get())) {
+            for (CSVRecord ligne : csv) {
+                lignes.put(ligne.get("identifiant"), ligne.toMap());
+            }
+        }
+        return lignes;
+    }
+
+    static String page(Path dossier, String id) throws IOException {
+        try (Stream<Path> pages = Files.list(dossier.resolve("etudiants"))) {
+            Path page = pages.filter(p -> p.toString().endsWith("-" + id + ".html")).findFirst().get();
+            return new String(Files.readAllBytes(page), StandardCharsets.UTF_8);
+        }
+    }
+
+    public static void copier(Path source, Path destination) throws IOException {
+        try (Stream<Path> flux = Files.walk(source)) {
+            for (Path fichier : flux.collect(Collectors.toList())) {
+                Path copie = destination.resolve(source.relativize(fichier).toString());
+                if (Files.isDirectory(fichier)) {
+                    Files.createDirectories(copie);
+                } else {
+                    Files.createDirectories(copie.getParent());
+                    Files.copy(fichier, copie);
+                }
+            }
+        }
+    }
+
+    /** L'archive d'un dossier, ses fichiers sous ce préfixe. */
+    public static void archiver(Path source, Path archive, String prefixe) throws IOException {
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive)); Stream<Path> flux = Files.walk(source)) {
+            for (Path fichier : flux.filter(Files::isRegularFile).sorted(Comparator.naturalOrder()).collect(Collectors.toList())) {
+                zip.putNextEntry(new ZipEntry(prefixe + source.relativize(fichier).toString().replace('\\', '/')));
+                zip.write(Files.readAllBytes(fichier));
+                zip.closeEntry();
+            }
+        }
+    }
+
+    static void contient(String texte, String... mots) {
+        for (String mot : mots) {
+            assertTrue(texte.contains(mot), () -> "« " + mot + " » n'est pas dans : " + texte.replaceAll("data:image[^\"]*|<style>.*?</style>", "…"));
+        }
+    }
+}

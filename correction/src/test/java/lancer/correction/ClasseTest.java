@@ -1,0 +1,162 @@
+package lancer.correction;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.zip.ZipFile;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVParser;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Six rendus de plus en plus complets, notés d'un bout à l'autre. */
+@EnabledForJreRange(min = JRE.JAVA_17)
+class ClasseTest extends ClasseEssai {
+
+    @TempDir
+    static Path dossier;
+
+    private static Map<String, Map<String, String>> classe;
+
+    @BeforeAll
+    static void noterLaClasse() throws IOException {
+        classe = noter(RENDUS.resolve("classe"), dossier);
+    }
+
+    private static void etapes(String id, String... attendues) {
+        List<String> noms = List.of("vecteurs", "rayons", "sphere", "scene", "lambert", "phong", "ombres", "reflets", "image");
+        for (int k = 0; k < attendues.length; k++) {
+            assertEquals(attendues[k], classe.get(id).get(noms.get(k)), noms.get(k) + " de " + id);
+        }
+    }
+
+    @Test
+    void chacunAUneLigneDansLOrdre() {
+        assertEquals(Arrays.asList("101", "102", "103", "104", "105", "106"), Arrays.asList(classe.keySet().toArray()));
+    }
+
+    @Test
+    void ceQuiNEstPasCommenceNeRapporteRien() {
+        etapes("101", "1/7", "0/8", "0/6", "0/7", "0/8", "0/6", "0/6", "0/7", "0/1");
+        assertEquals("aucune", classe.get("101").get("étape atteinte"));
+    }
+
+    @Test
+    void uneImageRenverseeEstUneFauteDeLaCameraSeule() throws IOException {
+        etapes("102", "7/7", "5/8", "0/6", "1/7");
+        contient(page(dossier, "102"),
+                "le pixel (0,0) d&#39;un écran 800 x 600", "attendu : (-1.0, 0.75, 0.0), obtenu : (-1.0, -0.75, 0.0)");
+    }
+
+    @Test
+    void uneFauteDeSyntaxeNeCouteQueSaMethode() throws IOException {
+        etapes("103", "7/7", "8/8", "0/6", "1/7", "1/8");
+        contient(page(dossier, "103"), "Sphere.java:31 : syntaxe : il manque « ; »", "n&#39;est pas en UTF-8");
+    }
+
+    @Test
+    void lNonNormaliseEstUneFauteDeLambertEtCeQuiSuitEstAFaire() throws IOException {
+        etapes("104", "7/7", "8/8", "6/6", "7/7", "7/8", "0/6", "0/6", "0/7", "0/1");
+        assertEquals("Scène de sphères", classe.get("104").get("étape atteinte"));
+        contient(page(dossier, "104"), "L est normalisé", "lampe 1 seule, sans Ks");
+    }
+
+    @Test
+    void uneRecursionSansFinNEchappePasEtLaSignatureDuCoursVautLaNotre() throws IOException {
+        etapes("105", "7/7", "8/8", "6/6", "7/7", "8/8", "6/6", "6/6");
+        assertTrue(classe.get("105").get("reflets").matches("[0-2]/7"), classe.get("105").get("reflets"));
+        contient(page(dossier, "105"), "se renvoient le rayon sans fin");
+    }
+
+    @Test
+    void unRenduCompletALaNoteMaximale() {
+        assertEquals("20.00", classe.get("106").get("note"));
+        assertEquals("oui", classe.get("106").get("image identique"));
+        assertEquals("Extension : reflet de Blinn", classe.get("106").get("étape atteinte"));
+    }
+
+    @Test
+    void lesPagesNOntRienQuiVienneDAilleurs() throws IOException {
+        String index = new String(Files.readAllBytes(dossier.resolve("index.html")), StandardCharsets.UTF_8);
+        contient(index, "L'étape qui arrête le plus d'étudiants", "6 rendus");
+        for (String page : List.of(index, page(dossier, "104"))) {
+            assertFalse(page.matches("(?s).*(?:src|href)=\"(?!data:|etudiants/).*"), "une adresse");
+            assertFalse(page.contains("<script"));
+        }
+    }
+
+    @Test
+    void uneNouvelleNotationNeJugePasDeNouveauEtSuitLeBareme() throws IOException {
+        Path bareme = dossier.resolve("autre.ini");
+        Files.write(bareme, "[Barème]\nvecteurs=1\nimage=3\n".getBytes(StandardCharsets.UTF_8));
+        long avant = souvenirs();
+        Map<String, Map<String, String>> autre = noter(RENDUS.resolve("classe"), dossier, "--bareme", bareme);
+        assertEquals("4.00", autre.get("106").get("note"));
+        assertEquals("1.00", autre.get("104").get("note"));
+        assertEquals(avant, souvenirs(), "rien n'est jugé de nouveau");
+    }
+
+    private static long souvenirs() throws IOException {
+        try (java.util.stream.Stream<Path> flux = Files.list(dossier.resolve(".travail/souvenirs"))) {
+            return flux.mapToLong(f -> f.toFile().lastModified()).sum();
+        }
+    }
+
+    @Test
+    void laFeuilleDeMoodleNEstChangeeQueDansLesCasesDeLaNoteEtDuCommentaire() throws IOException {
+        verifierFeuille("notes-fr.csv", "\uFEFFIdentifiant,\"Nom complet\",Statut,Note,\"Note maximale\",\"La note peut être modifiée\","
+                + "\"Dernière modification (travail remis)\",\"Dernière modification (note)\",Autre,\"Feedback par commentaires\"\n", "Participant", "Oui", "Non");
+        verifierFeuille("notes-en.csv", "Identifier,\"Full name\",Status,Grade,\"Maximum Grade\",\"Grade can be changed\","
+                + "\"Last modified (submission)\",\"Last modified (grade)\",Other,\"Feedback comments\"\n", "Participant ", "Yes", "No");
+    }
+
+    private void verifierFeuille(String nom, String entete, String prefixe, String oui, String non) throws IOException {
+        Path feuille = dossier.resolve(nom);
+        String lignes = prefixe + "106,\"Étudiant, 6\",\"Remis \"\"à temps\"\"\",,10.00," + oui + ",hier,-,\"a\nb\",\n"
+                + prefixe + "104,Étudiant 4,x,3.00,20.00," + oui + ",hier,-,,Très bien !\n"
+                + prefixe + "105,Étudiant 5,x,,20.00," + non + ",hier,-,,\n"
+                + prefixe + "999,Étudiant absent,x,,20.00," + oui + ",,-,,\n";
+        Files.write(feuille, (entete + lignes).getBytes(StandardCharsets.UTF_8));
+        noter(RENDUS.resolve("classe"), dossier, "--notes", feuille);
+        String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), StandardCharsets.UTF_8);
+        assertEquals(entete.startsWith("\uFEFF"), ecrit.startsWith("\uFEFF"));
+        List<org.apache.commons.csv.CSVRecord> avant = CSVParser.parse(entete + lignes, CSVFormat.DEFAULT).getRecords();
+        List<org.apache.commons.csv.CSVRecord> apres = CSVParser.parse(ecrit, CSVFormat.DEFAULT).getRecords();
+        assertEquals(avant.size(), apres.size());
+        for (int i = 0; i < avant.size(); i++) {
+            for (int k = 0; k < avant.get(i).size(); k++) {
+                if (i == 0 || k != 3 && k != 9 || i > 2) {
+                    assertEquals(avant.get(i).get(k), apres.get(i).get(k), "ligne " + i + ", colonne " + k);
+                }
+            }
+        }
+        assertEquals("10.00", apres.get(1).get(3), "ramenée à la note maximale de la feuille");
+        contient(apres.get(1).get(9), "Extension : reflet de Blinn");
+        assertTrue(apres.get(2).get(9).startsWith("Très bien ! "), "ce que l'enseignant a écrit reste");
+        try (ZipFile zip = new ZipFile(dossier.resolve("retours.zip").toFile())) {
+            assertTrue(zip.getEntry("Étudiant 4_104_assignsubmission_file/correction.html") != null);
+            assertEquals(6, zip.size());
+        }
+    }
+
+    @Test
+    void uneFeuilleDontUneColonneManqueEstRefuseeEnUnePhrase() throws IOException {
+        Path feuille = dossier.resolve("fausse.csv");
+        Files.write(feuille, "Identifiant,Nom complet,Note\nParticipant101,x,\n".getBytes(StandardCharsets.UTF_8));
+        Essai essai = executer("--sortie", dossier, "--notes", feuille, RENDUS.resolve("classe"));
+        assertEquals(2, essai.code);
+        assertEquals(1, essai.erreur.trim().split("\n").length, essai.erreur);
+        contient(essai.erreur, "Dernière modification (note)");
+    }
+}

@@ -1,0 +1,203 @@
+package lancer.correction.depot;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import lancer.correction.ClasseEssai;
+import lancer.correction.Panne;
+import org.junit.jupiter.api.Assertions;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Ce que Moodle donne, et ce que les étudiants y mettent. */
+class DepotTest {
+
+    private static final String CLASSE = "package lancer;\npublic class Vecteur extends Tuple {\n}\n";
+
+    @TempDir
+    Path dossier;
+    Path rendus;
+    Path travail;
+
+    @BeforeEach
+    void preparer() throws IOException {
+        rendus = Files.createDirectories(dossier.resolve("rendus"));
+        travail = Files.createDirectories(dossier.resolve("travail"));
+    }
+
+    private static void ecrire(Path fichier, String texte) throws IOException {
+        Files.createDirectories(fichier.getParent());
+        Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private Map<String, Rendu> lire(Path lieu) {
+        return Depot.lire(lieu, travail).stream().collect(Collectors.toMap(Rendu::getId, r -> r));
+    }
+
+    private static void verifier(Rendu rendu, String nom) {
+        assertEquals(nom, rendu.getNom());
+        assertEquals(List.of(), rendu.getRefus());
+        assertEquals("lancer/Vecteur", String.join(" ", Projet.lire(rendu).getBase().keySet()));
+    }
+
+    @Test
+    void lesDeuxFormesDeDossiersDeMoodleEtLesFichiersAPlatSeLisent() throws IOException {
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/src/main/java/lancer/Vecteur.java"), CLASSE);
+        ecrire(rendus.resolve("Étudiant 1_12_assignsubmission_file_/lancer/Vecteur.java"), CLASSE);
+        ecrire(rendus.resolve("Participant_13_assignsubmission_file_Vecteur.java"), CLASSE);
+        ecrire(rendus.resolve("Étudiant 3_14_assignsubmission_onlinetext/onlinetext.html"), "bonjour");
+        Map<String, Rendu> lus = lire(rendus);
+        assertEquals(new TreeSet<>(List.of("11", "12", "13", "14")), new TreeSet<>(lus.keySet()));
+        verifier(lus.get("11"), "Étudiant 1");
+        verifier(lus.get("12"), "Étudiant 1");
+        verifier(lus.get("13"), "Participant");
+        assertEquals(List.of("aucun fichier .java dans ce rendu"), lus.get("14").getRefus());
+    }
+
+    @Test
+    void lArchiveDeMoodleEtLesArchivesQuElleContientSeLisent() throws IOException {
+        Path projet = dossier.resolve("projet");
+        ecrire(projet.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
+        ecrire(projet.resolve("__MACOSX/src/._Vecteur.java"), "x");
+        ecrire(projet.resolve(".idea/Autre.java"), "x");
+        ecrire(projet.resolve("target/classes/Autre.java"), "x");
+        Path tout = dossier.resolve("tout");
+        Path un = Files.createDirectories(tout.resolve("Étudiant 1_11_assignsubmission_file"));
+        ClasseEssai.archiver(projet, un.resolve("TP.zip"), "TP1/");
+        Files.createDirectories(tout.resolve("Étudiant 2_12_assignsubmission_file"));
+        ClasseEssai.archiver(projet, tout.resolve("Étudiant 2_12_assignsubmission_file/emboite.zip"), "");
+        ClasseEssai.archiver(tout.resolve("Étudiant 2_12_assignsubmission_file"), tout.resolve("Étudiant 3_13_assignsubmission_file_deux.zip"), "x/");
+        Path moodle = dossier.resolve("moodle.zip");
+        ClasseEssai.archiver(tout, moodle, "");
+        Map<String, Rendu> lus = lire(moodle);
+        verifier(lus.get("11"), "Étudiant 1");
+        verifier(lus.get("12"), "Étudiant 2");
+        verifier(lus.get("13"), "Étudiant 3");
+        assertEquals(3, lus.size());
+        assertEquals(new TreeSet<>(List.of("11", "12", "13")), new TreeSet<>(lire(tout).keySet()), "déplié, c'est pareil");
+    }
+
+    @Test
+    void unSeulRenduEstUneClasseDUn() throws IOException {
+        ecrire(rendus.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
+        verifier(lire(rendus).get("rendus"), "rendus");
+        Path zip = dossier.resolve("TP de moi.zip");
+        ClasseEssai.archiver(rendus, zip, "lancer-base/");
+        verifier(lire(zip).get("TP de moi"), "TP de moi");
+    }
+
+    @Test
+    void ceQuiEstRefuseEstNommeEtLaLigneReste() throws IOException {
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/tp.rar"), "Rar!");
+        ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/tp.7z"), "7z");
+        ecrire(rendus.resolve("Étudiant 3_13_assignsubmission_file/tp.zip"), "ceci n'est pas une archive");
+        Files.createDirectories(rendus.resolve("Étudiant 4_14_assignsubmission_file"));
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(rendus.resolve("Étudiant 4_14_assignsubmission_file/tp.zip")))) {
+            zip.putNextEntry(new ZipEntry("../../evade.java"));
+            zip.write(CLASSE.getBytes(StandardCharsets.UTF_8));
+        }
+        Path gros = Files.createDirectories(rendus.resolve("Étudiant 5_15_assignsubmission_file")).resolve("bombe.zip");
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(gros))) {
+            zip.putNextEntry(new ZipEntry("lancer/Vecteur.java"));
+            zip.write(CLASSE.getBytes(StandardCharsets.UTF_8));
+            zip.putNextEntry(new ZipEntry("zeros"));
+            byte[] mega = new byte[1 << 20];
+            for (int k = 0; k < 60; k++) {
+                zip.write(mega);
+            }
+        }
+        Path secret = dossier.resolve("secret.java");
+        ecrire(secret, CLASSE);
+        Files.createDirectories(rendus.resolve("Étudiant 6_16_assignsubmission_file"));
+        Files.createSymbolicLink(rendus.resolve("Étudiant 6_16_assignsubmission_file/Vecteur.java"), secret);
+        Path lien = Files.createDirectories(rendus.resolve("Étudiant 7_17_assignsubmission_file")).resolve("lien.zip");
+        ecrireLien(lien, "Vecteur.java", secret.toString());
+        Map<String, Rendu> lus = lire(rendus);
+        assertEquals(7, lus.size());
+        refuse(lus.get("11"), "tp.rar : format non pris en charge");
+        refuse(lus.get("12"), "tp.7z : format non pris en charge");
+        refuse(lus.get("13"), "tp.zip : archive illisible");
+        refuse(lus.get("14"), "../../evade.java");
+        refuse(lus.get("15"), "plus de 50 Mo");
+        refuse(lus.get("16"), "lien refusé : Vecteur.java");
+        refuse(lus.get("17"), "lien refusé : Vecteur.java");
+    }
+
+    private static void refuse(Rendu rendu, String message) {
+        assertTrue(rendu.getRefus().stream().anyMatch(r -> r.contains(message)), rendu.getRefus().toString());
+        assertEquals(Map.of(), rendu.getSources());
+    }
+
+    /** Une archive d'un seul lien : ce que fait « zip --symlinks ». Il suffit d'en changer les droits, dans le répertoire central. */
+    private static void ecrireLien(Path archive, String nom, String cible) throws IOException {
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive))) {
+            zip.putNextEntry(new ZipEntry(nom));
+            zip.write(cible.getBytes(StandardCharsets.UTF_8));
+        }
+        ByteBuffer octets = ByteBuffer.wrap(Files.readAllBytes(archive)).order(ByteOrder.LITTLE_ENDIAN);
+        int fiche = 0;
+        while (octets.getInt(fiche) != 0x02014b50) {
+            fiche++;
+        }
+        octets.put(fiche + 5, (byte) 3);
+        octets.putInt(fiche + 38, 0xA1FF << 16);
+        try (OutputStream sortie = Files.newOutputStream(archive)) {
+            sortie.write(octets.array());
+        }
+    }
+
+    @Test
+    void lesAccentsDAutresCodagesEtUnPaquetOublieSArrangent() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/TP");
+        Files.createDirectories(projet);
+        Files.write(projet.resolve("Vecteur.java"), "// été\npublic class Vecteur {}\n".getBytes(StandardCharsets.ISO_8859_1));
+        ecrire(projet.resolve("Point.java"), "\uFEFFpackage monpaquet;\nimport monpaquet.Vecteur;\nclass Point {}\n");
+        Projet lu = Projet.lire(lire(rendus).get("11"));
+        assertEquals("package lancer; // été\npublic class Vecteur {}\n", lu.texte("Vecteur"));
+        assertEquals("package lancer;\nimport lancer.Vecteur;\nclass Point {}\n", lu.texte("Point"));
+        assertEquals(2, lu.getRemarques().size(), lu.getRemarques().toString());
+    }
+
+    @Test
+    void lesVariantesSontDesCopiesAPart() throws IOException {
+        for (String partie : List.of("lancer-base", "brume", "Antialias", "blinn")) {
+            ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/" + partie + "/src/main/java/lancer/Vecteur.java"), CLASSE);
+        }
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer-base/src/test/java/lancer/Tests.java"), "package lancer; class Tests {}");
+        Projet projet = Projet.lire(lire(rendus).get("11"));
+        assertEquals(List.of("brume", "antialias", "blinn"), List.copyOf(projet.getVariantes().keySet()));
+        assertEquals(1, projet.getBase().size(), "Tests, de l'étudiant, n'en est pas");
+    }
+
+    @Test
+    void unAutreOrdreDeParametresEstUneRemarqueEtNonUneFaute() throws IOException {
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Objet3D.java"),
+                "package lancer;\nabstract class Objet3D {\n    public Couleur getColor(Rayon r, Scene s, PointContact c, int p) {\n        return null;\n    }\n}\n");
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Scene.java"),
+                "package lancer;\nclass Scene {\n    public PointContact getClosestIntersection(Rayon r) {\n        return null;\n    }\n"
+                        + "    public PointContact getClosestIntersection(final Rayon r, Objet3D o) {\n        return null;\n    }\n}\n");
+        Projet projet = Projet.lire(lire(rendus).get("11"));
+        assertTrue(projet.texte("Objet3D").contains("getColor(Scene p0, Rayon p1, PointContact p2, int p3) { return getColor(p1, p0, p2, p3); }"));
+        assertEquals(1, projet.getRemarques().size(), projet.getRemarques().toString());
+    }
+
+    @Test
+    void rienEstRefuseEnUnePhrase() {
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(dossier.resolve("absent"), travail)).getCode());
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(rendus, travail)).getCode());
+    }
+}

@@ -1,0 +1,101 @@
+package lancer.correction.jugement;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lancer.correction.isolement.Confinement;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Le corrigé, avec une faute classique : elle est vue à son étape, et à elle seule. */
+@EnabledForJreRange(min = JRE.JAVA_17)
+class FautesTest extends JuryEssai {
+
+    @TempDir
+    static Path dossier;
+
+    private static Map<String, Resultat> resultats;
+
+    @BeforeAll
+    static void jugerLesFautes() throws IOException {
+        Path rendus = dossier.resolve("rendus");
+        try (Stream<Path> flux = Files.list(RENDUS.resolve("fautes"))) {
+            for (Path faute : flux.collect(Collectors.toList())) {
+                Path sources = ecrireCorrige(rendus.resolve(faute.getFileName().toString()));
+                try (Stream<Path> classes = Files.list(faute)) {
+                    for (Path classe : classes.collect(Collectors.toList())) {
+                        Files.copy(classe, sources.resolve(classe.getFileName()), StandardCopyOption.REPLACE_EXISTING);
+                    }
+                }
+            }
+        }
+        resultats = juger(rendus, dossier.resolve("travail"), Confinement.essayer());
+    }
+
+    private static void verifier(String faute, String... etapes) {
+        TreeSet<String> ratees = ratees(resultats.get(faute));
+        ratees.remove("image");
+        assertEquals(new TreeSet<>(List.of(etapes)), ratees, faute + " : " + resultats.get(faute).verdicts.entrySet().stream()
+                .filter(e -> e.getValue().etat == Verdict.Etat.RATE).map(e -> e.getKey() + " " + e.getValue().message).collect(Collectors.toList()));
+    }
+
+    @Test
+    void uneRacineNegativeEstUneFauteDeLaSphere() {
+        verifier("racine-negative", "sphere");
+        assertEquals(List.of("Sphere"), resultats.get("racine-negative").classesFautives);
+    }
+
+    @Test
+    void lNonNormaliseEstUneFauteDeLambert() {
+        verifier("L-non-normalise", "lambert");
+        assertTrue(resultats.get("L-non-normalise").cheminPlusTot != null
+                || resultats.get("L-non-normalise").chemin.getPremierEcart().nom.startsWith("lampe 1 seule"));
+    }
+
+    @Test
+    void uneBouleDansSaPropreOmbreEstUneFauteDOmbre() {
+        verifier("ombre-de-soi", "ombres");
+    }
+
+    @Test
+    void uneImageRenverseeEstUneFauteDeCamera() {
+        verifier("image-renversee", "rayons");
+        assertEquals(List.of("Camera"), resultats.get("image-renversee").classesFautives);
+        assertEquals("rayon, départ P", resultats.get("image-renversee").chemin.getPremierEcart().nom);
+    }
+
+    @Test
+    void laPlusLointaineAuLieuDeLaPlusProcheEstUneFauteDeScene() {
+        verifier("plus-loin", "scene");
+    }
+
+    @Test
+    void unMiroirALEnversSeVoitAuSpeculaireEtAuxReflets() {
+        verifier("miroir-a-l-envers", "phong", "reflets");
+    }
+
+    @Test
+    void uneRecursionSansFinEstUneFauteDeReflets() {
+        verifier("sans-fin", "reflets");
+    }
+
+    @Test
+    void plusieursFautesAlaFoisNeSeCachentPas() {
+        verifier("masquees", "sphere", "lambert", "ombres");
+        assertEquals(List.of("Sphere", "Objet3D"), resultats.get("masquees").classesFautives);
+        assertFalse(resultats.get("masquees").ecart.memeImage());
+    }
+}

@@ -1,0 +1,78 @@
+package lancer.correction.jugement;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lancer.correction.isolement.Confinement;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Des rendus qui voudraient empêcher de noter, ou mieux noter qu'ils ne valent ; un rendu ordinaire au milieu d'eux. */
+@EnabledForJreRange(min = JRE.JAVA_17)
+class HostilesTest extends JuryEssai {
+
+    private static final String SOUSTRACTION = "vecteurs.unVecteurSeSoustrait";
+
+    @TempDir
+    Path dossier;
+
+    @Test
+    void confinesAucunNEmpecheDeNoterLesAutres() throws IOException {
+        Confinement confinement = Confinement.essayer();
+        assumeTrue(confinement.estConfine(), confinement.getManque());
+        verifier(confinement);
+    }
+
+    @Test
+    void sansConfinementNonPlus() throws IOException {
+        verifier(Confinement.aucun());
+    }
+
+    private void verifier(Confinement confinement) throws IOException {
+        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
+        try (Stream<Path> flux = Files.list(RENDUS.resolve("hostiles"))) {
+            for (Path hostile : flux.collect(Collectors.toList())) {
+                copier(hostile.resolve("Étudiant 1_101_assignsubmission_file"), rendus.resolve(hostile.getFileName().toString()));
+            }
+        }
+        ecrireCorrige(rendus.resolve("ordinaire"));
+        Map<String, Resultat> resultats = juger(rendus, dossier.resolve("travail"), confinement);
+        assertEquals(new TreeSet<>(List.of(rendus.toFile().list())), new TreeSet<>(resultats.keySet()), "une ligne chacun");
+
+        assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
+        assertTrue(resultats.get("ordinaire").ecart.memeImage());
+        rate(resultats, "imprime", "imprime sans fin");
+        rate(resultats, "recursion", "appels sans fin");
+        rate(resultats, "boucle", "s de calcul");
+        rate(resultats, "interblocage", "bloqué");
+        rate(resultats, "sortie", "arrêté de lui-même");
+        rate(resultats, "memoire", "mémoire épuisée");
+        rate(resultats, "imitation", "obtenu : (1.0, 1.0, 1.0)");
+        rate(resultats, "balises", "<script>alert(1)</script>");
+        assertTrue(resultats.get("mathematiques").remarques.stream().anyMatch(r -> r.contains("classe Math qui cacherait")),
+                resultats.get("mathematiques").remarques.toString());
+        rate(resultats, "mathematiques", "obtenu : (1.0, 1.0, 1.0)");
+        assertEquals(Verdict.Etat.REUSSI, resultats.get("fils").verdicts.get(SOUSTRACTION).etat, "des fils laissés ne changent pas le résultat");
+        for (String nom : List.of("disque", "processus", "imprime", "boucle", "sortie", "memoire")) {
+            assertEquals(Verdict.Etat.REUSSI, resultats.get(nom).verdicts.get("vecteurs.leProduitScalaireAjouteLesProduitsDesComposantes").etat,
+                    nom + " ne coûte pas les autres vérifications");
+        }
+    }
+
+    private static void rate(Map<String, Resultat> resultats, String nom, String message) {
+        Verdict verdict = resultats.get(nom).verdicts.get(SOUSTRACTION);
+        assertEquals(Verdict.Etat.RATE, verdict.etat, nom + " : " + verdict.message);
+        assertTrue(verdict.message.contains(message), nom + " : " + verdict.message);
+    }
+}

@@ -1,0 +1,56 @@
+package lancer.correction.jugement;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import lancer.correction.ClasseEssai;
+import lancer.correction.depot.Depot;
+import lancer.correction.depot.Rendu;
+import lancer.correction.isolement.Confinement;
+import lancer.correction.isolement.Limites;
+import lancer.correction.modele.Modele;
+
+/** De quoi juger des rendus d'essai, sans pages ni notes. */
+abstract class JuryEssai extends ClasseEssai {
+
+    static final Limites COURTES = new Limites(2.5, 2.5, 160, 40);
+
+    /** Juge tous les rendus de ce dossier ; les résultats par nom. */
+    static Map<String, Resultat> juger(Path rendus, Path travail, Confinement confinement) throws IOException {
+        Files.createDirectories(travail);
+        List<Rendu> liste = Depot.lire(rendus, travail);
+        Map<String, Resultat> resultats = new LinkedHashMap<>();
+        try (Jury jury = new Jury(travail.toRealPath(), confinement, COURTES)) {
+            List<Resultat> tous = jury.juger(liste, (rang, resultat) -> { });
+            for (int k = 0; k < tous.size(); k++) {
+                resultats.put(liste.get(k).getNom(), tous.get(k));
+            }
+        }
+        return resultats;
+    }
+
+    /** Écrit le corrigé comme un rendu. */
+    static Path ecrireCorrige(Path dossier) throws IOException {
+        Path sources = Files.createDirectories(dossier.resolve("lancer-base/src/main/java/lancer"));
+        for (String classe : Modele.A_COMPLETER) {
+            Files.write(sources.resolve(classe + ".java"), Modele.corrige(classe).getBytes(StandardCharsets.UTF_8));
+        }
+        return sources;
+    }
+
+    /** Les étapes où quelque chose est raté. */
+    static TreeSet<String> ratees(Resultat resultat) {
+        TreeSet<String> etapes = new TreeSet<>();
+        resultat.verdicts.forEach((id, verdict) -> {
+            if (verdict.etat == Verdict.Etat.RATE) {
+                etapes.add(id.replaceFirst("\\..*", ""));
+            }
+        });
+        return etapes;
+    }
+}

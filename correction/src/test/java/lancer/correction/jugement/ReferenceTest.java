@@ -1,0 +1,60 @@
+package lancer.correction.jugement;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.correction.isolement.Confinement;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Le corrigé, écrit d'après le seul énoncé, et le projet à compléter. */
+@EnabledForJreRange(min = JRE.JAVA_17)
+class ReferenceTest extends JuryEssai {
+
+    @TempDir
+    Path dossier;
+
+    @Test
+    void leCorrigeDessineNotreImageEtPasseTout() throws IOException {
+        ecrireCorrige(dossier.resolve("rendus/corrige"));
+        Map<String, Resultat> resultats = juger(dossier.resolve("rendus"), dossier.resolve("travail"), Confinement.essayer());
+        Resultat corrige = resultats.get("corrige");
+        assertEquals(new TreeSet<>(), ratees(corrige));
+        assertTrue(corrige.verdicts.values().stream().allMatch(Verdict::compte));
+        Lancer lancer = new Lancer(new Scene("../scenes/scene1.ini"), new Camera(Juge.LARGEUR, Juge.HAUTEUR));
+        int faux = 0;
+        for (int y = 0; y < Juge.HAUTEUR; y++) {
+            for (int x = 0; x < Juge.LARGEUR; x++) {
+                Couleur c = lancer.getCouleurPixel(x, y, Juge.PROFONDEUR);
+                for (int k = 0; k < 3; k++) {
+                    int sien = corrige.image.code(x, y) >> 16 - 8 * k & 255;
+                    faux += Math.abs(sien - (c.getCode() >> 16 - 8 * k & 255)) > 1 ? 1 : 0;
+                }
+            }
+        }
+        assertEquals(0, faux, "composantes à plus d'un niveau de celles de notre programme");
+    }
+
+    @Test
+    void leProjetACompleterNePasseQueCeQuiNeComptePas() throws IOException {
+        Path travail = Files.createDirectories(dossier.resolve("autre"));
+        try (Jury jury = new Jury(travail, Confinement.essayer(), COURTES)) {
+            assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
+                    jury.getReference().getVerifications().stream().filter(v -> !jury.getReference().compte(v)).map(Verification::id)
+                            .collect(Collectors.toCollection(TreeSet::new)));
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package lancer;
+
+/** Un point de l'espace (cours, « Points et vecteurs »). */
+public class Point extends Tuple {
+
+    /** L'origine : le centre de l'écran. */
+    public Point() {
+        super();
+    }
+
+    public Point(double x, double y, double z) {
+        super(x, y, z);
+    }
+
+    /** Le point translaté de {@code v}. */
+    public Point add(Vecteur v) {
+        return new Point(x + v.x, y + v.y, z + v.z);
+    }
+
+    /** Le point translaté de l'opposé de {@code v}. */
+    public Point sub(Vecteur v) {
+        return new Point(x - v.x, y - v.y, z - v.z);
+    }
+
+    /** Le vecteur qui va de {@code a} à ce point. */
+    public Vecteur sub(Point a) {
+        return new Vecteur(x - a.x, y - a.y, z - a.z);
+    }
+
+    public static Point add(Point p, Vecteur v) {
+        return p.add(v);
+    }
+
+    public static Point sub(Point p, Vecteur v) {
+        return p.sub(v);
+    }
+
+    /** Le vecteur qui va de {@code a} à {@code p}. */
+    public static Vecteur sub(Point p, Point a) {
+        return p.sub(a);
+    }
+}

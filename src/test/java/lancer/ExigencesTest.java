@@ -1,0 +1,376 @@
+package lancer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Collections;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
+
+/** Ce que le programme promet, classe par classe, au-delà de ce que le cours demande dans {@link Tests}. */
+class ExigencesTest {
+
+    private static final double PRES = 1e-12;
+
+    private static void assertTuple(double x, double y, double z, Tuple t) {
+        assertEquals(x, t.x, PRES, "x de " + t);
+        assertEquals(y, t.y, PRES, "y de " + t);
+        assertEquals(z, t.z, PRES, "z de " + t);
+    }
+
+    private static void assertCouleur(double r, double v, double b, Couleur c) {
+        assertEquals(r, c.r, PRES, "rouge de " + c);
+        assertEquals(v, c.v, PRES, "vert de " + c);
+        assertEquals(b, c.b, PRES, "bleu de " + c);
+    }
+
+    @Nested
+    @DisplayName("Tuple")
+    class UnTuple {
+
+        @Test
+        void sansArgumentEstNul() {
+            assertTuple(0, 0, 0, new Tuple());
+        }
+
+        @Test
+        void estEgalAUnAutreDeMemesComposantes() {
+            assertEquals(new Tuple(1, 2, 3), new Tuple(1, 2, 3));
+            assertEquals(new Tuple(1, 2, 3).hashCode(), new Tuple(1, 2, 3).hashCode());
+            assertNotEquals(new Tuple(1, 2, 3), new Tuple(1, 2, 4));
+        }
+
+        @Test
+        void nEstPasEgalAUnTupleDUneAutreClasse() {
+            assertNotEquals(new Point(1, 2, 3), new Vecteur(1, 2, 3));
+            assertNotEquals(new Point(1, 2, 3), null);
+        }
+
+        @Test
+        void distingueLesDeuxZerosEtReconnaitNaN() {
+            assertNotEquals(new Vecteur(0.0, 0, 0), new Vecteur(-0.0, 0, 0));
+            assertEquals(new Vecteur(Double.NaN, 0, 0), new Vecteur(Double.NaN, 0, 0));
+        }
+
+        @Test
+        void seMontreAvecSaClasseEtSesComposantes() {
+            assertEquals("Vecteur(1.0, 0.0, -2.5)", new Vecteur(1, 0, -2.5).toString());
+        }
+    }
+
+    @Nested
+    @DisplayName("Vecteur")
+    class UnVecteur {
+
+        private final Vecteur u = new Vecteur(1, 2, 3);
+        private final Vecteur v = new Vecteur(4, -5, 6);
+
+        @Test
+        void sAdditionneEtSeSoustrait() {
+            assertTuple(5, -3, 9, u.add(v));
+            assertTuple(-3, 7, -3, u.sub(v));
+        }
+
+        @Test
+        void seMultiplieEtSeDiviseParUnReel() {
+            assertTuple(2, 4, 6, u.mul(2));
+            assertTuple(0.5, 1, 1.5, u.div(2));
+            assertTuple(-1, -2, -3, u.neg());
+        }
+
+        @Test
+        void aUnProduitScalaireNulAvecSaPerpendiculaire() {
+            assertEquals(4 - 10 + 18, u.dot(v), PRES);
+            assertEquals(0, new Vecteur(1, 1, 0).dot(new Vecteur(-1, 1, 0)), PRES);
+        }
+
+        @Test
+        void aPourNormeLaRacineDeSonProduitAvecLuiMeme() {
+            assertEquals(14, u.norme2(), PRES);
+            assertEquals(5, new Vecteur(0, 3, -4).norme(), PRES);
+        }
+
+        @Test
+        void minusculeSeNormaliseAussiBien() {
+            assertTuple(0, 0.6, -0.8, new Vecteur(0, 3e-9, -4e-9).normalized());
+            assertTuple(0, 0.6, -0.8, new Vecteur(0, 3e-200, -4e-200).normalized());
+        }
+
+        @Test
+        void nulOuInfiniNeSeNormalisePas() {
+            assertThrows(ArithmeticException.class, () -> new Vecteur().normalized());
+            assertThrows(ArithmeticException.class, () -> Vecteur.normalize(new Vecteur(1, Double.NaN, 0)));
+            assertThrows(ArithmeticException.class, () -> new Vecteur(Double.POSITIVE_INFINITY, 0, 0).normalized());
+        }
+
+        @Test
+        void aDesFormesStatiquesDeMemeResultat() {
+            assertEquals(u.add(v), Vecteur.add(u, v));
+            assertEquals(u.sub(v), Vecteur.sub(u, v));
+            assertEquals(u.mul(3), Vecteur.mul(u, 3));
+            assertEquals(u.div(3), Vecteur.div(u, 3));
+            assertEquals(u.neg(), Vecteur.neg(u));
+            assertEquals(u.dot(v), Vecteur.dot(u, v));
+        }
+
+        @Test
+        void neChangeJamais() {
+            u.add(v);
+            u.mul(7);
+            u.normalized();
+            assertEquals(new Vecteur(1, 2, 3), u);
+        }
+    }
+
+    @Nested
+    @DisplayName("Point")
+    class UnPoint {
+
+        private final Point p = new Point(1, 2, 3);
+        private final Vecteur v = new Vecteur(4, -5, 6);
+
+        @Test
+        void seTranslateDUnVecteur() {
+            assertEquals(new Point(5, -3, 9), p.add(v));
+            assertEquals(new Point(-3, 7, -3), p.sub(v));
+            assertEquals(p.add(v), Point.add(p, v));
+            assertEquals(p.sub(v), Point.sub(p, v));
+        }
+    }
+
+    @Nested
+    @DisplayName("Couleur")
+    class UneCouleur {
+
+        private final Couleur c = new Couleur(0.2, 0.4, 0.6);
+        private final Couleur d = new Couleur(0.5, 1, 2);
+
+        @Test
+        void parDefautEstNoireEtAUnSeulArgumentGrise() {
+            assertCouleur(0, 0, 0, new Couleur());
+            assertCouleur(0.3, 0.3, 0.3, new Couleur(0.3));
+        }
+
+        @Test
+        void seCalculeComposanteParComposante() {
+            assertCouleur(0.7, 1.4, 2.6, c.add(d));
+            assertCouleur(-0.3, -0.6, -1.4, c.sub(d));
+            assertCouleur(0.1, 0.4, 1.2, c.mul(d));
+            assertCouleur(0.4, 0.8, 1.2, c.mul(2));
+            assertCouleur(0.1, 0.2, 0.3, c.div(2));
+        }
+
+        @Test
+        void aDesFormesStatiquesDeMemeResultat() {
+            assertEquals(c.add(d), Couleur.add(c, d));
+            assertEquals(c.sub(d), Couleur.sub(c, d));
+            assertEquals(c.mul(d), Couleur.mul(c, d));
+            assertEquals(c.mul(2), Couleur.mul(c, 2));
+            assertEquals(c.div(2), Couleur.div(c, 2));
+        }
+
+        @Test
+        void aPourCodeSesTroisOctetsEtUneOpaciteEntiere() {
+            assertEquals(0xFF000000, new Couleur().getCode());
+            assertEquals(0xFFFFFFFF, new Couleur(1).getCode());
+            assertEquals(0xFFFF8000, new Couleur(1, 0.5, 0).getCode());
+        }
+
+        @Test
+        void seLimiteSeulementDansSonCode() {
+            assertEquals(0xFFFF0000, new Couleur(7, -3, 0).getCode());
+            assertCouleur(14, -6, 0, new Couleur(7, -3, 0).mul(2));
+        }
+
+        @Test
+        void sArronditAuPlusProcheLaMoitieVersLeHaut() {
+            assertEquals(0xFF000000, new Couleur(0.499 / 255).getCode());
+            assertEquals(0xFF010101, new Couleur(0.501 / 255).getCode());
+            assertEquals(0xFF808080, new Couleur(0.5).getCode());
+        }
+
+        @Test
+        void quiNEstPasUnNombreOuEstInfinieAQuandMemeUnCode() {
+            assertEquals(0xFF00FF00, new Couleur(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY).getCode());
+            assertEquals(0xFF000000, new Couleur(-0.0).getCode());
+        }
+    }
+
+    @Nested
+    @DisplayName("Rayon")
+    class UnRayon {
+
+
+        @Test
+        void sansDirectionEstRefuse() {
+            assertThrows(ArithmeticException.class, () -> new Rayon(new Point(1, 2, 3), new Point(1, 2, 3)));
+            assertThrows(ArithmeticException.class, () -> new Rayon(new Point(), new Vecteur()));
+        }
+
+        @Test
+        void neufNeToucheRien() {
+            Rayon rayon = new Rayon(new Point(), new Vecteur(0, 0, 1));
+            assertEquals(Constantes.INFINI, rayon.getDistance());
+            assertNull(rayon.getObjet());
+            assertNull(rayon.calcContact());
+        }
+
+        @Test
+        void versLeHautVoitLeCielBleu() {
+            assertCouleur(0, 0, 1, new Rayon(new Point(), new Vecteur(0, 1, 0)).getSkyColor());
+            assertCouleur(0.28, 0.28, 1, new Rayon(new Point(), new Vecteur(0, 0.6, 0.8)).getSkyColor());
+        }
+
+        @Test
+        void versLeBasOuLHorizonVoitLaTerre() {
+            assertCouleur(0.5, 0.4, 0.1, new Rayon(new Point(), new Vecteur(0, 0, 1)).getSkyColor());
+            assertCouleur(0.5, 0.2, 0.1, new Rayon(new Point(), new Vecteur(0, -1, 0)).getSkyColor());
+        }
+    }
+
+    @Nested
+    @DisplayName("Camera")
+    class UneCamera {
+
+
+        @Test
+        void cadreDeMemeAToutesLesTailles() {
+            assertEquals(new Camera(800, 600).getRayon(200, 150).getP(), new Camera(1600, 1200).getRayon(400, 300).getP());
+        }
+
+        @Test
+        void voitLaLargeurSousTrenteDegres() {
+            Vecteur gauche = new Camera(800, 600).getRayon(0, 300).getV();
+            Vecteur droite = new Camera(800, 600).getRayon(800, 300).getV();
+            assertEquals(Constantes.CHAMP, Math.toDegrees(Math.acos(gauche.dot(droite))), 1e-9);
+        }
+
+        @Test
+        void sansPixelEstRefusee() {
+            assertThrows(IllegalArgumentException.class, () -> new Camera(0, 600));
+        }
+    }
+
+    @Nested
+    @DisplayName("Sphere")
+    class UneSphere {
+
+        private final Sphere sphere = new Sphere(new Point(0, 0, 5), 1);
+
+        private double distance(double px, double py, double pz, double vx, double vy, double vz) {
+            return sphere.getIntersectionDistance(new Rayon(new Point(px, py, pz), new Vecteur(vx, vy, vz)));
+        }
+
+        @Test
+        void vueDeLInterieurEstToucheeALaSortie() {
+            assertEquals(1, distance(0, 0, 5, 0, 0, 1), PRES);
+            assertEquals(1.5, distance(0, 0, 5.5, 0, 0, -1), PRES);
+        }
+
+        @Test
+        void estToucheeParSaTangente() {
+            assertEquals(5, distance(1, 0, 0, 0, 0, 1), PRES);
+        }
+
+        @Test
+        void noteDansLeRayonCeQuElleTrouveMemeRien() {
+            Rayon rayon = new Rayon(new Point(), new Vecteur(0, 0, 1));
+            sphere.getIntersectionDistance(rayon);
+            assertSame(sphere, rayon.getObjet());
+            assertEquals(4, rayon.getDistance(), PRES);
+            new Sphere(new Point(9, 9, 9), 1).getIntersectionDistance(rayon);
+            assertNull(rayon.getObjet());
+            assertEquals(Constantes.INFINI, rayon.getDistance());
+        }
+
+        @Test
+        void sansVraiRayonEstRefusee() {
+            for (double rayon : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+                assertThrows(IllegalArgumentException.class, () -> new Sphere(new Point(), rayon));
+            }
+        }
+    }
+
+    @Nested
+    @DisplayName("Scene")
+    class UneScene {
+
+        private final Sphere pres = new Sphere(new Point(0, 0, 5), 1);
+        private final Sphere loin = new Sphere(new Point(0, 0, 9), 1);
+        private final Scene scene = new Scene(Arrays.asList(loin, pres), Collections.<Lampe>emptyList());
+        private final Rayon devant = new Rayon(new Point(), new Vecteur(0, 0, 1));
+
+        @Test
+        void ignoreCeQueLeRayonRetenaitAvant() {
+            pres.getIntersectionDistance(devant);
+            assertEquals(8, scene.getClosestIntersection(devant, pres).distance, PRES);
+        }
+
+        @Test
+        void donneLePremierDeDeuxObjetsALaMemeDistance() {
+            Sphere a = new Sphere(new Point(0, 0, 5), 1);
+            Sphere b = new Sphere(new Point(0, 0, 6), 2);
+            assertSame(a, new Scene(Arrays.asList(a, b), scene.getLampes()).getClosestIntersection(devant).objet);
+            assertSame(b, new Scene(Arrays.asList(b, a), scene.getLampes()).getClosestIntersection(devant).objet);
+        }
+
+        @Test
+        void laisseDeCoteUneSphereDejaLa() {
+            Sphere jumelle = new Sphere(new Point(-0.0, 0, 5), 1);
+            assertEquals(1, new Scene(Arrays.asList(pres, jumelle), scene.getLampes()).getObjets().size());
+        }
+
+        @Test
+        void deLaBaseSeLitDansSonFichier() {
+            Scene lue = new Scene("scenes/scene1.ini");
+            assertTrue(lue.getObjets().size() >= 8, "une dizaine de boules");
+            assertEquals(2, lue.getLampes().size());
+        }
+
+        @Test
+        void sansFichierEstFautive() {
+            SceneFautive faute = assertThrows(SceneFautive.class, () -> new Scene("scenes/absente.ini"));
+            assertNotNull(faute.getMessage());
+        }
+    }
+
+    @Nested
+    @DisplayName("Objet3D et Lampe")
+    class UnObjet {
+
+        private final Sphere boule = new Sphere(new Point(0, 0, 5), 1);
+        private final Rayon devant = new Rayon(new Point(), new Vecteur(0, 0, 1));
+
+        private Couleur couleur(int profondeur, Lampe... lampes) {
+            Scene scene = new Scene(Collections.singletonList(boule), Arrays.asList(lampes));
+            return boule.getColor(scene, devant, scene.getClosestIntersection(devant), profondeur);
+        }
+
+        @Test
+        void sansLampeEstNoir() {
+            boule.setKd(new Couleur(1));
+            assertCouleur(0, 0, 0, couleur(0));
+        }
+
+        @Test
+        void estDansLOmbreDUnObjetEntreLaLampeEtLui() {
+            boule.setKd(new Couleur(1));
+            Lampe lampe = new Lampe(new Point(0, 8, 4), new Couleur(1));
+            Point contact = new Point(0, 0, 4);
+            Sphere ecran = new Sphere(new Point(0, 4, 4), 1);
+            Sphere derriere = new Sphere(new Point(0, 12, 4), 1);
+            Sphere aCote = new Sphere(new Point(3, 4, 4), 1);
+            Scene avec = new Scene(Arrays.asList(boule, ecran), Collections.singletonList(lampe));
+            Scene sans = new Scene(Arrays.asList(boule, derriere, aCote), Collections.singletonList(lampe));
+            assertTrue(Ombre.cachee(avec, lampe, contact, boule));
+            assertTrue(!Ombre.cachee(sans, lampe, contact, boule));
+        }
+    }
+}
