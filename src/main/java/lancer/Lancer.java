@@ -14,7 +14,9 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
 
-/** L'algorithme : de la scène à l'image (cours, « Algorithme général »). Un {@code Lancer} dessine une image à la fois. */
+/**
+ * L'algorithme : de la scène à l'image (cours, « Algorithme général »). Un {@code Lancer} dessine une image à la fois.
+ */
 public class Lancer {
 
     private final Scene scene;
@@ -64,7 +66,8 @@ public class Lancer {
             throw new PixelFautif(xe, ye, e);
         }
         if (couleur == null || !couleur.estFinie()) {
-            throw new PixelFautif(xe, ye, new ArithmeticException("ce n'est pas une couleur aux composantes finies : " + couleur));
+            throw new PixelFautif(xe, ye,
+                    new ArithmeticException("ce n'est pas une couleur aux composantes finies : " + couleur));
         }
         return couleur;
     }
@@ -97,7 +100,10 @@ public class Lancer {
         parcourir(new Brouillon(), toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
     }
 
-    /** Dessine tous les pixels, sans brouillon. Personne ne regarde encore l'image : ses témoins viennent tous après elle. */
+    /**
+     * Dessine tous les pixels, sans brouillon. Personne ne regarde encore l'image : ses témoins viennent tous après
+     * elle.
+     */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
         long jugementNs = juger(profondeur, true);

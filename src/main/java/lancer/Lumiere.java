@@ -1,6 +1,8 @@
 package lancer;
 
-/** Une somme de couleurs en cours, noire au début : une seule sert à toutes les lampes d'un contact, et à son reflet. */
+/**
+ * Une somme de couleurs en cours, noire au début : une seule sert à toutes les lampes d'un contact, et à son reflet.
+ */
 final class Lumiere {
 
     private double r;

@@ -205,13 +205,16 @@ public class Main implements Toile {
         avertir(erreur);
     }
 
-    /** @return {@link CodeSortie#FAIT} si les images sont pareilles, {@link CodeSortie#PANNE} sinon : c'est une réponse, pas une panne */
+    /**
+     * @return {@link CodeSortie#FAIT} si les images sont pareilles, {@link CodeSortie#PANNE} sinon : c'est une réponse,
+     * pas une panne
+     */
     private int comparer(PrintStream sortie) {
         Path reference = Paths.get(options.comparer);
         Ecriture png = options.image == null ? null : new Ecriture(options.image);
         if (png != null && (png.vise(reference) || png.vise(Paths.get(options.scene)))) {
-            throw new Echec(CodeSortie.DEMANDE, "la sortie est une des images comparées : " + Texte.echappe(options.image)
-                    + " ; attendu : un autre fichier");
+            throw new Echec(CodeSortie.DEMANDE, "la sortie est une des images comparées : "
+                    + Texte.echappe(options.image) + " ; attendu : un autre fichier");
         }
         ImageLue attendue = ImageLue.lire(options.comparer);
         Comparaison comparaison = new Comparaison(ImageLue.estImage(options.scene) ? ImageLue.lire(options.scene)

@@ -1,9 +1,9 @@
 package lancer;
 
 /**
- * Ce qu'un rayon peut rencontrer : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme nouvelle
- * n'a que deux méthodes à donner : {@link #getIntersectionDistance} et {@link #getNormale} ; une troisième, {@link #getPointDeSurface},
- * lui évite les arrondis du contact.
+ * Ce qu'un rayon peut rencontrer : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme
+ * nouvelle n'a que deux méthodes à donner : {@link #getIntersectionDistance} et {@link #getNormale} ; une troisième,
+ * {@link #getPointDeSurface}, lui évite les arrondis du contact.
  */
 public abstract class Objet3D {
 
@@ -22,8 +22,8 @@ public abstract class Objet3D {
     public abstract Vecteur getNormale(Point contact);
 
     /**
-     * Le point de la surface le plus proche d'un contact, que les arrondis en ont un peu écarté. Une forme qui ne sait pas mieux
-     * faire rend le contact lui-même.
+     * Le point de la surface le plus proche d'un contact, que les arrondis en ont un peu écarté. Une forme qui ne sait
+     * pas mieux faire rend le contact lui-même.
      */
     public Point getPointDeSurface(Point contact) {
         return contact;

@@ -1,8 +1,9 @@
 package lancer;
 
 /**
- * Une demi-droite (P, V), et le contact le plus proche trouvé sur elle jusqu'ici (cours, « Représentation des rayons »).
- * P et V ne changent pas ; le contact change pendant la recherche : un rayon appartient à un seul fil d'exécution.
+ * Une demi-droite (P, V), et le contact le plus proche trouvé sur elle jusqu'ici (cours, « Représentation des
+ * rayons »). P et V ne changent pas ; le contact change pendant la recherche : un rayon appartient à un seul fil
+ * d'exécution.
  */
 public class Rayon {
 
@@ -76,8 +77,8 @@ public class Rayon {
     }
 
     /**
-     * Le point de contact P + distance·V, ramené par l'objet sur sa surface ({@link Objet3D#getPointDeSurface}), ou {@code null} si la
-     * distance est infinie.
+     * Le point de contact P + distance·V, ramené par l'objet sur sa surface ({@link Objet3D#getPointDeSurface}), ou
+     * {@code null} si la distance est infinie.
      */
     public PointContact calcContact() {
         if (distance == Constantes.INFINI) {

@@ -36,7 +36,8 @@ public final class Scene {
     /**
      * Lit une scène dans un fichier, et y installe les variantes présentes.
      *
-     * @param nomFichier un chemin ; s'il est relatif et n'existe pas ici, cherché aussi dans les quatre dossiers au-dessus
+     * @param nomFichier un chemin ; s'il est relatif et n'existe pas ici, cherché aussi dans les quatre dossiers
+     *     au-dessus
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {
@@ -103,8 +104,8 @@ public final class Scene {
     }
 
     /**
-     * Une sphère, égale à toute autre de mêmes centre et rayon. L'ordre est pour la table : des centres choisis pour avoir tous le
-     * même code y coûteraient sinon le carré de leur nombre.
+     * Une sphère, égale à toute autre de mêmes centre et rayon. L'ordre est pour la table : des centres choisis pour
+     * avoir tous le même code y coûteraient sinon le carré de leur nombre.
      */
     private static final class Geometrie implements Comparable<Geometrie> {
 
@@ -161,7 +162,8 @@ public final class Scene {
     }
 
     /**
-     * Vrai si un objet autre que {@code objet} se trouve strictement entre la lampe et le contact (cours, « Ombres portées »).
+     * Vrai si un objet autre que {@code objet} se trouve strictement entre la lampe et le contact (cours, « Ombres
+     * portées »).
      *
      * @param L direction de la lampe vue du contact, de longueur 1
      * @param distance du contact à la lampe
@@ -253,14 +255,15 @@ public final class Scene {
 
     /** @throws SceneFautive si une autre variante a déjà changé l'échantillonnage */
     public void setEchantillonnage(Echantillonnage echantillonnage) {
-        this.echantillonnage = libre(this.echantillonnage, Echantillonnage.CENTRE, echantillonnage, "l'échantillonnage");
+        this.echantillonnage = libre(this.echantillonnage, Echantillonnage.CENTRE, echantillonnage,
+                "l'échantillonnage");
     }
 
     /** Un contrat ne se prend qu'une fois : deux variantes qui le veulent ne peuvent aller ensemble. */
     private static <T> T libre(T present, T defaut, T nouveau, String quoi) {
         if (present != defaut) {
-            throw new SceneFautive("deux variantes veulent changer " + quoi + " : " + nom(present) + " et " + nom(nouveau)
-                    + " ; attendu : une seule des deux dans le chemin des classes");
+            throw new SceneFautive("deux variantes veulent changer " + quoi + " : " + nom(present) + " et "
+                    + nom(nouveau) + " ; attendu : une seule des deux dans le chemin des classes");
         }
         return nouveau;
     }

@@ -10,15 +10,22 @@ public class Sphere extends Objet3D {
     private static final double DOUTE = -Double.MIN_VALUE;
 
     /**
-     * Part de |C − P|² que c doit dépasser pour que la forme directe suffise : l'erreur de c est d'au plus 6 u |C − P|², donc celle de la
-     * distance de 24 u au plus, pour 16 u au moins de tolérance. Mesurée sur 10⁵ tirages serrés autour de cette part : 12 u.
+     * Part de |C − P|² que c doit dépasser pour que la forme directe suffise : l'erreur de c est d'au plus 6 u |C −
+     * P|², donc celle de la distance de 24 u au plus, pour 16 u au moins de tolérance. Mesurée sur 10⁵ tirages serrés
+     * autour de cette part : 12 u.
      */
     private static final double SUR = 0.25;
 
-    /** Part de |C − P|² au-dessus de laquelle le signe de c est certain, et la distance directe juste à un dix-millième près. */
+    /**
+     * Part de |C − P|² au-dessus de laquelle le signe de c est certain, et la distance directe juste à un dix-millième
+     * près.
+     */
     private static final double APPROCHE = 0x1p-20;
 
-    /** Carré de la distance à l'axe, en parts de r², au-delà duquel le rayon passe à côté, quoi qu'aient fait les arrondis. */
+    /**
+     * Carré de la distance à l'axe, en parts de r², au-delà duquel le rayon passe à côté, quoi qu'aient fait les
+     * arrondis.
+     */
     private static final double A_COTE = 1 + 0x1p-49;
 
     /** Un écart relatif dont le carré est sous la moitié de u. */
@@ -58,17 +65,19 @@ public class Sphere extends Objet3D {
     }
 
     /**
-     * La plus petite distance strictement positive de P à la sphère le long de V, de longueur 1 : +∞ s'il n'y en a pas ;
-     * une tangente est un contact ; de l'intérieur, c'est la sortie ; NaN ne touche rien.
+     * La plus petite distance strictement positive de P à la sphère le long de V, de longueur 1 : +∞ s'il n'y en a
+     * pas ; une tangente est un contact ; de l'intérieur, c'est la sortie ; NaN ne touche rien.
      *
-     * <p>Avec f = C − P et b = f·V, la demi-corde est h = √(r² − |f − bV|²) : le discriminant pris sur la perpendiculaire
-     * ne soustrait pas deux grands carrés, et reste juste pour une sphère petite ou lointaine (Haines, Günther et
-     * Akenine-Möller, <i>Precision Improvements for Ray/Sphere Intersection</i>, Ray Tracing Gems, 2019, ch. 7). Les racines
-     * b − h et b + h ont pour produit c = |f|² − r² : celle qui soustrairait deux nombres voisins s'obtient en divisant c
-     * par l'autre. Là où c même soustrait deux nombres voisins, P étant près de la surface, {@link IntersectionCompensee} reprend le calcul.
+     * <p>Avec f = C − P et b = f·V, la demi-corde est h = √(r² − |f − bV|²) : le discriminant pris sur la
+     * perpendiculaire ne soustrait pas deux grands carrés, et reste juste pour une sphère petite ou lointaine (Haines,
+     * Günther et Akenine-Möller, <i>Precision Improvements for Ray/Sphere Intersection</i>, Ray Tracing Gems, 2019, ch.
+     * 7). Les racines b − h et b + h ont pour produit c = |f|² − r² : celle qui soustrairait deux nombres voisins
+     * s'obtient en divisant c par l'autre. Là où c même soustrait deux nombres voisins, P étant près de la surface,
+     * {@link IntersectionCompensee} reprend le calcul.
      *
      * <p>Erreur relative : au plus 8 u (1 + r/h), u = 2⁻⁵³, arrondi de la direction compris, qui à lui seul en permet
-     * presque autant (mesurée au pire, les trois quarts, près de la part où le doute commence). Toutes longueurs de 1e-300 à 1e300.
+     * presque autant (mesurée au pire, les trois quarts, près de la part où le doute commence). Toutes longueurs de
+     * 1e-300 à 1e300.
      */
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
@@ -77,10 +86,10 @@ public class Sphere extends Objet3D {
     }
 
     /**
-     * {@link #distance}, ou un nombre négatif si {@link IntersectionCompensee#distance} doit en décider ; cette distance n'est alors
-     * pas inférieure à {@link #auMoins} de ce nombre. À part pour qu'une boucle puisse trancher dehors : le seul appel que contiendrait
-     * celle d'une grille, même jamais fait, lui coûterait un cinquième de sa vitesse. Moins de 325 octets de code : au-delà, la
-     * machine virtuelle ne l'incorporerait plus.
+     * {@link #distance}, ou un nombre négatif si {@link IntersectionCompensee#distance} doit en décider ; cette
+     * distance n'est alors pas inférieure à {@link #auMoins} de ce nombre. À part pour qu'une boucle puisse trancher
+     * dehors : le seul appel que contiendrait celle d'une grille, même jamais fait, lui coûterait un cinquième de sa
+     * vitesse. Moins de 325 octets de code : au-delà, la machine virtuelle ne l'incorporerait plus.
      */
     public static double distanceOuDoute(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
@@ -116,15 +125,20 @@ public class Sphere extends Objet3D {
         return DOUTE;
     }
 
-    /** Une distance que la vraie, quelle qu'elle soit, atteint ou dépasse. @param doute réponse négative de {@link #distanceOuDoute} */
+    /**
+     * Une distance que la vraie, quelle qu'elle soit, atteint ou dépasse.
+     *
+     * @param doute réponse négative de {@link #distanceOuDoute}
+     */
     public static double auMoins(double doute) {
         return -0.9999 * doute;
     }
 
     /**
-     * {@inheritDoc} C'est C + r·(X − C)/|X − C|, écrit X − e·(X − C) : à u près de chaque coordonnée, à moins de 4 u (r + |C|) de la
-     * surface, d'où que vienne le rayon (un contact calculé de loin, X = P + tV, en est à 2 u |X − P| ; idée de Pharr, Jakob et Humphreys,
-     * <i>Physically Based Rendering</i>, 4e éd., § 6.8). Le centre, et ce qui n'est pas fini, restent où ils sont.
+     * {@inheritDoc} C'est C + r·(X − C)/|X − C|, écrit X − e·(X − C) : à u près de chaque coordonnée, à moins de 4 u (r
+     * + |C|) de la surface, d'où que vienne le rayon (un contact calculé de loin, X = P + tV, en est à 2 u |X − P| ;
+     * idée de Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e éd., § 6.8). Le centre, et ce qui n'est
+     * pas fini, restent où ils sont.
      */
     @Override
     public Point getPointDeSurface(Point contact) {
@@ -154,14 +168,16 @@ public class Sphere extends Objet3D {
     }
 
     /**
-     * {@inheritDoc} Au centre même (une sphère plus petite que ce que ses coordonnées distinguent), c'est par convention
-     * (0, 0, −1).
+     * {@inheritDoc} Au centre même (une sphère plus petite que ce que ses coordonnées distinguent), c'est par
+     * convention (0, 0, −1).
      */
     @Override
     public Vecteur getNormale(Point contact) {
         double parRayon = 1 / rayon;
-        Vecteur n = new Vecteur((contact.x - centre.x) * parRayon, (contact.y - centre.y) * parRayon, (contact.z - centre.z) * parRayon);
-        return Math.abs(n.norme2() - 1) <= Vecteur.PRESQUE_UN ? n.normalized() : normaleExtreme(new Vecteur(centre, contact));
+        Vecteur n = new Vecteur((contact.x - centre.x) * parRayon, (contact.y - centre.y) * parRayon,
+                (contact.z - centre.z) * parRayon);
+        return Math.abs(n.norme2() - 1) <= Vecteur.PRESQUE_UN ? n.normalized()
+                : normaleExtreme(new Vecteur(centre, contact));
     }
 
     private static Vecteur normaleExtreme(Vecteur n) {

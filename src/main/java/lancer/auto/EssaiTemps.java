@@ -72,7 +72,8 @@ final class EssaiTemps {
         int paves = Pave.nombre(camera.getLargeur(), camera.getHauteur());
         int unSur = Math.max(1, Math.min(UN_SUR, paves / PAVES_MIN));
         Lancer lancer = essais.lancer(reglage.finesse.getEchantillonnage(), reglage.limites.seuil);
-        lancer.parcourir(new Extrait(reglage.finesse.getEchantillonnage(), unSur), Essais.AVEUGLE, reglage.getReflets(), fils);
+        lancer.parcourir(new Extrait(reglage.finesse.getEchantillonnage(), unSur), Essais.AVEUGLE,
+                reglage.getReflets(), fils);
         return lancer.getDureeNs() / NS_PAR_S * unSur;
     }
 

@@ -142,7 +142,8 @@ public final class Options {
     /** Une comparaison se fait à la taille de la référence, et n'écrit que l'image des différences. */
     private void accorderComparaison(Set<String> vues) {
         if (scene == null) {
-            throw faute("rien à comparer à " + Texte.cite(comparer) + " ; attendu : une scène, ou une image PNG ou PFM");
+            throw faute("rien à comparer à " + Texte.cite(comparer)
+                    + " ; attendu : une scène, ou une image PNG ou PFM");
         }
         for (String autre : new String[] {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"}) {
             if (vues.contains(autre)) {

@@ -12,7 +12,8 @@ public final class Pannes {
     }
 
     /**
-     * Une ligne : le pixel et la scène, la cause la plus profonde et l'endroit du code, et la commande qui dessine ce pixel de nouveau.
+     * Une ligne : le pixel et la scène, la cause la plus profonde et l'endroit du code, et la commande qui dessine ce
+     * pixel de nouveau.
      *
      * @param options celles du dessin
      * @param scene le fichier dessiné
@@ -23,9 +24,11 @@ public final class Pannes {
         while (cause.getCause() != null) {
             cause = cause.getCause();
         }
-        StringBuilder s = new StringBuilder("pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : ");
+        StringBuilder s = new StringBuilder("pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene)
+                + " : ");
         s.append(Texte.echappe(cause.toString())).append(endroit(cause));
-        s.append(" ; pour le revoir : ").append(programme()).append(" --pixel ").append(panne.x).append(',').append(panne.y);
+        s.append(" ; pour le revoir : ").append(programme());
+        s.append(" --pixel ").append(panne.x).append(',').append(panne.y);
         if (largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE) {
             s.append(" --taille ").append(largeur).append('x').append(hauteur);
         }
@@ -42,7 +45,8 @@ public final class Pannes {
     private static String endroit(Throwable cause) {
         for (StackTraceElement pas : cause.getStackTrace()) {
             if (!pas.getClassName().matches("(java|javax|jdk|sun)\\..*")) {
-                return " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":" + pas.getLineNumber() + ")";
+                return " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
+                        + pas.getLineNumber() + ")";
             }
         }
         return "";

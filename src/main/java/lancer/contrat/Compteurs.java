@@ -16,8 +16,8 @@ public final class Compteurs {
     public long testsSpheres;
 
     /**
-     * Celles que leur forme directe laissait en doute, reprises par {@link lancer.IntersectionCompensee}. Les boucles du cours
-     * ne les comptent pas.
+     * Celles que leur forme directe laissait en doute, reprises par {@link lancer.IntersectionCompensee}. Les boucles
+     * du cours ne les comptent pas.
      */
     public long testsPrecis;
 
@@ -27,7 +27,9 @@ public final class Compteurs {
     /** Pixels que l'échantillonnage a raffinés. */
     public long pixelsRaffines;
 
-    /** Pixels que les boucles du cours ont dessinés aussi, pour juger la recherche ; ils ne comptent pour rien d'autre. */
+    /**
+     * Pixels que les boucles du cours ont dessinés aussi, pour juger la recherche ; ils ne comptent pour rien d'autre.
+     */
     public long pixelsTemoins;
 
     public void ajouter(Compteurs autres) {

@@ -18,8 +18,8 @@ public interface Echantillonnage {
     int tracer(Pave pave, Vue vue, Toile toile);
 
     /**
-     * Vrai si aucun pixel ne doit rien aux autres : dans un pavé à lui seul, il a les bits qu'il a dans l'image. Sinon, et
-     * par défaut, il faut dessiner tout le pavé où il est.
+     * Vrai si aucun pixel ne doit rien aux autres : dans un pavé à lui seul, il a les bits qu'il a dans l'image. Sinon,
+     * et par défaut, il faut dessiner tout le pavé où il est.
      */
     default boolean parPixel() {
         return false;

@@ -6,8 +6,8 @@ import lancer.lecture.Section;
 /**
  * Une sorte d'objets qu'un fichier de scène peut nommer. Une classe d'objets, par exemple
  * {@code class Plan extends Objet3D implements Forme}, se fait connaître par une ligne du fichier
- * {@code META-INF/services/lancer.contrat.Forme}, dans la base ou dans une variante ; {@link java.util.ServiceLoader} en fait
- * un premier objet, sans valeurs, qui ne sert qu'à lire les autres.
+ * {@code META-INF/services/lancer.contrat.Forme}, dans la base ou dans une variante ; {@link java.util.ServiceLoader}
+ * en fait un premier objet, sans valeurs, qui ne sert qu'à lire les autres.
  */
 public interface Forme {
 

@@ -34,8 +34,8 @@ public final class Pave {
     }
 
     /**
-     * Le k-ième pavé dans un ordre qui saute d'un bout à l'autre de l'image : si elle commence par du ciel, ce qui se dessine d'abord
-     * ressemble quand même à tout le reste.
+     * Le k-ième pavé dans un ordre qui saute d'un bout à l'autre de l'image : si elle commence par du ciel, ce qui se
+     * dessine d'abord ressemble quand même à tout le reste.
      */
     public static Pave eparpille(int k, int largeur, int hauteur) {
         int nombre = nombre(largeur, hauteur);

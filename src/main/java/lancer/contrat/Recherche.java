@@ -8,22 +8,22 @@ import lancer.Rayon;
 import lancer.Vecteur;
 
 /**
- * La seule porte de la vitesse : ce que les rayons demandent à la scène. {@link RechercheSimple} répond par les boucles du
- * cours ; toute autre recherche doit donner la même image, au bit près.
+ * La seule porte de la vitesse : ce que les rayons demandent à la scène. {@link RechercheSimple} répond par les boucles
+ * du cours ; toute autre recherche doit donner la même image, au bit près.
  */
 public interface Recherche {
 
     /**
-     * Quel objet ce rayon rencontre-t-il d'abord ? Note le contact dans le rayon (+∞ si rien), sans égard à ce qui y était.
-     * De deux contacts à la même distance, celui de l'objet qui vient d'abord dans la scène.
+     * Quel objet ce rayon rencontre-t-il d'abord ? Note le contact dans le rayon (+∞ si rien), sans égard à ce qui y
+     * était. De deux contacts à la même distance, celui de l'objet qui vient d'abord dans la scène.
      *
      * @param saufLui objet à ignorer, ou {@code null}
      */
     void plusProche(Rayon incident, Objet3D saufLui);
 
     /**
-     * Un autre objet se trouve-t-il strictement entre la lampe et le contact ? Le rayon part de la lampe, comme le demande
-     * le cours, « Ombres portées ».
+     * Un autre objet se trouve-t-il strictement entre la lampe et le contact ? Le rayon part de la lampe, comme le
+     * demande le cours, « Ombres portées ».
      *
      * @param L direction de la lampe vue du contact, de longueur 1
      * @param distance du contact à la lampe

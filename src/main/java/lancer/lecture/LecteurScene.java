@@ -86,7 +86,10 @@ public final class LecteurScene {
         }
     }
 
-    /** Par {@code java.io}, déjà chargé (2 ms de lecture sur 18) ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
+    /**
+     * Par {@code java.io}, déjà chargé (2 ms de lecture sur 18) ; si cela échoue, par {@code java.nio}, qui dit
+     * pourquoi.
+     */
     private static InputStream ouvrir(Path chemin) throws IOException {
         try {
             return new FileInputStream(chemin.toFile());
@@ -96,8 +99,8 @@ public final class LecteurScene {
     }
 
     /**
-     * Le chemin de la scène : tel quel, ou s'il est relatif et n'existe pas ici, depuis le plus proche des quatre dossiers
-     * au-dessus d'où il mène à quelque chose.
+     * Le chemin de la scène : tel quel, ou s'il est relatif et n'existe pas ici, depuis le plus proche des quatre
+     * dossiers au-dessus d'où il mène à quelque chose.
      *
      * @throws SceneFautive s'il n'existe pas, ou n'est pas un fichier
      */
@@ -161,7 +164,9 @@ public final class LecteurScene {
         return section != null ? section : new Section(fichier, type, 0);
     }
 
-    /** Ini4j sans rien de ce qu'un fichier inconnu pourrait détourner ; le constructeur évite la recherche de services. */
+    /**
+     * Ini4j sans rien de ce qu'un fichier inconnu pourrait détourner ; le constructeur évite la recherche de services.
+     */
     private static final class Decoupeur extends IniParser {
         Decoupeur() {
             Config config = new Config();

@@ -14,8 +14,8 @@ import lancer.contrat.Forme;
 import lancer.contrat.Variante;
 
 /**
- * Les formes et les variantes présentes dans le chemin des classes. Elles sont cherchées dans un fil à part : Java fouille
- * aussi ses propres modules, et la scène se lit pendant ce temps.
+ * Les formes et les variantes présentes dans le chemin des classes. Elles sont cherchées dans un fil à part : Java
+ * fouille aussi ses propres modules, et la scène se lit pendant ce temps.
  */
 final class Services implements Runnable {
 

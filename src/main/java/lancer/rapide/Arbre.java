@@ -4,12 +4,12 @@ import lancer.Constantes;
 import lancer.Sphere;
 
 /**
- * Un arbre de boîtes, parcouru de la plus proche à la plus lointaine : jamais le meilleur ici, mais ni les tailles ni les places
- * ne le mettent en défaut, tant que les coordonnées ne font pas des milliards de rayons (au-delà, {@link Grosses}). Il sert là où
- * une grille ou une carte coûterait davantage. Construit par {@link Pousse}.
+ * Un arbre de boîtes, parcouru de la plus proche à la plus lointaine : jamais le meilleur ici, mais ni les tailles ni
+ * les places ne le mettent en défaut, tant que les coordonnées ne font pas des milliards de rayons (au-delà, {@link
+ * Grosses}). Il sert là où une grille ou une carte coûterait davantage. Construit par {@link Pousse}.
  *
- * <p>Les boîtes sont des flottants arrondis vers l'extérieur et élargis d'une marge ({@link Etendue#marge}) : une boîte n'est
- * passée que si aucune de ses sphères ne peut l'emporter, arrondis compris.
+ * <p>Les boîtes sont des flottants arrondis vers l'extérieur et élargis d'une marge ({@link Etendue#marge}) : une boîte
+ * n'est passée que si aucune de ses sphères ne peut l'emporter, arrondis compris.
  */
 final class Arbre implements Voisins, Obstacles {
 

@@ -7,8 +7,9 @@ import lancer.Point;
 import lancer.Sphere;
 
 /**
- * Ce que l'on voit d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la plus
- * lointaine. Une case qu'une sphère couvre tout entière a une coupe : ce qui est au-delà est caché, et n'y est pas noté.
+ * Ce que l'on voit d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la
+ * plus lointaine. Une case qu'une sphère couvre tout entière a une coupe : ce qui est au-delà est caché, et n'y est pas
+ * noté.
  */
 final class Carte implements Voisins {
 
@@ -31,7 +32,10 @@ final class Carte implements Voisins {
     private final int parFace;
     private final Face[] faces;
 
-    /** Première entrée de chaque case, et pour chaque entrée une sphère et une distance qu'aucun de ses points ne précède. */
+    /**
+     * Première entrée de chaque case, et pour chaque entrée une sphère et une distance qu'aucun de ses points ne
+     * précède.
+     */
     final int[] debut;
     final int[] entrees;
     final float[] pres;
@@ -49,7 +53,8 @@ final class Carte implements Voisins {
     }
 
     /**
-     * La carte de l'œil : ses rayons partent de l'écran, où que ce soit dans un pixel, et tous s'éloignent d'un même point.
+     * La carte de l'œil : ses rayons partent de l'écran, où que ce soit dans un pixel, et tous s'éloignent d'un même
+     * point.
      *
      * @param image la fenêtre de l'image
      */
@@ -133,7 +138,9 @@ final class Carte implements Voisins {
         debut[cases] = e;
     }
 
-    /** Les numéros des sphères dans la moitié basse, par distance croissante ; celle-ci, arrondie vers 0, dans la haute. */
+    /**
+     * Les numéros des sphères dans la moitié basse, par distance croissante ; celle-ci, arrondie vers 0, dans la haute.
+     */
     private static long[] parDistance(Spheres spheres, double ox, double oy, double oz) {
         double[] g = spheres.geometrie;
         long[] ordre = new long[spheres.nombre];
@@ -152,8 +159,8 @@ final class Carte implements Voisins {
     }
 
     /**
-     * Pour la carte de l'œil : la sphère que rencontre d'abord un rayon, parmi celles que note sa case. Un rayon qui ne vient pas de
-     * l'œil est pour le secours.
+     * Pour la carte de l'œil : la sphère que rencontre d'abord un rayon, parmi celles que note sa case. Un rayon qui ne
+     * vient pas de l'œil est pour le secours.
      */
     @Override
     public int plusProche(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
@@ -198,7 +205,10 @@ final class Carte implements Voisins {
         return douteuse < 0 ? trouvee : trancher(sonde, douteuse, doute, e, fin, avance, px, py, pz, vx, vy, vz);
     }
 
-    /** La fin de {@link #plusProche} quand une sphère est en doute : elle d'abord, puis ce qui vient à partir de l'entrée e. */
+    /**
+     * La fin de {@link #plusProche} quand une sphère est en doute : elle d'abord, puis ce qui vient à partir de
+     * l'entrée e.
+     */
     private int trancher(Sonde sonde, int douteuse, double doute, int e, int fin, double avance, double px, double py, double pz,
             double vx, double vy, double vz) {
         sonde.retenir(spheres, douteuse, doute, px, py, pz, vx, vy, vz);

@@ -4,9 +4,9 @@ import lancer.Constantes;
 import lancer.Sphere;
 
 /**
- * Ce qui cache une lampe : elle est ponctuelle et le cours fait partir d'elle les rayons d'ombre, donc elle voit la scène comme
- * une seconde caméra, dans une {@link Carte} (« light buffer », Haines et Greenberg, 1986). Une question coûte une ou deux sphères au
- * lieu d'une descente d'arbre : cinq à neuf fois moins.
+ * Ce qui cache une lampe : elle est ponctuelle et le cours fait partir d'elle les rayons d'ombre, donc elle voit la
+ * scène comme une seconde caméra, dans une {@link Carte} (« light buffer », Haines et Greenberg, 1986). Une question
+ * coûte une ou deux sphères au lieu d'une descente d'arbre : cinq à neuf fois moins.
  */
 final class CarteLampe implements Obstacles {
 

@@ -9,9 +9,10 @@ import lancer.Scene;
 import lancer.contrat.Compteurs;
 
 /**
- * Le garde-fou : quelques pixels de l'image, semés sur une grille, disent ce que coûte chaque structure. Là où elle coûte plus qu'un
- * bon arbre, on construit l'arbre, on lui pose les mêmes questions, et le moins cher reste. Aucune scène ne tombe ainsi dans un trou (sol
- * immense, amas dispersés), et l'arbre n'est pas construit là où il ne servirait pas.
+ * Le garde-fou : quelques pixels de l'image, semés sur une grille, disent ce que coûte chaque structure. Là où elle
+ * coûte plus qu'un bon arbre, on construit l'arbre, on lui pose les mêmes questions, et le moins cher reste. Aucune
+ * scène ne tombe ainsi dans un trou (sol immense, amas dispersés), et l'arbre n'est pas construit là où il ne servirait
+ * pas.
  */
 final class Choix {
 
@@ -35,7 +36,10 @@ final class Choix {
         this.lampes = lampes;
     }
 
-    /** Remplace par {@code arbre}, dans {@code voisins} (premiers, suivants) et {@code obstacles}, ce qui coûte plus que lui. */
+    /**
+     * Remplace par {@code arbre}, dans {@code voisins} (premiers, suivants) et {@code obstacles}, ce qui coûte plus que
+     * lui.
+     */
     void faire(Scene scene, Camera camera, Voisins[] voisins, Obstacles[] obstacles, Secours arbre) {
         RechercheRapide choisie = new RechercheRapide(preparation, voisins[PREMIERS], voisins[SUIVANTS], obstacles, new Compteurs());
         Ecoute ecoute = new Ecoute(choisie);

@@ -4,9 +4,10 @@ package lancer.rapide;
 final class Etendue {
 
     /**
-     * Marge des boîtes, en part de la plus grande coordonnée. La distance calculée par {@link lancer.Sphere#distance} est
-     * celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53 ; le calcul d'une boîte ajoute 4 u
-     * fois les coordonnées. 2^-36 les couvre encore quand le rayon part de {@link #DEPART_MAX} fois plus loin que la boîte.
+     * Marge des boîtes, en part de la plus grande coordonnée. La distance calculée par {@link lancer.Sphere#distance}
+     * est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53 ; le calcul d'une boîte
+     * ajoute 4 u fois les coordonnées. 2^-36 les couvre encore quand le rayon part de {@link #DEPART_MAX} fois plus
+     * loin que la boîte.
      */
     private static final double MARGE_RELATIVE = 0x1.0p-36;
 

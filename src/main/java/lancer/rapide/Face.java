@@ -4,14 +4,14 @@ import lancer.Camera;
 import lancer.Constantes;
 
 /**
- * Une fenêtre découpée en cases, vue d'un point : la case d'une direction, et les cases que couvre la silhouette d'une sphère.
- * Dans le repère de la face, une direction (x, y, z), z &gt; 0, y tombe en u = x/z, v = y/z.
+ * Une fenêtre découpée en cases, vue d'un point : la case d'une direction, et les cases que couvre la silhouette d'une
+ * sphère. Dans le repère de la face, une direction (x, y, z), z &gt; 0, y tombe en u = x/z, v = y/z.
  */
 final class Face {
 
     /**
-     * Élargissement des silhouettes, en u et v. Les directions et les silhouettes sont calculées à 1e-15 près, et les arrondis de
-     * {@link lancer.Sphere#distance} grossissent une sphère de 4e-15 au plus, vue d'ici.
+     * Élargissement des silhouettes, en u et v. Les directions et les silhouettes sont calculées à 1e-15 près, et les
+     * arrondis de {@link lancer.Sphere#distance} grossissent une sphère de 4e-15 au plus, vue d'ici.
      */
     static final double MARGE = 4e-12;
 
@@ -83,7 +83,10 @@ final class Face {
         return casePlane((e[0] * x + e[1] * y + e[2] * z) * parW, (e[3] * x + e[4] * y + e[5] * z) * parW);
     }
 
-    /** La case de l'image que traverse ce rayon, -1 s'il ne part pas de l'écran en s'éloignant de l'œil, ou n'est pas dans l'image. */
+    /**
+     * La case de l'image que traverse ce rayon, -1 s'il ne part pas de l'écran en s'éloignant de l'œil, ou n'est pas
+     * dans l'image.
+     */
     int caseDeLOeil(double px, double py, double pz, double vx, double vy, double vz) {
         double ecart = ECART * vz;
         return pz == 0 && Math.abs(vx * Camera.FOCALE - px * vz) <= ecart && Math.abs(vy * Camera.FOCALE - py * vz) <= ecart
@@ -120,7 +123,8 @@ final class Face {
 
     /**
      * La silhouette est l'ellipse (cx u + cy v + cz)² = K (u² + v² + 1), K = 1 − r². À v donné, son bord est en
-     * (cx m ± √(K (cz² − r²)(v+ − v)(v − v−))) / (cy² + cz² − r²), m = cy v + cz : rien ne s'y soustrait qui se ressemble.
+     * (cx m ± √(K (cz² − r²)(v+ − v)(v − v−))) / (cy² + cz² − r²), m = cy v + cz : rien ne s'y soustrait qui se
+     * ressemble.
      */
     private boolean ellipse(double cx, double cy, double cz, double r) {
         double q = cz * cz - r * r;
@@ -226,8 +230,8 @@ final class Face {
     }
 
     /**
-     * La plus grande distance, vue du point, à laquelle un rayon de cette case entre dans la sphère qui la couvre. C'est à un
-     * coin : la distance d'entrée croît avec l'angle au centre.
+     * La plus grande distance, vue du point, à laquelle un rayon de cette case entre dans la sphère qui la couvre.
+     * C'est à un coin : la distance d'entrée croît avec l'angle au centre.
      */
     double entree(int i, int j, double x, double y, double z, double r) {
         double cx = e[0] * x + e[1] * y + e[2] * z;

@@ -1,6 +1,9 @@
 package lancer.rapide;
 
-/** Les fenêtres par où une lampe voit la scène : une seule, ajustée, si elle la voit tout entière d'un côté ; sinon six, d'un cube. */
+/**
+ * Les fenêtres par où une lampe voit la scène : une seule, ajustée, si elle la voit tout entière d'un côté ; sinon six,
+ * d'un cube.
+ */
 final class Faces {
 
     /** Plus grande ouverture d'une seule fenêtre, en u et v : 63 degrés de part et d'autre. */
@@ -41,7 +44,10 @@ final class Faces {
         return az >= ax && az >= ay ? z > 0 ? 4 : 5 : ay >= ax ? y > 0 ? 2 : 3 : x > 0 ? 0 : 1;
     }
 
-    /** La fenêtre tournée vers le milieu des sphères, juste assez grande pour leurs silhouettes ; {@code null} si c'est trop. */
+    /**
+     * La fenêtre tournée vers le milieu des sphères, juste assez grande pour leurs silhouettes ; {@code null} si c'est
+     * trop.
+     */
     private static Face ajustee(Spheres spheres, double ox, double oy, double oz, int cases) {
         double[] g = spheres.geometrie;
         Etendue boite = new Etendue();

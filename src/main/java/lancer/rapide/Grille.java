@@ -5,9 +5,9 @@ import lancer.Constantes;
 import lancer.Sphere;
 
 /**
- * Une grille régulière de cases, traversées l'une après l'autre (Amanatides et Woo, 1987) : deux à trois fois plus rapide que
- * l'arbre pour les rayons réfléchis, qui ne vont pas loin, tant que les sphères sont de tailles et de places comparables. Les
- * quelques très grosses sont à part.
+ * Une grille régulière de cases, traversées l'une après l'autre (Amanatides et Woo, 1987) : deux à trois fois plus
+ * rapide que l'arbre pour les rayons réfléchis, qui ne vont pas loin, tant que les sphères sont de tailles et de places
+ * comparables. Les quelques très grosses sont à part.
  */
 final class Grille implements Voisins {
 
@@ -15,8 +15,8 @@ final class Grille implements Voisins {
     static final double DENSITE = 2;
 
     /**
-     * Comme {@link Etendue#marge}, quatre fois plus large : une traversée ajoute ses pas, et leurs arrondis. Elle couvre un
-     * rayon qui part de {@link #DEPART_MAX} fois plus loin que la grille.
+     * Comme {@link Etendue#marge}, quatre fois plus large : une traversée ajoute ses pas, et leurs arrondis. Elle
+     * couvre un rayon qui part de {@link #DEPART_MAX} fois plus loin que la grille.
      */
     private static final double MARGE = 0x1.0p-34;
     private static final double DEPART_MAX = 64;
@@ -149,8 +149,9 @@ final class Grille implements Voisins {
     }
 
     /**
-     * Traverse les cases, en retenant dans la sonde la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à une sphère en
-     * doute. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la boucle tient en registres irait en mémoire.
+     * Traverse les cases, en retenant dans la sonde la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à
+     * une sphère en doute. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la boucle tient
+     * en registres irait en mémoire.
      *
      * @param reprise vrai pour repartir d'où la marche précédente s'est arrêtée
      * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini

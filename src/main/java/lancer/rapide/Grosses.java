@@ -3,12 +3,15 @@ package lancer.rapide;
 import java.util.Arrays;
 
 /**
- * Les quelques sphères démesurées (un sol, un ciel, une boule perdue au loin) qui rempliraient à elles seules une grille, ou
- * dont les coordonnées élargiraient toutes les boîtes : à part, toujours examinées.
+ * Les quelques sphères démesurées (un sol, un ciel, une boule perdue au loin) qui rempliraient à elles seules une
+ * grille, ou dont les coordonnées élargiraient toutes les boîtes : à part, toujours examinées.
  */
 final class Grosses {
 
-    /** Une sphère plus loin que cela, en rayons médians, a des coordonnées dont la marge ({@link Etendue#marge}) en vaut un seizième. */
+    /**
+     * Une sphère plus loin que cela, en rayons médians, a des coordonnées dont la marge ({@link Etendue#marge}) en vaut
+     * un seizième.
+     */
     private static final double LOINTAINE = 0x1p32;
 
     private Grosses() {

@@ -6,9 +6,9 @@ import lancer.Point;
 import lancer.Sphere;
 
 /**
- * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque par tuile de
- * l'écran, un par sphère quittée et par petit cube où tombe la direction, un par lampe et par sphère éclairée. Un rayon qui n'est
- * pas de ceux d'un masque (comparé avant de s'en servir) est pour la boucle.
+ * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque
+ * par tuile de l'écran, un par sphère quittée et par petit cube où tombe la direction, un par lampe et par sphère
+ * éclairée. Un rayon qui n'est pas de ceux d'un masque (comparé avant de s'en servir) est pour la boucle.
  */
 final class Masques implements Voisins {
 
@@ -22,7 +22,10 @@ final class Masques implements Voisins {
     /** Côté d'une tuile de l'écran, en pixels. */
     private static final int TUILE = 8;
 
-    /** Grossissement des sphères que l'on quitte ou que l'on éclaire, en part des longueurs ; un rayon n'en prend que la moitié. */
+    /**
+     * Grossissement des sphères que l'on quitte ou que l'on éclaire, en part des longueurs ; un rayon n'en prend que la
+     * moitié.
+     */
     private static final double MARGE = 1e-9;
 
     private final Spheres spheres;
@@ -75,8 +78,9 @@ final class Masques implements Voisins {
     }
 
     /**
-     * Ce que peut toucher un rayon qui quitte la sphère a : B, si l'angle de sa direction avec AB est au plus asin((rA + rB) / AB). D'un petit
-     * cube de centre c et de demi-côté h, aucune direction n'a avec w un cosinus de plus de c·w + h(|wx| + |wy| + |wz|).
+     * Ce que peut toucher un rayon qui quitte la sphère a : B, si l'angle de sa direction avec AB est au plus asin((rA
+     * + rB) / AB). D'un petit cube de centre c et de demi-côté h, aucune direction n'a avec w un cosinus de plus de c·w
+     * + h(|wx| + |wy| + |wz|).
      */
     private void noterDirections(int a) {
         double[] g = spheres.geometrie;

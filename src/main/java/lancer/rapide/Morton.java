@@ -2,7 +2,9 @@ package lancer.rapide;
 
 import java.util.Arrays;
 
-/** Un ordre où des sphères voisines dans l'espace le sont en mémoire : les bits de x, y et z entrelacés (Morton, 1966). */
+/**
+ * Un ordre où des sphères voisines dans l'espace le sont en mémoire : les bits de x, y et z entrelacés (Morton, 1966).
+ */
 final class Morton {
 
     private static final int BITS = 10;

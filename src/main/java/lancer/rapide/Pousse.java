@@ -3,8 +3,8 @@ package lancer.rapide;
 import java.util.Arrays;
 
 /**
- * La construction d'un {@link Arbre} : à chaque nœud, la coupe qui coûtera le moins selon l'aire des deux boîtes (MacDonald et
- * Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007).
+ * La construction d'un {@link Arbre} : à chaque nœud, la coupe qui coûtera le moins selon l'aire des deux boîtes
+ * (MacDonald et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007).
  */
 final class Pousse {
 
@@ -93,7 +93,9 @@ final class Pousse {
         return fin - debut <= FEUILLE_MAX ? -1 : (debut + fin) >>> 1;
     }
 
-    /** Range les sphères de part et d'autre de la meilleure coupe, et rend son rang ; -1 s'il vaut mieux une feuille. */
+    /**
+     * Range les sphères de part et d'autre de la meilleure coupe, et rend son rang ; -1 s'il vaut mieux une feuille.
+     */
     private int couper(int debut, int fin, Etendue centres, Etendue boite) {
         int n = fin - debut;
         double meilleur = Double.POSITIVE_INFINITY;

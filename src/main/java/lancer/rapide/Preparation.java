@@ -14,32 +14,35 @@ import lancer.contrat.Recherche;
 import lancer.fils.Equipe;
 
 /**
- * Le choix des structures : ce que la scène demande, et rien de plus. Une préparation vaut pour un dessin : la place des
- * objets, leurs matières et les lampes sont celles du moment où elle est faite.
+ * Le choix des structures : ce que la scène demande, et rien de plus. Une préparation vaut pour un dessin : la place
+ * des objets, leurs matières et les lampes sont celles du moment où elle est faite.
  */
 public final class Preparation {
 
     /**
-     * Jusqu'à ce nombre de sphères, la boucle bat l'arbre : foules de 10, 24 et 50 boules, 800 × 600, deux fils, 30, 56 et 116 ms
-     * contre 46, 68 et 120.
+     * Jusqu'à ce nombre de sphères, la boucle bat l'arbre : foules de 10, 24 et 50 boules, 800 × 600, deux fils, 30, 56
+     * et 116 ms contre 46, 68 et 120.
      */
     static final int PEU = 24;
 
-    /** Une sphère de tant de fois le rayon médian couvrirait presque toute la grille ; il y en a au plus tant, à part. */
+    /**
+     * Une sphère de tant de fois le rayon médian couvrirait presque toute la grille ; il y en a au plus tant, à part.
+     */
     static final double GROSSE = 50;
     static final int GROSSES_MAX = 8;
 
     /**
-     * Cases d'une carte de lampe : tant par sphère, entre ces bornes. De 1 à 16 par sphère le dessin dure autant (7381 à 100 000
-     * sphères), et la construction deux fois moins ; au-delà de 2^19, les cases ne tiennent plus dans les caches.
+     * Cases d'une carte de lampe : tant par sphère, entre ces bornes. De 1 à 16 par sphère le dessin dure autant (7381
+     * à 100 000 sphères), et la construction deux fois moins ; au-delà de 2^19, les cases ne tiennent plus dans les
+     * caches.
      */
     private static final int CASES_PAR_SPHERE = 2;
     private static final int CASES_MIN = 1 << 10;
     private static final int CASES_MAX = 1 << 19;
 
     /**
-     * Côté d'une case de la carte de l'œil, en pixels : au plus celui-ci, et à peu près autant de cases que de sphères. 8 ne dessine
-     * pas plus vite (10 à 1000 sphères).
+     * Côté d'une case de la carte de l'œil, en pixels : au plus celui-ci, et à peu près autant de cases que de sphères.
+     * 8 ne dessine pas plus vite (10 à 1000 sphères).
      */
     private static final int PIXELS_PAR_CASE = 16;
 
@@ -180,7 +183,9 @@ public final class Preparation {
         return obstacleGeneral;
     }
 
-    /** Les structures choisies, par leurs noms : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */
+    /**
+     * Les structures choisies, par leurs noms : celle des premiers rayons, celle des réfléchis, celle de chaque lampe.
+     */
     @Override
     public String toString() {
         StringBuilder noms = new StringBuilder(premiers.getClass().getSimpleName() + " " + suivants.getClass().getSimpleName());

@@ -12,8 +12,9 @@ import lancer.contrat.Recherche;
 import lancer.contrat.Temoignage;
 
 /**
- * La recherche qui s'aide des structures de {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui vérifie
- * d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a sa {@link Sonde}.
+ * La recherche qui s'aide des structures de {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui
+ * vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a sa
+ * {@link Sonde}.
  */
 final class RechercheRapide implements Recherche {
 
@@ -26,12 +27,15 @@ final class RechercheRapide implements Recherche {
     private final Sonde sonde;
 
     /**
-     * Celle qui répond à la place de celle-ci, d'ordinaire {@code null}. Sous cette forme la recherche d'une scène est toujours de cette
-     * classe, et quelques témoins ne coûtent rien aux autres rayons.
+     * Celle qui répond à la place de celle-ci, d'ordinaire {@code null}. Sous cette forme la recherche d'une scène est
+     * toujours de cette classe, et quelques témoins ne coûtent rien aux autres rayons.
      */
     private final Recherche remplacante;
 
-    /** Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon suivant. */
+    /**
+     * Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon
+     * suivant.
+     */
     private int derniere = -1;
 
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */

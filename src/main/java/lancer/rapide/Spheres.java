@@ -9,8 +9,8 @@ import lancer.Point;
 import lancer.Sphere;
 
 /**
- * Les sphères d'une scène recopiées à plat, chacune sous un numéro : 32 octets de géométrie, qui tiennent dans une moitié de
- * ligne de cache. Les objets d'une autre classe, filles de {@link Sphere} comprises, sont à part.
+ * Les sphères d'une scène recopiées à plat, chacune sous un numéro : 32 octets de géométrie, qui tiennent dans une
+ * moitié de ligne de cache. Les objets d'une autre classe, filles de {@link Sphere} comprises, sont à part.
  */
 final class Spheres {
 
@@ -78,12 +78,17 @@ final class Spheres {
         objets = o;
     }
 
-    /** Vrai si un contact à {@code d} avec la sphère k passe avant celui à {@code distance} avec la sphère {@code autre}. */
+    /**
+     * Vrai si un contact à {@code d} avec la sphère k passe avant celui à {@code distance} avec la sphère {@code
+     * autre}.
+     */
     boolean avant(double d, int k, double distance, int autre) {
         return d < distance || d == distance && d != Constantes.INFINI && rang[k] < rang[autre];
     }
 
-    /** Le numéro de cet objet, -1 si ce n'en est pas un. La table n'est faite que si une question inattendue la demande. */
+    /**
+     * Le numéro de cet objet, -1 si ce n'en est pas un. La table n'est faite que si une question inattendue la demande.
+     */
     synchronized int numero(Objet3D objet) {
         if (objet == null || objet.getClass() != Sphere.class) {
             return -1;

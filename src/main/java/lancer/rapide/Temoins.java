@@ -17,11 +17,12 @@ import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
 
 /**
- * Les pixels témoins : quelques-uns sont dessinés par les boucles du cours aussi, et comparés au bit près. Ils jugent ce à quoi une
- * recherche répond autrement que par les méthodes du cours. Une faute qui change une part p des pixels est vue avec une probabilité
- * d'au moins 1 − (1 − p)^N, N étant tirés au hasard avant l'image, un dans chacune de N parts égales. Quelques autres sont choisis
- * après elle. Leur nombre ne dépend que de comptes, jamais d'une horloge. Là où les boucles mettraient trop de temps à un seul pixel
- * (cent mille sphères), on ne leur pose que ses premières questions.
+ * Les pixels témoins : quelques-uns sont dessinés par les boucles du cours aussi, et comparés au bit près. Ils jugent
+ * ce à quoi une recherche répond autrement que par les méthodes du cours. Une faute qui change une part p des pixels
+ * est vue avec une probabilité d'au moins 1 − (1 − p)^N, N étant tirés au hasard avant l'image, un dans chacune de N
+ * parts égales. Quelques autres sont choisis après elle. Leur nombre ne dépend que de comptes, jamais d'une horloge. Là
+ * où les boucles mettraient trop de temps à un seul pixel (cent mille sphères), on ne leur pose que ses premières
+ * questions.
  */
 final class Temoins {
 
@@ -31,7 +32,10 @@ final class Temoins {
     /** Pixels parmi lesquels se choisissent ceux qui montrent du rare. */
     private static final int SONDES = 128;
 
-    /** Sphères que les boucles du cours examinent pour tous les témoins, au plus : en cinq millisecondes, une fois compilées. */
+    /**
+     * Sphères que les boucles du cours examinent pour tous les témoins, au plus : en cinq millisecondes, une fois
+     * compilées.
+     */
     private static final long EXAMENS = 800_000;
 
     /** Ou bien une sphère pour tant de rayons de l'image, si c'est plus : moins d'un cinquantième de son temps. */
@@ -99,8 +103,8 @@ final class Temoins {
     }
 
     /**
-     * Ceux qui montrent ce qu'aucun n'a encore montré : un objet, du dehors ou du dedans, un bord, un autre nombre de lampes ou de
-     * reflets.
+     * Ceux qui montrent ce qu'aucun n'a encore montré : un objet, du dehors ou du dedans, un bord, un autre nombre de
+     * lampes ou de reflets.
      */
     Temoignage choisis() {
         Set<List<Object>> vu = new HashSet<>();
@@ -138,7 +142,10 @@ final class Temoins {
         return rayon;
     }
 
-    /** Ce en quoi les boucles du cours diffèrent sur les premières questions d'un pixel, là où une seule coûte presque tout. */
+    /**
+     * Ce en quoi les boucles du cours diffèrent sur les premières questions d'un pixel, là où une seule coûte presque
+     * tout.
+     */
     private String questionner(long pixel) {
         Ecoute ecoute = new Ecoute(jugee);
         rapide.getScene().setRecherche(new RechercheRapide(jugee, ecoute));

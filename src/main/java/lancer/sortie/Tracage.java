@@ -33,7 +33,8 @@ final class Tracage extends SwingWorker<Void, Void> {
      * @param aLire la scène à lire, {@code null} pour redessiner celle qui est déjà lue
      * @param taille celle de l'image, en pixels
      */
-    Tracage(Main main, String aLire, Dimension taille, Surveillance surveillance, PrintStream sortie, PrintStream erreur) {
+    Tracage(Main main, String aLire, Dimension taille, Surveillance surveillance, PrintStream sortie,
+            PrintStream erreur) {
         this.main = main;
         this.aLire = aLire;
         this.taille = taille;

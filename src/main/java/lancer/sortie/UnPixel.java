@@ -12,8 +12,8 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
 /**
- * Un pixel de l'image, dessiné par les boucles du cours et comme le veut l'échantillonnage de la scène : sans les autres, ou
- * avec ceux de son pavé s'il leur doit des points.
+ * Un pixel de l'image, dessiné par les boucles du cours et comme le veut l'échantillonnage de la scène : sans les
+ * autres, ou avec ceux de son pavé s'il leur doit des points.
  */
 public final class UnPixel implements Echantillonnage, Toile {
 
