@@ -38,6 +38,9 @@ final class RechercheRapide implements Recherche {
      */
     private int derniere = -1;
 
+    /** Ceux qui jugent cette recherche : les choisis ont ce que leur laissent les tirés au hasard. */
+    private Temoins temoins;
+
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
 
@@ -151,7 +154,9 @@ final class RechercheRapide implements Recherche {
 
     @Override
     public Temoignage juger(Lancer lancer, int profondeur, boolean tires) {
-        Temoins temoins = new Temoins(this, lancer, profondeur);
+        if (tires) {
+            temoins = new Temoins(this, lancer, profondeur);
+        }
         return tires ? temoins.auHasard() : temoins.choisis();
     }
 

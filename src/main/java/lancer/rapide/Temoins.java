@@ -93,6 +93,7 @@ final class Temoins {
                 return new Temoignage(nombre, ecart(tires[k]));
             }
         }
+        reste -= nombre * (rayons * objets / sondes);
         return new Temoignage(nombre, null);
     }
 
@@ -110,7 +111,6 @@ final class Temoins {
         Set<List<Object>> vu = new HashSet<>();
         Compteurs comptes = rapide.getScene().getCompteurs();
         int choisis = 0;
-        reste = EXAMENS;
         int sondes = (int) Math.min(SONDES, pixels);
         for (int k = 0; k < sondes && choisis < NOMBRE; k++) {
             long pixel = tirer(k, sondes);
