@@ -159,6 +159,8 @@ public final class Fenetre {
     void arreter() {
         if (enCours) {
             courant.cancel(true);
+            // sans attendre que le dessin s'en aperçoive, comme le fait un SwingWorker des Java récents
+            finir(courant);
         }
     }
 
@@ -265,7 +267,7 @@ public final class Fenetre {
 
     /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
     private void finir(Tracage tracage) {
-        if (tracage != courant || fermee) {
+        if (tracage != courant || fermee || !enCours) {
             return;
         }
         enCours = false;
