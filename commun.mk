@@ -29,7 +29,7 @@ sources = $(shell find $(1)/src/main -type f 2>/dev/null)
 # L'image porte le nom de la variante dans le dossier de celle-ci, à la racine celui de la scène et des variantes mises ensemble.
 run: $(JARS)
 	@case "$(OPTIONS)" in \
-	    *--image*|*--lineaire*|*--pixel*|*--aide*|*--version*) $(LANCER) $(OPTIONS) "$(SCENE)"; exit;; \
+	    *--image*|*--lineaire*|*--pixel*|*--comparer*|*--aide*|*--version*) $(LANCER) $(OPTIONS) "$(SCENE)"; exit;; \
 	esac; \
 	if [ -n "$$DISPLAY" ] || [ "$$(uname)" = Darwin ]; then \
 	    $(LANCER) $(OPTIONS) "$(SCENE)"; statut=$$?; \

@@ -52,7 +52,7 @@ class ModificationsTest {
         "Objet3D | Vecteur L = versLampe.normalized() | Vecteur L = versLampe",
         "Objet3D | V.add(-2 * V.dot(N), N).normalized() | V.add(-2 * V.dot(N), N).mul(1.2)",
         "Sphere | double d = distance( | double d = 1.01 * distance(",
-        "Sphere | ? n.normalized() : | ? n.add(new Vecteur(0, 0.3, 0)).normalized() :",
+        "Sphere | ? n.normalized() | ? n.add(new Vecteur(0, 0.3, 0)).normalized()",
         "Sphere | return contact.add(-ecart(carre, rayon), n) | return contact.add(-ecart(carre, 1.01 * rayon), n)",
         "Rayon | P.add(distance, V) | P.add(0.99 * distance, V)",
         "Rayon | new Couleur(0.7 * bas, 0.7 * bas, bas + V.y) | new Couleur(0.7 * bas, 0.7 * bas, bas)",
