@@ -10,7 +10,7 @@ FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
 .PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
-    comparer reponses image-classe aide propre
+	comparer reponses image-classe aide propre
 
 # Tout, tous modules. Maven dit où il en est, module par module et classe par classe.
 test: outils
@@ -91,7 +91,7 @@ mutations: mesures/target/mesures.jar
 
 CORRECTION := correction/target/correction.jar
 $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(shell find correction/src/main correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
-    $(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
+	$(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
 	@echo "Construction de $@"
 	@$(MVN) -q -f ensemble.xml -pl :correction -am -DskipTests package
 	@touch $@

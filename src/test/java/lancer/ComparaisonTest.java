@@ -50,7 +50,8 @@ class ComparaisonTest extends EssaiCommande {
         dessiner("--image", png.toString());
         Essai e = comparer(png, SCENE, "--reflets", "0");
         verifierDifferentes(e);
-        assertTrue(e.sortie.matches("(?s).*écart quadratique moyen: \\d+\\.\\d{4}\\R.*plus grand écart: \\d+\\.\\d{4} en \\d+,\\d+\\R.*sur 1200.*"), e.sortie);
+        assertTrue(e.sortie.matches("(?s).*écart quadratique moyen: \\d+\\.\\d{4}\\R.*"
+                + "plus grand écart: \\d+\\.\\d{4} en \\d+,\\d+\\R.*sur 1200.*"), e.sortie);
     }
 
     @Test
@@ -78,8 +79,8 @@ class ComparaisonTest extends EssaiCommande {
             }
         }
         ImageIO.write(modele, "png", png.toFile());
-        for (int sorte : new int[] {BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_BYTE_BINARY, BufferedImage.TYPE_BYTE_INDEXED,
-            BufferedImage.TYPE_USHORT_GRAY, BufferedImage.TYPE_4BYTE_ABGR}) {
+        for (int sorte : new int[] {BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_BYTE_BINARY,
+            BufferedImage.TYPE_BYTE_INDEXED, BufferedImage.TYPE_USHORT_GRAY, BufferedImage.TYPE_4BYTE_ABGR}) {
             BufferedImage copie = new BufferedImage(61, 47, sorte);
             for (int k = 0; k < 61 * 47; k++) {
                 copie.setRGB(k % 61, k / 61, modele.getRGB(k % 61, k / 61));

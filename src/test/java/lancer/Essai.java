@@ -108,7 +108,10 @@ public final class Essai {
         }
     }
 
-    /** Ce qui est sur la sortie d'erreur, moins les formes que nomme la liste des types de section, {@link Sphere} et celle-ci exceptées. */
+    /**
+     * Ce qui est sur la sortie d'erreur, moins les formes que nomme la liste des types de section, {@link Sphere} et celle-ci
+     * exceptées.
+     */
     public String sansAutresFormes(String forme) {
         return erreur.replaceAll("attendu : Sphere, (\\w+, )*?(" + forme + ", )?Lampe, ", "attendu : Sphere, $2Lampe, ");
     }

@@ -78,6 +78,9 @@ class FormeTest {
 
     private static List<String> fautes(Path fichier, Map<String, String> demande) throws IOException {
         List<String> fautes = new ArrayList<>();
+        if ("unset".equals(demande.get("charset"))) {
+            return fautes; // rien n'en est demandé, exprès
+        }
         String texte;
         try {
             texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier))).toString();

@@ -175,8 +175,8 @@ class FormesTest {
     void chaqueQuestionQuOnLuiPoseEstComptee() throws IOException {
         Path fichier = Essai.scene(scene, MUR, BLANC, "[Panneau sol]", "point=0 -1 0", "normale=0 1 0", LAMPE);
         for (String option : new String[] {"--simple", "--fils=2"}) {
-            Essai e = Essai.executerAvec(Collections.singletonList(classesDuPanneau), "--statistiques", option, "--taille=1x1", "--lineaire",
-                    dossier.resolve("image.pfm").toString(), fichier.toString());
+            Essai e = Essai.executerAvec(Collections.singletonList(classesDuPanneau), "--statistiques", option,
+                    "--taille=1x1", "--lineaire", dossier.resolve("image.pfm").toString(), fichier.toString());
             assertEquals(1, e.statistique("rayons.ombre"), e.toString());
             // les deux par le rayon de l'écran, le sol par celui de la lampe
             assertEquals(3, e.statistique("tests.spheres"), e.toString());
@@ -187,11 +187,12 @@ class FormesTest {
     @ValueSource(ints = {0, 1, 9, 80})
     void lImageRapideEstCelleDesBouclesDuCoursAuBitPres(int boules) throws IOException {
         Random hasard = new Random(12);
-        List<String> lignes = new ArrayList<>(Arrays.asList("[Panneau sol]", "point=0 -1.2 0", "normale=0.1 1 0", "Kd=0.6 0.5 0.4", "Ks=0.3 0.3 0.3",
-                "ns=20", LAMPE, "[Lampe 2]", "position=-4 6 -3", "couleur=0.8 0.7 0.9"));
+        List<String> lignes = new ArrayList<>(Arrays.asList("[Panneau sol]", "point=0 -1.2 0", "normale=0.1 1 0", "Kd=0.6 0.5 0.4",
+                "Ks=0.3 0.3 0.3", "ns=20", LAMPE, "[Lampe 2]", "position=-4 6 -3", "couleur=0.8 0.7 0.9"));
         for (int k = 0; k < boules; k++) {
-            lignes.addAll(Arrays.asList("[Sphere " + k + "]", "centre=" + (4 * hasard.nextDouble() - 2) + " " + (3 * hasard.nextDouble() - 1.5)
-                    + " " + (5 + 4 * hasard.nextDouble()), "rayon=" + (0.1 + 0.3 * hasard.nextDouble()), "Kd=0.2 0.3 0.4", "Kr=0.5 0.4 0.5"));
+            lignes.addAll(Arrays.asList("[Sphere " + k + "]",
+                    "centre=" + (4 * hasard.nextDouble() - 2) + " " + (3 * hasard.nextDouble() - 1.5) + " " + (5 + 4 * hasard.nextDouble()),
+                    "rayon=" + (0.1 + 0.3 * hasard.nextDouble()), "Kd=0.2 0.3 0.4", "Kr=0.5 0.4 0.5"));
         }
         lignes.addAll(Arrays.asList("[Panneau fond]", "point=0 0 9", "normale=0 0.2 -1", "Kd=0.1 0.2 0.3", "Ks=0.5 0.5 0.5"));
         Path fichier = Essai.scene(scene, lignes.toArray(new String[0]));
@@ -206,26 +207,30 @@ class FormesTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "normale=0 1 0 | ligne 1, [Panneau sol], point : clé absente ; attendu : 3 nombres séparés par des blancs, chacun de -1e100 à 1e100",
+        "normale=0 1 0 | ligne 1, [Panneau sol], point : clé absente ; attendu : 3 nombres séparés par des blancs, "
+                + "chacun de -1e100 à 1e100",
         "point=0 0 0~normal=0 1 0 | ligne 3, [Panneau sol], normal : clé inconnue ; attendu : point, normale, Kd, Ks, Kr, ns",
         "centre=0 0 0 | ligne 2, [Panneau sol], centre : clé inconnue ; attendu : point, normale, Kd, Ks, Kr, ns",
-        "point=0 0 0~Point=1 2 3 | ligne 3, [Panneau sol], Point : clé donnée deux fois, déjà ligne 2 ; attendu : une seule fois chaque clé",
-        "point=0 0 -1.1e100~normale=0 1 0 | ligne 2, [Panneau sol], point : hors limites : « -1.1e100 » ; attendu : 3 nombres séparés par des "
-                + "blancs, chacun de -1e100 à 1e100",
+        "point=0 0 0~Point=1 2 3 | ligne 3, [Panneau sol], Point : clé donnée deux fois, déjà ligne 2 ; attendu : "
+                + "une seule fois chaque clé",
+        "point=0 0 -1.1e100~normale=0 1 0 | ligne 2, [Panneau sol], point : hors limites : « -1.1e100 » ; attendu : 3 nombres séparés "
+                + "par des blancs, chacun de -1e100 à 1e100",
         "point=0 0~normale=0 1 0 | ligne 2, [Panneau sol], point : 2 nombres au lieu de 3 : « 0 0 » ; attendu : 3 nombres séparés par des "
                 + "blancs, chacun de -1e100 à 1e100",
         "point=0 0 0~normale=0 un 0 | ligne 3, [Panneau sol], normale : n'est pas un nombre : « un » ; attendu : 3 nombres séparés par des "
                 + "blancs, chacun de -1e100 à 1e100",
         "point=0 0 0~normale=0 1e101 0 | ligne 3, [Panneau sol], normale : hors limites : « 1e101 » ; attendu : 3 nombres séparés par des "
                 + "blancs, chacun de -1e100 à 1e100",
-        "point=0 0 0~NORMALE=0 -0 0e5 | ligne 3, [Panneau sol], normale : vecteur nul : « 0 -0 0e5 » ; attendu : trois nombres qui ne sont pas "
-                + "tous nuls",
-        "point=0 0 0~normale=0 1 0~Kd=2 0 0 | ligne 4, [Panneau sol], Kd : hors limites : « 2 » ; attendu : 3 nombres séparés par des blancs, "
-                + "chacun de 0 à 1",
-        "point=0 0 0~normale=0 1 0~Ks=0 0 0~Kr=0 0 0 | ligne 5, [Panneau sol], Kr : synonyme de Ks, déjà ligne 4 ; attendu : Ks ou Kr, pas les deux",
-        "point=0 0 0~normale=0 1 0~[Panneau  sol] | ligne 4, [Panneau sol] : deux sections de ce nom, la première ligne 1 ; attendu : un nom "
-                + "différent pour chaque section",
-        "point=0 0 0~normale=0 1 0~[Cube] | ligne 4, [Cube] : type de section inconnu ; attendu : Sphere, Panneau, Lampe, Brume, Antialias, Blinn"})
+        "point=0 0 0~NORMALE=0 -0 0e5 | ligne 3, [Panneau sol], normale : vecteur nul : « 0 -0 0e5 » ; attendu : trois nombres "
+                + "qui ne sont pas tous nuls",
+        "point=0 0 0~normale=0 1 0~Kd=2 0 0 | ligne 4, [Panneau sol], Kd : hors limites : « 2 » ; attendu : 3 nombres séparés "
+                + "par des blancs, chacun de 0 à 1",
+        "point=0 0 0~normale=0 1 0~Ks=0 0 0~Kr=0 0 0 | ligne 5, [Panneau sol], Kr : synonyme de Ks, déjà ligne 4 ; attendu : "
+                + "Ks ou Kr, pas les deux",
+        "point=0 0 0~normale=0 1 0~[Panneau  sol] | ligne 4, [Panneau sol] : deux sections de ce nom, la première ligne 1 ; attendu : "
+                + "un nom différent pour chaque section",
+        "point=0 0 0~normale=0 1 0~[Cube] | ligne 4, [Cube] : type de section inconnu ; attendu : "
+                + "Sphere, Panneau, Lampe, Brume, Antialias, Blinn"})
     void uneSectionFautiveEstRefuseeEnUneLigne(String lignes, String message) throws IOException {
         refuser(scene + ", " + message, executer(classesDuPanneau, ("[Panneau sol]~" + lignes).split("~")));
     }
@@ -260,7 +265,8 @@ class FormesTest {
 
     /** Le plan du README, sous un autre nom de classe ou de section. */
     private static String panneau(String classe, String section) {
-        return panneau.replace("class Panneau", "class " + classe).replace("Panneau panneau = new Panneau()", classe + " panneau = new " + classe + "()")
+        return panneau.replace("class Panneau", "class " + classe)
+                .replace("Panneau panneau = new Panneau()", classe + " panneau = new " + classe + "()")
                 .replace("\"Panneau\"", section);
     }
 
@@ -296,15 +302,16 @@ class FormesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"return panneau;, return null;, lire n'a pas rendu un objet neuf", "return panneau;, return this;, lire n'a pas rendu un objet neuf",
+    @CsvSource({"return panneau;, return null;, lire n'a pas rendu un objet neuf",
+        "return panneau;, return this;, lire n'a pas rendu un objet neuf",
         "valeurs.point(\"point\"), valeurs.point(\"depart\"), getCles ne nomme pas la clé depart",
         "return panneau;, throw new IllegalArgumentException(\"un panneau\\npenché\");, un panneau\\npenché",
         "return panneau;, throw new IllegalStateException();, java.lang.IllegalStateException"})
     void uneFormeQuiEchoueEstNommeeAvecLaSection(String bonne, String fautive, String dit) throws IOException {
         assertTrue(panneau.contains(bonne));
         Path classes = inscrire(SERVICE, panneau.replace(bonne, fautive));
-        refuser(scene + ", ligne 1, [Panneau mur] : section que lancer.Panneau ne sait pas lire : « " + dit + " » ; attendu : des valeurs qui lui "
-                + "conviennent", executer(classes, MUR));
+        refuser(scene + ", ligne 1, [Panneau mur] : section que lancer.Panneau ne sait pas lire : « " + dit
+                + " » ; attendu : des valeurs qui lui conviennent", executer(classes, MUR));
     }
 
     @ParameterizedTest
@@ -314,8 +321,8 @@ class FormesTest {
         Path services = Files.createDirectories(dossier.resolve(SERVICE).getParent());
         Files.write(services.resolve("lancer.contrat.Forme"), Collections.singletonList(ligne));
         Essai e = executer(dossier, "[Sphere 1]", "centre=0 0 6", "rayon=1");
-        assertTrue(e.erreur.matches("lancer : META-INF/services, ligne qui ne convient pas : lancer\\.contrat\\.Forme: .*" + dit + ".* ; attendu : une classe "
-                + "publique de ce contrat, à constructeur public sans argument\\R"), e.toString());
+        assertTrue(e.erreur.matches("lancer : META-INF/services, ligne qui ne convient pas : lancer\\.contrat\\.Forme: .*" + dit
+                + ".* ; attendu : une classe publique de ce contrat, à constructeur public sans argument\\R"), e.toString());
         assertEquals(2, e.code);
     }
 

@@ -80,8 +80,8 @@ class ModificationsTest {
         Path changee = Files.createDirectories(dossier.resolve("src")).resolve(classe + ".java");
         Files.write(changee, source.replace(ancienne, nouvelle == null ? "" : nouvelle).getBytes(StandardCharsets.UTF_8));
         Path classes = Files.createDirectories(dossier.resolve("classes"));
-        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-nowarn", "-encoding", "UTF-8", "-d", classes.toString(),
-                "-cp", Essai.origine(Main.class).toString(), changee.toString()));
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-nowarn", "-encoding", "UTF-8", "-d",
+                classes.toString(), "-cp", Essai.origine(Main.class).toString(), changee.toString()));
         byte[] avant;
         try (Essai.Isole programme = new Essai.Isole(Collections.<Path>emptyList())) {
             avant = dessiner(programme, "avant");

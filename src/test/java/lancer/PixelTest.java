@@ -23,8 +23,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 class PixelTest extends EssaiCommande {
 
     @ParameterizedTest
-    @CsvSource({"p1-quatre, 61, 47, --reflets=5", "p2-sol, 70, 33, --seuil=0", "p3-miroirs, 40, 30, --reflets=40", "p4-foule, 33, 65, --reflets=0",
-        "p4-foule, 1, 1, --seuil=0.2", "p1-quatre, 100, 3, --simple"})
+    @CsvSource({"p1-quatre, 61, 47, --reflets=5", "p2-sol, 70, 33, --seuil=0", "p3-miroirs, 40, 30, --reflets=40",
+        "p4-foule, 33, 65, --reflets=0", "p4-foule, 1, 1, --seuil=0.2", "p1-quatre, 100, 3, --simple"})
     void lePixelDemandeEstCeluiDeLImage(String scene, int largeur, int hauteur, String option) throws IOException {
         EssaiPixel.verifier(Collections.emptyList(), dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")), largeur, hauteur,
                 option);
@@ -112,7 +112,8 @@ class PixelTest extends EssaiCommande {
 
     @Test
     void unRefusNEcritQueSaLigne() throws IOException {
-        verifierRefus(2, "valeur impossible pour --pixel : « 40,0 » ; attendu : un pixel de l'image, de 0,0 à 39,29", executer("--pixel", "40,0"));
+        verifierRefus(2, "valeur impossible pour --pixel : « 40,0 » ; attendu : un pixel de l'image, de 0,0 à 39,29",
+                executer("--pixel", "40,0"));
         verifierRefus(2, "--pixel ne va pas avec --image ; attendu : l'une ou l'autre", executer("--pixel=1,1", "--image=" + png));
         Path scene = Essai.scene(dossier.resolve("s.ini"), "[Cube]");
         Essai e = Essai.executer("--pixel=1,1", scene.toString());

@@ -61,7 +61,8 @@ class ProprietesScenesTest {
                         assertTrue(R.dot(N) > 0, cas);
                         for (Lampe lampe : scene.getLampes()) {
                             if (N.dot(new Vecteur(contact, lampe.getPosition())) > 0) {
-                                assertFalse(Ombre.cachee(scene(Collections.singletonList(contact.objet)), lampe, contact, contact.objet), cas);
+                                assertFalse(Ombre.cachee(scene(Collections.singletonList(contact.objet)), lampe, contact, contact.objet),
+                                        cas);
                             }
                         }
                     }
@@ -92,7 +93,8 @@ class ProprietesScenesTest {
                 PointContact contact = rayon.calcContact();
                 for (Lampe lampe : contact == null ? Collections.<Lampe>emptyList() : scene.getLampes()) {
                     if (!contact.sub(lampe.getPosition()).equals(new Vecteur())) {
-                        assertEquals(Ombre.cachee(simple, lampe, contact, contact.objet), Ombre.cachee(rapide, lampe, contact, contact.objet), cas);
+                        assertEquals(Ombre.cachee(simple, lampe, contact, contact.objet),
+                                Ombre.cachee(rapide, lampe, contact, contact.objet), cas);
                     }
                 }
             }

@@ -265,7 +265,8 @@ public class Tests {
         @DisplayName("l'œil voit la largeur de l'écran sous 30° (distance focale)")
         void laLargeurDeLEcranEstVueSousTrenteDegres() {
             double sinus = new Camera(800, 600).getRayon(800, 300).getV().x;
-            verifier("au milieu du bord droit, le rayon s'écarte de l'axe de CHAMP/2 = 15° ; en degrés", 15, Math.toDegrees(Math.asin(sinus)));
+            verifier("au milieu du bord droit, le rayon s'écarte de l'axe de CHAMP/2 = 15° ; en degrés", 15,
+                    Math.toDegrees(Math.asin(sinus)));
         }
 
         @Test
@@ -432,7 +433,8 @@ public class Tests {
         void ouIlNYARienIlNYAPasDeContact() {
             sceneCommencee();
             Scene scene = scene(null, pres, loin);
-            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 1, 0), null) == null, "rayon vers le haut, boules devant", null, "un contact");
+            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 1, 0), null) == null, "rayon vers le haut, boules devant", null,
+                    "un contact");
             dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 0, -1), null) == null, "rayon dos aux boules", null, "un contact");
             dire(scene.getClosestIntersection(devant, null) != null && scene(null, pres).getClosestIntersection(devant, pres) == null,
                     "une seule boule, à ignorer", null, "un contact");
@@ -450,7 +452,8 @@ public class Tests {
         @Tag("Lancer")
         @DisplayName("getCouleurPixel : la couleur du ciel où il n'y a rien")
         void unPixelVideALaCouleurDuCiel() {
-            verifier("le pixel du centre d'une scène vide : getSkyColor du rayon", rayon(0, 0, 0, 0, 0, 1).getSkyColor(), pixel(scene(null)));
+            verifier("le pixel du centre d'une scène vide : getSkyColor du rayon", rayon(0, 0, 0, 0, 0, 1).getSkyColor(),
+                    pixel(scene(null)));
         }
 
         @Test
@@ -484,7 +487,8 @@ public class Tests {
         @DisplayName("getNormale : vers l'extérieur, de longueur 1")
         void laNormaleEstVersLExterieurEtDeLongueurUn() {
             Sphere sphere = new Sphere(new Point(0, 0, 5), 2);
-            assumeTrue(!new Vecteur().equals(sphere.getNormale(new Point(0, 0, 3))), "étape non commencée : getNormale rend encore le vecteur nul");
+            assumeTrue(!new Vecteur().equals(sphere.getNormale(new Point(0, 0, 3))),
+                    "étape non commencée : getNormale rend encore le vecteur nul");
             verifier("la normale en (0,0,3) de la sphère de centre (0,0,5) et de rayon 2", 0, 0, -1, sphere.getNormale(new Point(0, 0, 3)));
             verifier("la normale en (2,0,5)", 1, 0, 0, sphere.getNormale(new Point(2, 0, 5)));
         }
@@ -706,7 +710,8 @@ public class Tests {
         @DisplayName("une boule derrière la lampe ne fait pas d'ombre")
         void derriereLaLampeRienNeCache() {
             ombreCommencee();
-            verifier("une boule au-delà de la lampe : rien ne change", eclairee, couleur(lampe, boule, boule(12, 0, -12, 1, BLANC, NOIR, 1)));
+            verifier("une boule au-delà de la lampe : rien ne change", eclairee,
+                    couleur(lampe, boule, boule(12, 0, -12, 1, BLANC, NOIR, 1)));
         }
 
         @Test
@@ -736,7 +741,8 @@ public class Tests {
                     noirs += pres(NOIR, vue(scene(lampe(1, 2, -7), mate), rayon, 0)) ? 1 : 0;
                 }
             }
-            dire(noirs == 0, "points noirs sur " + points + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même", 0, noirs);
+            dire(noirs == 0, "points noirs sur " + points + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même", 0,
+                    noirs);
         }
 
         @Test
@@ -842,7 +848,8 @@ public class Tests {
             Sphere miroir = boule(0, 0, 5, 1, NOIR, BLANC, 1);
             for (double y = -0.55; y < 0.6; y += 0.1) {
                 Couleur vue = apport(scene(null, miroir), 0.13, y, 0, 0.01, 0.02, 1);
-                dire(vue.b > 0.05, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y, "le ciel", triplet(vue.r, vue.v, vue.b));
+                dire(vue.b > 0.05, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y, "le ciel",
+                        triplet(vue.r, vue.v, vue.b));
             }
         }
 
@@ -885,7 +892,8 @@ public class Tests {
             } catch (StackOverflowError e) {
                 fail("deux miroirs face à face se renvoient le rayon sans fin : le paramètre profondeur doit arrêter les appels");
             }
-            assertEquals(Collections.emptyList(), profondeurs, "sans lampe, deux miroirs noirs face à face restent noirs, à toute profondeur");
+            assertEquals(Collections.emptyList(), profondeurs,
+                    "sans lampe, deux miroirs noirs face à face restent noirs, à toute profondeur");
         }
     }
 }

@@ -3,7 +3,10 @@ package lancer;
 import java.util.Collections;
 import java.util.List;
 
-/** Ce que répondent, en chemin, les méthodes publiques du cours, pour un point de l'écran : de quoi trouver où deux programmes se séparent. */
+/**
+ * Ce que répondent, en chemin, les méthodes publiques du cours, pour un point de l'écran : de quoi trouver où deux programmes se
+ * séparent.
+ */
 public final class SondeChemin {
 
     private final StringBuilder texte = new StringBuilder();

@@ -80,7 +80,8 @@ public final class LecteurScene {
         } catch (CharacterCodingException e) {
             throw pasUtf8(lignes, e);
         } catch (Lignes.LigneTropLongue e) {
-            throw refus(lignes.getNumero(), null, "ligne trop longue", "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne", e);
+            throw refus(lignes.getNumero(), null, "ligne trop longue",
+                    "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne", e);
         } catch (IOException e) {
             throw inutilisable(e);
         }
@@ -138,7 +139,8 @@ public final class LecteurScene {
         Path ici = Paths.get("").toAbsolutePath();
         int plusHaut = Math.min(DOSSIERS_AU_DESSUS, ici.getNameCount());
         return "fichier introuvable" + (chemin.isAbsolute() ? "" : " dans " + Texte.echappe(ici.toString())
-                + (plusHaut == 0 ? "" : plusHaut == 1 ? " et le dossier au-dessus" : " et les " + plusHaut + " dossiers au-dessus")
+                + (plusHaut == 0 ? "" : plusHaut == 1 ? " et le dossier au-dessus"
+                        : " et les " + plusHaut + " dossiers au-dessus")
                 + Texte.horsLangue(ici.toString()));
     }
 

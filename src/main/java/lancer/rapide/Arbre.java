@@ -56,8 +56,8 @@ final class Arbre implements Voisins, Obstacles {
     }
 
     @Override
-    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, double distance,
-            int sauf) {
+    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz,
+            double distance, int sauf) {
         if (loin(px, py, pz)) {
             return boucle.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
         }
@@ -134,11 +134,15 @@ final class Arbre implements Voisins, Obstacles {
             } else {
                 noeuds += 2;
                 int b = PAS * s;
-                double e0 = Math.max(Math.max((q[b + ex] - px) * ix, (q[b + ey] - py) * iy), Math.max((q[b + ez] - pz) * iz, 0));
-                double s0 = Math.min(Math.min((q[b + sx] - px) * ix, (q[b + sy] - py) * iy), Math.min((q[b + sz] - pz) * iz, distance));
+                double e0 = Math.max(Math.max((q[b + ex] - px) * ix, (q[b + ey] - py) * iy),
+                        Math.max((q[b + ez] - pz) * iz, 0));
+                double s0 = Math.min(Math.min((q[b + sx] - px) * ix, (q[b + sy] - py) * iy),
+                        Math.min((q[b + sz] - pz) * iz, distance));
                 b += PAS;
-                double e1 = Math.max(Math.max((q[b + ex] - px) * ix, (q[b + ey] - py) * iy), Math.max((q[b + ez] - pz) * iz, 0));
-                double s1 = Math.min(Math.min((q[b + sx] - px) * ix, (q[b + sy] - py) * iy), Math.min((q[b + sz] - pz) * iz, distance));
+                double e1 = Math.max(Math.max((q[b + ex] - px) * ix, (q[b + ey] - py) * iy),
+                        Math.max((q[b + ez] - pz) * iz, 0));
+                double s1 = Math.min(Math.min((q[b + sx] - px) * ix, (q[b + sy] - py) * iy),
+                        Math.min((q[b + sz] - pz) * iz, distance));
                 if (e0 <= s0) {
                     if (e1 <= s1) {
                         boolean premier = e0 <= e1;

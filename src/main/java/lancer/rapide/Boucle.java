@@ -36,8 +36,8 @@ final class Boucle implements Voisins, Obstacles {
     }
 
     @Override
-    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, double distance,
-            int sauf) {
+    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz,
+            double distance, int sauf) {
         double[] g = spheres.geometrie;
         int n = spheres.nombre;
         int tests = 0;

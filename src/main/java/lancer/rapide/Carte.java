@@ -209,8 +209,8 @@ final class Carte implements Voisins {
      * La fin de {@link #plusProche} quand une sphère est en doute : elle d'abord, puis ce qui vient à partir de
      * l'entrée e.
      */
-    private int trancher(Sonde sonde, int douteuse, double doute, int e, int fin, double avance, double px, double py, double pz,
-            double vx, double vy, double vz) {
+    private int trancher(Sonde sonde, int douteuse, double doute, int e, int fin, double avance, double px,
+            double py, double pz, double vx, double vy, double vz) {
         sonde.retenir(spheres, douteuse, doute, px, py, pz, vx, vy, vz);
         double[] g = spheres.geometrie;
         for (; e < fin && pres[e] - avance <= sonde.distance; e++) {

@@ -22,8 +22,8 @@ final class CarteLampe implements Obstacles {
     }
 
     @Override
-    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, double distance,
-            int sauf) {
+    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz,
+            double distance, int sauf) {
         Carte q = carte;
         int c = q.caseDe(vx, vy, vz);
         if (c < 0) {
@@ -58,8 +58,8 @@ final class CarteLampe implements Obstacles {
     }
 
     /** La fin de la boucle, à partir de l'entrée e, dont la sphère est en doute. */
-    private boolean trancher(Sonde sonde, int e, int fin, double px, double py, double pz, double vx, double vy, double vz,
-            double distance, int sauf) {
+    private boolean trancher(Sonde sonde, int e, int fin, double px, double py, double pz, double vx,
+            double vy, double vz, double distance, int sauf) {
         double[] g = spheres.geometrie;
         if (sonde.trancher(spheres, carte.entrees[e], px, py, pz, vx, vy, vz) < distance) {
             return true;

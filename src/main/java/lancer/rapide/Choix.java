@@ -41,7 +41,8 @@ final class Choix {
      * lui.
      */
     void faire(Scene scene, Camera camera, Voisins[] voisins, Obstacles[] obstacles, Secours arbre) {
-        RechercheRapide choisie = new RechercheRapide(preparation, voisins[PREMIERS], voisins[SUIVANTS], obstacles, new Compteurs());
+        RechercheRapide choisie = new RechercheRapide(preparation, voisins[PREMIERS], voisins[SUIVANTS], obstacles,
+                new Compteurs());
         Ecoute ecoute = new Ecoute(choisie);
         semer(scene, camera, new RechercheRapide(choisie, ecoute));
         long[] couts = couts(ecoute.questions);
@@ -83,7 +84,8 @@ final class Choix {
         for (int j = 0; j < SEMIS; j++) {
             for (int i = 0; i < SEMIS; i++) {
                 try {
-                    lancer.getCouleurPixel((i + 0.5) * camera.getLargeur() / SEMIS, (j + 0.5) * camera.getHauteur() / SEMIS, REFLETS);
+                    lancer.getCouleurPixel((i + 0.5) * camera.getLargeur() / SEMIS,
+                            (j + 0.5) * camera.getHauteur() / SEMIS, REFLETS);
                 } catch (RuntimeException | StackOverflowError | LinkageError e) {
                     // ce qui échoue ici échouera au dessin, qui dira où
                 }

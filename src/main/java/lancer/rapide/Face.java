@@ -89,8 +89,8 @@ final class Face {
      */
     int caseDeLOeil(double px, double py, double pz, double vx, double vy, double vz) {
         double ecart = ECART * vz;
-        return pz == 0 && Math.abs(vx * Camera.FOCALE - px * vz) <= ecart && Math.abs(vy * Camera.FOCALE - py * vz) <= ecart
-                ? casePlane(px * PAR_FOCALE, py * PAR_FOCALE) : -1;
+        return pz == 0 && Math.abs(vx * Camera.FOCALE - px * vz) <= ecart
+                && Math.abs(vy * Camera.FOCALE - py * vz) <= ecart ? casePlane(px * PAR_FOCALE, py * PAR_FOCALE) : -1;
     }
 
     /** La case de ce point de la fenêtre, -1 s'il n'y est pas. */

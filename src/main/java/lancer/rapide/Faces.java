@@ -54,7 +54,8 @@ final class Faces {
         for (int s = 0; s < g.length; s += Spheres.PAS) {
             boite.ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
         }
-        double[] e = repere((boite.xMin + boite.xMax) / 2 - ox, (boite.yMin + boite.yMax) / 2 - oy, (boite.zMin + boite.zMax) / 2 - oz);
+        double[] e = repere((boite.xMin + boite.xMax) / 2 - ox, (boite.yMin + boite.yMax) / 2 - oy,
+                (boite.zMin + boite.zMax) / 2 - oz);
         if (e == null) {
             return null;
         }

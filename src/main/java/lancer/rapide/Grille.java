@@ -156,7 +156,8 @@ final class Grille implements Voisins {
      * @param reprise vrai pour repartir d'où la marche précédente s'est arrêtée
      * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini
      */
-    private int marcher(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf, boolean reprise) {
+    private int marcher(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf,
+            boolean reprise) {
         double[] g = spheres.geometrie;
         double distance = sonde.distance;
         int trouvee = sonde.trouvee;

@@ -181,7 +181,8 @@ final class Masques implements Voisins {
         private final double[] limitesIci = new double[spheres.nombre];
 
         Ombres(Point lampe) {
-            double longueur = Math.max(portee, Math.max(Math.abs(lampe.x), Math.max(Math.abs(lampe.y), Math.abs(lampe.z))));
+            double longueur = Math.max(portee,
+                    Math.max(Math.abs(lampe.x), Math.max(Math.abs(lampe.y), Math.abs(lampe.z))));
             double[] g = spheres.geometrie;
             int n = spheres.nombre;
             double[] x = new double[n];
@@ -213,8 +214,8 @@ final class Masques implements Voisins {
         }
 
         @Override
-        public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, double distance,
-                int sauf) {
+        public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz,
+                double distance, int sauf) {
             double[] g = spheres.geometrie;
             if (sauf >= 0) {
                 int s = Spheres.PAS * sauf;

@@ -8,5 +8,6 @@ interface Obstacles {
      *
      * @param sauf numéro de la sphère éclairée, ou -1
      */
-    boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, double distance, int sauf);
+    boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz,
+            double distance, int sauf);
 }

@@ -50,8 +50,8 @@ final class Pousse {
             p.noeuds = 1;
             p.pousser(0, 0, n, 0);
         }
-        return new Arbre(spheres, grosses, portee, Arrays.copyOf(p.boites, Arbre.PAS * p.noeuds), Arrays.copyOf(p.suite, p.noeuds),
-                Arrays.copyOf(p.compte, p.noeuds), lesquelles);
+        return new Arbre(spheres, grosses, portee, Arrays.copyOf(p.boites, Arbre.PAS * p.noeuds),
+                Arrays.copyOf(p.suite, p.noeuds), Arrays.copyOf(p.compte, p.noeuds), lesquelles);
     }
 
     private void pousser(int noeud, int debut, int fin, int profondeur) {

@@ -67,7 +67,8 @@ public final class Preparation {
         double portee = Math.max(boite.portee(), -Camera.OEIL.z);
         boolean peu = reglage.peu == null ? n <= PEU : reglage.peu;
         // rien à chercher, ou des longueurs que des flottants courts ne tiennent pas
-        if (lesquelles.length == 0 || !(boite.portee() < Etendue.LONGUEUR_MAX && boite.portee() > Etendue.LONGUEUR_MIN)) {
+        if (lesquelles.length == 0
+                || !(boite.portee() < Etendue.LONGUEUR_MAX && boite.portee() > Etendue.LONGUEUR_MIN)) {
             Boucle boucle = new Boucle(spheres);
             general = boucle;
             obstacleGeneral = boucle;
@@ -80,7 +81,8 @@ public final class Preparation {
             Boucle boucle = new Boucle(spheres);
             general = boucle;
             obstacleGeneral = boucle;
-            Masques masques = reglage.arbreSeul || n > Masques.MAX ? null : new Masques(spheres, boucle, portee, camera);
+            Masques masques = reglage.arbreSeul || n > Masques.MAX ? null
+                    : new Masques(spheres, boucle, portee, camera);
             premiers = masques == null ? boucle : masques;
             suivants = premiers;
             for (int l = 0; l < obstacles.length; l++) {
@@ -188,7 +190,8 @@ public final class Preparation {
      */
     @Override
     public String toString() {
-        StringBuilder noms = new StringBuilder(premiers.getClass().getSimpleName() + " " + suivants.getClass().getSimpleName());
+        StringBuilder noms = new StringBuilder(premiers.getClass().getSimpleName() + " "
+                + suivants.getClass().getSimpleName());
         for (Obstacles obstacle : obstacles) {
             noms.append(' ').append(obstacle.getClass().getSimpleName());
         }

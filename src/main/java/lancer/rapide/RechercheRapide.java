@@ -44,7 +44,8 @@ final class RechercheRapide implements Recherche {
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
 
-    RechercheRapide(Preparation preparation, Voisins premiers, Voisins suivants, Obstacles[] obstacles, Compteurs compteurs) {
+    RechercheRapide(Preparation preparation, Voisins premiers, Voisins suivants, Obstacles[] obstacles,
+            Compteurs compteurs) {
         this.preparation = preparation;
         this.premiers = premiers;
         this.suivants = suivants;

@@ -36,8 +36,8 @@ final class Secours implements Voisins, Obstacles {
     }
 
     @Override
-    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, double distance,
-            int sauf) {
+    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz,
+            double distance, int sauf) {
         return arbre().cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
     }
 }

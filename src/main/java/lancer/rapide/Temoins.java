@@ -167,8 +167,8 @@ final class Temoins {
     }
 
     private String ecart(long pixel) {
-        return "au pixel " + x(pixel) + ", " + y(pixel) + ", la recherche rapide ne répond pas comme les classes du cours"
-                + " : ce sont leurs boucles qui dessinent";
+        return "au pixel " + x(pixel) + ", " + y(pixel) + ", la recherche rapide ne répond pas "
+                + "comme les classes du cours : ce sont leurs boucles qui dessinent";
     }
 
     private int x(long pixel) {

@@ -92,7 +92,7 @@ public final class Comparaison {
     public String toString() {
         String place = pire > 0 ? " en " + ou % a.getLargeur() + "," + ou / a.getLargeur() : "";
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"
-                + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d", 
+                + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d",
                 pareilles() ? "pareilles" : "différentes", rmse, pire, place,
                 plusDUn, a.getLargeur() * a.getHauteur(), plusDeHuit, a.getLargeur() * a.getHauteur());
     }

@@ -207,8 +207,8 @@ class OptionsTest {
     @ParameterizedTest
     @ValueSource(strings = {"1", "1,", ",1", ",", "1,2,3", "-1,5", "5,-1", "+1,5", "1.0,2", "1;2", "1x2", "a,b", "0x1,2", "٣,1", "1e2,3"})
     void unPixelMalEcritEstRefuse(String pixel) {
-        String message = "valeur impossible pour --pixel : « " + pixel + " » ; attendu : X,Y, colonne et ligne d'un pixel depuis le coin en "
-                + "haut à gauche, par exemple 421,426";
+        String message = "valeur impossible pour --pixel : « " + pixel + " » ; attendu : X,Y, colonne et ligne d'un pixel "
+                + "depuis le coin en haut à gauche, par exemple 421,426";
         verifierRefus("s.ini --pixel " + pixel, message);
         verifierRefus("--pixel=" + pixel + " s.ini --image a.png", message);
     }
@@ -216,8 +216,8 @@ class OptionsTest {
     @ParameterizedTest
     @ValueSource(strings = {"800,0", "0,600", "800,600", "99999999999999999999,1", "4294967296,0", "0,18446744073709551616"})
     void unPixelHorsDeLImageEstRefuse(String pixel) {
-        verifierRefus("s.ini --pixel " + pixel, "valeur impossible pour --pixel : « " + pixel + " » ; attendu : un pixel de l'image, de 0,0 "
-                + "à 799,599");
+        verifierRefus("s.ini --pixel " + pixel, "valeur impossible pour --pixel : « " + pixel + " » ; attendu : "
+                + "un pixel de l'image, de 0,0 à 799,599");
         verifierRefus("--pixel 7,7 --taille=9x7 s.ini", "valeur impossible pour --pixel : « 7,7 » ; attendu : un pixel de l'image, de 0,0 "
                 + "à 8,6");
     }

@@ -68,8 +68,9 @@ class PannesPixelTest {
         assertTrue(panne.x >= 20, panne.getMessage());
         String message = Pannes.duPixel(panne, Options.lire("--reflets", "2", "ma scène.ini"), "ma scène.ini", 40, 30);
         String pixel = panne.x + "," + panne.y;
-        assertTrue(message.startsWith("pixel " + pixel.replace(",", ", ") + " de ma scène.ini : java.lang.IllegalStateException: pas encore écrit ("
-                + "lancer.commande.PannesPixelTest$Mur.getNormale, PannesPixelTest.java:"), message);
+        assertTrue(message.startsWith("pixel " + pixel.replace(",", ", ") + " de ma scène.ini : "
+                + "java.lang.IllegalStateException: pas encore écrit (lancer.commande.PannesPixelTest$Mur.getNormale, "
+                + "PannesPixelTest.java:"), message);
         assertTrue(message.endsWith(" --pixel " + pixel + " --taille 40x30 --reflets 2 'ma scène.ini'"), message);
         assertEquals(1, message.split("\n").length);
     }

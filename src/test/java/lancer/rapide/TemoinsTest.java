@@ -142,7 +142,8 @@ class TemoinsTest {
             java.util.Random hasard = new java.util.Random(5);
             for (int k = 0; k < 400; k++) {
                 Point ailleurs = new Point(hasard.nextGaussian(), hasard.nextGaussian(), k % 3 == 0 ? 0 : 4 * hasard.nextGaussian());
-                Rayon rayon = new Rayon(ailleurs, new Point(3 * hasard.nextGaussian(), 3 * hasard.nextGaussian(), 6 + hasard.nextGaussian()));
+                Rayon rayon = new Rayon(ailleurs,
+                        new Point(3 * hasard.nextGaussian(), 3 * hasard.nextGaussian(), 6 + hasard.nextGaussian()));
                 Objet3D depart = k % 2 == 0 || scene.getObjets().isEmpty() ? null : scene.getObjets().get(k % scene.getObjets().size());
                 scene.getRecherche().plusProche(rayon, depart);
                 double distance = rayon.getDistance();

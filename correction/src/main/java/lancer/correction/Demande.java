@@ -56,7 +56,8 @@ final class Demande {
                         throw new Panne(2, "option inconnue : « " + nom + " » ; attendu : une de celles que montre --aide");
                     }
                     if (demande.rendus != null) {
-                        throw new Panne(2, "plusieurs rendus : « " + demande.rendus + " » et « " + nom + " » ; attendu : un dossier, ou une archive");
+                        throw new Panne(2, "plusieurs rendus : « " + demande.rendus + " » et « " + nom + " » ; attendu : "
+                                + "un dossier, ou une archive");
                     }
                     demande.rendus = Paths.get(nom);
             }

@@ -106,7 +106,8 @@ public abstract class ClasseEssai {
 
     static void contient(String texte, String... mots) {
         for (String mot : mots) {
-            assertTrue(texte.contains(mot), () -> "« " + mot + " » n'est pas dans : " + texte.replaceAll("data:image[^\"]*|<style>.*?</style>", "…"));
+            assertTrue(texte.contains(mot), () -> "« " + mot + " » n'est pas dans : "
+                    + texte.replaceAll("data:image[^\"]*|<style>.*?</style>", "…"));
         }
     }
 }

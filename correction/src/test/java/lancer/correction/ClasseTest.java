@@ -116,7 +116,8 @@ class ClasseTest extends ClasseEssai {
     @Test
     void laFeuilleDeMoodleNEstChangeeQueDansLesCasesDeLaNoteEtDuCommentaire() throws IOException {
         verifierFeuille("notes-fr.csv", "\uFEFFIdentifiant,\"Nom complet\",Statut,Note,\"Note maximale\",\"La note peut être modifiée\","
-                + "\"Dernière modification (travail remis)\",\"Dernière modification (note)\",Autre,\"Feedback par commentaires\"\n", "Participant", "Oui", "Non");
+                + "\"Dernière modification (travail remis)\",\"Dernière modification (note)\",Autre,\"Feedback par commentaires\"\n",
+                "Participant", "Oui", "Non");
         verifierFeuille("notes-en.csv", "Identifier,\"Full name\",Status,Grade,\"Maximum Grade\",\"Grade can be changed\","
                 + "\"Last modified (submission)\",\"Last modified (grade)\",Other,\"Feedback comments\"\n", "Participant ", "Yes", "No");
     }

@@ -36,9 +36,11 @@ class SqueletteTest extends ClasseEssai {
     private String compiler(Path sources, Path classes) throws IOException, URISyntaxException {
         JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
         StringWriter dit = new StringWriter();
-        try (StandardJavaFileManager gestion = javac.getStandardFileManager(null, null, StandardCharsets.UTF_8); Stream<Path> flux = Files.walk(sources)) {
+        try (StandardJavaFileManager gestion = javac.getStandardFileManager(null, null, StandardCharsets.UTF_8);
+                Stream<Path> flux = Files.walk(sources)) {
             List<File> fichiers = flux.filter(f -> f.toString().endsWith(".java")).map(Path::toFile).collect(Collectors.toList());
-            List<String> options = Arrays.asList("--release", "8", "-Xlint:all,-options", "-d", Files.createDirectories(classes).toString(), "-cp", ini4j());
+            List<String> options = Arrays.asList("--release", "8", "-Xlint:all,-options", "-d", Files.createDirectories(classes).toString(),
+                    "-cp", ini4j());
             javac.getTask(dit, gestion, null, options, null, gestion.getJavaFileObjectsFromFiles(fichiers)).call();
         }
         return dit.toString();
@@ -50,7 +52,8 @@ class SqueletteTest extends ClasseEssai {
 
     private BufferedImage dessiner(Path classes, Path scene) throws IOException, URISyntaxException, InterruptedException {
         Path image = dossier.resolve("image.png");
-        Process programme = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Djava.awt.headless=true", "-cp",
+        Process programme = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Djava.awt.headless=true", "-cp",
                 classes + File.pathSeparator + ini4j(), "lancer.Main", scene.toString(), image.toString()).inheritIO().start();
         assertEquals(0, programme.waitFor());
         return ImageIO.read(image.toFile());

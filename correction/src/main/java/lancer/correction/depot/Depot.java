@@ -29,8 +29,10 @@ public final class Depot {
     private static final Pattern AUTRE_ARCHIVE = Pattern.compile(".*\\.(rar|7z|tar|tgz|tar\\.(gz|xz|bz2)|gz|xz|bz2|zipx)");
     /** Ce que les systèmes et les outils ajoutent, et qui n'est le travail de personne. */
     private static final Pattern DEBRIS = Pattern.compile(
-            "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|target|bin|build|out|node_modules)/.*|(.*/)?(\\._.*|\\.DS_Store)");
-    private static final Pattern UN_SEUL_RENDU = Pattern.compile("(?i)src|pom\\.xml|.*\\.java|lancer|.*lancer-?(java|base).*|brume|antialias|blinn");
+            "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|target|bin|build|out|node_modules)/.*|"
+                    + "(.*/)?(\\._.*|\\.DS_Store)");
+    private static final Pattern UN_SEUL_RENDU = Pattern.compile(
+            "(?i)src|pom\\.xml|.*\\.java|lancer|.*lancer-?(java|base).*|brume|antialias|blinn");
 
     private final Map<String, Rendu> rendus = new LinkedHashMap<>();
     private final Path temporaire;

@@ -98,7 +98,8 @@ final class Ponts {
     }
 
     private static boolean compatible(String sien, String attendu) {
-        return sien.equals(attendu) || sien.equals("Objet3D") && attendu.equals("Sphere") || sien.equals("Sphere") && attendu.equals("Objet3D")
+        return sien.equals(attendu) || sien.equals("Objet3D") && attendu.equals("Sphere")
+                || sien.equals("Sphere") && attendu.equals("Objet3D")
                 || (sien.equals("int") || sien.equals("float")) && attendu.equals("double");
     }
 
@@ -121,6 +122,7 @@ final class Ponts {
         for (int k = 0; k < forme.types.size(); k++) {
             parametres.append(k > 0 ? ", " : "").append(forme.types.get(k)).append(" p").append(k);
         }
-        return " public " + forme.rend + " " + forme.nom + "(" + parametres + ") { return " + forme.nom + "(" + String.join(", ", arguments) + "); } ";
+        return " public " + forme.rend + " " + forme.nom + "(" + parametres + ") { return " + forme.nom + "(" + String.join(", ", arguments)
+                + "); } ";
     }
 }

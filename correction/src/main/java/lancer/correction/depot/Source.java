@@ -60,7 +60,8 @@ public final class Source {
                 remarque = chemin + " : la ligne « package lancer; » manque";
             } else {
                 texte = texte.replaceFirst("package\\s+" + Pattern.quote(paquet) + "\\s*;", "package lancer;")
-                        .replace("import " + paquet + ".", "import lancer.").replace("import static " + paquet + ".", "import static lancer.");
+                        .replace("import " + paquet + ".", "import lancer.")
+                        .replace("import static " + paquet + ".", "import static lancer.");
                 remarque = chemin + " : le paquet est « " + paquet + " » au lieu de « lancer »";
             }
             paquet = "lancer";
@@ -95,7 +96,8 @@ public final class Source {
     }
 
     private static Charset codage(byte[] octets) {
-        if (octets.length >= 2 && (octets[0] == (byte) 0xFE && octets[1] == (byte) 0xFF || octets[0] == (byte) 0xFF && octets[1] == (byte) 0xFE)) {
+        if (octets.length >= 2 && (octets[0] == (byte) 0xFE && octets[1] == (byte) 0xFF
+                || octets[0] == (byte) 0xFF && octets[1] == (byte) 0xFE)) {
             return StandardCharsets.UTF_16;
         }
         try {

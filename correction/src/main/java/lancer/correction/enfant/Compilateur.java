@@ -63,7 +63,8 @@ public final class Compilateur {
         List<File> fichiers;
         try (Stream<Path> flux = Files.walk(sources)) {
             // nos propres classes d'abord : de deux classes de même nom, la première est la bonne
-            fichiers = flux.filter(f -> f.toString().endsWith(".java")).sorted((a, b) -> rang(a) != rang(b) ? rang(a) - rang(b) : a.compareTo(b))
+            fichiers = flux.filter(f -> f.toString().endsWith(".java"))
+                    .sorted((a, b) -> rang(a) != rang(b) ? rang(a) - rang(b) : a.compareTo(b))
                     .map(Path::toFile).collect(Collectors.toList());
         }
         Files.createDirectories(classes);

@@ -45,7 +45,8 @@ public final class Grille {
         for (Verification v : reference.getVerifications()) {
             ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""), v.id(), v.titre, reference.compte(v));
         }
-        ajouter("image", "L'image entière", IMAGE, "la scène du cours, par toutes les classes du rendu, est la même que celle du corrigé", true);
+        ajouter("image", "L'image entière", IMAGE, "la scène du cours, par toutes les classes du rendu, est la même que celle du corrigé",
+                true);
         for (Variantes.Critere critere : Variantes.CRITERES) {
             ajouter(critere.variante, critere.titreVariante, critere.id(), critere.titre, true);
         }

@@ -239,8 +239,9 @@ final class Juge {
             resultat.centre = centres.rmse < coins.rmse;
             resultat.ecart = resultat.centre ? centres : coins;
             boolean meme = resultat.ecart.memeImage();
-            resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "") : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
-                    String.format(Locale.FRANCE, "%d pixels faux sur %d", resultat.ecart.faux, resultat.ecart.pixels)));
+            resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "")
+                    : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
+                            String.format(Locale.FRANCE, "%d pixels faux sur %d", resultat.ecart.faux, resultat.ecart.pixels)));
             if (!meme) {
                 chercherLaFaute(image);
             }
@@ -282,7 +283,8 @@ final class Juge {
             if (projet.texte(classe) != null && !intacte(classe)) {
                 try {
                     Image seule = image(seule(classe), 0);
-                    if (!new Ecart(reference.getImage(false), seule).memeImage() && !new Ecart(reference.getImage(true), seule).memeImage()) {
+                    if (!new Ecart(reference.getImage(false), seule).memeImage()
+                            && !new Ecart(reference.getImage(true), seule).memeImage()) {
                         resultat.classesFautives.add(classe);
                     }
                 } catch (Arret | IllegalStateException e) {
@@ -304,8 +306,8 @@ final class Juge {
 
     /** @throws IllegalStateException si les classes ne savent pas dessiner, avec pourquoi */
     Image image(Assemblage assemblage, double decalage) throws Arret {
-        return Image.lire(LARGEUR, HAUTEUR, sonde(assemblage, "SondeImage", "dessiner", scene(), "" + LARGEUR, "" + HAUTEUR, "" + PROFONDEUR,
-                "" + decalage));
+        return Image.lire(LARGEUR, HAUTEUR, sonde(assemblage, "SondeImage", "dessiner", scene(), "" + LARGEUR, "" + HAUTEUR,
+                "" + PROFONDEUR, "" + decalage));
     }
 
     String sonde(Assemblage assemblage, String sonde, String methode, String... arguments) throws Arret {

@@ -36,7 +36,8 @@ final class Machines {
     /** Là d'où viennent JUnit, ini4j, le compilateur et nous ; jamais la base, même si elle est dans le chemin des classes. */
     private static String chemin() {
         Set<String> lieux = new LinkedHashSet<>();
-        for (Class<?> classe : List.of(Execution.class, Launcher.class, TestEngine.class, Test.class, JUnitException.class, AssertionFailedError.class, Ini.class)) {
+        for (Class<?> classe : List.of(Execution.class, Launcher.class, TestEngine.class, Test.class, JUnitException.class,
+                AssertionFailedError.class, Ini.class)) {
             lieux.add(lieu(classe));
         }
         for (String nom : List.of("org.junit.jupiter.engine.JupiterTestEngine", "org.eclipse.jdt.internal.compiler.tool.EclipseCompiler")) {

@@ -143,7 +143,8 @@ public final class Reference implements AutoCloseable {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return corrige.sonde(assemblage, "SondeVariantes", "blinn", copie.toString(), "" + Juge.LARGEUR, "" + Juge.HAUTEUR, "" + decalage, "" + facteur);
+        return corrige.sonde(assemblage, "SondeVariantes", "blinn", copie.toString(), "" + Juge.LARGEUR, "" + Juge.HAUTEUR, "" + decalage,
+                "" + facteur);
     }
 
     @Override

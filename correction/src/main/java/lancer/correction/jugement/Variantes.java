@@ -41,10 +41,12 @@ final class Variantes {
     static final List<Critere> CRITERES = List.of(
             new Critere("brume", "Extension : brume", "bornee", "k est entre 0 et 1, et n'est pas toujours nul"),
             new Critere("brume", "Extension : brume", "croissante", "k croît avec la distance"),
-            new Critere("brume", "Extension : brume", "melange", "la couleur est k fois celle de la brume, plus (1 - k) fois celle de l'objet"),
+            new Critere("brume", "Extension : brume", "melange",
+                    "la couleur est k fois celle de la brume, plus (1 - k) fois celle de l'objet"),
             new Critere("antialias", "Extension : anticrénelage", "bords", "les bords approchent la moyenne de plusieurs rayons par pixel"),
             new Critere("antialias", "Extension : anticrénelage", "ailleurs", "hors des bords, l'image ne change pas"),
-            new Critere("blinn", "Extension : reflet de Blinn", "etalement", "pour un même ns, le reflet est plus étalé que celui de Phong"),
+            new Critere("blinn", "Extension : reflet de Blinn", "etalement",
+                    "pour un même ns, le reflet est plus étalé que celui de Phong"),
             new Critere("blinn", "Extension : reflet de Blinn", "formule", "le reflet est (N.H) à la puissance ns, ou 2 ns"));
 
     /** Distances, sur leur rayon, des boules de la scène de la brume. */
@@ -110,8 +112,8 @@ final class Variantes {
     }
 
     private Image image(Assemblage assemblage, String scene, int profondeur) throws Arret {
-        return Image.lire(Juge.LARGEUR, Juge.HAUTEUR, juge.sonde(assemblage, "SondeImage", "dessiner", scene, "" + Juge.LARGEUR, "" + Juge.HAUTEUR,
-                "" + profondeur, "0"));
+        return Image.lire(Juge.LARGEUR, Juge.HAUTEUR, juge.sonde(assemblage, "SondeImage", "dessiner", scene, "" + Juge.LARGEUR,
+                "" + Juge.HAUTEUR, "" + profondeur, "0"));
     }
 
     /**
@@ -127,8 +129,8 @@ final class Variantes {
                 double y = 0.6 - 0.2 * i;
                 double norme = Math.sqrt(x * x + y * y + focale * focale);
                 double t = DISTANCES[i] / norme;
-                texte.append(String.format(Locale.ROOT, "[Sphere %d %d]\ncentre=%.9f %.9f %.9f\nrayon=%.9f\nKd=%s\nKs=0 0 0\nns=1\n", i, cote,
-                        x + t * x, y + t * y, t * focale, 0.06 * (1 + t), cote < 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1"));
+                texte.append(String.format(Locale.ROOT, "[Sphere %d %d]\ncentre=%.9f %.9f %.9f\nrayon=%.9f\nKd=%s\nKs=0 0 0\nns=1\n", i,
+                        cote, x + t * x, y + t * y, t * focale, 0.06 * (1 + t), cote < 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1"));
             }
         }
         texte.append(String.format(Locale.ROOT, "[Lampe 1]\nposition=0 0 %.9f\ncouleur=1 1 1\n", -focale));
@@ -159,8 +161,10 @@ final class Variantes {
         }
         dire("brume.bornee", bornee && k[k.length - 1] > PRES, "attendu : de 0 à 1 ; obtenu, selon la distance : " + suite);
         dire("brume.croissante", croissante && k[k.length - 1] > k[0] + PRES, "attendu : plus loin, plus de brume ; obtenu : " + suite);
-        dire("brume.melange", brumeMin <= brumeMax && brumeMax - brumeMin < 0.02 && brumeMin > -PRES, brumeMin > brumeMax ? "pas assez de brume pour en voir la couleur : " + suite
-                : String.format(Locale.FRANCE, "attendu : une même couleur de brume à toute distance ; obtenu : de %.3f à %.3f", brumeMin, brumeMax));
+        dire("brume.melange", brumeMin <= brumeMax && brumeMax - brumeMin < 0.02 && brumeMin > -PRES, brumeMin > brumeMax
+                ? "pas assez de brume pour en voir la couleur : " + suite
+                : String.format(Locale.FRANCE, "attendu : une même couleur de brume à toute distance ; obtenu : de %.3f à %.3f",
+                        brumeMin, brumeMax));
     }
 
     private void antialias(Assemblage assemblage) throws Arret {
@@ -174,8 +178,8 @@ final class Variantes {
             for (double debut : DEBUTS) {
                 // sous-pixels centrés, pris au coin, ou autour des coordonnées entières
                 double depart = debut < 0 ? -0.5 + 0.5 / n : debut / n;
-                Image moyenne = Image.lire(COTE, hauteur, juge.sonde(base, "SondeVariantes", "moyenne", scene, "" + COTE, "" + hauteur, "1", "" + n,
-                        "" + depart));
+                Image moyenne = Image.lire(COTE, hauteur, juge.sonde(base, "SondeVariantes", "moyenne", scene, "" + COTE,
+                        "" + hauteur, "1", "" + n, "" + depart));
                 double[] restes = restes(lui, simple, moyenne);
                 if (restes[0] < meilleur) {
                     meilleur = restes[0];
@@ -184,7 +188,8 @@ final class Variantes {
             }
         }
         dire("antialias.bords", meilleur < RESTE, String.format(Locale.FRANCE,
-                "aux bords, il reste %.0f %% de l'écart entre votre image sans anticrénelage et la moyenne de vos rayons ; attendu : moins de %.0f %%",
+                "aux bords, il reste %.0f %% de l'écart entre votre image sans anticrénelage et la moyenne de vos rayons ; "
+                        + "attendu : moins de %.0f %%",
                 100 * meilleur, 100 * RESTE));
         dire("antialias.ailleurs", meilleur < RESTE && ailleurs < AILLEURS, meilleur < RESTE ? String.format(Locale.FRANCE,
                 "hors des bords, l'image change de %.1f niveaux", ailleurs) : "sans anticrénelage aux bords, rien à vérifier ailleurs");
@@ -211,7 +216,8 @@ final class Variantes {
     }
 
     private void blinn(Assemblage assemblage) throws Arret {
-        String scene = scene("blinn", "[Sphere 1]\ncentre=0 0 5\nrayon=1.5\nKd=0 0 0\nKs=1 1 1\nns=5\n[Lampe 1]\nposition=-4 3 -3\ncouleur=1 1 1\n");
+        String scene = scene("blinn", "[Sphere 1]\ncentre=0 0 5\nrayon=1.5\nKd=0 0 0\nKs=1 1 1\nns=5\n"
+                + "[Lampe 1]\nposition=-4 3 -3\ncouleur=1 1 1\n");
         Image phong = image(base, scene, 0);
         Image lui = image(assemblage, scene, 0);
         int etalePhong = etale(phong);

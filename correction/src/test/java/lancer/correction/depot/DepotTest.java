@@ -80,7 +80,8 @@ class DepotTest {
         ClasseEssai.archiver(projet, un.resolve("TP.zip"), "TP1/");
         Files.createDirectories(tout.resolve("Étudiant 2_12_assignsubmission_file"));
         ClasseEssai.archiver(projet, tout.resolve("Étudiant 2_12_assignsubmission_file/emboite.zip"), "");
-        ClasseEssai.archiver(tout.resolve("Étudiant 2_12_assignsubmission_file"), tout.resolve("Étudiant 3_13_assignsubmission_file_deux.zip"), "x/");
+        ClasseEssai.archiver(tout.resolve("Étudiant 2_12_assignsubmission_file"),
+                tout.resolve("Étudiant 3_13_assignsubmission_file_deux.zip"), "x/");
         Path moodle = dossier.resolve("moodle.zip");
         ClasseEssai.archiver(tout, moodle, "");
         Map<String, Rendu> lus = lire(moodle);
@@ -106,7 +107,8 @@ class DepotTest {
         ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/tp.7z"), "7z");
         ecrire(rendus.resolve("Étudiant 3_13_assignsubmission_file/tp.zip"), "ceci n'est pas une archive");
         Files.createDirectories(rendus.resolve("Étudiant 4_14_assignsubmission_file"));
-        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(rendus.resolve("Étudiant 4_14_assignsubmission_file/tp.zip")))) {
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(
+                rendus.resolve("Étudiant 4_14_assignsubmission_file/tp.zip")))) {
             zip.putNextEntry(new ZipEntry("../../evade.java"));
             zip.write(CLASSE.getBytes(StandardCharsets.UTF_8));
         }
@@ -177,7 +179,8 @@ class DepotTest {
         for (String partie : List.of("lancer-base", "brume", "Antialias", "blinn")) {
             ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/" + partie + "/src/main/java/lancer/Vecteur.java"), CLASSE);
         }
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer-base/src/test/java/lancer/Tests.java"), "package lancer; class Tests {}");
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer-base/src/test/java/lancer/Tests.java"),
+                "package lancer; class Tests {}");
         Projet projet = Projet.lire(lire(rendus).get("11"));
         assertEquals(List.of("brume", "antialias", "blinn"), List.copyOf(projet.getVariantes().keySet()));
         assertEquals(1, projet.getBase().size(), "Tests, de l'étudiant, n'en est pas");
@@ -186,12 +189,14 @@ class DepotTest {
     @Test
     void unAutreOrdreDeParametresEstUneRemarqueEtNonUneFaute() throws IOException {
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Objet3D.java"),
-                "package lancer;\nabstract class Objet3D {\n    public Couleur getColor(Rayon r, Scene s, PointContact c, int p) {\n        return null;\n    }\n}\n");
+                "package lancer;\nabstract class Objet3D {\n    public Couleur getColor(Rayon r, Scene s, PointContact c, int p) {\n"
+                        + "        return null;\n    }\n}\n");
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Scene.java"),
                 "package lancer;\nclass Scene {\n    public PointContact getClosestIntersection(Rayon r) {\n        return null;\n    }\n"
                         + "    public PointContact getClosestIntersection(final Rayon r, Objet3D o) {\n        return null;\n    }\n}\n");
         Projet projet = Projet.lire(lire(rendus).get("11"));
-        assertTrue(projet.texte("Objet3D").contains("getColor(Scene p0, Rayon p1, PointContact p2, int p3) { return getColor(p1, p0, p2, p3); }"));
+        assertTrue(projet.texte("Objet3D").contains(
+                "getColor(Scene p0, Rayon p1, PointContact p2, int p3) { return getColor(p1, p0, p2, p3); }"));
         assertEquals(1, projet.getRemarques().size(), projet.getRemarques().toString());
     }
 

@@ -49,7 +49,8 @@ class FautesTest extends JuryEssai {
         TreeSet<String> ratees = ratees(resultats.get(faute));
         ratees.remove("image");
         assertEquals(new TreeSet<>(List.of(etapes)), ratees, faute + " : " + resultats.get(faute).verdicts.entrySet().stream()
-                .filter(e -> e.getValue().etat == Verdict.Etat.RATE).map(e -> e.getKey() + " " + e.getValue().message).collect(Collectors.toList()));
+                .filter(e -> e.getValue().etat == Verdict.Etat.RATE).map(e -> e.getKey() + " " + e.getValue().message)
+                .collect(Collectors.toList()));
     }
 
     @Test

@@ -63,9 +63,11 @@ class HostilesTest extends JuryEssai {
         assertTrue(resultats.get("mathematiques").remarques.stream().anyMatch(r -> r.contains("classe Math qui cacherait")),
                 resultats.get("mathematiques").remarques.toString());
         rate(resultats, "mathematiques", "obtenu : (1.0, 1.0, 1.0)");
-        assertEquals(Verdict.Etat.REUSSI, resultats.get("fils").verdicts.get(SOUSTRACTION).etat, "des fils laissés ne changent pas le résultat");
+        assertEquals(Verdict.Etat.REUSSI, resultats.get("fils").verdicts.get(SOUSTRACTION).etat,
+                "des fils laissés ne changent pas le résultat");
         for (String nom : List.of("disque", "processus", "imprime", "boucle", "sortie", "memoire")) {
-            assertEquals(Verdict.Etat.REUSSI, resultats.get(nom).verdicts.get("vecteurs.leProduitScalaireAjouteLesProduitsDesComposantes").etat,
+            assertEquals(Verdict.Etat.REUSSI,
+                    resultats.get(nom).verdicts.get("vecteurs.leProduitScalaireAjouteLesProduitsDesComposantes").etat,
                     nom + " ne coûte pas les autres vérifications");
         }
     }

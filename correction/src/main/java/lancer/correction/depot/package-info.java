@@ -1,0 +1,7 @@
+/**
+ * Ce que les étudiants ont rendu, retrouvé et lu : les noms et les archives de Moodle, les classes où qu'ils les aient mises, le
+ * codage, le paquet et les paramètres remis comme on les attend.
+ *
+ * <p>Rien n'y entre qui exécute un rendu, ni qui le juge.
+ */
+package lancer.correction.depot;
