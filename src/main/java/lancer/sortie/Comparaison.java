@@ -6,8 +6,8 @@ import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 
 /**
- * En quoi deux images de même taille diffèrent, limitées à [0, 1], en niveaux de 1/255. Si l'une n'a que 8 bits par composante, l'autre y est
- * d'abord arrondie : c'est ce qu'un PNG en aurait gardé.
+ * En quoi deux images de même taille diffèrent, limitées à [0, 1], en niveaux de 1/255. Si l'une n'a que 8 bits par
+ * composante, l'autre y est d'abord arrondie : c'est ce qu'un PNG en aurait gardé.
  */
 public final class Comparaison {
 
@@ -30,11 +30,13 @@ public final class Comparaison {
      */
     public Comparaison(ImageLue a, ImageLue b, double tolerance) {
         if (a.getLargeur() != b.getLargeur() || a.getHauteur() != b.getHauteur()) {
-            throw new Echec(CodeSortie.DEMANDE, "images de tailles différentes : " + a.getLargeur() + "x" + a.getHauteur() + " et "
+            throw new Echec(CodeSortie.DEMANDE, "images de tailles différentes : " + a.getLargeur() + "x"
+                    + a.getHauteur() + " et "
                     + b.getLargeur() + "x" + b.getHauteur() + " ; attendu : la même taille");
         }
         if (a.aUnNaN() || b.aUnNaN()) {
-            throw new Echec(CodeSortie.DEMANDE, "une des images a une couleur qui n'est pas un nombre (NaN) ; attendu : des nombres");
+            throw new Echec(CodeSortie.DEMANDE,
+                    "une des images a une couleur qui n'est pas un nombre (NaN) ; attendu : des nombres");
         }
         this.a = a;
         this.b = b;
@@ -72,7 +74,10 @@ public final class Comparaison {
         return pire <= tolerance;
     }
 
-    /** Les différences : noir où les images sont pareilles, et d'autant plus clair qu'elles diffèrent, jusqu'à huit niveaux. */
+    /**
+     * Les différences : noir où les images sont pareilles, et d'autant plus clair qu'elles diffèrent, jusqu'à huit
+     * niveaux.
+     */
     public ImageMemoire getDifferences() {
         ImageMemoire image = new ImageMemoire(a.getLargeur(), a.getHauteur(), false);
         for (int p = 0; p < a.getLargeur() * a.getHauteur(); p++) {
@@ -87,7 +92,8 @@ public final class Comparaison {
     public String toString() {
         String place = pire > 0 ? " en " + ou % a.getLargeur() + "," + ou / a.getLargeur() : "";
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"
-                + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d", pareilles() ? "pareilles" : "différentes", rmse, pire, place,
+                + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d", pareilles()
+                ? "pareilles" : "différentes", rmse, pire, place,
                 plusDUn, a.getLargeur() * a.getHauteur(), plusDeHuit, a.getLargeur() * a.getHauteur());
     }
 }

@@ -51,7 +51,8 @@ public final class ImageLue {
             byte[] octets = Files.readAllBytes(fichier);
             return nom.toLowerCase(Locale.ROOT).endsWith(".png") ? LecturePng.lire(octets) : LecturePfm.lire(octets);
         } catch (IOException | InvalidPathException | OutOfMemoryError e) {
-            throw new Echec(CodeSortie.DEMANDE, Texte.echappe(nom) + " : image illisible : " + e.getMessage() + " ; attendu : un PNG ou un PFM");
+            throw new Echec(CodeSortie.DEMANDE, Texte.echappe(nom) + " : image illisible : " + e.getMessage()
+                    + " ; attendu : un PNG ou un PFM");
         }
     }
 

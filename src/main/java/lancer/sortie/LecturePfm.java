@@ -39,12 +39,14 @@ final class LecturePfm {
                 || octets.length - ici != largeur * hauteur * composantes * Float.BYTES) {
             throw new IOException("le nombre d'octets n'est pas celui qu'annonce l'en-tête");
         }
-        ByteBuffer donnees = ByteBuffer.wrap(octets, ici, octets.length - ici).order(echelle < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        ByteBuffer donnees = ByteBuffer.wrap(octets, ici, octets.length - ici)
+                .order(echelle < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
         float[] rvb = new float[(int) (3 * largeur * hauteur)];
         // la ligne du bas est la première
         for (int y = (int) hauteur - 1; y >= 0; y--) {
             for (int k = 0; k < largeur * 3; k++) {
-                rvb[(int) (y * largeur * 3) + k] = composantes == 3 || k % 3 == 0 ? donnees.getFloat() : rvb[(int) (y * largeur * 3) + k - 1];
+                rvb[(int) (y * largeur * 3) + k] = composantes == 3 || k % 3 == 0 ? donnees.getFloat()
+                        : rvb[(int) (y * largeur * 3) + k - 1];
             }
         }
         return new ImageLue((int) largeur, (int) hauteur, rvb, false);

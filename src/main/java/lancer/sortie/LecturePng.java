@@ -11,8 +11,8 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 
 /**
- * Lit une image PNG (ISO/IEC 15948), de 1 à 16 bits, grise, en couleurs ou à palette, transparence laissée ; sans AWT, comme
- * {@link FichierPng} l'écrit. Les images entrelacées sont refusées.
+ * Lit une image PNG (ISO/IEC 15948), de 1 à 16 bits, grise, en couleurs ou à palette, transparence laissée ; sans AWT,
+ * comme {@link FichierPng} l'écrit. Les images entrelacées sont refusées.
  */
 final class LecturePng {
 
@@ -73,7 +73,8 @@ final class LecturePng {
                 if (bloc.readUnsignedByte() != 0) {
                     throw new IOException("les PNG entrelacés ne sont pas lus");
                 }
-                if (largeur < 1 || hauteur < 1 || (long) largeur * hauteur > Integer.MAX_VALUE / 12 || Integer.bitCount(bits) != 1 || bits > 16
+                if (largeur < 1 || hauteur < 1 || (long) largeur * hauteur > Integer.MAX_VALUE / 12
+                        || Integer.bitCount(bits) != 1 || bits > 16
                         || sorte >= ECHANTILLONS.length || ECHANTILLONS[sorte] == 0) {
                     throw new EOFException();
                 }
@@ -177,7 +178,8 @@ final class LecturePng {
                 }
                 rvb[ou + k] = (palette[rang] & 255) / 255f;
             } else {
-                rvb[ou + k] = echantillon(ligne, debut, premier + (ECHANTILLONS[sorte] > 2 ? k : 0)) / (float) ((1 << bits) - 1);
+                rvb[ou + k] = echantillon(ligne, debut, premier
+                        + (ECHANTILLONS[sorte] > 2 ? k : 0)) / (float) ((1 << bits) - 1);
             }
         }
     }

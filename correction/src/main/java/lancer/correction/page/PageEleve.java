@@ -58,7 +58,8 @@ final class PageEleve {
             for (Grille.Critere critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdicts.get(critere.id);
                 if (verdict != null && verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
-                    html.brut("<p class=\"avis\">À reprendre d'abord : ").element("strong", etape.titre).dire(", " + critere.titre).brut("<br>")
+                    html.brut("<p class=\"avis\">À reprendre d'abord : ").element("strong", etape.titre)
+                            .dire(", " + critere.titre).brut("<br>")
                             .element("code", verdict.message).brut("</p>\n");
                     return;
                 }
@@ -77,8 +78,10 @@ final class PageEleve {
     private void fautes() {
         List<Faute> fautes = eleve.resultat.fautes;
         if (!fautes.isEmpty()) {
-            html.brut("<h2>").dire(fautes.size() == 1 ? "Une faute de compilation" : fautes.size() + " fautes de compilation").brut("</h2>\n")
-                    .element("p class=\"petit gris\"", "Seules les méthodes où elles sont en souffrent ; le reste a été jugé.").brut("<ul>");
+            html.brut("<h2>").dire(fautes.size() == 1 ? "Une faute de compilation" : fautes.size()
+                    + " fautes de compilation").brut("</h2>\n")
+                    .element("p class=\"petit gris\"",
+                    "Seules les méthodes où elles sont en souffrent ; le reste a été jugé.").brut("<ul>");
             for (Faute faute : fautes.stream().limit(FAUTES_MONTREES).collect(Collectors.toList())) {
                 html.brut("<li>").element("code", faute).brut("</li>");
             }
@@ -87,11 +90,14 @@ final class PageEleve {
     }
 
     private void etapes() {
-        html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th class=\"n\">points<th>détail</tr>\n");
+        html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
+                + "class=\"n\">points<th>détail</tr>\n");
         for (Grille.Etape etape : grille.getEtapes()) {
             Note.Part part = eleve.note.part(etape.nom);
-            html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"n\"><span class=\"e " + classe(part) + "\">" + part.reussis + "/" + part.comptent
-                    + "</span><td class=\"n\">").dire(Html.nombre(part.points) + " / " + Html.nombre(part.poids)).brut("<td>");
+            html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"n\"><span class=\"e " + classe(part) + "\">"
+                    + part.reussis + "/" + part.comptent
+                    + "</span><td class=\"n\">").dire(Html.nombre(part.points) + " / " + Html.nombre(part.poids))
+                    .brut("<td>");
             for (Grille.Critere critere : etape.criteres) {
                 critere(critere);
             }
@@ -103,7 +109,8 @@ final class PageEleve {
     private void critere(Grille.Critere critere) {
         Verdict verdict = eleve.resultat.verdicts.get(critere.id);
         Verdict.Etat etat = verdict == null ? Verdict.Etat.NON_COMMENCE : verdict.etat;
-        String css = etat == Verdict.Etat.REUSSI ? "reussi" : etat == Verdict.Etat.CACHE ? "cache" : etat == Verdict.Etat.RATE ? "rate" : "vide";
+        String css = etat == Verdict.Etat.REUSSI ? "reussi" : etat == Verdict.Etat.CACHE ? "cache"
+                : etat == Verdict.Etat.RATE ? "rate" : "vide";
         boolean muet = verdict == null || verdict.message.isEmpty();
         html.brut(muet ? "<div>" : "<details" + (etat == Verdict.Etat.RATE ? " open" : "") + "><summary>")
                 .brut("<span class=\"e " + css + "\">").dire(etat.texte).brut("</span> ").dire(critere.titre)
@@ -116,7 +123,8 @@ final class PageEleve {
     }
 
     static String classe(Note.Part part) {
-        return part.complete() ? "complet" : part.reussis > 0 ? "partiel" : part.nonEvaluables + part.nonCommences == part.comptent ? "vide" : "rate";
+        return part.complete() ? "complet" : part.reussis > 0 ? "partiel" : part.nonEvaluables
+                + part.nonCommences == part.comptent ? "vide" : "rate";
     }
 
     private void images() {
@@ -129,17 +137,22 @@ final class PageEleve {
         Image lui = resultat.image;
         Image nous = reference.getImage(resultat.centre);
         Ecart ecart = resultat.ecart;
-        html.brut("<p>").dire(ecart.memeImage() ? "La même image que celle du corrigé" : "Une autre image que celle du corrigé")
-                .dire(String.format(Locale.FRANCE, " : écart quadratique moyen %.2f niveaux sur 255, %d pixels faux sur %d (plus de 8 niveaux)",
+        html.brut("<p>").dire(ecart.memeImage() ? "La même image que celle du corrigé"
+                : "Une autre image que celle du corrigé")
+                .dire(String.format(Locale.FRANCE,
+                " : écart quadratique moyen %.2f niveaux sur 255, %d pixels faux sur %d (plus de 8 niveaux)",
                         ecart.rmse, ecart.faux, ecart.pixels))
-                .dire(resultat.centre ? " ; les rayons passent par le centre des pixels." : " ; les rayons passent par les coordonnées entières.");
+                .dire(resultat.centre ? " ; les rayons passent par le centre des pixels."
+                : " ; les rayons passent par les coordonnées entières.");
         if (!resultat.classesFautives.isEmpty()) {
-            html.dire(" Seules parmi les classes du corrigé, changent l'image : ").element("strong", String.join(", ", resultat.classesFautives)).dire(".");
+            html.dire(" Seules parmi les classes du corrigé, changent l'image : ")
+                    .element("strong", String.join(", ", resultat.classesFautives)).dire(".");
         }
         html.brut("</p>\n");
         figure("la vôtre", Html.image(lui.largeur, lui.hauteur, lui::code, "l'image du rendu"));
         figure("celle du corrigé", Html.image(nous.largeur, nous.hauteur, nous::code, "l'image du corrigé"));
-        figure("leur différence, quatre fois plus forte", Html.image(lui.largeur, lui.hauteur, (x, y) -> difference(lui.code(x, y), nous.code(x, y)),
+        figure("leur différence, quatre fois plus forte", Html.image(lui.largeur, lui.hauteur,
+                (x, y) -> difference(lui.code(x, y), nous.code(x, y)),
                 "la différence des deux images"));
     }
 
@@ -166,7 +179,8 @@ final class PageEleve {
 
     private void chemin(String titre, Chemin chemin) {
         Chemin.Pas premier = chemin.getPremierEcart();
-        html.element("h2", titre + " : (" + chemin.x + ", " + chemin.y + ")").brut("<p>").dire("Ce que répondent, en chemin, les méthodes du cours. ");
+        html.element("h2", titre + " : (" + chemin.x + ", " + chemin.y + ")").brut("<p>")
+                .dire("Ce que répondent, en chemin, les méthodes du cours. ");
         if (premier == null) {
             html.dire("Aucune ne s'écarte : la faute est dans ce qui les appelle (getCouleurPixel).");
         } else {
@@ -174,7 +188,8 @@ final class PageEleve {
         }
         html.brut("</p>\n<table><tr><th>réponse<th>corrigé<th>rendu</tr>\n");
         for (Chemin.Pas pas : chemin.getPas()) {
-            html.brut(pas == premier ? "<tr class=\"ecart\"><td>" : "<tr><td>").dire(pas.nom).brut("<td>").element("code", abrege(pas.attendu)).brut("<td>");
+            html.brut(pas == premier ? "<tr class=\"ecart\"><td>" : "<tr><td>").dire(pas.nom).brut("<td>")
+                    .element("code", abrege(pas.attendu)).brut("<td>");
             if (pas.pareil) {
                 html.element("span class=\"gris\"", "la même");
             } else {
@@ -190,7 +205,8 @@ final class PageEleve {
         StringBuilder texte = new StringBuilder();
         for (String mot : nombres.split(" ")) {
             try {
-                texte.append(texte.length() > 0 ? "  " : "").append(String.format(Locale.ROOT, "%.6g", Double.parseDouble(mot)));
+                texte.append(texte.length() > 0 ? "  " : "").append(String.format(Locale.ROOT, "%.6g",
+                        Double.parseDouble(mot)));
             } catch (NumberFormatException e) {
                 return nombres;
             }
