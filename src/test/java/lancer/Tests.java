@@ -20,9 +20,12 @@ import org.junit.jupiter.api.TestClassOrder;
 import org.junit.jupiter.api.TestMethodOrder;
 
 /**
- * Les vérifications élémentaires du cours, étape par étape, dans l'ordre de l'énoncé. À lancer avec le <i>runner</i> JUnit 5. Elles
- * ne demandent que ce que l'énoncé demande, et chaque échec dit ce qui était attendu et ce qui est venu. Une étape que l'on n'a pas
- * commencée ({@code getColor} rend encore du jaune vif, {@code getClosestIntersection} ne trouve rien) est abandonnée, pas ratée.
+ * Les vérifications élémentaires du cours, étape par étape, dans l'ordre de l'énoncé. À lancer avec le <i>runner</i>
+ * JUnit 5. Elles
+ * ne demandent que ce que l'énoncé demande, et chaque échec dit ce qui était attendu et ce qui est venu. Une étape que
+ * l'on n'a pas
+ * commencée ({@code getColor} rend encore du jaune vif, {@code getClosestIntersection} ne trouve rien) est abandonnée,
+ * pas ratée.
  */
 @DisplayName("Vérifications élémentaires du TP")
 @TestClassOrder(ClassOrderer.OrderAnnotation.class)
@@ -50,11 +53,13 @@ public class Tests {
     }
 
     private static void verifier(String demande, double x, double y, double z, Tuple t) {
-        dire(t != null && pres(x, t.x) && pres(y, t.y) && pres(z, t.z), demande, triplet(x, y, z), t == null ? t : triplet(t.x, t.y, t.z));
+        dire(t != null && pres(x, t.x) && pres(y, t.y) && pres(z, t.z), demande, triplet(x, y, z), t == null ? t
+                : triplet(t.x, t.y, t.z));
     }
 
     private static void verifier(String demande, Couleur attendue, Couleur c) {
-        dire(c != null && pres(attendue, c), demande, triplet(attendue.r, attendue.v, attendue.b), c == null ? c : triplet(c.r, c.v, c.b));
+        dire(c != null && pres(attendue, c), demande, triplet(attendue.r, attendue.v, attendue.b), c == null ? c
+                : triplet(c.r, c.v, c.b));
     }
 
     private static void dire(boolean juste, String demande, Object attendu, Object obtenu) {
@@ -80,7 +85,8 @@ public class Tests {
     }
 
     private static Scene scene(Lampe lampe, Sphere... boules) {
-        return new Scene(Arrays.asList(boules), lampe == null ? Collections.<Lampe>emptyList() : Collections.singletonList(lampe));
+        return new Scene(Arrays.asList(boules), lampe == null ? Collections.<Lampe>emptyList()
+                : Collections.singletonList(lampe));
     }
 
     private static Rayon rayon(double px, double py, double pz, double vx, double vy, double vz) {
@@ -98,7 +104,8 @@ public class Tests {
 
     /** Abandonne le test tant que getClosestIntersection ne trouve rien. */
     private static void sceneCommencee() {
-        assumeTrue(scene(null, new Sphere(new Point(0, 0, 5), 1)).getClosestIntersection(rayon(0, 0, 0, 0, 0, 1), null) != null,
+        assumeTrue(scene(null, new Sphere(new Point(0, 0, 5), 1))
+                .getClosestIntersection(rayon(0, 0, 0, 0, 0, 1), null) != null,
                 "étape non commencée : getClosestIntersection ne trouve encore rien");
     }
 
@@ -106,7 +113,8 @@ public class Tests {
     private static void couleurCommencee() {
         sceneCommencee();
         Scene scene = scene(null, boule(0, 0, 5, 1, NOIR, NOIR, 1));
-        assumeTrue(!pres(JAUNE, vue(scene, rayon(0, 0, 0, 0, 0, 1), 0)), "étape non commencée : getColor rend encore du jaune vif");
+        assumeTrue(!pres(JAUNE, vue(scene, rayon(0, 0, 0, 0, 0, 1), 0)),
+                "étape non commencée : getColor rend encore du jaune vif");
     }
 
     @Nested
@@ -180,7 +188,8 @@ public class Tests {
         @DisplayName("les deux façons de normaliser donnent la longueur 1, sans changer la direction")
         void normaliseUnVecteurEstDeLongueurUnEtDeMemeDirection() {
             verifier("(0,3,-4) normalisé par normalized()", 0, 0.6, -0.8, new Vecteur(0, 3, -4).normalized());
-            verifier("(0,3,-4) normalisé par Vecteur.normalize", 0, 0.6, -0.8, Vecteur.normalize(new Vecteur(0, 3, -4)));
+            verifier("(0,3,-4) normalisé par Vecteur.normalize", 0, 0.6, -0.8,
+                    Vecteur.normalize(new Vecteur(0, 3, -4)));
         }
 
         @Test
@@ -220,7 +229,8 @@ public class Tests {
         void unRayonNormaliseSonVecteur() {
             Rayon rayon = rayon(1, 2, 3, 0, 30, 40);
             verifier("le rayon de départ (1,2,3)", 1, 2, 3, rayon.getP());
-            verifier("le rayon de direction (0,30,40) a pour vecteur cette direction normalisée", 0, 0.6, 0.8, rayon.getV());
+            verifier("le rayon de direction (0,30,40) a pour vecteur cette direction normalisée", 0, 0.6, 0.8,
+                    rayon.getV());
         }
 
         @Test
@@ -228,7 +238,8 @@ public class Tests {
         @Tag("Camera")
         @DisplayName("le pixel (0, 0) est en haut à gauche, à x = -ECHELLE/2")
         void leCoinEnHautAGaucheEstAMoinsUn() {
-            verifier("le pixel (0,0) d'un écran 800 x 600, avec ECHELLE = 2", -1, 0.75, 0, new Camera(800, 600).getRayon(0, 0).getP());
+            verifier("le pixel (0,0) d'un écran 800 x 600, avec ECHELLE = 2", -1, 0.75, 0, new Camera(800, 600)
+                    .getRayon(0, 0).getP());
             verifier("le pixel (0,0) d'un écran 1280 x 1024", -1, 0.8, 0, new Camera(1280, 1024).getRayon(0, 0).getP());
         }
 
@@ -237,7 +248,8 @@ public class Tests {
         @Tag("Camera")
         @DisplayName("le coin (L, H) est en bas à droite, à x = ECHELLE/2")
         void leCoinEnBasADroiteEstAPlusUn() {
-            verifier("le coin (800,600) d'un écran 800 x 600", 1, -0.75, 0, new Camera(800, 600).getRayon(800, 600).getP());
+            verifier("le coin (800,600) d'un écran 800 x 600", 1, -0.75, 0, new Camera(800, 600).getRayon(800, 600)
+                    .getP());
         }
 
         @Test
@@ -246,7 +258,8 @@ public class Tests {
         @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
         void leCadrageEstLeMemeAToutesLesTailles() {
             verifier("(200,150) d'un écran 800 x 600", -0.5, 0.375, 0, new Camera(800, 600).getRayon(200, 150).getP());
-            verifier("(400,300) d'un écran 1600 x 1200 : le même point", -0.5, 0.375, 0, new Camera(1600, 1200).getRayon(400, 300).getP());
+            verifier("(400,300) d'un écran 1600 x 1200 : le même point", -0.5, 0.375, 0, new Camera(1600, 1200)
+                    .getRayon(400, 300).getP());
         }
 
         @Test
@@ -278,7 +291,8 @@ public class Tests {
             for (double[] pixel : new double[][] {{0, 0}, {800, 600}, {123, 456}}) {
                 Rayon rayon = new Camera(800, 600).getRayon(pixel[0], pixel[1]);
                 double recul = focale / rayon.getV().z;
-                String demande = "en reculant sur le rayon du pixel (" + pixel[0] + "," + pixel[1] + "), on arrive à l'œil";
+                String demande = "en reculant sur le rayon du pixel (" + pixel[0] + "," + pixel[1]
+                        + "), on arrive à l'œil";
                 verifier(demande, 0, 0, -focale, rayon.getP().add(rayon.getV().mul(-recul)));
             }
         }
@@ -302,7 +316,8 @@ public class Tests {
         @Tag("Sphere")
         @DisplayName("des deux points touchés, la distance est celle du plus proche")
         void laDistanceEstCelleDuPlusProcheDesDeuxPoints() {
-            distance("sphère de centre (0,0,5) et de rayon 1, vue de (0,0,0) : points à 4 et 6", 4, sphere, rayon(0, 0, 0, 0, 0, 1));
+            distance("sphère de centre (0,0,5) et de rayon 1, vue de (0,0,0) : points à 4 et 6", 4, sphere,
+                    rayon(0, 0, 0, 0, 0, 1));
             distance("sphère de centre (4,0,-3) et de rayon 2, vue de (1,0,-7) : points à 3 et 7", 3,
                     new Sphere(new Point(4, 0, -3), 2), rayon(1, 0, -7, 3, 0, 4));
         }
@@ -312,7 +327,8 @@ public class Tests {
         @Tag("Sphere")
         @DisplayName("un rayon qui ne passe pas par le centre touche plus loin")
         void lEcartALAxeCompte() {
-            distance("rayon de (0,0.6,0) vers +z : demi-corde 0.8, donc 5 - 0.8", 4.2, sphere, rayon(0, 0.6, 0, 0, 0, 1));
+            distance("rayon de (0,0.6,0) vers +z : demi-corde 0.8, donc 5 - 0.8", 4.2, sphere,
+                    rayon(0, 0.6, 0, 0, 0, 1));
         }
 
         @Test
@@ -320,7 +336,8 @@ public class Tests {
         @Tag("Sphere")
         @DisplayName("sans intersection, la distance est +∞")
         void aCoteLaDistanceEstInfinie() {
-            distance("rayon de (0,2,0) vers +z, qui passe à 2 du centre", Double.POSITIVE_INFINITY, sphere, rayon(0, 2, 0, 0, 0, 1));
+            distance("rayon de (0,2,0) vers +z, qui passe à 2 du centre", Double.POSITIVE_INFINITY, sphere,
+                    rayon(0, 2, 0, 0, 0, 1));
         }
 
         @Test
@@ -337,7 +354,8 @@ public class Tests {
         @Tag("Sphere")
         @DisplayName("de l'intérieur, la distance est celle de la sortie, jamais négative")
         void deLInterieurLaDistanceEstCelleDeLaSortie() {
-            distance("rayon parti de (0,0,5.5) vers -z : points à -0.5, dans le dos, et à 1.5", 1.5, sphere, rayon(0, 0, 5.5, 0, 0, -1));
+            distance("rayon parti de (0,0,5.5) vers -z : points à -0.5, dans le dos, et à 1.5", 1.5, sphere,
+                    rayon(0, 0, 5.5, 0, 0, -1));
         }
 
         @Test
@@ -363,7 +381,8 @@ public class Tests {
         private final Rayon devant = rayon(0, 0, 0, 0, 0, 1);
 
         private void plusProche(String demande, Sphere attendue, PointContact contact) {
-            dire(contact != null && contact.objet == attendue, demande, nom(attendue), contact == null ? null : nom(contact.objet));
+            dire(contact != null && contact.objet == attendue, demande, nom(attendue), contact == null ? null
+                    : nom(contact.objet));
         }
 
         private String nom(Objet3D objet) {
@@ -381,7 +400,8 @@ public class Tests {
             assumeTrue(Double.isInfinite(rayon.getDistance()) || rayon.calcContact() != null,
                     "étape non commencée : calcContact ne rend encore rien");
             PointContact contact = rayon.calcContact();
-            verifier("le contact du rayon de (1,0,0) vers +z avec la sphère de centre (1,0,5) et de rayon 1", 1, 0, 4, contact);
+            verifier("le contact du rayon de (1,0,0) vers +z avec la sphère de centre (1,0,5) et de rayon 1", 1, 0, 4,
+                    contact);
             dire(contact.objet == sphere, "l'objet du contact est la sphère touchée", sphere, contact.objet);
         }
 
@@ -433,10 +453,12 @@ public class Tests {
         void ouIlNYARienIlNYAPasDeContact() {
             sceneCommencee();
             Scene scene = scene(null, pres, loin);
-            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 1, 0), null) == null, "rayon vers le haut, boules devant", null,
+            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 1, 0), null) == null,
+                    "rayon vers le haut, boules devant", null, "un contact");
+            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 0, -1), null) == null, "rayon dos aux boules", null,
                     "un contact");
-            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 0, -1), null) == null, "rayon dos aux boules", null, "un contact");
-            dire(scene.getClosestIntersection(devant, null) != null && scene(null, pres).getClosestIntersection(devant, pres) == null,
+            dire(scene.getClosestIntersection(devant, null) != null && scene(null, pres)
+                    .getClosestIntersection(devant, pres) == null,
                     "une seule boule, à ignorer", null, "un contact");
         }
 
@@ -452,8 +474,8 @@ public class Tests {
         @Tag("Lancer")
         @DisplayName("getCouleurPixel : la couleur du ciel où il n'y a rien")
         void unPixelVideALaCouleurDuCiel() {
-            verifier("le pixel du centre d'une scène vide : getSkyColor du rayon", rayon(0, 0, 0, 0, 0, 1).getSkyColor(),
-                    pixel(scene(null)));
+            verifier("le pixel du centre d'une scène vide : getSkyColor du rayon", rayon(0, 0, 0, 0, 0, 1)
+                    .getSkyColor(), pixel(scene(null)));
         }
 
         @Test
@@ -489,7 +511,8 @@ public class Tests {
             Sphere sphere = new Sphere(new Point(0, 0, 5), 2);
             assumeTrue(!new Vecteur().equals(sphere.getNormale(new Point(0, 0, 3))),
                     "étape non commencée : getNormale rend encore le vecteur nul");
-            verifier("la normale en (0,0,3) de la sphère de centre (0,0,5) et de rayon 2", 0, 0, -1, sphere.getNormale(new Point(0, 0, 3)));
+            verifier("la normale en (0,0,3) de la sphère de centre (0,0,5) et de rayon 2", 0, 0, -1,
+                    sphere.getNormale(new Point(0, 0, 3)));
             verifier("la normale en (2,0,5)", 1, 0, 0, sphere.getNormale(new Point(2, 0, 5)));
         }
 
@@ -519,7 +542,8 @@ public class Tests {
         @DisplayName("L est normalisé : l'éclairement ne dépend pas de la distance de la lampe")
         void laDistanceDeLaLampeNeChangeRien() {
             for (double d : new double[] {0.5, 1, 5, 50}) {
-                verifier("lampe dans la direction (0.6,0,-0.8), à la distance " + d + ", N.L = 0.8", new Couleur(0.8, 0.8, 0.8),
+                verifier("lampe dans la direction (0.6,0,-0.8), à la distance " + d + ", N.L = 0.8",
+                        new Couleur(0.8, 0.8, 0.8),
                         eclairee(scene(lampe(0.6 * d, 0, 4 - 0.8 * d), boule(0, 0, 5, 1, BLANC, NOIR, 1))));
             }
         }
@@ -540,7 +564,8 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("dans le dos (N.L négatif), rien")
         void dansLeDosIlFaitNoir() {
-            verifier("lampe derrière la boule, N.L = -1", NOIR, eclairee(scene(lampe(0, 0, 9), boule(0, 0, 5, 1, BLANC, NOIR, 1))));
+            verifier("lampe derrière la boule, N.L = -1", NOIR,
+                    eclairee(scene(lampe(0, 0, 9), boule(0, 0, 5, 1, BLANC, NOIR, 1))));
         }
 
         @Test
@@ -586,7 +611,8 @@ public class Tests {
 
         /** Rien de faux où il ne faut rien ne prouve rien tant qu'il n'y a rien nulle part. */
         private void refletCommence() {
-            assumeTrue(!pres(NOIR, reflet(BLANC, 1, 0, 1, 0, -1)), "étape non commencée : face à la lampe et à l'œil, aucun reflet");
+            assumeTrue(!pres(NOIR, reflet(BLANC, 1, 0, 1, 0, -1)),
+                    "étape non commencée : face à la lampe et à l'œil, aucun reflet");
         }
 
         @Test
@@ -615,7 +641,8 @@ public class Tests {
             verifier("R.-V = 0.8, ns = 1", new Couleur(0.8, 0.8, 0.8), reflet(BLANC, 1, 0, 1, 0.6, -0.8));
             verifier("R.-V = 0.8, ns = 2", new Couleur(0.64, 0.64, 0.64), reflet(BLANC, 2, 0, 1, 0.6, -0.8));
             double puissance = Math.pow(0.96, 50);
-            verifier("V (0.6,0,0.8), L (0.8,0,-0.6) : R.-V = 0.96, ns = 50", new Couleur(puissance, puissance, puissance),
+            verifier("V (0.6,0,0.8), L (0.8,0,-0.6) : R.-V = 0.96, ns = 50",
+                    new Couleur(puissance, puissance, puissance),
                     reflet(BLANC, 50, 0.6, 0.8, 0.8, -0.6));
         }
 
@@ -625,7 +652,8 @@ public class Tests {
         @DisplayName("un cosinus négatif ne donne pas de reflet, même élevé au carré")
         void unCosinusNegatifNeDonneRien() {
             refletCommence();
-            verifier("V (0.6,0,0.8), L (-0.96,0,-0.28) : R.-V = -0.352, ns = 2", NOIR, reflet(BLANC, 2, 0.6, 0.8, -0.96, -0.28));
+            verifier("V (0.6,0,0.8), L (-0.96,0,-0.28) : R.-V = -0.352, ns = 2", NOIR,
+                    reflet(BLANC, 2, 0.6, 0.8, -0.96, -0.28));
         }
 
         @Test
@@ -650,7 +678,8 @@ public class Tests {
             Couleur mate = vue(scene(lampe, boule(0, 0, 5, 1, Kd, NOIR, 8)), devant, 0);
             Couleur noire = vue(scene(lampe, boule(0, 0, 5, 1, NOIR, Ks, 8)), devant, 0);
             Couleur deux = vue(scene(lampe, boule(0, 0, 5, 1, Kd, Ks, 8)), devant, 0);
-            verifier("une boule mate et brillante : ce que donne la mate (Ks nul), plus ce que donne la brillante (Kd nul)",
+            verifier("une boule mate et brillante : ce que donne la mate (Ks nul), plus ce que donne la brillante "
+                    + "(Kd nul)",
                     mate.add(noire), deux);
         }
     }
@@ -678,7 +707,8 @@ public class Tests {
             couleurCommencee();
             eclairee = couleur(lampe, boule);
             eteinte = couleur(null, boule);
-            assumeTrue(!pres(eclairee, eteinte), "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
+            assumeTrue(!pres(eclairee, eteinte),
+                    "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
         }
 
         private void ombreCommencee() {
@@ -720,7 +750,8 @@ public class Tests {
         @DisplayName("une boule à côté, ou de l'autre côté, ne fait pas d'ombre")
         void aCoteRienNeCache() {
             ombreCommencee();
-            verifier("une boule à côté du chemin de la lumière", eclairee, couleur(lampe, boule, boule(3, 3, 0, 1, BLANC, NOIR, 1)));
+            verifier("une boule à côté du chemin de la lumière", eclairee,
+                    couleur(lampe, boule, boule(3, 3, 0, 1, BLANC, NOIR, 1)));
             verifier("une boule derrière la boule éclairée, dans le prolongement", eclairee,
                     couleur(lampe, boule, boule(-6, 0, 12, 1, BLANC, NOIR, 1)));
         }
@@ -741,8 +772,8 @@ public class Tests {
                     noirs += pres(NOIR, vue(scene(lampe(1, 2, -7), mate), rayon, 0)) ? 1 : 0;
                 }
             }
-            dire(noirs == 0, "points noirs sur " + points + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même", 0,
-                    noirs);
+            dire(noirs == 0, "points noirs sur " + points
+                    + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même", 0, noirs);
         }
 
         @Test
@@ -798,7 +829,8 @@ public class Tests {
         void uneBouleRefleteLeCiel() {
             // N (0, 0.6, -0.8) : le rayon (0, 0, 1) repart en (0, 0.96, -0.28)
             Couleur ciel = rayon(0, 0, 0, 0, 0.96, -0.28).getSkyColor();
-            verifier("profondeur 1 moins profondeur 0 : Ks fois le ciel dans la direction du miroir, (0,0.96,-0.28)", Ks.mul(ciel),
+            verifier("profondeur 1 moins profondeur 0 : Ks fois le ciel dans la direction du miroir, (0,0.96,-0.28)",
+                    Ks.mul(ciel),
                     apport(scene(null, boule(0, -0.6, 5, 1, NOIR, Ks, 1)), 0, 0, 0, 0, 0, 1));
         }
 
@@ -828,13 +860,16 @@ public class Tests {
         @DisplayName("une boule reflète les autres boules")
         void uneBouleRefleteUneAutreBoule() {
             Sphere miroir = boule(0, -0.6, 5, 1, NOIR, Ks, 1);
-            // sur le chemin du rayon réfléchi, parti de (0, 0, 4.2) dans la direction (0, 0.96, -0.28), suivi un peu plus loin
+            // sur le chemin du rayon réfléchi, parti de (0, 0, 4.2) dans la direction (0, 0.96, -0.28), suivi un peu
+            // plus loin
             Sphere mate = boule(0, 4.8, 2.8, 1, new Couleur(0.25, 0.5, 1), NOIR, 1);
             Scene scene = scene(lampe(0, 0, 8), miroir, mate);
             Couleur reflechie = vue(scene, rayon(0, 0.96, 3.92, 0, 0.96, -0.28), 0);
             for (double t = 0.25; t < 2; t += 0.25) {
-                assumeTrue(!pres(NOIR, reflechie) && pres(reflechie, vue(scene, rayon(0, 0.96 * t, 4.2 - 0.28 * t, 0, 0.96, -0.28), 0)),
-                        "étape non évaluable : la boule à refléter n'est pas éclairée, ou pas toujours de même (ombre d'elle-même ?)");
+                assumeTrue(!pres(NOIR, reflechie) && pres(reflechie,
+                        vue(scene, rayon(0, 0.96 * t, 4.2 - 0.28 * t, 0, 0.96, -0.28), 0)),
+                        "étape non évaluable : la boule à refléter n'est pas éclairée, ou pas toujours de même "
+                        + "(ombre d'elle-même ?)");
             }
             verifier("profondeur 1 moins profondeur 0 : Ks fois la couleur de la boule reflétée", Ks.mul(reflechie),
                     apport(scene, 0, 0, 0, 0, 0, 1));
@@ -848,8 +883,8 @@ public class Tests {
             Sphere miroir = boule(0, 0, 5, 1, NOIR, BLANC, 1);
             for (double y = -0.55; y < 0.6; y += 0.1) {
                 Couleur vue = apport(scene(null, miroir), 0.13, y, 0, 0.01, 0.02, 1);
-                dire(vue.b > 0.05, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y, "le ciel",
-                        triplet(vue.r, vue.v, vue.b));
+                dire(vue.b > 0.05, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y,
+                        "le ciel", triplet(vue.r, vue.v, vue.b));
             }
         }
 
@@ -860,10 +895,12 @@ public class Tests {
             try {
                 Couleur seule = vue(scene, rayon(0, 0, 4, 0, 0, 1), 0);
                 double somme = 2 - Math.pow(0.5, profondeur);
-                verifier("deux miroirs face à face, Ks = 1/2, profondeur " + profondeur + " : " + somme + " fois la couleur sans reflet",
+                verifier("deux miroirs face à face, Ks = 1/2, profondeur " + profondeur + " : " + somme
+                        + " fois la couleur sans reflet",
                         seule.mul(somme), vue(scene, rayon(0, 0, 4, 0, 0, 1), profondeur));
             } catch (StackOverflowError e) {
-                fail("deux miroirs face à face se renvoient le rayon sans fin : la profondeur doit diminuer à chaque reflet ; "
+                fail("deux miroirs face à face se renvoient le rayon sans fin : la profondeur doit diminuer à chaque "
+                        + "reflet ; "
                         + "attendu : au plus " + profondeur + " reflets, obtenu : une récursion qui ne s'arrête pas");
             }
         }
@@ -890,7 +927,8 @@ public class Tests {
             try {
                 profondeurs.removeIf(p -> pres(NOIR, vue(scene, rayon(0, 0, 4, 0, 0, 1), p)));
             } catch (StackOverflowError e) {
-                fail("deux miroirs face à face se renvoient le rayon sans fin : le paramètre profondeur doit arrêter les appels");
+                fail("deux miroirs face à face se renvoient le rayon sans fin : le paramètre profondeur doit arrêter "
+                        + "les appels");
             }
             assertEquals(Collections.emptyList(), profondeurs,
                     "sans lampe, deux miroirs noirs face à face restent noirs, à toute profondeur");

@@ -36,7 +36,8 @@ public class Lancer {
     public void TracerImage(Toile toile, int largeur, int hauteur, int profondeur) {
         for (int ye = 0; ye < hauteur; ye += PAS_BROUILLON) {
             for (int xe = 0; xe < largeur; xe += PAS_BROUILLON) {
-                Couleur couleur = getCouleurPixel(xe + PAS_BROUILLON / 2.0, ye + PAS_BROUILLON / 2.0, Math.min(1, profondeur));
+                double centre = PAS_BROUILLON / 2.0;
+                Couleur couleur = getCouleurPixel(xe + centre, ye + centre, Math.min(1, profondeur));
                 for (int y = ye; y < Math.min(hauteur, ye + PAS_BROUILLON); y++) {
                     for (int x = xe; x < Math.min(largeur, xe + PAS_BROUILLON); x++) {
                         toile.drawPixel(couleur, x, y);

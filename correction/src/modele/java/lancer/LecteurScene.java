@@ -42,8 +42,8 @@ class LecteurScene {
     private Sphere sphere(Profile.Section section) {
         Sphere sphere = new Sphere(point(section, "centre"), reels(section, "rayon", 1)[0]);
         sphere.setKd(section.containsKey("Kd") ? couleur(section, "Kd") : new Couleur());
-        sphere.setKs(section.containsKey("Kr") ? couleur(section, "Kr")
-                : section.containsKey("Ks") ? couleur(section, "Ks") : new Couleur());
+        String Ks = section.containsKey("Kr") ? "Kr" : "Ks";
+        sphere.setKs(section.containsKey(Ks) ? couleur(section, Ks) : new Couleur());
         sphere.setNs(section.containsKey("ns") ? reels(section, "ns", 1)[0] : 1);
         return sphere;
     }
@@ -67,7 +67,7 @@ class LecteurScene {
             }
         } catch (ArrayIndexOutOfBoundsException | NumberFormatException e) {
             throw new IllegalArgumentException(fichier + ", [" + section.getName() + "], " + cle + " : attendu, "
-                    + nombre + " nombre(s)", e);
+                    + "" + nombre + " nombre(s)", e);
         }
         return reels;
     }

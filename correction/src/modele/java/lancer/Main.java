@@ -14,7 +14,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.SwingWorker;
 import javax.swing.Timer;
 
-/** Le programme (cours, « Bilan intermédiaire ») : lit une scène, et la dessine dans une fenêtre ; ou, sans fenêtre, dans un fichier. */
+/** Le programme (cours, « Bilan intermédiaire ») : dessine une scène dans une fenêtre, ou dans un fichier. */
 public class Main implements Toile {
 
     private final Scene scene;

@@ -7,7 +7,7 @@ public abstract class Objet3D {
     private Couleur Ks = new Couleur();
     private double ns = 1;
 
-    /** La distance du plus proche contact du rayon avec cet objet, +∞ s'il n'y en a pas ; elle est aussi notée dans le rayon. */
+    /** La distance du plus proche contact du rayon, +∞ s'il n'y en a pas ; elle est aussi notée dans le rayon. */
     public abstract double getIntersectionDistance(Rayon incident);
 
     /** La normale en un point de la surface : vers l'extérieur, de longueur 1. */

@@ -1,8 +1,8 @@
 package lancer;
 
 /**
- * Une demi-droite : un point de départ P et un vecteur directeur V, normé (cours, « Représentation des rayons »). Un rayon retient
- * aussi le contact que {@link Objet3D#getIntersectionDistance} y a noté en dernier.
+ * Une demi-droite : un point de départ P et un vecteur directeur V, normé (cours, « Représentation des rayons »). Un
+ * rayon retient aussi le contact que {@link Objet3D#getIntersectionDistance} y a noté en dernier.
  */
 public class Rayon {
 

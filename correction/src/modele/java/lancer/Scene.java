@@ -31,7 +31,8 @@ public class Scene {
     }
 
     /**
-     * Le contact du rayon avec l'objet le plus proche, {@code null} s'il n'y en a pas. À la fin, le rayon doit avoir noté ce contact.
+     * Le contact du rayon avec l'objet le plus proche, {@code null} s'il n'y en a pas. À la fin, le rayon doit avoir
+     * noté ce contact.
      *
      * @param saufLui l'objet à ignorer : celui d'où part le rayon, ou {@code null}
      */

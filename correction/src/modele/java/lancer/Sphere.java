@@ -22,7 +22,7 @@ public class Sphere extends Objet3D {
 
     @Override
     public double getIntersectionDistance(Rayon incident) {
-        //{ compléter : la distance du plus proche des points de contact, sauf ceux dans le dos du rayon ; +∞ s'il n'y en a pas
+        //{ compléter : la distance du plus proche contact qui n'est pas dans le dos du rayon, +∞ s'il n'y en a pas
         Vecteur CP = new Vecteur(centre, incident.getP());
         double b = 2 * CP.dot(incident.getV());
         double c = CP.norme2() - rayon * rayon;

@@ -1,8 +1,8 @@
 package lancer;
 
 /**
- * Un vecteur (cours, « Points et vecteurs »). Les méthodes créent toutes de nouvelles instances ; {@code Vecteur.add(u, v)} et
- * {@code u.add(v)} retournent le même résultat.
+ * Un vecteur (cours, « Points et vecteurs »). Les méthodes créent toutes de nouvelles instances ; {@code Vecteur.add(u,
+ * v)} et {@code u.add(v)} retournent le même résultat.
  */
 public class Vecteur extends Tuple {
 

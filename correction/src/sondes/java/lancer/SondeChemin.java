@@ -4,8 +4,8 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Ce que répondent, en chemin, les méthodes publiques du cours, pour un point de l'écran : de quoi trouver où deux programmes se
- * séparent.
+ * Ce que répondent, en chemin, les méthodes publiques du cours, pour un point de l'écran : de quoi trouver où deux
+ * programmes se séparent.
  */
 public final class SondeChemin {
 
@@ -14,11 +14,15 @@ public final class SondeChemin {
     private SondeChemin() {
     }
 
-    /** @param a scène, largeur, hauteur, xe, ye, profondeur ; rend {@code nom=x y z} pour chaque réponse, séparés par des tabulations */
+    /**
+     * @param a scène, largeur, hauteur, xe, ye, profondeur ; rend {@code nom=x y z} pour chaque réponse, séparés par
+     * des tabulations
+     */
     public static String decrire(String... a) {
         SondeChemin chemin = new SondeChemin();
         try {
-            chemin.suivre(new Scene(a[0]), new Camera(Integer.parseInt(a[1]), Integer.parseInt(a[2])), Double.parseDouble(a[3]),
+            chemin.suivre(new Scene(a[0]), new Camera(Integer.parseInt(a[1]), Integer.parseInt(a[2])),
+                    Double.parseDouble(a[3]),
                     Double.parseDouble(a[4]), Integer.parseInt(a[5]));
         } catch (Exception | Error e) {
             chemin.dire("arrêt", e);

@@ -9,7 +9,10 @@ public final class SondeImage {
     private SondeImage() {
     }
 
-    /** @param a scène, largeur, hauteur, profondeur, décalage en x et en y ; rend les couleurs non limitées, en flottants, en base 64 */
+    /**
+     * @param a scène, largeur, hauteur, profondeur, décalage en x et en y ; rend les couleurs non limitées, en
+     * flottants, en base 64
+     */
     public static String dessiner(String... a) {
         Scene scene = new Scene(a[0]);
         int largeur = Integer.parseInt(a[1]);
@@ -35,7 +38,8 @@ public final class SondeImage {
     /** Par {@code getCouleurPixel} ; s'il n'existe pas sous cette forme, par les méthodes qu'il appelle. */
     private static Vue vue(Scene scene, Camera camera, int profondeur, double decalage) {
         try {
-            Vue vue = decalage == 0 ? parLancer(scene, camera, profondeur) : parLancer(scene, camera, profondeur, decalage);
+            Vue vue = decalage == 0 ? parLancer(scene, camera, profondeur)
+                    : parLancer(scene, camera, profondeur, decalage);
             vue.couleur(0, 0);
             return vue;
         } catch (Error e) {

@@ -33,11 +33,15 @@ public final class SondeVariantes {
                 // personne ne regarde
             }
         };
-        new Lancer(new Scene(a[0]), new Camera(largeur, hauteur)).TracerImage(toile, largeur, hauteur, Integer.parseInt(a[3]));
+        new Lancer(new Scene(a[0]), new Camera(largeur, hauteur))
+                .TracerImage(toile, largeur, hauteur, Integer.parseInt(a[3]));
         return coder(pixels);
     }
 
-    /** @param a scène, largeur, hauteur, profondeur, n, début ; de chaque pixel, la moyenne de n x n rayons, le premier à début du coin */
+    /**
+     * @param a scène, largeur, hauteur, profondeur, n, début ; de chaque pixel, la moyenne de n x n rayons, le premier
+     * à début du coin
+     */
     public static String moyenne(String... a) {
         int largeur = Integer.parseInt(a[1]);
         int hauteur = Integer.parseInt(a[2]);
@@ -50,7 +54,8 @@ public final class SondeVariantes {
         for (int p = 0; p < pixels.length; p++) {
             Couleur somme = new Couleur(0, 0, 0);
             for (int k = 0; k < n * n; k++) {
-                Rayon rayon = camera.getRayon(p % largeur + debut + (double) (k % n) / n, p / largeur + debut + (double) (k / n) / n);
+                Rayon rayon = camera.getRayon(p % largeur + debut + (double) (k % n) / n, p / largeur + debut
+                        + (double) (k / n) / n);
                 somme = somme.add(SondeImage.parRayon(scene, rayon, profondeur));
             }
             pixels[p] = somme.mul(1.0 / (n * n));
@@ -58,7 +63,10 @@ public final class SondeVariantes {
         return coder(pixels);
     }
 
-    /** @param a scène d'une boule et d'une lampe, largeur, hauteur, décalage, facteur ; Ks K_L (N.H)^(facteur ns), sans rien d'autre */
+    /**
+     * @param a scène d'une boule et d'une lampe, largeur, hauteur, décalage, facteur ; Ks K_L (N.H)^(facteur ns), sans
+     * rien d'autre
+     */
     public static String blinn(String... a) {
         int largeur = Integer.parseInt(a[1]);
         int hauteur = Integer.parseInt(a[2]);
@@ -70,7 +78,8 @@ public final class SondeVariantes {
         for (int p = 0; p < pixels.length; p++) {
             Rayon rayon = camera.getRayon(p % largeur + decalage, p / largeur + decalage);
             PointContact contact = scene.getClosestIntersection(rayon);
-            pixels[p] = contact == null ? rayon.getSkyColor() : eclat(scene.getLampes().get(0), rayon, contact, facteur);
+            pixels[p] = contact == null ? rayon.getSkyColor()
+                    : eclat(scene.getLampes().get(0), rayon, contact, facteur);
         }
         return coder(pixels);
     }

@@ -82,13 +82,15 @@ public final class Correction {
             AtomicInteger finis = new AtomicInteger();
             List<Resultat> resultats = jury.juger(rendus, (rang, resultat) -> suivi.println(String.format(Locale.FRANCE,
                     "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(), rendus.get(rang).getNom(),
-                    resultat.refus.isEmpty()
-                            ? String.format(Locale.FRANCE, "%.2f/%.4g", new Note(grille, resultat, bareme).total(), bareme.total())
+                    resultat.refus.isEmpty() ? String.format(Locale.FRANCE, "%.2f/%.4g",
+                    new Note(grille, resultat, bareme).total(), bareme.total())
                             : resultat.refus.get(0))));
             List<Eleve> eleves = new ArrayList<>();
             for (int k = 0; k < rendus.size(); k++) {
-                String page = String.format("%02d-%s.html", k + 1, rendus.get(k).getId().replaceAll("[^A-Za-z0-9-]+", "_"));
-                eleves.add(new Eleve(rendus.get(k), resultats.get(k), new Note(grille, resultats.get(k), bareme), page));
+                String page = String.format("%02d-%s.html", k + 1, rendus.get(k).getId()
+                        .replaceAll("[^A-Za-z0-9-]+", "_"));
+                eleves.add(new Eleve(rendus.get(k), resultats.get(k), new Note(grille, resultats.get(k), bareme),
+                        page));
             }
             new Pages(grille, bareme, jury.getReference(), confinement).ecrire(dossier, eleves);
             sortie.println("La classe : " + dossier.resolve("index.html"));

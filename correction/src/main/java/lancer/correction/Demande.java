@@ -9,12 +9,15 @@ final class Demande {
     static final String AIDE = "Usage : java -jar correction/target/correction.jar [options] RENDUS\n"
             + "        java -jar correction/target/correction.jar --squelette DOSSIER\n"
             + "\n"
-            + "Note les rendus d'une classe : un dossier, l'archive « Télécharger tous les travaux remis » de Moodle, ou un seul rendu.\n"
+            + "Note les rendus d'une classe : un dossier, l'archive « Télécharger tous les travaux remis » de "
+            + "Moodle, ou un seul rendu.\n"
             + "\n"
             + "  --notes FEUILLE.csv     la feuille de notes de Moodle : écrit notes-a-deposer.csv et retours.zip\n"
             + "  --sortie DOSSIER        où écrire les pages et les fichiers (par défaut correction/classe)\n"
-            + "  --bareme FICHIER.ini    les points de chaque étape (par défaut bareme.ini, dans ce dossier ; écrit s'il n'existe pas)\n"
-            + "  --sans-confinement      exécute le code des étudiants même si bwrap manque : il peut alors lire et écrire vos fichiers\n"
+            + "  --bareme FICHIER.ini    les points de chaque étape (par défaut bareme.ini, dans ce dossier ; écrit "
+            + "s'il n'existe pas)\n"
+            + "  --sans-confinement      exécute le code des étudiants même si bwrap manque : il peut alors lire et "
+            + "écrire vos fichiers\n"
             + "  --squelette DOSSIER     écrit le projet à compléter\n"
             + "  --aide                  ce texte\n"
             + "\n"
@@ -53,11 +56,12 @@ final class Demande {
                     break;
                 default:
                     if (nom.startsWith("-")) {
-                        throw new Panne(2, "option inconnue : « " + nom + " » ; attendu : une de celles que montre --aide");
+                        throw new Panne(2, "option inconnue : « " + nom
+                                + " » ; attendu : une de celles que montre --aide");
                     }
                     if (demande.rendus != null) {
-                        throw new Panne(2, "plusieurs rendus : « " + demande.rendus + " » et « " + nom + " » ; attendu : "
-                                + "un dossier, ou une archive");
+                        throw new Panne(2, "plusieurs rendus : « " + demande.rendus + " » et « " + nom
+                                + " » ; attendu : un dossier, ou une archive");
                     }
                     demande.rendus = Paths.get(nom);
             }

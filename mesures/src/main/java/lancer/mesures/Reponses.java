@@ -124,22 +124,25 @@ public final class Reponses {
     private static double[] mesures(Scene scene, ToDoubleFunction<Vu> mesure) {
         Camera camera = new Camera(200, 150);
         return IntStream.range(0, 200 * 150).mapToObj(k -> camera.getRayon(k % 200 + 0.5, k / 200 + 0.5))
-                .map(rayon -> new Vu(rayon, scene.getClosestIntersection(rayon)))
-                .filter(vu -> vu.contact != null).mapToDouble(mesure).sorted().toArray();
+                .map(rayon -> new Vu(rayon, scene.getClosestIntersection(rayon))).filter(vu -> vu.contact != null)
+                .mapToDouble(mesure).sorted().toArray();
     }
 
     /** Le graphe du cours : l'éclat que donne le programme, selon l'angle entre R et L. */
     static String cosinus() {
-        StringBuilder svg = new StringBuilder("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"360\" "
-                + "font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"640\" height=\"360\" fill=\"white\"/>\n");
+        StringBuilder svg = new StringBuilder("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" "
+                + "height=\"360\" font-family=\"sans-serif\" font-size=\"14\">\n"
+                + "<rect width=\"640\" height=\"360\" fill=\"white\"/>\n");
         for (int k = 0; k <= 4; k++) {
             double y = 320 - 75 * k;
-            svg.append(String.format(Locale.ROOT, "<path d=\"M60 %.0fH540\" stroke=\"#ddd\"/><text x=\"52\" y=\"%.0f\" "
-                    + "text-anchor=\"end\">%s</text>%n", y, y + 5, nombre(k / 4.0)));
+            svg.append(String.format(Locale.ROOT,
+                    "<path d=\"M60 %.0fH540\" stroke=\"#ddd\"/><text x=\"52\" y=\"%.0f\" "
+                    + "text-anchor=\"end\">%s</text>%n", y, y + 5,
+                    nombre(k / 4.0)));
         }
         for (int k = 0; k <= 6; k++) {
-            svg.append(String.format(Locale.ROOT, "<text x=\"%d\" y=\"340\" text-anchor=\"middle\">%s</text>%n", 60 + 80 * k,
-                    nombre(k / 4.0)));
+            svg.append(String.format(Locale.ROOT, "<text x=\"%d\" y=\"340\" text-anchor=\"middle\">%s</text>%n", 60
+                    + 80 * k, nombre(k / 4.0)));
         }
         svg.append("<text x=\"300\" y=\"357\" text-anchor=\"middle\">angle entre −V et R, en radians</text>\n");
         Vecteur N = new Vecteur(0, 0, -1);
@@ -151,15 +154,16 @@ public final class Reponses {
                 double eclat = Specularite.PHONG.eclat(N.neg(), N, L, N, EXPOSANTS[e]);
                 svg.append(String.format(Locale.ROOT, "%s%d %.1f", k == 0 ? "M" : "L", 60 + 2 * k, 320 - 300 * eclat));
             }
-            svg.append(String.format(Locale.ROOT, "\"/>%n<text x=\"548\" y=\"%d\" fill=\"%s\">n = %d</text>%n", 40 + 22 * e, COULEURS[e],
-                    EXPOSANTS[e]));
+            svg.append(String.format(Locale.ROOT, "\"/>%n<text x=\"548\" y=\"%d\" fill=\"%s\">n = %d</text>%n", 40
+                    + 22 * e, COULEURS[e], EXPOSANTS[e]));
         }
         return svg.append("</svg>\n").toString().replace(System.lineSeparator(), "\n");
     }
 
     /** La scène des étapes : une boule, une autre qui lui fait de l'ombre et s'y reflète, un sol. */
     private static Scene scene(boolean brillante) {
-        List<Sphere> boules = Arrays.asList(new Sphere(new Point(0.35, 0, 7), 1.1), new Sphere(new Point(-1.3, -0.35, 5.8), 0.5),
+        List<Sphere> boules = Arrays.asList(new Sphere(new Point(0.35, 0, 7), 1.1),
+                new Sphere(new Point(-1.3, -0.35, 5.8), 0.5),
                 new Sphere(new Point(0, -1001.1, 7), 1000));
         Couleur[] Kd = {new Couleur(0.75, 0.12, 0.1), new Couleur(0.1, 0.3, 0.75), new Couleur(0.6, 0.55, 0.45)};
         for (int k = 0; k < boules.size(); k++) {
@@ -171,7 +175,10 @@ public final class Reponses {
                 new Lampe(new Point(4, 3, -3), new Couleur(0.25))));
     }
 
-    /** Ce que voit un rayon à une étape du TP : 0, le jaune vif ; 1, Lambert ; 2, Phong ; 3, les ombres ; 4, les reflets. */
+    /**
+     * Ce que voit un rayon à une étape du TP : 0, le jaune vif ; 1, Lambert ; 2, Phong ; 3, les ombres ; 4, les
+     * reflets.
+     */
     private static Couleur couleur(int etape, Scene scene, Rayon rayon) {
         PointContact contact = scene.getClosestIntersection(rayon);
         if (contact == null) {
@@ -220,7 +227,8 @@ public final class Reponses {
             for (int p = 0; p < cote * cote; p++) {
                 int code = moyenne(4, scene, camera, 60 + p % cote, 12 + p / cote, n).getCode();
                 for (int q = 0; q < LOUPE * LOUPE; q++) {
-                    image.setRGB((n - 1) / 2 * (cote * LOUPE + 8) + p % cote * LOUPE + q % LOUPE, p / cote * LOUPE + q / LOUPE, code);
+                    image.setRGB((n - 1) / 2 * (cote * LOUPE + 8) + p % cote * LOUPE + q % LOUPE, p / cote * LOUPE
+                            + q / LOUPE, code);
                 }
             }
         }

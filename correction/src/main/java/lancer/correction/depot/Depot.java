@@ -19,20 +19,21 @@ import java.util.stream.Stream;
 import lancer.correction.Panne;
 
 /**
- * Les rendus d'une classe : un dossier, l'archive de Moodle telle quelle, ou un seul rendu. Chaque étudiant a sa ligne, que son rendu
- * soit lisible ou non.
+ * Les rendus d'une classe : un dossier, l'archive de Moodle telle quelle, ou un seul rendu. Chaque étudiant a sa ligne,
+ * que son rendu soit lisible ou non.
  */
 public final class Depot {
 
     private static final int SOURCE_MAX = 1 << 20;
     private static final int EMBOITEMENT_MAX = 3;
-    private static final Pattern AUTRE_ARCHIVE = Pattern.compile(".*\\.(rar|7z|tar|tgz|tar\\.(gz|xz|bz2)|gz|xz|bz2|zipx)");
+    private static final Pattern AUTRE_ARCHIVE =
+            Pattern.compile(".*\\.(rar|7z|tar|tgz|tar\\.(gz|xz|bz2)|gz|xz|bz2|zipx)");
     /** Ce que les systèmes et les outils ajoutent, et qui n'est le travail de personne. */
     private static final Pattern DEBRIS = Pattern.compile(
-            "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|target|bin|build|out|node_modules)/.*|"
-                    + "(.*/)?(\\._.*|\\.DS_Store)");
-    private static final Pattern UN_SEUL_RENDU = Pattern.compile(
-            "(?i)src|pom\\.xml|.*\\.java|lancer|.*lancer-?(java|base).*|brume|antialias|blinn");
+            "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|"
+            + "target|bin|build|out|node_modules)/.*|(.*/)?(\\._.*|\\.DS_Store)");
+    private static final Pattern UN_SEUL_RENDU =
+            Pattern.compile("(?i)src|pom\\.xml|.*\\.java|lancer|lancer-?(java|base).*|brume|antialias|blinn");
 
     private final Map<String, Rendu> rendus = new LinkedHashMap<>();
     private final Path temporaire;
@@ -149,9 +150,13 @@ public final class Depot {
         }
     }
 
-    /** Vrai si ces noms, les premiers d'un dossier ou d'une archive, sont ceux d'un projet, et non ceux de plusieurs étudiants. */
+    /**
+     * Vrai si ces noms, les premiers d'un dossier ou d'une archive, sont ceux d'un projet, et non ceux de plusieurs
+     * étudiants.
+     */
     private static boolean estUnSeul(List<String> noms) {
-        return noms.stream().noneMatch(n -> NomMoodle.lire(n) != null) && noms.stream().anyMatch(n -> UN_SEUL_RENDU.matcher(n).matches());
+        return noms.stream().noneMatch(n -> NomMoodle.lire(n) != null) && noms.stream()
+                .anyMatch(n -> UN_SEUL_RENDU.matcher(n).matches());
     }
 
     /** De quoi ranger « Étudiant 2 » avant « Étudiant 10 ». */

@@ -4,8 +4,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Le nom que Moodle donne à un rendu : {@code <nom>_<numéro>_assignsubmission_file}, suivi ou non de « _ », puis en mode plat du nom
- * du fichier (moodle, {@code mod/assign/classes/downloader.php}).
+ * Le nom que Moodle donne à un rendu : {@code <nom>_<numéro>_assignsubmission_file}, suivi ou non de « _ », puis en
+ * mode plat du nom du fichier (moodle, {@code mod/assign/classes/downloader.php}).
  */
 final class NomMoodle {
 

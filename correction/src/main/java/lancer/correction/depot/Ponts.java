@@ -6,8 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Une méthode du cours dont l'étudiant a changé les paramètres (leur ordre, ou un de moins) : la forme attendue est ajoutée à sa classe, et
- * appelle la sienne. C'est dit une fois, et rien d'autre n'en souffre.
+ * Une méthode du cours dont l'étudiant a changé les paramètres (leur ordre, ou un de moins) : la forme attendue est
+ * ajoutée à sa classe, et appelle la sienne. C'est dit une fois, et rien d'autre n'en souffre.
  */
 final class Ponts {
 
@@ -51,7 +51,8 @@ final class Ponts {
     }
 
     private static String ajouter(Forme forme, String texte, List<String> remarques) {
-        Matcher m = Pattern.compile("\\b" + forme.rend + "\\s+" + forme.nom + "\\s*\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?\\{")
+        Matcher m = Pattern.compile("\\b" + forme.rend + "\\s+" + forme.nom
+                + "\\s*\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?\\{")
                 .matcher(Source.sansCommentaires(texte));
         String pont = null;
         List<String> changes = null;
@@ -66,7 +67,8 @@ final class Ponts {
             }
         }
         if (pont != null) {
-            remarques.add("signature : " + forme.classe + "." + forme.nom + "(" + String.join(", ", changes) + ") au lieu de ("
+            remarques.add("signature : " + forme.classe + "." + forme.nom + "(" + String.join(", ", changes)
+                    + ") au lieu de ("
                     + String.join(", ", forme.types) + ") ; jugée comme si elle avait celle du cours");
         }
         int fin = texte.lastIndexOf('}');
@@ -84,7 +86,10 @@ final class Ponts {
         return types;
     }
 
-    /** Vrai si l'on peut appeler telle quelle la méthode de l'étudiant : un objet quelconque, ou des réels arrondis, conviennent aussi. */
+    /**
+     * Vrai si l'on peut appeler telle quelle la méthode de l'étudiant : un objet quelconque, ou des réels arrondis,
+     * conviennent aussi.
+     */
     private static boolean accepte(List<String> siens, List<String> attendus) {
         if (siens.size() != attendus.size()) {
             return false;
@@ -98,12 +103,15 @@ final class Ponts {
     }
 
     private static boolean compatible(String sien, String attendu) {
-        return sien.equals(attendu) || sien.equals("Objet3D") && attendu.equals("Sphere")
-                || sien.equals("Sphere") && attendu.equals("Objet3D")
+        return sien.equals(attendu) || sien.equals("Objet3D") && attendu.equals("Sphere") || sien.equals("Sphere")
+                && attendu.equals("Objet3D")
                 || (sien.equals("int") || sien.equals("float")) && attendu.equals("double");
     }
 
-    /** La méthode attendue, qui appelle celle de l'étudiant avec les arguments qu'elle veut ; {@code null} s'il lui en faut d'autres. */
+    /**
+     * La méthode attendue, qui appelle celle de l'étudiant avec les arguments qu'elle veut ; {@code null} s'il lui en
+     * faut d'autres.
+     */
     private static String appel(List<String> siens, Forme forme) {
         List<String> arguments = new ArrayList<>();
         boolean[] pris = new boolean[forme.types.size()];
@@ -122,7 +130,7 @@ final class Ponts {
         for (int k = 0; k < forme.types.size(); k++) {
             parametres.append(k > 0 ? ", " : "").append(forme.types.get(k)).append(" p").append(k);
         }
-        return " public " + forme.rend + " " + forme.nom + "(" + parametres + ") { return " + forme.nom + "(" + String.join(", ", arguments)
-                + "); } ";
+        return " public " + forme.rend + " " + forme.nom + "(" + parametres + ") { return " + forme.nom + "("
+                + String.join(", ", arguments) + "); } ";
     }
 }

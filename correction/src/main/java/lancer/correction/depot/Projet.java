@@ -10,12 +10,15 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lancer.correction.modele.Modele;
 
-/** Les classes d'un rendu : celles de la base, et celles de chaque variante, retrouvées où que l'étudiant les ait mises. */
+/**
+ * Les classes d'un rendu : celles de la base, et celles de chaque variante, retrouvées où que l'étudiant les ait mises.
+ */
 public final class Projet {
 
     public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
-    private static final Pattern VARIANTE = Pattern.compile("(?i)(?:^|/)[^/]*?(brume|antialias|anti-alias|anticrenelage|blinn)[^/]*/");
+    private static final Pattern VARIANTE =
+            Pattern.compile("(?i)(?:^|/)[^/]*?(brume|antialias|anti-alias|anticrenelage|blinn)[^/]*/");
     private static final Pattern DE_TEST = Pattern.compile("(?:^|.*/)src/test/.*");
 
     private final Map<String, String> base;
@@ -35,11 +38,13 @@ public final class Projet {
         for (Map.Entry<String, byte[]> fichier : rendu.getSources().entrySet()) {
             Source source = Source.lire(fichier.getKey(), fichier.getValue());
             // Tests : c'est le nôtre qui note, pas la copie de l'étudiant
-            if (!DE_TEST.matcher(source.chemin).matches() && !source.classe.equals("Tests") && !source.classe.equals("module-info")
+            if (!DE_TEST.matcher(source.chemin).matches() && !source.classe.equals("Tests")
+                    && !source.classe.equals("module-info")
                     && !source.classe.equals("package-info")) {
                 Matcher m = VARIANTE.matcher(source.racine);
                 String partie = m.find() ? variante(m.group(1)) : "";
-                groupes.computeIfAbsent(partie, p -> new TreeMap<>()).computeIfAbsent(source.racine, r -> new ArrayList<>()).add(source);
+                groupes.computeIfAbsent(partie, p -> new TreeMap<>())
+                        .computeIfAbsent(source.racine, r -> new ArrayList<>()).add(source);
             }
         }
         Map<String, Map<String, String>> variantes = new LinkedHashMap<>();
@@ -63,7 +68,10 @@ public final class Projet {
         return bas.startsWith("anti") ? "antialias" : bas;
     }
 
-    /** Des dossiers qui contiennent des classes, celui qui en a le plus du cours ; les autres n'ajoutent que ce qui lui manque. */
+    /**
+     * Des dossiers qui contiennent des classes, celui qui en a le plus du cours ; les autres n'ajoutent que ce qui lui
+     * manque.
+     */
     private static Map<String, String> choisir(Map<String, List<Source>> groupes, List<String> remarques) {
         List<String> racines = new ArrayList<>(groupes.keySet());
         racines.sort((a, b) -> {
@@ -74,16 +82,20 @@ public final class Projet {
         for (String racine : racines) {
             boolean premiere = racine.equals(racines.get(0));
             if (!premiere && duCours(groupes.get(racine)) > 2) {
-                remarques.add("plusieurs copies du projet : jugée, « " + racines.get(0) + " » ; laissée, « " + racine + " »");
+                remarques.add("plusieurs copies du projet : jugée, « " + racines.get(0) + " » ; laissée, « " + racine
+                        + " »");
                 continue;
             }
             for (Source source : groupes.get(racine)) {
-                String nom = source.paquet.isEmpty() ? source.classe : source.paquet.replace('.', '/') + "/" + source.classe;
+                String nom = source.paquet.isEmpty() ? source.classe : source.paquet.replace('.', '/') + "/"
+                        + source.classe;
                 String cachee = source.classeDeJavaCachee();
                 if (cachee != null) {
-                    remarques.add(source.chemin + " : laissé de côté, il déclare une classe " + cachee + " qui cacherait celle de Java");
+                    remarques.add(source.chemin + " : laissé de côté, il déclare une classe " + cachee
+                            + " qui cacherait celle de Java");
                 } else if (!classes.containsKey(nom)) {
-                    classes.put(nom, source.paquet.equals("lancer") ? Ponts.ajouter(source.classe, source.texte, remarques) : source.texte);
+                    classes.put(nom, source.paquet.equals("lancer")
+                            ? Ponts.ajouter(source.classe, source.texte, remarques) : source.texte);
                     if (source.remarque != null) {
                         remarques.add(source.remarque);
                     }

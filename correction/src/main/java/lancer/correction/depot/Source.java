@@ -8,7 +8,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lancer.correction.modele.Modele;
 
-/** Un fichier source : son texte, quel que soit son codage, dans le paquet {@code lancer}, même si l'étudiant l'a changé ou oublié. */
+/**
+ * Un fichier source : son texte, quel que soit son codage, dans le paquet {@code lancer}, même si l'étudiant l'a changé
+ * ou oublié.
+ */
 public final class Source {
 
     private static final Pattern PAQUET = Pattern.compile("(?m)^\\s*package\\s+([\\w.]+)\\s*;");
@@ -75,8 +78,8 @@ public final class Source {
     }
 
     /**
-     * Une classe déclarée ici, dans le paquet {@code lancer}, du nom d'une classe de {@code java.lang} : nos vérifications, qui sont
-     * du même paquet, la prendraient pour celle-ci.
+     * Une classe déclarée ici, dans le paquet {@code lancer}, du nom d'une classe de {@code java.lang} : nos
+     * vérifications, qui sont du même paquet, la prendraient pour celle-ci.
      */
     String classeDeJavaCachee() {
         Matcher m = DECLARATION.matcher(sansCommentaires(texte));
@@ -96,8 +99,8 @@ public final class Source {
     }
 
     private static Charset codage(byte[] octets) {
-        if (octets.length >= 2 && (octets[0] == (byte) 0xFE && octets[1] == (byte) 0xFF
-                || octets[0] == (byte) 0xFF && octets[1] == (byte) 0xFE)) {
+        if (octets.length >= 2 && (octets[0] == (byte) 0xFE && octets[1] == (byte) 0xFF || octets[0] == (byte) 0xFF
+                && octets[1] == (byte) 0xFE)) {
             return StandardCharsets.UTF_16;
         }
         try {

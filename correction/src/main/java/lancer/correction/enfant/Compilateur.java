@@ -22,8 +22,9 @@ import javax.tools.JavaFileObject;
 import javax.tools.StandardJavaFileManager;
 
 /**
- * Compile, dans une machine virtuelle à part, avec le compilateur d'Eclipse, qui écrit toutes les classes même fautives. Sur l'entrée
- * standard, une ligne par dossier : {@code sources<tab>classes} ; sur la sortie, une ligne par faute, puis {@code FIN}.
+ * Compile, dans une machine virtuelle à part, avec le compilateur d'Eclipse, qui écrit toutes les classes même
+ * fautives. Sur l'entrée standard, une ligne par dossier : {@code sources<tab>classes} ; sur la sortie, une ligne par
+ * faute, puis {@code FIN}.
  */
 public final class Compilateur {
 
@@ -59,7 +60,8 @@ public final class Compilateur {
         throw new IllegalStateException("le compilateur d'Eclipse n'est pas là");
     }
 
-    private static void compiler(JavaCompiler compilateur, Path sources, Path classes, PrintStream sortie) throws IOException {
+    private static void compiler(JavaCompiler compilateur, Path sources, Path classes,
+            PrintStream sortie) throws IOException {
         List<File> fichiers;
         try (Stream<Path> flux = Files.walk(sources)) {
             // nos propres classes d'abord : de deux classes de même nom, la première est la bonne
@@ -69,9 +71,12 @@ public final class Compilateur {
         }
         Files.createDirectories(classes);
         String niveau = String.valueOf(Math.min(NIVEAU_MAX, Runtime.version().feature()));
-        List<String> options = new ArrayList<>(List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8", "-g", "-nowarn",
-                "-proc:none", "-proceedOnError", "-classpath", System.getProperty("java.class.path"), "-d", classes.toString()));
-        try (StandardJavaFileManager gestion = compilateur.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8)) {
+        List<String> options = new ArrayList<>(List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8",
+                "-g", "-nowarn",
+                "-proc:none", "-proceedOnError", "-classpath", System.getProperty("java.class.path"), "-d",
+                classes.toString()));
+        try (StandardJavaFileManager gestion = compilateur.getStandardFileManager(null, Locale.ROOT,
+                StandardCharsets.UTF_8)) {
             compilateur.getTask(new StringWriter(), gestion, faute -> {
                 if (faute.getKind() == Diagnostic.Kind.ERROR) {
                     sortie.println("FAUTE\t" + nom(sources, faute) + "\t" + faute.getLineNumber() + "\t"
@@ -86,6 +91,7 @@ public final class Compilateur {
     }
 
     private static String nom(Path sources, Diagnostic<? extends JavaFileObject> faute) {
-        return faute.getSource() == null ? "?" : sources.relativize(Paths.get(faute.getSource().toUri())).toString().replace('\\', '/');
+        return faute.getSource() == null ? "?" : sources.relativize(Paths.get(faute.getSource().toUri())).toString()
+                .replace('\\', '/');
     }
 }

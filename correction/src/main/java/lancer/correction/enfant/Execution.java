@@ -18,9 +18,10 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * La machine virtuelle où tourne un rendu. La première ligne de l'entrée est un mot de passe que le rendu ne connaît pas ; chaque
- * réponse le porte, de sorte qu'un texte qui imite les nôtres n'en est pas une. Chaque demande nomme un dossier de classes :
- * {@code L}, la liste des vérifications ; {@code T}, une vérification ; {@code S}, une méthode d'une sonde.
+ * La machine virtuelle où tourne un rendu. La première ligne de l'entrée est un mot de passe que le rendu ne connaît
+ * pas ; chaque réponse le porte, de sorte qu'un texte qui imite les nôtres n'en est pas une. Chaque demande nomme un
+ * dossier de classes : {@code L}, la liste des vérifications ; {@code T}, une vérification ; {@code S}, une méthode
+ * d'une sonde.
  */
 public final class Execution {
 

@@ -29,7 +29,8 @@ final class Verifications {
 
     private static Launcher lanceur() {
         return LauncherFactory.create(LauncherConfig.builder().enableTestEngineAutoRegistration(true)
-                .enableTestExecutionListenerAutoRegistration(false).enableLauncherSessionListenerAutoRegistration(false).build());
+                .enableTestExecutionListenerAutoRegistration(false).enableLauncherSessionListenerAutoRegistration(false)
+                .build());
     }
 
     private static LauncherDiscoveryRequest demande(DiscoverySelector selecteur) {
@@ -46,10 +47,13 @@ final class Verifications {
 
     private static void ajouter(TestPlan plan, Set<TestIdentifier> niveau, StringBuilder texte) {
         for (TestIdentifier test : niveau) {
-            test.getSource().filter(s -> test.isTest() && s instanceof MethodSource).map(s -> (MethodSource) s).ifPresent(s -> {
-                List<String> etiquettes = test.getTags().stream().map(TestTag::getName).sorted().collect(Collectors.toList());
+            test.getSource().filter(s -> test.isTest() && s instanceof MethodSource).map(s -> (MethodSource) s)
+                    .ifPresent(s -> {
+                List<String> etiquettes = test.getTags().stream().map(TestTag::getName).sorted()
+                        .collect(Collectors.toList());
                 String titre = plan.getParent(test).map(TestIdentifier::getDisplayName).orElse("");
-                texte.append('\t').append(String.join("|", s.getClassName(), s.getMethodName(), titre, test.getDisplayName(),
+                texte.append('\t').append(String.join("|", s.getClassName(), s.getMethodName(), titre,
+                        test.getDisplayName(),
                         String.join(",", etiquettes)));
             });
             ajouter(plan, plan.getChildren(test), texte);
@@ -60,7 +64,8 @@ final class Verifications {
     static String lancer(ClassLoader chargeur, String classe, String methode) throws ClassNotFoundException {
         Class<?> englobante = Class.forName(TESTS, false, chargeur);
         Ecoute ecoute = new Ecoute();
-        lanceur().execute(demande(selectNestedMethod(List.of(englobante), Class.forName(classe, false, chargeur), methode)), ecoute);
+        lanceur().execute(demande(selectNestedMethod(List.of(englobante), Class.forName(classe, false, chargeur),
+                methode)), ecoute);
         return ecoute.resultat;
     }
 

@@ -14,7 +14,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** De quoi lancer Java sans réseau ni disque, par bubblewrap, ou sans confinement là où il ne marche pas et où on l'accepte. */
+/**
+ * De quoi lancer Java sans réseau ni disque, par bubblewrap, ou sans confinement là où il ne marche pas et où on
+ * l'accepte.
+ */
 public final class Confinement {
 
     private static final int DISQUE = 64 << 20;
@@ -78,16 +81,19 @@ public final class Confinement {
             Set<String> visibles = new LinkedHashSet<>(List.of(chemin.split(File.pathSeparator)));
             visibles.add(accueil());
             visibles.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
-            commande.addAll(List.of(ecriture ? "--bind" : "--ro-bind", dossier.toString(), dossier.toString(), "--chdir", "/tmp"));
+            commande.addAll(List.of(ecriture ? "--bind" : "--ro-bind", dossier.toString(), dossier.toString(),
+                    "--chdir", "/tmp"));
         }
         if (!confine && Files.isExecutable(Paths.get("/bin/sh"))) {
             // à défaut d'un disque à part, au moins pas de fichier sans fin
             commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; exec \"$@\"", "sh"));
         }
-        commande.addAll(List.of(accueil() + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m", "-XX:MaxDirectMemorySize=32m",
-                "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:+ExitOnOutOfMemoryError",
-                "-XX:-UsePerfData", "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr",
-                "-Djava.io.tmpdir=" + (confine ? "/tmp" : dossier), "-cp", chemin, principale.getName()));
+        commande.addAll(List.of(accueil() + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m",
+                "-XX:MaxDirectMemorySize=32m",
+                "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
+                "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
+                "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr", "-Djava.io.tmpdir="
+                + (confine ? "/tmp" : dossier), "-cp", chemin, principale.getName()));
         return commande;
     }
 
@@ -100,7 +106,8 @@ public final class Confinement {
     }
 
     private static List<String> enveloppe() {
-        List<String> commande = new ArrayList<>(List.of("bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--clearenv",
+        List<String> commande = new ArrayList<>(List.of("bwrap", "--unshare-all", "--die-with-parent", "--new-session",
+                "--clearenv",
                 "--setenv", "LANG", "C.UTF-8", "--setenv", "PATH", "/usr/bin", "--ro-bind", "/usr", "/usr"));
         for (String dossier : List.of("/lib", "/lib64", "/bin")) {
             Path ici = Paths.get(dossier);
@@ -112,13 +119,15 @@ public final class Confinement {
         }
         // Debian met une partie de la configuration de Java hors de son dossier
         try (Stream<Path> flux = Files.list(Paths.get("/etc"))) {
-            for (String java : flux.map(Path::toString).filter(f -> f.startsWith("/etc/java")).collect(Collectors.toList())) {
+            for (String java : flux.map(Path::toString).filter(f -> f.startsWith("/etc/java"))
+                    .collect(Collectors.toList())) {
                 commande.addAll(List.of("--ro-bind-try", java, java));
             }
         } catch (IOException e) {
             // pas de /etc : rien à montrer
         }
-        commande.addAll(List.of("--proc", "/proc", "--dev", "/dev", "--size", String.valueOf(DISQUE), "--tmpfs", "/tmp", "--dir", "/root"));
+        commande.addAll(List.of("--proc", "/proc", "--dev", "/dev", "--size", String.valueOf(DISQUE), "--tmpfs",
+                "/tmp", "--dir", "/root"));
         return commande;
     }
 }

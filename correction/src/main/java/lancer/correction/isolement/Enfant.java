@@ -17,9 +17,9 @@ import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 
 /**
- * Une machine virtuelle à part, à qui l'on demande une chose après l'autre. Elle est surveillée du dehors : ce qu'elle calcule, ce
- * qu'elle écrit, combien de processus elle lance. Le temps d'attente se compte en tours de la surveillance, non à l'horloge : une
- * machine suspendue puis reprise n'a pas attendu.
+ * Une machine virtuelle à part, à qui l'on demande une chose après l'autre. Elle est surveillée du dehors : ce qu'elle
+ * calcule, ce qu'elle écrit, combien de processus elle lance. Le temps d'attente se compte en tours de la surveillance,
+ * non à l'horloge : une machine suspendue puis reprise n'a pas attendu.
  */
 public final class Enfant implements AutoCloseable {
 
@@ -49,7 +49,8 @@ public final class Enfant implements AutoCloseable {
         char[] tampon = new char[1 << 16];
         long total = 0;
         StringBuilder ligne = new StringBuilder();
-        try (Reader sortie = new BufferedReader(new InputStreamReader(processus.getInputStream(), StandardCharsets.UTF_8))) {
+        try (Reader sortie = new BufferedReader(new InputStreamReader(processus.getInputStream(),
+                StandardCharsets.UTF_8))) {
             for (int n = sortie.read(tampon); n >= 0 && !sortieDemesuree; n = sortie.read(tampon)) {
                 total += n;
                 for (int k = 0; k < n; k++) {
@@ -128,7 +129,8 @@ public final class Enfant implements AutoCloseable {
     /** Le temps de processeur, en secondes, de l'enfant et de ce qu'il a lancé. */
     private double calcul() {
         try (Stream<ProcessHandle> tous = Stream.concat(Stream.of(processus.toHandle()), processus.descendants())) {
-            return tous.map(p -> p.info().totalCpuDuration().orElse(Duration.ZERO)).mapToLong(Duration::toMillis).sum() / 1e3;
+            return tous.map(p -> p.info().totalCpuDuration().orElse(Duration.ZERO)).mapToLong(Duration::toMillis)
+                    .sum() / 1e3;
         }
     }
 
@@ -148,7 +150,8 @@ public final class Enfant implements AutoCloseable {
         }
         close();
         return new Arret(sortieDemesuree || statut == Echange.TROP_IMPRIME ? "arrêté : imprime sans fin"
-                : statut == 3 ? "mémoire épuisée" : "le programme s'est arrêté de lui-même (System.exit ?), statut " + statut);
+                : statut == 3 ? "mémoire épuisée" : "le programme s'est arrêté de lui-même (System.exit ?), statut "
+                + statut);
     }
 
     /** Tue la machine virtuelle, et tout ce qu'elle a lancé. */

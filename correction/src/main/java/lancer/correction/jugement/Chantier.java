@@ -14,7 +14,10 @@ import java.util.stream.Stream;
 import lancer.correction.isolement.Arret;
 import lancer.correction.modele.Modele;
 
-/** Le dossier d'un rendu, et les assemblages de classes qu'on y compile : tout ensemble, ou une classe seule dans le corrigé. */
+/**
+ * Le dossier d'un rendu, et les assemblages de classes qu'on y compile : tout ensemble, ou une classe seule dans le
+ * corrigé.
+ */
 final class Chantier {
 
     private final Path dossier;

@@ -6,7 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Ce que répondent en chemin, pour un pixel, les méthodes du corrigé et celles de l'étudiant, et la première réponse qui s'écarte. */
+/**
+ * Ce que répondent en chemin, pour un pixel, les méthodes du corrigé et celles de l'étudiant, et la première réponse
+ * qui s'écarte.
+ */
 public final class Chemin implements Serializable {
 
     private static final long serialVersionUID = 1;

@@ -6,7 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Ce qui se note : les étapes de l'énoncé, dans son ordre, l'image, puis les variantes ; et pour chacune, ce qui compte. */
+/**
+ * Ce qui se note : les étapes de l'énoncé, dans son ordre, l'image, puis les variantes ; et pour chacune, ce qui
+ * compte.
+ */
 public final class Grille {
 
     /** Une ligne d'une étape. */
@@ -45,8 +48,8 @@ public final class Grille {
         for (Verification v : reference.getVerifications()) {
             ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""), v.id(), v.titre, reference.compte(v));
         }
-        ajouter("image", "L'image entière", IMAGE, "la scène du cours, par toutes les classes du rendu, est la même que celle du corrigé",
-                true);
+        ajouter("image", "L'image entière", IMAGE,
+                "la scène du cours, par toutes les classes du rendu, est la même que celle du corrigé", true);
         for (Variantes.Critere critere : Variantes.CRITERES) {
             ajouter(critere.variante, critere.titreVariante, critere.id(), critere.titre, true);
         }

@@ -16,7 +16,8 @@ import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.Modele;
 
 /**
- * Juge un rendu : toutes ses classes ensemble, puis chacune seule parmi celles du corrigé, pour qu'une faute ne cache pas les autres.
+ * Juge un rendu : toutes ses classes ensemble, puis chacune seule parmi celles du corrigé, pour qu'une faute ne cache
+ * pas les autres.
  */
 final class Juge {
 
@@ -27,7 +28,10 @@ final class Juge {
     /** Temps de processeur permis pour dessiner, en secondes. */
     private static final double TEMPS_IMAGE = 20;
 
-    /** Après autant d'arrêts dans une étape, le reste de l'étape n'est pas lancé ; dans un assemblage, le reste de celui-ci. */
+    /**
+     * Après autant d'arrêts dans une étape, le reste de l'étape n'est pas lancé ; dans un assemblage, le reste de
+     * celui-ci.
+     */
     private static final int ARRETS_PAR_ETAPE = 2;
     private static final int ARRETS_PAR_ASSEMBLAGE = 3;
 
@@ -113,7 +117,10 @@ final class Juge {
         return Source.memeCode(projet.texte(classe), Modele.squelette(classe));
     }
 
-    /** La classe de l'étudiant parmi celles du corrigé ; avec celles des siennes dont elle a besoin, si elle en a besoin. */
+    /**
+     * La classe de l'étudiant parmi celles du corrigé ; avec celles des siennes dont elle a besoin, si elle en a
+     * besoin.
+     */
     Assemblage seule(String classe) throws Arret {
         if (seules.containsKey(classe)) {
             return seules.get(classe);
@@ -131,7 +138,8 @@ final class Juge {
             for (String autre : Modele.classes()) {
                 String texte = projet.texte(autre);
                 if (texte != null && !autre.equals(classe) && !autre.equals("Main")
-                        && Pattern.compile("\\b" + autre + "\\b|\\." + autre.toLowerCase() + "\\b").matcher(projet.texte(classe)).find()) {
+                        && Pattern.compile("\\b" + autre + "\\b|\\." + autre.toLowerCase() + "\\b")
+                        .matcher(projet.texte(classe)).find()) {
                     nommees.add(autre);
                     sources.put("lancer/" + autre, texte);
                 }
@@ -142,7 +150,8 @@ final class Juge {
                 seule.fautes.stream().map(Faute::classe).filter(nommees::contains).forEach(cassees::add);
                 dependances.put(classe, cassees.isEmpty() ? String.join(", ", nommees) : String.join(", ", cassees));
             } else {
-                resultat.remarques.add(classe + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
+                resultat.remarques.add(classe
+                        + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
                         + String.join(", ", nommees));
             }
         }
@@ -167,7 +176,8 @@ final class Juge {
                 continue;
             }
             try {
-                verdicts.put(v.id(), lire(machine.demander(machine.calcul(), "T", assemblage.classes, v.classeJava, v.methode)));
+                verdicts.put(v.id(), lire(machine.demander(machine.calcul(), "T", assemblage.classes, v.classeJava,
+                        v.methode)));
             } catch (Arret e) {
                 dernier = e.getMessage();
                 total++;
@@ -209,8 +219,10 @@ final class Juge {
         if (verdict.etat == Etat.NON_COMMENCE) {
             // le jaune vif : à la première étape de getColor, elle n'est pas commencée ; aux suivantes, elle manque
             String besoin = verdict.message.contains("jaune vif") ? reference.besoin(v.etape) : "";
-            return verdict.message.startsWith("étape non évaluable") || !besoin.isEmpty() ? new Verdict(Etat.NON_EVALUABLE,
-                    (besoin.isEmpty() ? "" : "non évaluable : dépend de « " + besoin + " » ; ") + verdict.message) : verdict;
+            return verdict.message.startsWith("étape non évaluable") || !besoin.isEmpty()
+                    ? new Verdict(Etat.NON_EVALUABLE,
+                    (besoin.isEmpty() ? "" : "non évaluable : dépend de « " + besoin + " » ; ") + verdict.message)
+                    : verdict;
         }
         if (dependances.containsKey(v.classe) && verdict.message.startsWith("ne se compile pas")) {
             return new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe));
@@ -241,7 +253,7 @@ final class Juge {
             boolean meme = resultat.ecart.memeImage();
             resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "")
                     : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
-                            String.format(Locale.FRANCE, "%d pixels faux sur %d", resultat.ecart.faux, resultat.ecart.pixels)));
+                    String.format(Locale.FRANCE, "%d pixels faux sur %d", resultat.ecart.faux, resultat.ecart.pixels)));
             if (!meme) {
                 chercherLaFaute(image);
             }
@@ -268,13 +280,15 @@ final class Juge {
     private void chercherLaFaute(Image image) throws Arret {
         Image attendue = reference.getImage(resultat.centre);
         resultat.chemin = chemin(resultat.ecart.pireX, resultat.ecart.pireY);
-        // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où vient la faute
+        // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où vient la
+        // faute
         int pas = Math.max(1, image.pixels() / PIXELS_ESSAYES);
         for (int p = pas / 2; p < image.pixels(); p += pas) {
             if (Ecart.ecart(attendue, image, p) > 1) {
                 Chemin autre = chemin(p % LARGEUR, p / LARGEUR);
                 if (autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart()
-                        && (resultat.cheminPlusTot == null || autre.rangDuPremierEcart() < resultat.cheminPlusTot.rangDuPremierEcart())) {
+                        && (resultat.cheminPlusTot == null
+                        || autre.rangDuPremierEcart() < resultat.cheminPlusTot.rangDuPremierEcart())) {
                     resultat.cheminPlusTot = autre;
                 }
             }
@@ -296,7 +310,8 @@ final class Juge {
 
     private Chemin chemin(int x, int y) throws Arret {
         double decalage = resultat.centre ? 0.5 : 0;
-        String siens = sonde(ensemble, "SondeChemin", "decrire", scene(), "" + LARGEUR, "" + HAUTEUR, "" + x, "" + y, "" + PROFONDEUR);
+        String siens = sonde(ensemble, "SondeChemin", "decrire", scene(), "" + LARGEUR, "" + HAUTEUR, "" + x, "" + y,
+                "" + PROFONDEUR);
         return new Chemin(x, y, reference.chemin(x + decalage, y + decalage), siens);
     }
 
@@ -306,8 +321,9 @@ final class Juge {
 
     /** @throws IllegalStateException si les classes ne savent pas dessiner, avec pourquoi */
     Image image(Assemblage assemblage, double decalage) throws Arret {
-        return Image.lire(LARGEUR, HAUTEUR, sonde(assemblage, "SondeImage", "dessiner", scene(), "" + LARGEUR, "" + HAUTEUR,
-                "" + PROFONDEUR, "" + decalage));
+        return Image.lire(LARGEUR, HAUTEUR, sonde(assemblage, "SondeImage", "dessiner", scene(), "" + LARGEUR, ""
+                + HAUTEUR, "" + PROFONDEUR,
+                "" + decalage));
     }
 
     String sonde(Assemblage assemblage, String sonde, String methode, String... arguments) throws Arret {

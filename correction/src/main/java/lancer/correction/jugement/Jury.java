@@ -26,7 +26,10 @@ import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
 
-/** Juge tous les rendus, plusieurs à la fois, et se souvient de chacun : ce qui n'a pas changé n'est pas jugé de nouveau. */
+/**
+ * Juge tous les rendus, plusieurs à la fois, et se souvient de chacun : ce qui n'a pas changé n'est pas jugé de
+ * nouveau.
+ */
 public final class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
@@ -79,7 +82,8 @@ public final class Jury implements AutoCloseable {
 
     /** @param fini appelé pour chaque rendu, dès qu'il est jugé, avec son rang ; dans l'ordre où ils finissent */
     public List<Resultat> juger(List<Rendu> rendus, BiConsumer<Integer, Resultat> fini) {
-        int ensemble = Math.max(1, Math.min(ENSEMBLE_MAX, Math.min(rendus.size(), Runtime.getRuntime().availableProcessors())));
+        int ensemble = Math.max(1, Math.min(ENSEMBLE_MAX, Math.min(rendus.size(), Runtime.getRuntime()
+                .availableProcessors())));
         ExecutorService equipe = Executors.newFixedThreadPool(ensemble, tache -> {
             Thread fil = new Thread(tache, "jury");
             fil.setDaemon(true);
@@ -116,7 +120,8 @@ public final class Jury implements AutoCloseable {
             Thread.currentThread().interrupt();
             throw new Panne(1, "interrompu");
         } catch (ExecutionException e) {
-            throw e.getCause() instanceof Panne ? (Panne) e.getCause() : new Panne(1, "échec de la correction : " + e.getCause());
+            throw e.getCause() instanceof Panne ? (Panne) e.getCause()
+                    : new Panne(1, "échec de la correction : " + e.getCause());
         } finally {
             compilations.forEach(Machines.Compilation::close);
         }

@@ -33,14 +33,18 @@ final class Machines {
         this.limites = limites;
     }
 
-    /** Là d'où viennent JUnit, ini4j, le compilateur et nous ; jamais la base, même si elle est dans le chemin des classes. */
+    /**
+     * Là d'où viennent JUnit, ini4j, le compilateur et nous ; jamais la base, même si elle est dans le chemin des
+     * classes.
+     */
     private static String chemin() {
         Set<String> lieux = new LinkedHashSet<>();
-        for (Class<?> classe : List.of(Execution.class, Launcher.class, TestEngine.class, Test.class, JUnitException.class,
-                AssertionFailedError.class, Ini.class)) {
+        for (Class<?> classe : List.of(Execution.class, Launcher.class, TestEngine.class, Test.class,
+                JUnitException.class, AssertionFailedError.class, Ini.class)) {
             lieux.add(lieu(classe));
         }
-        for (String nom : List.of("org.junit.jupiter.engine.JupiterTestEngine", "org.eclipse.jdt.internal.compiler.tool.EclipseCompiler")) {
+        for (String nom : List.of("org.junit.jupiter.engine.JupiterTestEngine",
+                "org.eclipse.jdt.internal.compiler.tool.EclipseCompiler")) {
             try {
                 lieux.add(lieu(Class.forName(nom, false, Machines.class.getClassLoader())));
             } catch (ClassNotFoundException e) {
@@ -128,7 +132,8 @@ final class Machines {
                 for (byte b : hasard) {
                     motDePasse.append(String.format("%02x", b));
                 }
-                enfant = new Enfant(confinement.java(Execution.class, chemin(), dossier, false, limites), motDePasse + "\t", limites);
+                enfant = new Enfant(confinement.java(Execution.class, chemin(), dossier, false, limites), motDePasse
+                        + "\t", limites);
                 enfant.dire(motDePasse.toString());
             }
             try {

@@ -17,12 +17,13 @@ import lancer.correction.jugement.Chantier.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
 
 /**
- * À quoi l'on compare : le corrigé, jugé comme un rendu, et le projet à compléter, qui dit ce que l'on réussit sans rien faire. Une
- * vérification ne compte que si le corrigé la passe et que le projet à compléter ne la passe pas.
+ * À quoi l'on compare : le corrigé, jugé comme un rendu, et le projet à compléter, qui dit ce que l'on réussit sans
+ * rien faire. Une vérification ne compte que si le corrigé la passe et que le projet à compléter ne la passe pas.
  */
 public final class Reference implements AutoCloseable {
 
-    private static final Map<String, String> BESOINS = Map.of("phong", "lambert", "ombres", "lambert", "reflets", "lambert");
+    private static final Map<String, String> BESOINS = Map.of("phong", "lambert", "ombres", "lambert", "reflets",
+            "lambert");
 
     /** Ce qu'on en garde d'une fois à l'autre. */
     private static final class Memoire implements Serializable {
@@ -67,11 +68,13 @@ public final class Reference implements AutoCloseable {
         memoire.coins = corrige.image(assemblage, 0);
         memoire.centres = corrige.image(assemblage, 0.5);
         Path vide = creer(dossier.resolve("squelette"));
-        try (Machines.Compilation compilation = machines.new Compilation(vide); Machines.Rendue autre = machines.new Rendue(vide)) {
+        try (Machines.Compilation compilation = machines.new Compilation(vide);
+                Machines.Rendue autre = machines.new Rendue(vide)) {
             Projet projet = new Projet(Chantier.squelette(), Collections.emptyMap(), new ArrayList<>());
             Chantier autreChantier = new Chantier(vide, compilation);
             Juge juge = new Juge(this, autreChantier, autre, projet);
-            memoire.duSquelette.putAll(juge.lancer(autreChantier.assembler("ensemble", projet.getBase()), memoire.verifications));
+            memoire.duSquelette.putAll(juge.lancer(autreChantier.assembler("ensemble", projet.getBase()),
+                    memoire.verifications));
             for (Verification v : memoire.verifications) {
                 if (memoire.duSquelette.get(v.id()).etat != Etat.REUSSI) {
                     memoire.duSquelette.put(v.id(), juge.lancer(juge.seule(v.classe), List.of(v)).get(v.id()));
@@ -130,7 +133,8 @@ public final class Reference implements AutoCloseable {
     /** Ce que répondent, en chemin, les méthodes du corrigé. */
     synchronized String chemin(double x, double y) throws Arret {
         preparer();
-        return corrige.sonde(assemblage, "SondeChemin", "decrire", corrige.scene(), "" + Juge.LARGEUR, "" + Juge.HAUTEUR, "" + x, "" + y,
+        return corrige.sonde(assemblage, "SondeChemin", "decrire", corrige.scene(), "" + Juge.LARGEUR, ""
+                + Juge.HAUTEUR, "" + x, "" + y,
                 "" + Juge.PROFONDEUR);
     }
 
@@ -143,8 +147,8 @@ public final class Reference implements AutoCloseable {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return corrige.sonde(assemblage, "SondeVariantes", "blinn", copie.toString(), "" + Juge.LARGEUR, "" + Juge.HAUTEUR, "" + decalage,
-                "" + facteur);
+        return corrige.sonde(assemblage, "SondeVariantes", "blinn", copie.toString(), "" + Juge.LARGEUR, ""
+                + Juge.HAUTEUR, "" + decalage, "" + facteur);
     }
 
     @Override

@@ -18,7 +18,8 @@ final class Souvenirs {
 
     /** @return {@code null} s'il n'y en a pas, ou s'il est d'une autre version */
     static Object relire(Path souvenir) {
-        try (InputStream flux = Files.newInputStream(souvenir); ObjectInputStream objets = new ObjectInputStream(flux)) {
+        try (InputStream flux = Files.newInputStream(souvenir);
+                ObjectInputStream objets = new ObjectInputStream(flux)) {
             return objets.readObject();
         } catch (IOException | ClassNotFoundException | RuntimeException e) {
             return null;
@@ -28,7 +29,8 @@ final class Souvenirs {
     static void ecrire(Path souvenir, Serializable valeur) throws IOException {
         // deux rendus identiques peuvent s'écrire en même temps
         Path neuf = Files.createTempFile(souvenir.getParent(), "neuf", null);
-        try (OutputStream flux = Files.newOutputStream(neuf); ObjectOutputStream objets = new ObjectOutputStream(flux)) {
+        try (OutputStream flux = Files.newOutputStream(neuf);
+                ObjectOutputStream objets = new ObjectOutputStream(flux)) {
             objets.writeObject(valeur);
         }
         Files.move(neuf, souvenir, StandardCopyOption.REPLACE_EXISTING);

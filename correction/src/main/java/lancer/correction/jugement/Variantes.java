@@ -13,8 +13,8 @@ import lancer.correction.jugement.Chantier.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
 
 /**
- * Ce qu'on vérifie des variantes, chacune par rapport à la base du même étudiant : ses fautes, s'il y en a, sont des deux côtés, et ne
- * comptent pas deux fois.
+ * Ce qu'on vérifie des variantes, chacune par rapport à la base du même étudiant : ses fautes, s'il y en a, sont des
+ * deux côtés, et ne comptent pas deux fois.
  */
 final class Variantes {
 
@@ -42,12 +42,14 @@ final class Variantes {
             new Critere("brume", "Extension : brume", "bornee", "k est entre 0 et 1, et n'est pas toujours nul"),
             new Critere("brume", "Extension : brume", "croissante", "k croît avec la distance"),
             new Critere("brume", "Extension : brume", "melange",
-                    "la couleur est k fois celle de la brume, plus (1 - k) fois celle de l'objet"),
-            new Critere("antialias", "Extension : anticrénelage", "bords", "les bords approchent la moyenne de plusieurs rayons par pixel"),
+            "la couleur est k fois celle de la brume, plus (1 - k) fois celle de l'objet"),
+            new Critere("antialias", "Extension : anticrénelage", "bords",
+            "les bords approchent la moyenne de plusieurs rayons par pixel"),
             new Critere("antialias", "Extension : anticrénelage", "ailleurs", "hors des bords, l'image ne change pas"),
             new Critere("blinn", "Extension : reflet de Blinn", "etalement",
-                    "pour un même ns, le reflet est plus étalé que celui de Phong"),
-            new Critere("blinn", "Extension : reflet de Blinn", "formule", "le reflet est (N.H) à la puissance ns, ou 2 ns"));
+            "pour un même ns, le reflet est plus étalé que celui de Phong"),
+            new Critere("blinn", "Extension : reflet de Blinn", "formule",
+            "le reflet est (N.H) à la puissance ns, ou 2 ns"));
 
     /** Distances, sur leur rayon, des boules de la scène de la brume. */
     private static final double[] DISTANCES = {3, 5, 8, 13, 30, 80};
@@ -112,13 +114,15 @@ final class Variantes {
     }
 
     private Image image(Assemblage assemblage, String scene, int profondeur) throws Arret {
-        return Image.lire(Juge.LARGEUR, Juge.HAUTEUR, juge.sonde(assemblage, "SondeImage", "dessiner", scene, "" + Juge.LARGEUR,
-                "" + Juge.HAUTEUR, "" + profondeur, "0"));
+        return Image.lire(Juge.LARGEUR, Juge.HAUTEUR, juge.sonde(assemblage, "SondeImage", "dessiner", scene, ""
+                + Juge.LARGEUR, "" + Juge.HAUTEUR,
+                "" + profondeur, "0"));
     }
 
     /**
-     * Deux boules, l'une claire, l'autre sombre, à chaque distance, face à une lampe placée dans l'œil. De la différence de leurs
-     * couleurs, avec brume et sans, on tire k sans connaître la couleur de la brume ; puis cette couleur.
+     * Deux boules, l'une claire, l'autre sombre, à chaque distance, face à une lampe placée dans l'œil. De la
+     * différence de leurs couleurs, avec brume et sans, on tire k sans connaître la couleur de la brume ; puis cette
+     * couleur.
      */
     private void brume(Assemblage assemblage) throws Arret {
         double focale = 1 / Math.tan(Math.toRadians(15));
@@ -129,8 +133,9 @@ final class Variantes {
                 double y = 0.6 - 0.2 * i;
                 double norme = Math.sqrt(x * x + y * y + focale * focale);
                 double t = DISTANCES[i] / norme;
-                texte.append(String.format(Locale.ROOT, "[Sphere %d %d]\ncentre=%.9f %.9f %.9f\nrayon=%.9f\nKd=%s\nKs=0 0 0\nns=1\n", i,
-                        cote, x + t * x, y + t * y, t * focale, 0.06 * (1 + t), cote < 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1"));
+                texte.append(String.format(Locale.ROOT,
+                        "[Sphere %d %d]\ncentre=%.9f %.9f %.9f\nrayon=%.9f\nKd=%s\nKs=0 0 0\nns=1\n", i, cote,
+                        x + t * x, y + t * y, t * focale, 0.06 * (1 + t), cote < 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1"));
             }
         }
         texte.append(String.format(Locale.ROOT, "[Lampe 1]\nposition=0 0 %.9f\ncouleur=1 1 1\n", -focale));
@@ -159,27 +164,32 @@ final class Variantes {
             bornee &= k[i] >= -PRES && k[i] <= 1 + PRES;
             croissante &= i == 0 || k[i] >= k[i - 1] - PRES;
         }
-        dire("brume.bornee", bornee && k[k.length - 1] > PRES, "attendu : de 0 à 1 ; obtenu, selon la distance : " + suite);
-        dire("brume.croissante", croissante && k[k.length - 1] > k[0] + PRES, "attendu : plus loin, plus de brume ; obtenu : " + suite);
-        dire("brume.melange", brumeMin <= brumeMax && brumeMax - brumeMin < 0.02 && brumeMin > -PRES, brumeMin > brumeMax
-                ? "pas assez de brume pour en voir la couleur : " + suite
-                : String.format(Locale.FRANCE, "attendu : une même couleur de brume à toute distance ; obtenu : de %.3f à %.3f",
-                        brumeMin, brumeMax));
+        dire("brume.bornee", bornee && k[k.length - 1] > PRES, "attendu : de 0 à 1 ; obtenu, selon la distance : "
+                + suite);
+        dire("brume.croissante", croissante && k[k.length - 1] > k[0] + PRES,
+                "attendu : plus loin, plus de brume ; obtenu : " + suite);
+        dire("brume.melange", brumeMin <= brumeMax && brumeMax - brumeMin < 0.02 && brumeMin > -PRES,
+                brumeMin > brumeMax ? "pas assez de brume pour en voir la couleur : " + suite
+                : String.format(Locale.FRANCE,
+                "attendu : une même couleur de brume à toute distance ; obtenu : de %.3f à %.3f", brumeMin, brumeMax));
     }
 
     private void antialias(Assemblage assemblage) throws Arret {
         String scene = dossier.resolve("scenes/scene1.ini").toString();
         int hauteur = COTE * 3 / 4;
-        Image lui = Image.lire(COTE, hauteur, juge.sonde(assemblage, "SondeVariantes", "tracer", scene, "" + COTE, "" + hauteur, "1"));
-        Image simple = Image.lire(COTE, hauteur, juge.sonde(base, "SondeVariantes", "tracer", scene, "" + COTE, "" + hauteur, "1"));
+        Image lui = Image.lire(COTE, hauteur, juge.sonde(assemblage, "SondeVariantes", "tracer", scene, "" + COTE, ""
+                + hauteur, "1"));
+        Image simple = Image.lire(COTE, hauteur, juge.sonde(base, "SondeVariantes", "tracer", scene, "" + COTE, ""
+                + hauteur, "1"));
         double meilleur = Double.POSITIVE_INFINITY;
         double ailleurs = Double.POSITIVE_INFINITY;
         for (int n : FINESSES) {
             for (double debut : DEBUTS) {
                 // sous-pixels centrés, pris au coin, ou autour des coordonnées entières
                 double depart = debut < 0 ? -0.5 + 0.5 / n : debut / n;
-                Image moyenne = Image.lire(COTE, hauteur, juge.sonde(base, "SondeVariantes", "moyenne", scene, "" + COTE,
-                        "" + hauteur, "1", "" + n, "" + depart));
+                Image moyenne = Image.lire(COTE, hauteur, juge.sonde(base, "SondeVariantes", "moyenne", scene, ""
+                        + COTE, "" + hauteur, "1", "" + n,
+                        "" + depart));
                 double[] restes = restes(lui, simple, moyenne);
                 if (restes[0] < meilleur) {
                     meilleur = restes[0];
@@ -188,11 +198,13 @@ final class Variantes {
             }
         }
         dire("antialias.bords", meilleur < RESTE, String.format(Locale.FRANCE,
-                "aux bords, il reste %.0f %% de l'écart entre votre image sans anticrénelage et la moyenne de vos rayons ; "
-                        + "attendu : moins de %.0f %%",
+                "aux bords, il reste %.0f %% de l'écart entre votre image sans anticrénelage et la moyenne de vos "
+                + "rayons ; attendu : moins de %.0f %%",
                 100 * meilleur, 100 * RESTE));
-        dire("antialias.ailleurs", meilleur < RESTE && ailleurs < AILLEURS, meilleur < RESTE ? String.format(Locale.FRANCE,
-                "hors des bords, l'image change de %.1f niveaux", ailleurs) : "sans anticrénelage aux bords, rien à vérifier ailleurs");
+        dire("antialias.ailleurs", meilleur < RESTE && ailleurs < AILLEURS, meilleur < RESTE
+                ? String.format(Locale.FRANCE,
+                "hors des bords, l'image change de %.1f niveaux", ailleurs)
+                : "sans anticrénelage aux bords, rien à vérifier ailleurs");
     }
 
     /** La part qui reste de l'écart à la moyenne, là où il y en a ; et l'écart ailleurs. */
@@ -212,17 +224,20 @@ final class Variantes {
                 reste++;
             }
         }
-        return new double[] {avant > 0 ? Math.sqrt(apres / avant) : Double.POSITIVE_INFINITY, Math.sqrt(autour / Math.max(1, reste))};
+        return new double[] {avant > 0 ? Math.sqrt(apres / avant) : Double.POSITIVE_INFINITY,
+                Math.sqrt(autour / Math.max(1, reste))};
     }
 
     private void blinn(Assemblage assemblage) throws Arret {
-        String scene = scene("blinn", "[Sphere 1]\ncentre=0 0 5\nrayon=1.5\nKd=0 0 0\nKs=1 1 1\nns=5\n"
-                + "[Lampe 1]\nposition=-4 3 -3\ncouleur=1 1 1\n");
+        String scene = scene("blinn",
+                "[Sphere 1]\ncentre=0 0 5\nrayon=1.5\nKd=0 0 0\nKs=1 1 1\nns=5\n[Lampe 1]\nposition=-4 3 "
+                + "-3\ncouleur=1 1 1\n");
         Image phong = image(base, scene, 0);
         Image lui = image(assemblage, scene, 0);
         int etalePhong = etale(phong);
         int etaleLui = etale(lui);
-        dire("blinn.etalement", etaleLui > 1.3 * etalePhong, "pixels où le reflet vaut plus de la moitié de son maximum : " + etaleLui
+        dire("blinn.etalement", etaleLui > 1.3 * etalePhong,
+                "pixels où le reflet vaut plus de la moitié de son maximum : " + etaleLui
                 + ", avec Phong " + etalePhong + " ; attendu : nettement plus");
         boolean juste = false;
         for (int facteur = 1; facteur <= 2; facteur++) {
@@ -231,7 +246,8 @@ final class Variantes {
                 juste |= new Ecart(formule, lui).memeImage();
             }
         }
-        dire("blinn.formule", juste, "l'image d'une boule noire et brillante n'est celle ni de (N.H)^ns, ni de (N.H)^2ns");
+        dire("blinn.formule", juste,
+                "l'image d'une boule noire et brillante n'est celle ni de (N.H)^ns, ni de (N.H)^2ns");
     }
 
     /** Les pixels du milieu, sur la boule, où le reflet vaut plus de la moitié de son maximum. */

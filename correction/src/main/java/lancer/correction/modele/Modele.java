@@ -8,8 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même texte dit les
- * deux : entre {@code //&#123;} et {@code //=}, la réponse ; de là à {@code //&#125;}, ce que le squelette a à sa place.
+ * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même
+ * texte dit les deux : entre {@code //&#123;} et {@code //=}, la réponse ; de là à {@code //&#125;}, ce que le
+ * squelette a à sa place.
  */
 public final class Modele {
 
@@ -24,7 +25,8 @@ public final class Modele {
     /** Ce qui interroge les classes d'un étudiant, compilé contre elles. */
     public static final List<String> SONDES = List.of("SondeImage", "SondeChemin", "SondeVariantes");
 
-    public static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume", "foule");
+    public static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
+            "foule");
 
     private Modele() {
     }

@@ -10,7 +10,9 @@ import java.util.List;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
 
-/** Écrit le projet que les étudiants reçoivent : les classes à compléter, les scènes, {@code Tests}, de quoi construire. */
+/**
+ * Écrit le projet que les étudiants reçoivent : les classes à compléter, les scènes, {@code Tests}, de quoi construire.
+ */
 public final class Squelette {
 
     private Squelette() {
@@ -23,7 +25,8 @@ public final class Squelette {
             if (Files.exists(racine)) {
                 try (Stream<Path> contenu = Files.list(racine)) {
                     if (contenu.findAny().isPresent()) {
-                        throw new Panne(2, "le dossier n'est pas vide : " + dossier + " ; attendu : un dossier vide, ou qui n'existe pas");
+                        throw new Panne(2, "le dossier n'est pas vide : " + dossier
+                                + " ; attendu : un dossier vide, ou qui n'existe pas");
                     }
                 }
             }
@@ -31,7 +34,8 @@ public final class Squelette {
             for (String classe : Modele.classes()) {
                 ecrire(sources.resolve(classe + ".java"), Modele.squelette(classe));
             }
-            ecrire(Files.createDirectories(racine.resolve("src/test/java/lancer")).resolve("Tests.java"), Modele.tests());
+            ecrire(Files.createDirectories(racine.resolve("src/test/java/lancer")).resolve("Tests.java"),
+                    Modele.tests());
             Path scenes = Files.createDirectories(racine.resolve("scenes"));
             for (String scene : Modele.SCENES) {
                 ecrire(scenes.resolve(scene + ".ini"), Modele.scene(scene));

@@ -27,9 +27,9 @@ import org.apache.commons.csv.CSVRecord;
 import org.apache.commons.csv.QuoteMode;
 
 /**
- * La feuille de notes de Moodle, dont on ne change que les cases de la note et du commentaire (moodle,
- * {@code mod/assign/feedback/offline/importgradeslib.php}). Une note vide est ignorée par Moodle, mais un commentaire vide efface celui
- * qui y est : une case où il n'y a rien à dire est recopiée.
+ * La feuille de notes de Moodle, dont on ne change que les cases de la note et du commentaire (moodle, {@code
+ * mod/assign/feedback/offline/importgradeslib.php}). Une note vide est ignorée par Moodle, mais un commentaire vide
+ * efface celui qui y est : une case où il n'y a rien à dire est recopiée.
  */
 public final class FeuilleMoodle {
 
@@ -54,7 +54,8 @@ public final class FeuilleMoodle {
         try {
             texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier))).toString();
         } catch (CharacterCodingException e) {
-            throw new Panne(2, fichier + " : n'est pas en UTF-8 ; attendu : la feuille de notes telle que Moodle la donne");
+            throw new Panne(2, fichier
+                    + " : n'est pas en UTF-8 ; attendu : la feuille de notes telle que Moodle la donne");
         } catch (IOException e) {
             throw new Panne(2, "feuille de notes illisible : " + fichier + " (" + e.getMessage() + ")");
         }
@@ -88,11 +89,13 @@ public final class FeuilleMoodle {
     public void ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
         Map<String, Eleve> parId = new HashMap<>();
         eleves.forEach(e -> parId.put(e.rendu.getId(), e));
-        try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"), StandardCharsets.UTF_8)) {
+        try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"),
+                StandardCharsets.UTF_8)) {
             if (bom) {
                 texte.write(BOM);
             }
-            CSVFormat format = CSVFormat.DEFAULT.builder().setRecordSeparator('\n').setQuoteMode(QuoteMode.MINIMAL).get();
+            CSVFormat format = CSVFormat.DEFAULT.builder().setRecordSeparator('\n').setQuoteMode(QuoteMode.MINIMAL)
+                    .get();
             try (CSVPrinter csv = new CSVPrinter(texte, format)) {
                 for (int k = 0; k < lignes.size(); k++) {
                     List<String> ligne = new ArrayList<>(lignes.get(k));
@@ -114,12 +117,15 @@ public final class FeuilleMoodle {
         }
         if (!eleve.illisible()) {
             double sur = maximum(ligne, bareme.total());
-            ligne.set(note, String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.note.total() / bareme.total() * sur)));
+            ligne.set(note, String.format(Locale.ROOT, "%.2f",
+                    Math.min(sur, eleve.note.total() / bareme.total() * sur)));
         }
         if (commentaire >= 0 && commentaire < ligne.size()) {
             // ce que l'enseignant y a mis reste ; ce que nous y avions mis est refait
-            String dit = ligne.get(commentaire).replaceFirst("\\s*" + Pattern.quote(DEBUT) + ".*" + Pattern.quote(FIN), "").trim();
-            ligne.set(commentaire, (dit.isEmpty() ? "" : dit + " ") + DEBUT + (eleve.illisible() ? "rendu qui n'a pas pu être jugé"
+            String dit = ligne.get(commentaire).replaceFirst("\\s*" + Pattern.quote(DEBUT) + ".*" + Pattern.quote(FIN),
+                    "").trim();
+            ligne.set(commentaire, (dit.isEmpty() ? "" : dit + " ") + DEBUT
+                    + (eleve.illisible() ? "rendu qui n'a pas pu être jugé"
                     : "étape atteinte, « " + eleve.note.getAtteinte() + " »") + FIN);
         }
     }
@@ -141,7 +147,8 @@ public final class FeuilleMoodle {
             for (Eleve eleve : eleves) {
                 if (eleve.rendu.getId().matches("\\d+")) {
                     String nom = eleve.rendu.getNom().replaceAll("[_/\\\\\\p{Cntrl}]", " ").replaceFirst("^[.~]+", "");
-                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.rendu.getId() + "_assignsubmission_file/correction.html"));
+                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.rendu.getId()
+                            + "_assignsubmission_file/correction.html"));
                     zip.write(Files.readAllBytes(dossier.resolve("etudiants").resolve(eleve.page)));
                     zip.closeEntry();
                 }

@@ -6,7 +6,10 @@ import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
 
-/** La note d'un rendu : par étape, la part des critères réussis. Ce qui n'est pas évaluable ne rapporte rien, et n'est pas une faute. */
+/**
+ * La note d'un rendu : par étape, la part des critères réussis. Ce qui n'est pas évaluable ne rapporte rien, et n'est
+ * pas une faute.
+ */
 public final class Note {
 
     /** Une étape notée. */

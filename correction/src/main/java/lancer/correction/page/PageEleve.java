@@ -58,8 +58,9 @@ final class PageEleve {
             for (Grille.Critere critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdicts.get(critere.id);
                 if (verdict != null && verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
-                    html.brut("<p class=\"avis\">À reprendre d'abord : ").element("strong", etape.titre).dire(", " + critere.titre)
-                            .brut("<br>").element("code", verdict.message).brut("</p>\n");
+                    html.brut("<p class=\"avis\">À reprendre d'abord : ").element("strong", etape.titre)
+                            .dire(", " + critere.titre).brut("<br>")
+                            .element("code", verdict.message).brut("</p>\n");
                     return;
                 }
             }
@@ -77,10 +78,10 @@ final class PageEleve {
     private void fautes() {
         List<Faute> fautes = eleve.resultat.fautes;
         if (!fautes.isEmpty()) {
-            html.brut("<h2>").dire(fautes.size() == 1 ? "Une faute de compilation" : fautes.size() + " fautes de compilation")
-                    .brut("</h2>\n")
-                    .element("p class=\"petit gris\"", "Seules les méthodes où elles sont en souffrent ; le reste a été jugé.")
-                    .brut("<ul>");
+            html.brut("<h2>").dire(fautes.size() == 1 ? "Une faute de compilation" : fautes.size()
+                    + " fautes de compilation").brut("</h2>\n")
+                    .element("p class=\"petit gris\"",
+                    "Seules les méthodes où elles sont en souffrent ; le reste a été jugé.").brut("<ul>");
             for (Faute faute : fautes.stream().limit(FAUTES_MONTREES).collect(Collectors.toList())) {
                 html.brut("<li>").element("code", faute).brut("</li>");
             }
@@ -89,12 +90,14 @@ final class PageEleve {
     }
 
     private void etapes() {
-        html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th class=\"n\">points<th>détail</tr>\n");
+        html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
+                + "class=\"n\">points<th>détail</tr>\n");
         for (Grille.Etape etape : grille.getEtapes()) {
             Note.Part part = eleve.note.part(etape.nom);
             html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"n\"><span class=\"e " + classe(part) + "\">"
-                    + part.reussis + "/" + part.comptent + "</span><td class=\"n\">")
-                    .dire(Html.nombre(part.points) + " / " + Html.nombre(part.poids)).brut("<td>");
+                    + part.reussis + "/" + part.comptent
+                    + "</span><td class=\"n\">").dire(Html.nombre(part.points) + " / " + Html.nombre(part.poids))
+                    .brut("<td>");
             for (Grille.Critere critere : etape.criteres) {
                 critere(critere);
             }
@@ -106,8 +109,8 @@ final class PageEleve {
     private void critere(Grille.Critere critere) {
         Verdict verdict = eleve.resultat.verdicts.get(critere.id);
         Verdict.Etat etat = verdict == null ? Verdict.Etat.NON_COMMENCE : verdict.etat;
-        String css = etat == Verdict.Etat.REUSSI ? "reussi" : etat == Verdict.Etat.CACHE ? "cache" : etat == Verdict.Etat.RATE
-                ? "rate" : "vide";
+        String css = etat == Verdict.Etat.REUSSI ? "reussi" : etat == Verdict.Etat.CACHE ? "cache"
+                : etat == Verdict.Etat.RATE ? "rate" : "vide";
         boolean muet = verdict == null || verdict.message.isEmpty();
         html.brut(muet ? "<div>" : "<details" + (etat == Verdict.Etat.RATE ? " open" : "") + "><summary>")
                 .brut("<span class=\"e " + css + "\">").dire(etat.texte).brut("</span> ").dire(critere.titre)
@@ -120,8 +123,8 @@ final class PageEleve {
     }
 
     static String classe(Note.Part part) {
-        return part.complete() ? "complet" : part.reussis > 0 ? "partiel" : part.nonEvaluables + part.nonCommences == part.comptent
-                ? "vide" : "rate";
+        return part.complete() ? "complet" : part.reussis > 0 ? "partiel" : part.nonEvaluables
+                + part.nonCommences == part.comptent ? "vide" : "rate";
     }
 
     private void images() {
@@ -134,12 +137,13 @@ final class PageEleve {
         Image lui = resultat.image;
         Image nous = reference.getImage(resultat.centre);
         Ecart ecart = resultat.ecart;
-        html.brut("<p>").dire(ecart.memeImage() ? "La même image que celle du corrigé" : "Une autre image que celle du corrigé")
-                .dire(String.format(Locale.FRANCE, " : écart quadratique moyen %.2f niveaux sur 255, %d pixels faux sur %d "
-                        + "(plus de 8 niveaux)",
+        html.brut("<p>").dire(ecart.memeImage() ? "La même image que celle du corrigé"
+                : "Une autre image que celle du corrigé")
+                .dire(String.format(Locale.FRANCE,
+                " : écart quadratique moyen %.2f niveaux sur 255, %d pixels faux sur %d (plus de 8 niveaux)",
                         ecart.rmse, ecart.faux, ecart.pixels))
                 .dire(resultat.centre ? " ; les rayons passent par le centre des pixels."
-                        : " ; les rayons passent par les coordonnées entières.");
+                : " ; les rayons passent par les coordonnées entières.");
         if (!resultat.classesFautives.isEmpty()) {
             html.dire(" Seules parmi les classes du corrigé, changent l'image : ")
                     .element("strong", String.join(", ", resultat.classesFautives)).dire(".");
@@ -148,7 +152,8 @@ final class PageEleve {
         figure("la vôtre", Html.image(lui.largeur, lui.hauteur, lui::code, "l'image du rendu"));
         figure("celle du corrigé", Html.image(nous.largeur, nous.hauteur, nous::code, "l'image du corrigé"));
         figure("leur différence, quatre fois plus forte", Html.image(lui.largeur, lui.hauteur,
-                (x, y) -> difference(lui.code(x, y), nous.code(x, y)), "la différence des deux images"));
+                (x, y) -> difference(lui.code(x, y), nous.code(x, y)),
+                "la différence des deux images"));
     }
 
     private void figure(String legende, String image) {
@@ -200,7 +205,8 @@ final class PageEleve {
         StringBuilder texte = new StringBuilder();
         for (String mot : nombres.split(" ")) {
             try {
-                texte.append(texte.length() > 0 ? "  " : "").append(String.format(Locale.ROOT, "%.6g", Double.parseDouble(mot)));
+                texte.append(texte.length() > 0 ? "  " : "").append(String.format(Locale.ROOT, "%.6g",
+                        Double.parseDouble(mot)));
             } catch (NumberFormatException e) {
                 return nombres;
             }

@@ -54,14 +54,15 @@ public final class Pages {
     }
 
     private void tableau(Path fichier, List<Eleve> eleves) throws IOException {
-        List<String> titres = new ArrayList<>(List.of("identifiant", "nom", "note", "sur", "étape atteinte", "image identique", "refus"));
+        List<String> titres = new ArrayList<>(List.of("identifiant", "nom", "note", "sur", "étape atteinte",
+                "image identique", "refus"));
         grille.getEtapes().forEach(e -> titres.add(e.nom));
         try (BufferedWriter texte = Files.newBufferedWriter(fichier, StandardCharsets.UTF_8);
                 CSVPrinter csv = new CSVPrinter(texte, CSVFormat.DEFAULT)) {
             csv.printRecord(titres);
             for (Eleve e : eleves) {
-                List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.rendu.getId()), sansFormule(e.rendu.getNom()),
-                        nombre(e.note.total()), nombre(bareme.total()),
+                List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.rendu.getId()),
+                        sansFormule(e.rendu.getNom()), nombre(e.note.total()), nombre(bareme.total()),
                         e.note.getAtteinte(), e.resultat.ecart != null && e.resultat.ecart.memeImage() ? "oui" : "non",
                         sansFormule(String.join(" ; ", e.resultat.refus))));
                 for (Grille.Etape etape : grille.getEtapes()) {
@@ -86,7 +87,8 @@ public final class Pages {
         Html html = new Html();
         long lisibles = eleves.stream().filter(e -> !e.illisible()).count();
         html.element("h1", "La classe").brut("<p>").dire(eleves.size() + (eleves.size() > 1 ? " rendus" : " rendu"))
-                .dire(lisibles < eleves.size() ? ", dont " + (eleves.size() - lisibles) + " que l'on n'a pas pu juger" : "");
+                .dire(lisibles < eleves.size() ? ", dont " + (eleves.size() - lisibles) + " que l'on n'a pas pu juger"
+                : "");
         if (lisibles > 0) {
             html.dire(" ; moyenne " + (lisibles < eleves.size() ? "des autres " : "")
                     + Html.nombre(eleves.stream().filter(e -> !e.illisible())
@@ -94,7 +96,8 @@ public final class Pages {
         }
         html.brut("</p>\n");
         if (!confinement.estConfine()) {
-            html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + confinement.getManque()
+            html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : "
+                    + confinement.getManque()
                     + ". Il a pu lire et écrire les fichiers de cette machine.");
         }
         html.element("h2", "Où la classe s'arrête").brut(graphique(eleves));
@@ -106,9 +109,10 @@ public final class Pages {
         for (Eleve eleve : eleves) {
             ligne(html, eleve);
         }
-        html.brut("</table>\n<p class=\"petit gris\">").dire("Dans chaque case, les vérifications réussies, toutes les classes ensemble "
-                + "ou chacune seule parmi celles du corrigé. Vert : tout ; jaune : une partie ; rouge : rien ; gris : pas commencé, ou "
-                + "non évaluable.").brut("</p>\n");
+        html.brut("</table>\n<p class=\"petit gris\">")
+                .dire("Dans chaque case, les vérifications réussies, toutes les classes ensemble ou chacune seule "
+                + "parmi celles du corrigé. Vert : tout ; jaune : une partie ; rouge : rien ; gris : pas commencé, "
+                + "ou non évaluable.").brut("</p>\n");
         return html.page("La classe");
     }
 
@@ -116,20 +120,25 @@ public final class Pages {
         html.brut("<tr><td class=\"vignette\">");
         Image image = eleve.resultat.image;
         if (image != null) {
-            html.brut(Html.image(image.largeur / 2, image.hauteur / 2, (x, y) -> image.code(2 * x, 2 * y), "son image"));
+            html.brut(Html.image(image.largeur / 2, image.hauteur / 2, (x, y) -> image.code(2 * x, 2 * y),
+                    "son image"));
         }
-        html.brut("<td><a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.rendu.getNom()).brut("</a><td class=\"petit gris\">")
+        html.brut("<td><a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.rendu.getNom())
+                .brut("</a><td class=\"petit gris\">")
                 .dire(eleve.rendu.getId());
         if (eleve.illisible()) {
             html.brut("<td class=\"n\">–<td colspan=\"" + (grille.getEtapes().size() + 1) + "\">")
-                    .dire("non jugé : " + String.join(" ; ", eleve.resultat.refus)).brut("</tr>\n");
+                    .dire("non jugé : " + String.join(" ; ", eleve.resultat.refus))
+                    .brut("</tr>\n");
             return;
         }
-        html.brut("<td class=\"n\">").dire(String.format(Locale.FRANCE, "%.2f", eleve.note.total())).brut("<td class=\"petit\">")
+        html.brut("<td class=\"n\">").dire(String.format(Locale.FRANCE, "%.2f", eleve.note.total()))
+                .brut("<td class=\"petit\">")
                 .dire(eleve.note.getAtteinte());
         for (Grille.Etape etape : grille.getEtapes()) {
             Note.Part part = eleve.note.part(etape.nom);
-            html.brut("<td class=\"c\"><span class=\"e " + PageEleve.classe(part) + "\">" + part.reussis + "/" + part.comptent + "</span>");
+            html.brut("<td class=\"c\"><span class=\"e " + PageEleve.classe(part) + "\">" + part.reussis + "/"
+                    + part.comptent + "</span>");
         }
         html.brut("</tr>\n");
     }
@@ -142,7 +151,8 @@ public final class Pages {
         List<Grille.Etape> etapes = grille.getEtapes();
         StringBuilder svg = new StringBuilder("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"940\" height=\""
                 + (etapes.size() * pas + 6)
-                + "\" role=\"img\" aria-label=\"pour chaque étape, combien d'étudiants réussissent tout, une partie, rien\">");
+                + "\" role=\"img\" aria-label=\"pour chaque étape, combien d'étudiants réussissent tout, une partie, "
+                + "rien\">");
         int perteMax = 0;
         int precedents = eleves.size();
         String oui = "";
@@ -164,13 +174,14 @@ public final class Pages {
                 n[part.complete() ? 0 : part.reussis > 0 ? 1 : 2]++;
             }
             int y = k * pas + 3;
-            svg.append("<text x=\"" + (gauche - 8) + "\" y=\"" + (y + 15) + "\" text-anchor=\"end\">" + Html.echappe(etape.titre)
-                    + "</text>");
+            svg.append("<text x=\"" + (gauche - 8) + "\" y=\"" + (y + 15) + "\" text-anchor=\"end\">"
+                    + Html.echappe(etape.titre) + "</text>");
             double x = gauche;
             String[] couleurs = {"#8ec79b", "#f3cf85", "#d9dde2"};
             for (int c = 0; c < 3; c++) {
-                svg.append(String.format(Locale.ROOT, "<rect x=\"%.1f\" y=\"%d\" width=\"%.1f\" height=\"20\" fill=\"%s\"/>", x, y,
-                        n[c] * large, couleurs[c]));
+                svg.append(String.format(Locale.ROOT,
+                        "<rect x=\"%.1f\" y=\"%d\" width=\"%.1f\" height=\"20\" fill=\"%s\"/>", x, y, n[c] * large,
+                        couleurs[c]));
                 if (n[c] > 0) {
                     svg.append(String.format(Locale.ROOT, "<text x=\"%.1f\" y=\"%d\">%d</text>", x + 5, y + 15, n[c]));
                 }
@@ -178,9 +189,10 @@ public final class Pages {
             }
             svg.append("<text x=\"830\" y=\"" + (y + 15) + "\">" + complets.get(k) + " jusque-là</text>");
         }
-        return (perteMax > 0 ? "<p>L'étape qui arrête le plus d'étudiants : <strong>" + Html.echappe(oui) + "</strong> ("
-                + perteMax + ").</p>\n" : "")
-                + svg + "</svg>\n<p class=\"petit gris\">Vert : toute l'étape réussie ; jaune : une partie ; gris : rien. "
+        return (perteMax > 0 ? "<p>L'étape qui arrête le plus d'étudiants : <strong>" + Html.echappe(oui)
+                + "</strong> (" + perteMax + ").</p>\n" : "")
+                + svg + "</svg>\n<p class=\"petit gris\">Vert : toute l'étape réussie ; jaune : une partie ; gris : "
+                + "rien. "
                 + "À droite, combien ont tout réussi jusqu'à cette étape comprise.</p>\n";
     }
 
