@@ -23,7 +23,8 @@ public final class Scene {
 
     private final List<Objet3D> objets;
     private final List<Lampe> lampes;
-    final Lampe[] rangees;
+    /** Les mêmes, en tableau : chaque contact les parcourt. */
+    final Lampe[] tableauDesLampes;
     private final List<String> avertissements;
     private final Compteurs compteurs = new Compteurs();
     private List<Variante> variantesLibres = Collections.emptyList();
@@ -57,7 +58,7 @@ public final class Scene {
     private Scene(List<? extends Objet3D> objets, List<Lampe> lampes, List<String> avertissements) {
         this.objets = Collections.unmodifiableList(sansJumelles(objets));
         this.lampes = Collections.unmodifiableList(new ArrayList<>(lampes));
-        this.rangees = lampes.toArray(new Lampe[0]);
+        this.tableauDesLampes = lampes.toArray(new Lampe[0]);
         this.avertissements = avertissements;
         this.recherche = new RechercheSimple(this.objets, compteurs);
     }
@@ -65,7 +66,7 @@ public final class Scene {
     private Scene(Scene autre) {
         objets = autre.objets;
         lampes = autre.lampes;
-        rangees = autre.rangees;
+        tableauDesLampes = autre.tableauDesLampes;
         avertissements = autre.avertissements;
         recherche = autre.recherche.pourUnFil(compteurs);
         seuil = autre.seuil;
