@@ -46,6 +46,12 @@ class ComparaisonTest extends EssaiCommande {
     }
 
     @Test
+    void desCentainesDeMilliersDePixelsSArrondissentCommeDansLePng() {
+        assertEquals(0, Essai.executer("--image", png.toString(), "scenes/scene1.ini").code);
+        verifierPareilles(comparer(png, "scenes/scene1.ini"));
+    }
+
+    @Test
     void uneReflexionDeMoinsSeVoitDansLeStatutEtDansLesNombres() {
         dessiner("--image", png.toString());
         Essai e = comparer(png, SCENE, "--reflets", "0");

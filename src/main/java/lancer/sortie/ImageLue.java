@@ -23,7 +23,15 @@ public final class ImageLue {
     /** Vrai si les couleurs ne sont que des multiples de 1/255. */
     private final boolean surHuitBits;
 
+    /** Les codes qu'un écran montre, si on les a : tirés des flottants, quelques-uns s'arrondiraient autrement. */
+    private final int[] codes;
+
     ImageLue(int largeur, int hauteur, float[] composantes, boolean surHuitBits) {
+        this(largeur, hauteur, composantes, surHuitBits, null);
+    }
+
+    private ImageLue(int largeur, int hauteur, float[] composantes, boolean surHuitBits, int[] codes) {
+        this.codes = codes;
         this.largeur = largeur;
         this.hauteur = hauteur;
         this.composantes = composantes;
@@ -32,7 +40,7 @@ public final class ImageLue {
 
     /** @param image une image qui a gardé ses couleurs non limitées */
     public ImageLue(ImageMemoire image) {
-        this(image.getLargeur(), image.getHauteur(), image.getLineaire(), false);
+        this(image.getLargeur(), image.getHauteur(), image.getLineaire(), false, image.getCodes());
     }
 
     /** Vrai si ce nom est celui d'une image, et non d'une scène. */
@@ -70,7 +78,8 @@ public final class ImageLue {
 
     /** Le pixel de rang {@code p}, sur 8 bits, comme un écran ou un PNG le veut. */
     int code(int p) {
-        return new Couleur(composantes[3 * p], composantes[3 * p + 1], composantes[3 * p + 2]).getCode();
+        return codes != null ? codes[p]
+                : new Couleur(composantes[3 * p], composantes[3 * p + 1], composantes[3 * p + 2]).getCode();
     }
 
     /** Une composante limitée à [0, 1], en niveaux de 255. @param k rang de la composante, depuis le haut */

@@ -103,7 +103,9 @@ public final class Depot {
                 }
             } else if (Files.isDirectory(fichier) || estArchive(nom)) {
                 String sansFin = nom.replaceFirst("(?i)\\.zip$", "");
-                prendre(rendu(sansFin, sansFin), Files.isDirectory(fichier) ? "" : nom, fichier);
+                // « dupont » et « dupont.zip » : deux rendus, deux lignes
+                String id = rendus.containsKey(sansFin) ? nom : sansFin;
+                prendre(rendu(id, id), Files.isDirectory(fichier) ? "" : nom, fichier);
             }
         }
     }

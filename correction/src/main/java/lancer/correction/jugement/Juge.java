@@ -96,6 +96,8 @@ final class Juge {
             resultat.sansImage = "trop de vérifications n'ont pas fini";
             resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, resultat.sansImage));
         } else {
+            // une machine neuve : ce que les vérifications ont pu y laisser ne gâte pas l'image
+            machine.close();
             dessiner();
         }
         variantes();

@@ -93,6 +93,15 @@ class DepotTest {
     }
 
     @Test
+    void unDossierEtUneArchiveDeMemeNomSontDeuxRendus() throws IOException {
+        ecrire(rendus.resolve("dupont/lancer/Vecteur.java"), CLASSE);
+        ClasseEssai.archiver(rendus.resolve("dupont"), rendus.resolve("dupont.zip"), "");
+        Map<String, Rendu> lus = lire(rendus);
+        verifier(lus.get("dupont"), "dupont");
+        verifier(lus.get("dupont.zip"), "dupont.zip");
+    }
+
+    @Test
     void unSeulRenduEstUneClasseDUn() throws IOException {
         ecrire(rendus.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
         verifier(lire(rendus).get("rendus"), "rendus");
