@@ -23,15 +23,6 @@ public class Lampe {
         return couleur;
     }
 
-    /**
-     * Le rayon d'ombre, qui va de la lampe vers un contact (cours, « Ombres portées »).
-     *
-     * @param L direction de la lampe vue du contact, de longueur 1
-     */
-    public Rayon getRayon(Vecteur L) {
-        return new Rayon(position, L.neg(), Rayon.BLANC);
-    }
-
     @Override
     public String toString() {
         return "Lampe(" + position + ", " + couleur + ")";

@@ -7,7 +7,7 @@ package lancer;
  */
 public class Rayon {
 
-    static final Couleur BLANC = new Couleur(1);
+    private static final Couleur BLANC = new Couleur(1);
 
     private final Point P;
     private final Vecteur V;
@@ -43,6 +43,15 @@ public class Rayon {
         this.P = p;
         this.V = v;
         this.produitKs = produitKs;
+    }
+
+    /**
+     * Le rayon d'ombre, qui va d'une lampe vers un contact (cours, « Ombres portées »).
+     *
+     * @param L direction de la lampe vue du contact, de longueur 1
+     */
+    public static Rayon dOmbre(Lampe lampe, Vecteur L) {
+        return new Rayon(lampe.getPosition(), L.neg(), BLANC);
     }
 
     /** Le point de départ. */

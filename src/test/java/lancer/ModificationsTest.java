@@ -73,7 +73,7 @@ class ModificationsTest {
         "Couleur | new Couleur(r + c.r, v + c.v, b + c.b) | new Couleur(r + c.r, v, b + c.b)",
         "Lumiere | r += c.r | r += 0.5 * c.r",
         "Lampe | return couleur; | return couleur.mul(0.5);",
-        "Lampe | return new Rayon(position, L.neg(), Rayon.BLANC) | return new Rayon(position, L, Rayon.BLANC)"})
+        "Rayon | new Rayon(lampe.getPosition(), L.neg(), BLANC) | new Rayon(lampe.getPosition(), L, BLANC)"})
     void uneLigneChangeeDUneClasseDuCoursSeVoit(String classe, String ancienne, String nouvelle) throws IOException {
         String source = new String(Files.readAllBytes(SOURCES.resolve(classe + ".java")), StandardCharsets.UTF_8);
         assertTrue(source.contains(ancienne), classe + " n'a plus « " + ancienne + " »");

@@ -38,7 +38,7 @@ public final class RechercheSimple implements Recherche {
 
     @Override
     public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
-        Rayon ombre = lampe.getRayon(L);
+        Rayon ombre = Rayon.dOmbre(lampe, L);
         for (Objet3D autre : objets) {
             if (autre != objet) {
                 compteurs.testsSpheres++;

@@ -43,7 +43,7 @@ final class Question {
     /** « Cette lampe est-elle cachée ? » */
     Question(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D saufLui, boolean cachee, long cout) {
         this.lampe = lampe;
-        this.rayon = lampe.getRayon(L);
+        this.rayon = Rayon.dOmbre(lampe, L);
         this.saufLui = saufLui;
         this.distance = distance;
         this.objet = null;

@@ -98,7 +98,7 @@ final class RechercheRapide implements Recherche {
         }
         Point P = lampe.getPosition();
         return obstaclesDe(lampe).cachee(sonde, P.x, P.y, P.z, -L.x, -L.y, -L.z, distance, numero(objet))
-                || spheres.autres.length > 0 && unAutreCache(lampe.getRayon(L), distance, objet);
+                || spheres.autres.length > 0 && unAutreCache(Rayon.dOmbre(lampe, L), distance, objet);
     }
 
     /** Ce qui cache cette lampe ; si elle n'est pas de la scène, ce qui les cache toutes. */

@@ -49,7 +49,7 @@ class QuatriemeVarianteTest {
         }
         copier(Paths.get("..").toRealPath());
         String readme = lireTexte(copie.resolve("README.md"));
-        String partie = readme.substring(readme.indexOf("### Une quatrième variante\n"), readme.indexOf("## Vitesse et précision\n"));
+        String partie = readme.substring(readme.indexOf("### Une quatrième variante\n"), readme.indexOf("## Une forme à soi\n"));
         String prose = "";
         StringBuilder bloc = new StringBuilder();
         for (String ligne : (partie + "fin").split("\n")) {

@@ -67,7 +67,8 @@ final class Besoin {
 
     private int[] codes(Lancer lancer, int profondeur) {
         ImageMemoire image = new ImageMemoire(taille.largeur, taille.hauteur, false);
-        lancer.TracerPixels(image, profondeur, taille.fils);
+        // sans témoins : seuls se comptent les rayons de l'image
+        lancer.parcourir(lancer.getScene().getEchantillonnage(), image, profondeur, taille.fils);
         return image.getCodes();
     }
 
