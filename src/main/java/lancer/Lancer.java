@@ -62,7 +62,10 @@ public class Lancer {
         Couleur couleur;
         try {
             couleur = getCouleurPixel(xe, ye, profondeur);
-        } catch (RuntimeException | StackOverflowError | LinkageError e) {
+        } catch (OutOfMemoryError e) {
+            // ce n'est pas ce pixel qui est en cause
+            throw e;
+        } catch (RuntimeException | Error e) {
             throw new PixelFautif(xe, ye, e);
         }
         if (couleur == null || !couleur.estFinie()) {
@@ -106,14 +109,13 @@ public class Lancer {
      */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-        long jugementNs = juger(profondeur, true);
         if (temoignage.ecart == null) {
-            jugementNs += juger(profondeur, false);
+            long jugementNs = juger(profondeur, true) + juger(profondeur, false);
+            if (temoignage.ecart != null) {
+                parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
+            }
+            dureeNs += jugementNs;
         }
-        if (temoignage.ecart != null) {
-            parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-        }
-        dureeNs += jugementNs;
     }
 
     /** Abandonne le dessin en cours, au prochain rayon de chaque fil, et tous les suivants. */
@@ -151,9 +153,14 @@ public class Lancer {
      *
      * @param tires vrai pour des témoins tirés au hasard, faux pour d'autres, choisis
      * @return le temps que cela a pris, en nanosecondes
+     * @throws PixelFautif si un témoin ne peut être calculé
      */
     private long juger(int profondeur, boolean tires) {
         long debut = System.nanoTime();
+        if (temoignage.ecart != null) {
+            // déjà dit : depuis, les boucles dessinent
+            return 0;
+        }
         int nombre = temoignage.pixels;
         new Equipe("temoins").faire(1, Collections.singletonList(new Jugement(profondeur, tires)));
         if (!tires) {

@@ -11,7 +11,8 @@ public final class PixelFautif extends RuntimeException {
     public final int x;
     public final int y;
 
-    PixelFautif(double xe, double ye, Throwable cause) {
+    /** @param xe en pixels depuis la gauche */
+    public PixelFautif(double xe, double ye, Throwable cause) {
         super("pixel " + (int) xe + ", " + (int) ye, cause);
         x = (int) xe;
         y = (int) ye;

@@ -97,7 +97,7 @@ public final class Scene {
         List<Objet3D> gardes = new ArrayList<>(objets.size());
         Set<Geometrie> vues = new HashSet<>(2 * objets.size());
         for (Objet3D objet : objets) {
-            if (!(objet instanceof Sphere) || vues.add(new Geometrie((Sphere) objet))) {
+            if (objet.getClass() != Sphere.class || vues.add(new Geometrie((Sphere) objet))) {
                 gardes.add(objet);
             }
         }

@@ -88,8 +88,7 @@ public class Sphere extends Objet3D {
     /**
      * {@link #distance}, ou un nombre négatif si {@link IntersectionCompensee#distance} doit en décider ; cette
      * distance n'est alors pas inférieure à {@link #auMoins} de ce nombre. À part pour qu'une boucle puisse trancher
-     * dehors : le seul appel que contiendrait celle d'une grille, même jamais fait, lui coûterait un cinquième de sa
-     * vitesse. Moins de 325 octets de code : au-delà, la machine virtuelle ne l'incorporerait plus.
+     * dehors.
      */
     public static double distanceOuDoute(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {

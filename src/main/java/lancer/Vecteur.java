@@ -17,8 +17,7 @@ public class Vecteur extends Tuple {
 
     /**
      * À moins de cela de 1, le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près : ni racine,
-     * ni division. La normale d'un contact et la direction d'un reflet sont toujours dans ce cas (5 % du temps d'une
-     * image de la scène du cours).
+     * ni division. La normale d'un contact et la direction d'un reflet sont toujours dans ce cas.
      */
     public static final double PRESQUE_UN = 0x1p-27;
 

@@ -40,7 +40,6 @@ public interface Echantillonnage {
             return true;
         }
 
-        /** À part : une méthode souvent appelée est compilée une fois, une longue boucle en cours deux fois. */
         private static void ligne(int i0, int i1, int j, Vue vue, Toile toile) {
             for (int i = i0; i < i1; i++) {
                 toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);

@@ -28,8 +28,8 @@ public interface Specularite {
 
     /**
      * max(0, cosinus)^exposant, le cosinus ne comptant jamais pour plus de 1 (deux vecteurs de longueur 1 à un arrondi
-     * près ont un produit qui peut dépasser 1) ; 0^0 = 1. Un petit exposant entier se fait par carrés successifs : 4 à
-     * 8 % de moins pour une image de dix boules brillantes, à quelques unités du dernier chiffre.
+     * près ont un produit qui peut dépasser 1) ; 0^0 = 1. Un petit exposant entier se fait par carrés successifs,
+     * à quelques unités du dernier chiffre.
      *
      * @param exposant positif ou nul
      */

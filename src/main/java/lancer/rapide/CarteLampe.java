@@ -10,6 +10,9 @@ import lancer.Sphere;
  */
 final class CarteLampe implements Obstacles {
 
+    /** Ce dont le carré d'une longueur peut s'écarter de 1. */
+    private static final double UNITE = 1e-10;
+
     private final Spheres spheres;
     private final Carte carte;
     /** Pour les rares questions auxquelles la carte ne sait pas répondre. */
@@ -28,6 +31,10 @@ final class CarteLampe implements Obstacles {
         int c = q.caseDe(vx, vy, vz);
         if (c < 0) {
             return false;
+        }
+        // les distances de la carte sont celles d'une direction de longueur 1
+        if (!(Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITE)) {
+            return secours.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
         }
         sonde.compteurs.noeudsVisites++;
         if (distance > q.coupe[c]) {

@@ -222,7 +222,8 @@ final class Masques implements Voisins {
                 double x = px + distance * vx - g[s];
                 double y = py + distance * vy - g[s + 1];
                 double z = pz + distance * vz - g[s + 2];
-                if (x * x + y * y + z * z <= limitesIci[sauf]) {
+                if (x * x + y * y + z * z <= limitesIci[sauf]
+                        && Math.abs(vx * vx + vy * vy + vz * vz - 1) < MARGE / 4) {
                     sonde.compteurs.noeudsVisites++;
                     int tests = 0;
                     long masque = parSphere[sauf];

@@ -96,8 +96,10 @@ final class RechercheRapide implements Recherche {
             // une copie : L n'a sinon pas à exister hors des registres
             return remplacante.estCachee(lampe, contact, new Vecteur(L.x, L.y, L.z), distance, objet);
         }
-        Point P = lampe.getPosition();
-        return obstaclesDe(lampe).cachee(sonde, P.x, P.y, P.z, -L.x, -L.y, -L.z, distance, numero(objet))
+        Rayon ombre = Rayon.dOmbre(lampe, L);
+        Point P = ombre.getP();
+        Vecteur V = ombre.getV();
+        return obstaclesDe(lampe).cachee(sonde, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
                 || spheres.autres.length > 0 && unAutreCache(Rayon.dOmbre(lampe, L), distance, objet);
     }
 

@@ -9,6 +9,7 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Objet3D;
+import lancer.PixelFautif;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
@@ -137,6 +138,8 @@ final class Temoins {
 
     /** Le rayon de ce pixel, et l'objet qu'il rencontre d'abord. */
     private Rayon premier(long pixel) {
+        // d'abord le pixel entier : s'il échoue, c'est lui qui le dit
+        voir(rapide, pixel);
         Rayon rayon = camera.getRayon(x(pixel) + 0.5, y(pixel) + 0.5);
         rapide.getScene().getClosestIntersection(rayon);
         return rayon;
@@ -151,8 +154,12 @@ final class Temoins {
         rapide.getScene().setRecherche(new RechercheRapide(jugee, ecoute));
         voir(rapide, pixel);
         for (Question q : ecoute.questions) {
-            if (!q.memeReponse(boucles)) {
-                return ecart(pixel);
+            try {
+                if (!q.memeReponse(boucles)) {
+                    return ecart(pixel);
+                }
+            } catch (RuntimeException | StackOverflowError e) {
+                throw new PixelFautif(x(pixel) + 0.5, y(pixel) + 0.5, e);
             }
             reste -= objets;
             if (reste < objets) {

@@ -95,6 +95,10 @@ class TemoinsTest {
         lancer.TracerPixels((couleur, i, j) -> image[j * CAMERA.getLargeur() + i] = couleur, 5, 2);
         assertNotNull(lancer.getTemoignage().ecart);
         assertTrue(lancer.getTemoignage().ecart.startsWith("au pixel "), lancer.getTemoignage().ecart);
+        // un second dessin, par les boucles, n'oublie pas ce que le premier a vu
+        lancer.TracerPixels((couleur, i, j) -> assertEquals(image[j * CAMERA.getLargeur() + i], couleur), 5, 2);
+        assertNotNull(lancer.getTemoignage().ecart);
+        assertEquals(64, lancer.getCompteurs().pixelsTemoins);
         assertFalse(scene.getRecherche() instanceof RechercheRapide);
         Scene lisible = new Scene(scene.getObjets(), scene.getLampes());
         IdentiteTest.Dessin attendu = new IdentiteTest.Dessin(lisible, CAMERA, 5, 1);

@@ -151,17 +151,19 @@ class QuatriemeVarianteTest {
 
     @Test
     void sonModulePeutAussiApporterUneForme() throws Exception {
+        Path essais = Essai.origine(Disque.class);
+        List<Path> nuit = Arrays.asList(copie.resolve("nuit/target/nuit.jar"), essais, essais.resolve("quatrieme"));
         String[] lignes = {"[Disque 1]", "centre=0.5 0 5", "normale=0 0 -1", "rayon=1", "Kd=1 1 1", "[Lampe 1]", "position=0 0 -10",
             "couleur=1 1 1", "[Nuit]", "portee=2.5"};
         Path scene = Essai.scene(dossier.resolve("disque.ini"), lignes);
-        assertEquals(0.25, Essai.dessinerAvec(nuit(), dossier, scene, "--taille=1x1")[0], 1e-7);
-        assertArrayEquals(Essai.dessinerAvec(nuit(), dossier, scene, "--taille=40x30", "--simple"),
-                Essai.dessinerAvec(nuit(), dossier, scene, "--taille=40x30"));
+        assertEquals(0.25, Essai.dessinerAvec(nuit, dossier, scene, "--taille=1x1")[0], 1e-7);
+        assertArrayEquals(Essai.dessinerAvec(nuit, dossier, scene, "--taille=40x30", "--simple"),
+                Essai.dessinerAvec(nuit, dossier, scene, "--taille=40x30"));
         lignes[1] = "centre=1.5 0 5";
         // à côté, le ciel, dans la nuit
-        assertEquals(0, Essai.dessinerAvec(nuit(), dossier, Essai.scene(scene, lignes), "--taille=1x1")[0]);
+        assertEquals(0, Essai.dessinerAvec(nuit, dossier, Essai.scene(scene, lignes), "--taille=1x1")[0]);
         lignes[3] = "rayon=0";
-        Essai essai = Essai.executerAvec(nuit(), "--lineaire", dossier.resolve("a.pfm").toString(), Essai.scene(scene, lignes).toString());
+        Essai essai = Essai.executerAvec(nuit, "--lineaire", dossier.resolve("a.pfm").toString(), Essai.scene(scene, lignes).toString());
         assertEquals("lancer : " + scene + ", ligne 4, [Disque 1], rayon : hors limites : « 0 » ; attendu : un nombre de 1e-100 à 1e100"
                 + System.lineSeparator(), essai.erreur);
     }
