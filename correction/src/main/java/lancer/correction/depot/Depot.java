@@ -158,7 +158,7 @@ public final class Depot {
      */
     private static boolean estUnSeul(List<String> noms) {
         return noms.stream().noneMatch(n -> NomMoodle.lire(n) != null) && noms.stream()
-                .anyMatch(n -> UN_SEUL_RENDU.matcher(n).matches());
+                .anyMatch(n -> !estArchive(n) && UN_SEUL_RENDU.matcher(n).matches());
     }
 
     /** De quoi ranger « Étudiant 2 » avant « Étudiant 10 ». */

@@ -102,6 +102,17 @@ class DepotTest {
     }
 
     @Test
+    void desArchivesNommeesCommeLeProjetSontAutantDeRendus() throws IOException {
+        Path projet = dossier.resolve("projet");
+        ecrire(projet.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
+        Files.createDirectories(rendus);
+        for (String nom : List.of("lancer-base-dupont.zip", "lancer-base-martin.zip", "TP durand.zip")) {
+            ClasseEssai.archiver(projet, rendus.resolve(nom), "");
+        }
+        assertEquals(3, lire(rendus).size());
+    }
+
+    @Test
     void unSeulRenduEstUneClasseDUn() throws IOException {
         ecrire(rendus.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
         verifier(lire(rendus).get("rendus"), "rendus");
