@@ -44,7 +44,7 @@ final class Choix {
         RechercheRapide choisie = new RechercheRapide(preparation, voisins[PREMIERS], voisins[SUIVANTS], obstacles,
                 new Compteurs());
         Ecoute ecoute = new Ecoute(choisie);
-        semer(scene, camera, new RechercheRapide(choisie, ecoute));
+        semer(scene, camera, ecoute);
         long[] couts = couts(ecoute.questions);
         int[] nombres = new int[couts.length];
         for (Question q : ecoute.questions) {
@@ -77,9 +77,9 @@ final class Choix {
         }
     }
 
-    private static void semer(Scene scene, Camera camera, RechercheRapide ecoutee) {
+    private static void semer(Scene scene, Camera camera, Ecoute ecoute) {
         Scene vue = scene.pourUnFil();
-        vue.setRecherche(ecoutee);
+        vue.setRecherche(ecoute);
         Lancer lancer = new Lancer(vue, camera);
         for (int j = 0; j < SEMIS; j++) {
             for (int i = 0; i < SEMIS; i++) {
