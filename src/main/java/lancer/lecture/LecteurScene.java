@@ -87,10 +87,7 @@ public final class LecteurScene {
         }
     }
 
-    /**
-     * Par {@code java.io}, déjà chargé (2 ms de lecture sur 18) ; si cela échoue, par {@code java.nio}, qui dit
-     * pourquoi.
-     */
+    /** Par {@code java.io}, déjà chargé ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
     private static InputStream ouvrir(Path chemin) throws IOException {
         try {
             return new FileInputStream(chemin.toFile());

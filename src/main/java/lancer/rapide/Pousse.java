@@ -10,10 +10,7 @@ final class Pousse {
 
     private static final int TRANCHES = 16;
 
-    /**
-     * Feuilles larges : une sphère ne coûte pas plus à examiner qu'une boîte (820 et 10 000 sphères,
-     * arbre seul : 193 et 1440 ms une image, contre 216 et 1770 avec une ou deux sphères par feuille).
-     */
+    /** Feuilles larges : une sphère ne coûte pas plus à examiner qu'une boîte. */
     private static final int FEUILLE_MIN = 4;
     private static final int FEUILLE_MAX = 12;
     private static final double COUT_NOEUD = 3;

@@ -19,10 +19,7 @@ import lancer.fils.Equipe;
  */
 public final class Preparation {
 
-    /**
-     * Jusqu'à ce nombre de sphères, la boucle bat l'arbre : foules de 10, 24 et 50 boules, 800 × 600, deux fils, 30, 56
-     * et 116 ms contre 46, 68 et 120.
-     */
+    /** Jusqu'à ce nombre de sphères, les masques, et la boucle là où ils ne savent pas répondre ; au-delà, l'arbre. */
     static final int PEU = 24;
 
     /**
