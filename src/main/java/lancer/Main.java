@@ -11,21 +11,22 @@ import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.contrat.PixelFautif;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Toile;
+import lancer.fenetre.Fenetre;
 import lancer.lecture.LecteurScene;
-import lancer.lecture.Texte;
 import lancer.rapide.Preparation;
 import lancer.sortie.BarreProgression;
 import lancer.sortie.Comparaison;
 import lancer.sortie.Ecriture;
-import lancer.sortie.Fenetre;
 import lancer.sortie.FichierPfm;
 import lancer.sortie.FichierPng;
 import lancer.sortie.ImageLue;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.Statistiques;
 import lancer.sortie.UnPixel;
+import lancer.texte.Texte;
 
 /**
  * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un

@@ -1,5 +1,7 @@
 package lancer;
 
+import lancer.precision.IntersectionCompensee;
+
 /** Une sphère (cours, « Intersection de rayons et de sphères »). Sa géométrie est immuable. */
 public class Sphere extends Objet3D {
 

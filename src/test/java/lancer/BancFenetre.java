@@ -40,7 +40,7 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JTextArea;
 import lancer.commande.Options;
-import lancer.sortie.Fenetre;
+import lancer.fenetre.Fenetre;
 import lancer.sortie.ImageMemoire;
 
 /** Une fenêtre à l'essai, sur un vrai écran : on y frappe des touches, on y regarde, et on attend sans dormir pour rien. */

@@ -16,6 +16,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import lancer.contrat.PixelFautif;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -62,8 +63,7 @@ class DependancesTest {
 
     @Test
     void lesClassesDuCoursNeDependentQueDesContrats() {
-        // une forme d'étudiant lit sa section
-        String ducours = "java\\.(?!awt).*|lancer\\.contrat\\..*|lancer\\.lecture\\.Section";
+        String ducours = "java\\.(?!awt).*|lancer\\.(contrat|precision)\\..*";
         verifier("lancer/(?!Main|Scene|Lancer\\.)\\w+\\.java", ducours);
         verifier("lancer/Lancer\\.java", ducours + "|lancer\\.fils\\.Equipe");
         verifier("lancer/Scene\\.java", "java\\.(?!awt).*|lancer\\.(contrat|lecture|rapide)\\..*");
@@ -71,39 +71,31 @@ class DependancesTest {
 
     @Test
     void lesContratsNeDependentQueDuCours() {
-        verifier("lancer/contrat/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.lecture\\.Section");
+        verifier("lancer/contrat/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.texte\\..*");
     }
 
     @Test
     void laCommandeNeDependQueDesTextesEtDesNombres() {
-        verifier("lancer/commande/.*", "java\\.(?!awt).*|lancer\\.(Constantes|PixelFautif)|lancer\\.lecture\\.(Nombre|Texte)");
+        verifier("lancer/commande/.*", "java\\.(?!awt).*|lancer\\.(Constantes|contrat\\.PixelFautif)|lancer\\.texte\\..*");
     }
 
     @Test
     void laRechercheRapideNeSaitRienDesSortiesNiDeLaCommande() {
-        verifier("lancer/rapide/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.fils\\.Equipe");
+        verifier("lancer/rapide/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.(contrat|precision)\\..*|lancer\\.fils\\.Equipe");
         verifier("lancer/fils/.*", "java\\.util\\..*");
     }
 
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
         verifier("lancer/auto/.*",
-                "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.commande\\.Options|lancer\\.lecture\\.Section");
+                "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.commande\\.Options");
         verifier("(?!lancer/auto/|lancer/Main\\.java).*", "(?!lancer\\.auto\\.).*");
     }
 
     @Test
     void seuleLaFenetreConnaitAwt() {
-        String sansFenetre = "(?!lancer/sortie/).*|lancer/sortie/(Ecriture|Fichier\\w+|Image(Memoire|Lue)|UnPixel|Lecture\\w+"
-                + "|Comparaison|Statistiques|BarreProgression)\\.java";
-        verifier(sansFenetre, "(?!java\\.awt|javax\\.|sun\\.|com\\.).*");
-        NOMS.forEach((fichier, noms) -> {
-            if (noms.stream().anyMatch(n -> n.matches("(java\\.awt|javax\\.swing)\\..*"))) {
-                Pattern classe = Pattern.compile("\\b" + fichier.replaceAll(".*/|\\.java", "") + "\\b");
-                CODES.forEach((autre, code) -> assertFalse(autre.matches(sansFenetre) && !autre.equals("lancer/Main.java")
-                        && classe.matcher(code).find(), autre + " nomme " + classe));
-            }
-        });
+        verifier("(?!lancer/fenetre/).*", "(?!java\\.awt|javax\\.|sun\\.|com\\.).*");
+        verifier("(?!lancer/(fenetre/|Main\\.java)).*", "(?!lancer\\.fenetre\\.).*");
     }
 
     @Test
@@ -117,6 +109,6 @@ class DependancesTest {
 
     @Test
     void laLectureEtLesSortiesNeSeConnaissentPas() {
-        verifier("lancer/lecture/.*", "(?!lancer\\.(sortie|commande|rapide)).*");
+        verifier("lancer/lecture/.*", "(?!lancer\\.(sortie|fenetre|commande|rapide)).*");
     }
 }

@@ -39,7 +39,7 @@ class FormesTest {
             "public class Ballon implements lancer.contrat.Forme {",
             "    public String getSection() { return \"Ballon\"; }",
             "    public String[] getCles() { return new String[] {\"centre\", \"rayon\"}; }",
-            "    public lancer.Objet3D lire(lancer.lecture.Section valeurs) {",
+            "    public lancer.Objet3D lire(lancer.contrat.Section valeurs) {",
             "        return new lancer.Sphere(valeurs.point(\"centre\"), valeurs.longueur(\"rayon\"));",
             "    }",
             "}");
@@ -289,7 +289,7 @@ class FormesTest {
                 "package exo;",
                 "public class Autre implements lancer.contrat.Variante {",
                 "    public String getSection() { return \"Panneau\"; }",
-                "    public void installer(lancer.lecture.Section valeurs, lancer.Scene scene) { }",
+                "    public void installer(lancer.contrat.Section valeurs, lancer.Scene scene) { }",
                 "}"));
         refuser(String.format(message, "exo.Autre"), executer(classes, "[Lampe 1]", "position=3 0 1", "couleur=1 1 1"));
     }

@@ -8,7 +8,7 @@ import lancer.Objet3D;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Variante;
-import lancer.lecture.Section;
+import lancer.contrat.Section;
 
 /** Un échantillonnage possible de la scène, et ce que les essais en disent. */
 final class Finesse {

@@ -4,8 +4,8 @@ import java.util.HashSet;
 import java.util.Locale;
 import java.util.Set;
 import lancer.Constantes;
-import lancer.lecture.Nombre;
-import lancer.lecture.Texte;
+import lancer.texte.Nombre;
+import lancer.texte.Texte;
 
 /** La ligne de commande, lue de gauche à droite : ce qui est demandé, ou un {@link Echec} qui dit pourquoi non. */
 public final class Options {

@@ -2,8 +2,8 @@ package lancer.commande;
 
 import java.io.File;
 import lancer.Constantes;
-import lancer.PixelFautif;
-import lancer.lecture.Texte;
+import lancer.contrat.PixelFautif;
+import lancer.texte.Texte;
 
 /** Ce qu'il faut dire d'un pixel qui n'a pu être calculé. */
 public final class Pannes {

@@ -16,8 +16,8 @@ public final class Compteurs {
     public long testsSpheres;
 
     /**
-     * Celles que leur forme directe laissait en doute, reprises par {@link lancer.IntersectionCompensee}. Les boucles
-     * du cours ne les comptent pas.
+     * Celles que leur forme directe laissait en doute, reprises par
+     * {@link lancer.precision.IntersectionCompensee}. Les boucles du cours ne les comptent pas.
      */
     public long testsPrecis;
 

@@ -1,7 +1,6 @@
 package lancer.contrat;
 
 import lancer.Objet3D;
-import lancer.lecture.Section;
 
 /**
  * Une sorte d'objets qu'un fichier de scène peut nommer. Une classe d'objets, par exemple

@@ -3,7 +3,6 @@ package lancer.contrat;
 import java.util.Collections;
 import java.util.List;
 import lancer.Scene;
-import lancer.lecture.Section;
 
 /**
  * Une variante du programme, dans un module à côté de la base. Elle met en œuvre un contrat ({@link Atmosphere},

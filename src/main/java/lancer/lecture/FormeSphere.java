@@ -3,6 +3,7 @@ package lancer.lecture;
 import lancer.Objet3D;
 import lancer.Sphere;
 import lancer.contrat.Forme;
+import lancer.contrat.Section;
 
 /** Les sections {@code [Sphere]}. */
 final class FormeSphere implements Forme {

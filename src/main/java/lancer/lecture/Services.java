@@ -11,7 +11,9 @@ import lancer.Lampe;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.contrat.Forme;
+import lancer.contrat.Section;
 import lancer.contrat.Variante;
+import lancer.texte.Texte;
 
 /**
  * Les formes et les variantes présentes dans le chemin des classes. Elles sont cherchées dans un fil à part : Java

@@ -5,6 +5,8 @@ import java.util.Objects;
 import lancer.Objet3D;
 import lancer.SceneFautive;
 import lancer.contrat.Forme;
+import lancer.contrat.Section;
+import lancer.texte.Texte;
 
 /** Un type de section qui décrit un objet : la forme qui le lit, et toutes ses clés. */
 final class TypeObjet {

@@ -3,6 +3,7 @@ package lancer.lecture;
 import java.util.ArrayList;
 import java.util.List;
 import lancer.Scene;
+import lancer.contrat.Section;
 import lancer.contrat.Variante;
 
 /** Les variantes présentes dans le chemin des classes. */

@@ -1,6 +1,6 @@
 package lancer.rapide;
 
-import lancer.IntersectionCompensee;
+import lancer.precision.IntersectionCompensee;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 

@@ -9,7 +9,7 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Objet3D;
-import lancer.PixelFautif;
+import lancer.contrat.PixelFautif;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Compteurs;

@@ -16,7 +16,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
-import lancer.lecture.Texte;
+import lancer.texte.Texte;
 
 /**
  * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé, avec les

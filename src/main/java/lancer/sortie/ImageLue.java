@@ -9,7 +9,7 @@ import java.util.Locale;
 import lancer.Couleur;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
-import lancer.lecture.Texte;
+import lancer.texte.Texte;
 
 /** Une image à comparer : lue dans un PNG ou un PFM, ou dessinée à l'instant. */
 public final class ImageLue {

@@ -1,5 +1,6 @@
 /**
- * Où va l'image : en mémoire, dans un fichier PNG ou PFM, dans une fenêtre ; et ce qu'elle a coûté.
+ * Où va l'image : en mémoire, dans un fichier PNG ou PFM ;
+ * d'où en revient une autre, pour les comparer ; et ce qu'elle a coûté.
  *
  * <p>N'y entre rien qui décide d'une couleur.
  */

@@ -23,7 +23,7 @@ import lancer.Vecteur;
 import lancer.commande.Options;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Variante;
-import lancer.lecture.Section;
+import lancer.contrat.Section;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

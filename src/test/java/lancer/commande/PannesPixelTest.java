@@ -11,7 +11,7 @@ import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Objet3D;
-import lancer.PixelFautif;
+import lancer.contrat.PixelFautif;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;

@@ -5,8 +5,8 @@ import java.util.List;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Variante;
-import lancer.lecture.Section;
-import lancer.lecture.Texte;
+import lancer.contrat.Section;
+import lancer.texte.Texte;
 
 /**
  * Anticrénelage (cours, « Anticrénelage ») : la couleur d'un pixel est la moyenne de celles de n × n sous-pixels, et

@@ -17,7 +17,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.contrat.Vue;
-import lancer.lecture.Section;
+import lancer.contrat.Section;
 import org.junit.jupiter.api.Test;
 
 /** Les comptes et les bornes que les mutations de cette variante ont montré que personne ne vérifiait. Voir docs/mutations.md. */

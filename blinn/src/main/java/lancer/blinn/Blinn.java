@@ -4,7 +4,7 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Specularite;
 import lancer.contrat.Variante;
-import lancer.lecture.Section;
+import lancer.contrat.Section;
 
 /**
  * Le reflet de Blinn (cours, « Reflet spéculaire de Blinn ») : max(0, N·H)^(facteur·ns), H étant la bissectrice de L et

@@ -5,8 +5,8 @@ import lancer.Couleur;
 import lancer.Scene;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Variante;
-import lancer.lecture.Section;
-import lancer.lecture.Texte;
+import lancer.contrat.Section;
+import lancer.texte.Texte;
 
 /**
  * Brume de distance (cours, « Extensions ») : couleur finale = k·brume + (1 − k)·couleur de l'objet, sur le premier

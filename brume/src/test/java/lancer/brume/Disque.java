@@ -6,7 +6,7 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Forme;
-import lancer.lecture.Section;
+import lancer.contrat.Section;
 
 /** Une forme d'un module de variante, inscrite à côté de celle de {@code Nuit} : un disque plat. */
 public final class Disque extends Objet3D implements Forme {

@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import lancer.Main;
 import lancer.Scene;
 import lancer.SceneFautive;
-import lancer.lecture.Texte;
+import lancer.texte.Texte;
 
 /**
  * Le juge : POV-Ray, qui ne doit rien à ce programme, dessine les mêmes scènes, et les deux images sont comparées pixel par pixel.

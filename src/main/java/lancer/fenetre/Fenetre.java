@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.fenetre;
 
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -15,8 +15,9 @@ import lancer.SceneFautive;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
-import lancer.lecture.Texte;
 import lancer.lecture.Variantes;
+import lancer.sortie.ImageMemoire;
+import lancer.texte.Texte;
 
 /**
  * La fenêtre : elle montre l'image pendant que {@link Tracage} la dessine. Le fil des événements ne calcule pas, ne lit

@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.fenetre;
 
 import java.awt.Color;
 import java.awt.Component;
@@ -10,7 +10,7 @@ import javax.swing.JOptionPane;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import lancer.lecture.Texte;
+import lancer.texte.Texte;
 
 /** Les dialogues, en français même là où Java ne l'est pas, et l'apparence du système. */
 final class Dialogues {

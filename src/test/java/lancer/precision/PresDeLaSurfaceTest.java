@@ -1,4 +1,4 @@
-package lancer;
+package lancer.precision;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -6,6 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.util.Random;
+import lancer.Point;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.Constantes;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -1,4 +1,4 @@
-package lancer.lecture;
+package lancer.texte;
 
 /**
  * L'écriture d'un nombre, dans les scènes comme en ligne de commande :
@@ -25,7 +25,7 @@ public final class Nombre {
      * puissance de dix exacte est déjà l'arrondi juste (Clinger, 1990) : c'est le cas de presque tous, et des millions
      * à lire.
      */
-    static double lire(String s, int debut, int fin) {
+    public static double lire(String s, int debut, int fin) {
         int i = debut;
         boolean negatif = false;
         if (i < fin && (s.charAt(i) == '+' || s.charAt(i) == '-')) {
@@ -82,7 +82,7 @@ public final class Nombre {
     }
 
     /** Le nombre tel qu'on l'écrit à la main, sans « .0 » ni zéro inutile : 0, 0.05, 1e100. */
-    static String ecrire(double x) {
+    public static String ecrire(double x) {
         String s = x == Math.rint(x) && Math.abs(x) < 1e7 ? Long.toString((long) x) : Double.toString(x);
         return s.replace(".0E", "e").replace('E', 'e');
     }

@@ -1,4 +1,4 @@
-package lancer.lecture;
+package lancer.texte;
 
 import java.io.File;
 import java.io.IOException;
@@ -19,7 +19,7 @@ public final class Texte {
      * Vrai si deux mots ne diffèrent que par la casse. Une lettre ASCII n'y est égale qu'à elle-même, grande ou
      * petite, au contraire de {@link String#equalsIgnoreCase} pour qui le signe du kelvin est un k.
      */
-    static boolean memeMot(String a, String b) {
+    public static boolean memeMot(String a, String b) {
         if (a.length() != b.length()) {
             return false;
         }
@@ -32,7 +32,7 @@ public final class Texte {
     }
 
     /** Le mot tel que tous ceux que {@link #memeMot} dit égaux le donnent. */
-    static String minuscules(String mot) {
+    public static String minuscules(String mot) {
         char[] lettres = mot.toCharArray();
         for (int i = 0; i < lettres.length; i++) {
             lettres[i] = minuscule(lettres[i]);
@@ -71,7 +71,7 @@ public final class Texte {
      * De quoi reconnaître, dans un mot refusé, un caractère qui en imite un autre : {@code ", où « е » est U+0435"}.
      * Une lettre accentuée du français se voit, et ce qui ne se voit pas est déjà montré par son code.
      */
-    static String imitations(String mot) {
+    public static String imitations(String mot) {
         StringBuilder s = new StringBuilder();
         for (int i = 0; i < Math.min(mot.length(), CITATION_MAX); i += Character.charCount(mot.codePointAt(i))) {
             int c = mot.codePointAt(i);

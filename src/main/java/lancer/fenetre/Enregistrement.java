@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.fenetre;
 
 import java.awt.EventQueue;
 import java.io.File;
@@ -10,7 +10,10 @@ import lancer.SceneFautive;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.lecture.LecteurScene;
-import lancer.lecture.Texte;
+import lancer.sortie.Ecriture;
+import lancer.sortie.FichierPng;
+import lancer.sortie.ImageMemoire;
+import lancer.texte.Texte;
 
 /** L'image de la fenêtre vers un fichier PNG, le même qu'avec {@code --image} ; le disque a un fil à part. */
 final class Enregistrement {

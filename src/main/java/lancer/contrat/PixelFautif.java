@@ -1,4 +1,4 @@
-package lancer;
+package lancer.contrat;
 
 /**
  * Un pixel n'a pu être calculé : une classe de la scène, ou une variante, échoue ou répond ce qui n'est pas un nombre.

@@ -1,4 +1,8 @@
-package lancer;
+package lancer.precision;
+
+import lancer.Constantes;
+import lancer.Sphere;
+import lancer.Vecteur;
 
 /**
  * L'intersection d'un rayon et d'une sphère là où l'arrondi de C − P, ou un carré qui déborde, fausserait

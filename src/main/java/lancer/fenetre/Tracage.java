@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.fenetre;
 
 import java.awt.Dimension;
 import java.io.PrintStream;

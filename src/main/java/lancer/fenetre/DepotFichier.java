@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.fenetre;
 
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;

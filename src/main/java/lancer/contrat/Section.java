@@ -1,4 +1,4 @@
-package lancer.lecture;
+package lancer.contrat;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,6 +6,8 @@ import lancer.Couleur;
 import lancer.Point;
 import lancer.SceneFautive;
 import lancer.Vecteur;
+import lancer.texte.Nombre;
+import lancer.texte.Texte;
 
 /**
  * Une section d'un fichier de scène : des clés et leurs valeurs, lues avec leur type et leurs limites. Toute valeur
@@ -42,7 +44,7 @@ public final class Section {
     }
 
     /** @param connues les seules clés permises, et à demander ; {@code null} : celles qui seront demandées */
-    Section(String fichier, String nom, int ligne, String[] connues) {
+    public Section(String fichier, String nom, int ligne, String[] connues) {
         this.fichier = fichier;
         this.nom = nom;
         this.ligne = ligne;
@@ -69,12 +71,12 @@ public final class Section {
     }
 
     /** Le nom, tel qu'écrit entre les crochets. */
-    String getNom() {
+    public String getNom() {
         return nom;
     }
 
     /** La ligne des crochets. */
-    int getLigne() {
+    public int getLigne() {
         return ligne;
     }
 
@@ -83,12 +85,12 @@ public final class Section {
         return type(nom);
     }
 
-    static String type(String nom) {
+    public static String type(String nom) {
         int blanc = nom.indexOf(' ');
         return blanc < 0 ? nom : nom.substring(0, blanc);
     }
 
-    void ajouter(String cle, String valeur, int ligneCle) {
+    public void ajouter(String cle, String valeur, int ligneCle) {
         int deja = rang(cle);
         if (deja >= 0) {
             throw fautive(ligneCle, cle, "clé donnée deux fois, déjà ligne " + lignes.get(deja),
@@ -295,7 +297,7 @@ public final class Section {
                 attendu + (mot.indexOf(',') >= 0 ? ", avec un point décimal" : ""));
     }
 
-    static boolean blanc(char c) {
+    public static boolean blanc(char c) {
         return c == ' ' || c == '\t';
     }
 
@@ -332,7 +334,7 @@ public final class Section {
     }
 
     /** Deux clés qui ne vont pas ensemble : c'est la seconde écrite qui est de trop. */
-    SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
+    public SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
         int a = rang(cle);
         int b = rang(autre);
         int k = Math.max(a, b);
@@ -350,12 +352,12 @@ public final class Section {
         return s.toString();
     }
 
-    SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {
+    public SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {
         return new SceneFautive(message(fichier, ligneFaute, nom, cle, faute, attendu));
     }
 
     /** Le message de toute faute d'un fichier de scène ; {@code ligne} 0, {@code nom}, {@code cle} null : inconnus. */
-    static String message(String fichier, int ligne, String nom, String cle, String faute, String attendu) {
+    public static String message(String fichier, int ligne, String nom, String cle, String faute, String attendu) {
         return Texte.echappe(fichier)
                 + (ligne > 0 ? ", ligne " + ligne : "")
                 + (nom != null ? ", [" + Texte.abrege(nom) + "]" : "")

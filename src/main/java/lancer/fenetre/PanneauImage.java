@@ -1,10 +1,10 @@
-package lancer.sortie;
+package lancer.fenetre;
 
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Graphics;
 import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
@@ -17,6 +17,7 @@ import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import javax.swing.JPanel;
+import lancer.sortie.ImageMemoire;
 
 /** L'image, un de ses pixels sur chaque pixel de l'écran, sur un gris neutre qui ne fausse pas les couleurs. */
 final class PanneauImage extends JPanel {

@@ -1,0 +1,7 @@
+/**
+ * L'image dans une fenêtre Swing : dessin, progression, menus, fichiers ouverts et surveillés. Le seul paquet qui
+ * connaisse Swing et AWT.
+ *
+ * <p>N'y entre rien qui calcule une couleur ; jamais chargé avec {@code --image}.
+ */
+package lancer.fenetre;
