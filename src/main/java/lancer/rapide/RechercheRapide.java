@@ -96,9 +96,9 @@ final class RechercheRapide implements Recherche {
             // une copie : L n'a sinon pas à exister hors des registres
             return remplacante.estCachee(lampe, contact, new Vecteur(L.x, L.y, L.z), distance, objet);
         }
-        Rayon ombre = Rayon.dOmbre(lampe, L);
-        Point P = ombre.getP();
-        Vecteur V = ombre.getV();
+        // les nombres de Rayon.dOmbre, sans le rayon : ses témoins en jugent
+        Point P = lampe.getPosition();
+        Vecteur V = L.neg();
         return obstaclesDe(lampe).cachee(sonde, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
                 || spheres.autres.length > 0 && unAutreCache(Rayon.dOmbre(lampe, L), distance, objet);
     }

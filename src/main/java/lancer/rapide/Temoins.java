@@ -138,8 +138,6 @@ final class Temoins {
 
     /** Le rayon de ce pixel, et l'objet qu'il rencontre d'abord. */
     private Rayon premier(long pixel) {
-        // d'abord le pixel entier : s'il échoue, c'est lui qui le dit
-        voir(rapide, pixel);
         Rayon rayon = camera.getRayon(x(pixel) + 0.5, y(pixel) + 0.5);
         rapide.getScene().getClosestIntersection(rayon);
         return rayon;
