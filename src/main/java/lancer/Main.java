@@ -4,6 +4,8 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import lancer.auto.Auto;
 import lancer.commande.Aide;
@@ -14,6 +16,7 @@ import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Toile;
+import lancer.contrat.Variante;
 import lancer.fenetre.Fenetre;
 import lancer.lecture.LecteurScene;
 import lancer.rapide.Preparation;
@@ -40,6 +43,8 @@ public class Main implements Toile {
     private final Options options;
     private volatile Scene scene;
     private volatile String fichier;
+    private volatile List<String> avertissements = Collections.emptyList();
+    private List<Variante> variantesLibres;
     private long lectureNs;
     private long preparationNs;
     private volatile ImageMemoire image;
@@ -129,7 +134,7 @@ public class Main implements Toile {
         Lancer lancer = preparer(options.largeur, options.hauteur);
         Toile toile = this;
         int reflets = options.reflets;
-        Auto auto = options.auto ? new Auto(lancer, options) : null;
+        Auto auto = options.auto ? new Auto(lancer, options, variantesLibres) : null;
         if (auto != null) {
             lancer = auto.getLancer();
             toile = auto.surveiller(this);
@@ -257,16 +262,24 @@ public class Main implements Toile {
      */
     public void lireScene(String fichier) {
         long debut = System.nanoTime();
-        Scene nouvelle = new Scene(fichier);
+        LecteurScene lu = LecteurScene.lire(fichier);
+        Scene nouvelle = new Scene(lu);
         lectureNs = System.nanoTime() - debut;
         nouvelle.setSeuil(options.seuil);
         scene = nouvelle;
+        avertissements = lu.getAvertissements();
+        variantesLibres = lu.getVariantesLibres();
         this.fichier = fichier;
+    }
+
+    /** Ce que la lecture de la scène a laissé de côté, une ligne chacun. */
+    public List<String> getAvertissements() {
+        return avertissements;
     }
 
     /** Dit ce que la scène lue a de laissé de côté. */
     public void avertir(PrintStream erreur) {
-        for (String avertissement : scene.getAvertissements()) {
+        for (String avertissement : avertissements) {
             direErreur(erreur, avertissement);
         }
     }

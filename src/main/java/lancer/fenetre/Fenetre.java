@@ -10,12 +10,11 @@ import javax.swing.JFrame;
 import javax.swing.Timer;
 import lancer.Lancer;
 import lancer.Main;
-import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
-import lancer.lecture.Variantes;
+import lancer.lecture.Services;
 import lancer.sortie.ImageMemoire;
 import lancer.texte.Texte;
 
@@ -92,7 +91,7 @@ public final class Fenetre {
         Ecran.exiger();
         // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
         Tracage premier = fichier == null ? null : atelier.dessiner(null, taille(main.getOptions()));
-        List<String> variantes = Variantes.noms();
+        List<String> variantes = Services.nomsDesVariantes();
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
@@ -298,8 +297,7 @@ public final class Fenetre {
 
     /** Montre ce que la scène a de laissé de côté, ou efface le message qui était là. */
     private void avertir() {
-        Scene scene = main.getScene();
-        panneau.getBandeau().avis(scene == null ? "" : String.join("\n", scene.getAvertissements()));
+        panneau.getBandeau().avis(String.join("\n", main.getAvertissements()));
     }
 
     void montrerPixel() {
