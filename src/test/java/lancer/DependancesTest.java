@@ -76,7 +76,7 @@ class DependancesTest {
 
     @Test
     void laCommandeNeDependQueDesTextesEtDesNombres() {
-        verifier("lancer/commande/.*", "java\\.(?!awt).*|lancer\\.(Constantes|contrat\\.PixelFautif)|lancer\\.texte\\..*");
+        verifier("lancer/commande/.*", "java\\.(?!awt).*|lancer\\.(Constantes|SceneFautive|contrat\\.PixelFautif)|lancer\\.texte\\..*");
     }
 
     @Test
@@ -89,7 +89,7 @@ class DependancesTest {
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
         verifier("lancer/auto/.*",
                 "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.commande\\.Options");
-        verifier("(?!lancer/auto/|lancer/Main\\.java).*", "(?!lancer\\.auto\\.).*");
+        verifier("(?!lancer/(auto/|sortie/VersFichiers\\.java)).*", "(?!lancer\\.auto\\.).*");
     }
 
     @Test

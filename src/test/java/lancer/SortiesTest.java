@@ -27,6 +27,7 @@ import java.util.Map;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import lancer.commande.Echec;
+import lancer.commande.Pannes;
 import lancer.sortie.Ecriture;
 import lancer.sortie.FichierPfm;
 import lancer.sortie.FichierPng;
@@ -89,10 +90,10 @@ class SortiesTest extends EssaiCommande {
     @Test
     void unePanneDeLaMachineDitQuoiFaire() {
         assertEquals("trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2",
-                Main.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
-        assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Main.message(new OutOfMemoryError()));
+                Pannes.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
+        assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Pannes.message(new OutOfMemoryError()));
         assertEquals("échec du programme : java.lang.IllegalStateException: a\\nb",
-                Main.message(new IllegalStateException("a\nb")));
+                Pannes.message(new IllegalStateException("a\nb")));
     }
 
     @Test

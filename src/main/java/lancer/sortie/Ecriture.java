@@ -114,6 +114,13 @@ public final class Ecriture {
         }
     }
 
+    /** @throws Echec si écrire écraserait cet autre fichier. @param faute comment le dire */
+    public void epargner(Path autre, String faute) {
+        if (vise(autre)) {
+            throw new Echec(CodeSortie.DEMANDE, faute + " ; attendu : un autre fichier");
+        }
+    }
+
     /** @throws Echec si l'écriture échoue ; le fichier est alors comme avant */
     public void ecrire(ImageMemoire image, Format format) {
         try {

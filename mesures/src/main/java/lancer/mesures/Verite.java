@@ -1,10 +1,10 @@
 package lancer.mesures;
 
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.rapide.Preparation;
 
 /**
  * L'image qu'aurait donnée un calcul sans limite, ou ce qui en approche, et de combien elle s'en écarte peut-être encore : la
@@ -73,7 +73,7 @@ public final class Verite {
         Scene copie = Scenes.copie(scene);
         copie.setEchantillonnage(echantillonnage);
         copie.setSeuil(seuil);
-        return Main.preparer(copie, largeur, hauteur, false);
+        return Preparation.preparer(copie, largeur, hauteur, false);
     }
 
     private static ImageLineaire dessiner(Lancer lancer, int profondeur) {

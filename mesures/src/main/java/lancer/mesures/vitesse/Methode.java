@@ -3,11 +3,11 @@ package lancer.mesures.vitesse;
 import java.util.function.UnaryOperator;
 import lancer.Constantes;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
 import lancer.mesures.Scenes;
+import lancer.rapide.Preparation;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Immuable : chaque précision en donne une autre. */
 final class Methode {
@@ -113,7 +113,7 @@ final class Methode {
         Scene copie = changement.apply(Scenes.copie(scene));
         copie.setEchantillonnage(choisi);
         copie.setSeuil(seuil);
-        return Main.preparer(copie, largeur, hauteur, boucles);
+        return Preparation.preparer(copie, largeur, hauteur, boucles);
     }
 
     /** Dessine, une fois. */
