@@ -13,8 +13,8 @@ import lancer.fenetre.Dessinateur;
 import lancer.fenetre.Fenetre;
 import lancer.lecture.LecteurScene;
 import lancer.rapide.Preparation;
-import lancer.sortie.ImageLue;
 import lancer.sortie.ImageMemoire;
+import lancer.sortie.LectureImage;
 import lancer.sortie.Statistiques;
 import lancer.sortie.UnPixel;
 import lancer.sortie.VersFichiers;
@@ -106,14 +106,15 @@ public class Main implements Toile, Dessinateur {
     /** @return le statut de sortie ; que des images diffèrent est une réponse, pas une panne */
     private int comparer() {
         VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
-        ImageLue attendue = fichiers.lireReference();
-        if (ImageLue.estImage(options.scene)) {
-            return fichiers.comparer(ImageLue.lire(options.scene), attendue);
+        ImageMemoire attendue = fichiers.lireReference();
+        if (LectureImage.estImage(options.scene)) {
+            image = LectureImage.lire(options.scene);
+        } else {
+            lireScene(options.scene);
+            image = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
+            preparer().TracerPixels(this, options.reflets, options.fils);
         }
-        lireScene(options.scene);
-        image = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
-        preparer().TracerPixels(this, options.reflets, options.fils);
-        return fichiers.comparer(new ImageLue(image), attendue);
+        return fichiers.comparer(image, attendue);
     }
 
     @Override

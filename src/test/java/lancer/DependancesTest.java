@@ -93,8 +93,10 @@ class DependancesTest {
     }
 
     @Test
-    void seuleLaFenetreConnaitAwt() {
-        verifier("(?!lancer/fenetre/).*", "(?!java\\.awt|javax\\.|sun\\.|com\\.).*");
+    void seuleLaFenetreConnaitAwtEtImageIoNeLitQueLesImagesAComparer() {
+        String sansAwt = "(?!java\\.awt|javax\\.|sun\\.|com\\.).*";
+        verifier("(?!lancer/(fenetre/|sortie/LectureImage\\.java)).*", sansAwt);
+        verifier("lancer/sortie/LectureImage\\.java", sansAwt + "|java\\.awt\\.image\\..*|javax\\.imageio\\..*");
         verifier("(?!lancer/(fenetre/|Main\\.java)).*", "(?!lancer\\.fenetre\\.).*");
     }
 

@@ -72,7 +72,7 @@ final class Enregistrement {
     }
 
     private void ecrire(ImageMemoire image, Ecriture ecriture, File cible) {
-        ecriture.ecrire(image, new FichierPng.Format());
+        ecriture.ecrire(image, new FichierPng());
         EventQueue.invokeLater(() -> bandeau.avis("enregistrée : " + Texte.echappe(cible.getName())));
     }
 

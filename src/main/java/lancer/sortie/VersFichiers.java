@@ -64,10 +64,10 @@ public final class VersFichiers {
             auto.controler();
         }
         if (png != null) {
-            png.ecrire(image, new FichierPng.Format());
+            png.ecrire(image, new FichierPng());
         }
         if (pfm != null) {
-            pfm.ecrire(image, new FichierPfm.Format());
+            pfm.ecrire(image, new FichierPfm());
         }
         if (options.statistiques) {
             Object nombres = new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces);
@@ -83,10 +83,8 @@ public final class VersFichiers {
     /** @return le temps de chaque dessin, en nanosecondes */
     private long[] tracer(Lancer lancer, Toile toile, int reflets) {
         long[] traces = new long[options.repeter];
-        BarreProgression barre = BarreProgression.possible() ? new BarreProgression(lancer, erreur) : null;
-        if (barre != null) {
-            barre.commencer();
-        }
+        BarreProgression barre = new BarreProgression(lancer, erreur);
+        barre.commencer();
         try {
             for (int k = 0; k < traces.length; k++) {
                 long debut = System.nanoTime();
@@ -94,31 +92,29 @@ public final class VersFichiers {
                 traces[k] = System.nanoTime() - debut;
             }
         } finally {
-            if (barre != null) {
-                barre.finir();
-            }
+            barre.finir();
         }
         return traces;
     }
 
     /** @throws Echec si elle ne peut être lue, ou si l'image des différences écraserait une des images comparées */
-    public ImageLue lireReference() {
+    public ImageMemoire lireReference() {
         for (String comparee : new String[] {options.comparer, options.scene}) {
             if (png != null) {
                 png.epargner(Paths.get(comparee),
                         "la sortie est une des images comparées : " + Texte.echappe(options.image));
             }
         }
-        return ImageLue.lire(options.comparer);
+        return LectureImage.lire(options.comparer);
     }
 
     /** Compare, et écrit l'image des différences si elle est demandée. @return le statut de sortie */
-    public int comparer(ImageLue image, ImageLue attendue) {
-        Comparaison comparaison = new Comparaison(image, attendue, options.tolerance);
+    public int comparer(ImageMemoire image, ImageMemoire attendue) {
+        Comparaison comparaison = Comparaison.de(image, attendue, options.tolerance);
         if (png != null) {
-            png.ecrire(comparaison.getDifferences(), new FichierPng.Format());
+            png.ecrire(comparaison.getDifferences(), new FichierPng());
         }
         Pannes.repondre(comparaison.toString(), sortie);
-        return comparaison.pareilles() ? CodeSortie.FAIT : CodeSortie.PANNE;
+        return comparaison.sontPareilles() ? CodeSortie.FAIT : CodeSortie.PANNE;
     }
 }
