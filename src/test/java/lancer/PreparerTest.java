@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import lancer.contrat.RechercheSimple;
+import lancer.rapide.Preparation;
 import lancer.sortie.ImageMemoire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,7 +30,7 @@ class PreparerTest {
         float[] programme = simple ? Essai.dessiner(dossier, SCENE, taille, "--simple") : Essai.dessiner(dossier, SCENE, taille);
         ImageMemoire image = new ImageMemoire(64, 48, true);
         Scene scene = new Scene(SCENE.toString());
-        Main.preparer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
+        Preparation.preparer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
         float[] preparee = image.getLineaire();
         for (int j = 0; j < 48; j++) {
             // un fichier PFM commence par la ligne du bas
@@ -44,7 +45,7 @@ class PreparerTest {
     @Test
     void simpleDonneLesBouclesDuCours() {
         Scene scene = new Scene(SCENE.toString());
-        Lancer lancer = Main.preparer(scene, 64, 48, true);
+        Lancer lancer = Preparation.preparer(scene, 64, 48, true);
         assertTrue(scene.getRecherche() instanceof RechercheSimple);
         assertEquals(64, lancer.getCamera().getLargeur());
         assertEquals(48, lancer.getCamera().getHauteur());

@@ -7,10 +7,12 @@ import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.contrat.RechercheSimple;
 import lancer.fils.Equipe;
 
 /**
@@ -152,9 +154,22 @@ public final class Preparation {
     }
 
     /**
+     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure
+     * aussi.
+     *
+     * @param simple vrai pour les boucles du cours
+     */
+    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
+        Camera camera = new Camera(largeur, hauteur);
+        scene.setRecherche(simple
+                ? new RechercheSimple(scene.getObjets(), scene.getCompteurs()) : pour(scene, camera));
+        return new Lancer(scene, camera);
+    }
+
+    /**
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
-     * @return une recherche de même image et mêmes comptes de rayons que {@link lancer.contrat.RechercheSimple}
+     * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
      */
     public static Recherche pour(Scene scene, Camera camera) {
         return pour(scene, camera, new Reglage());

@@ -18,13 +18,13 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.rapide.Preparation;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -56,7 +56,7 @@ class BancTest {
     /** Mesure ici même, avec cette recherche au lieu de celle du programme ; la plus petite image, le temps le plus court. */
     private static Function<Reglages, Banc.Essai> avec(UnaryOperator<Recherche> autre) {
         Chronometre.Preparation preparation = (scene, largeur, hauteur) -> {
-            Lancer lancer = Main.preparer(scene, largeur, hauteur, true);
+            Lancer lancer = Preparation.preparer(scene, largeur, hauteur, true);
             scene.setRecherche(autre.apply(scene.getRecherche()));
             return lancer;
         };
@@ -145,7 +145,7 @@ class BancTest {
     @DisplayName("Une scène trop chère est sautée, les plus grandes de sa famille aussi, et ce n'est pas une faute")
     void uneSceneTropChereEstSautee() throws IOException {
         Chronometre.Preparation lente = (scene, largeur, hauteur) -> {
-            Lancer lancer = Main.preparer(scene, largeur, hauteur, true);
+            Lancer lancer = Preparation.preparer(scene, largeur, hauteur, true);
             scene.setRecherche(new Lente(scene.getRecherche()));
             return lancer;
         };

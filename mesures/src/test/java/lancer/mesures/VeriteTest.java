@@ -10,7 +10,6 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Main;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
@@ -18,6 +17,7 @@ import lancer.antialias.Antialias;
 import lancer.brume.Brume;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.rapide.Preparation;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
@@ -33,7 +33,7 @@ class VeriteTest {
 
     private static ImageLineaire image(Scene scene, Echantillonnage echantillonnage, int profondeur) {
         Scene copie = Scenes.nue(scene).avec(echantillonnage, Constantes.SEUIL);
-        return ImageLineaire.de(Main.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
+        return ImageLineaire.de(Preparation.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
     }
 
     /** Tous les sous-pixels, partout. */
