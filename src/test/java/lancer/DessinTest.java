@@ -96,6 +96,18 @@ class DessinTest {
     }
 
     @Test
+    void leBrouillonLanceUnRayonParCarreDeQuatrePixelsMemeCoupeParLeBord() {
+        Scene ciel = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
+        for (int[] taille : new int[][] {{64, 32}, {32, 64}, {1, 1}, {33, 70}, {6, 3}}) {
+            Lancer lancer = new Lancer(ciel, new Camera(taille[0], taille[1]));
+            int[] peints = new int[1];
+            lancer.TracerBrouillon((couleur, i, j) -> peints[0]++, 1, 1);
+            assertEquals((taille[0] + 3) / 4 * ((taille[1] + 3) / 4), lancer.getCompteurs().primaires, taille[0] + " × " + taille[1]);
+            assertEquals(taille[0] * taille[1], peints[0]);
+        }
+    }
+
+    @Test
     void unDessinArreteNeFinitPas() {
         Scene scene = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
         Lancer lancer = new Lancer(scene, new Camera(64, 64));

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
 import java.util.Random;
 import lancer.Constantes;
 import lancer.Point;
@@ -225,6 +226,95 @@ class PrecisionTest {
             assertEquals(Constantes.INFINI, Sphere.distance(nan, p, 0, 0, 0, 1, 0, 0, 0, 1), "départ, en " + p);
             assertEquals(Constantes.INFINI, Sphere.distance(p, 0, 0, 0, 0, 1, 0, nan, 0, 1), "centre, en " + p);
             assertEquals(Constantes.INFINI, Sphere.distance(p, 0, 0, 0, 0, 1, 0, Constantes.INFINI, 0, 1), "centre infini, en " + p);
+        }
+    }
+
+    private static BigDecimal exact(double x) {
+        return new BigDecimal(x);
+    }
+
+    /** |f + e|² − r², sans arrondi. */
+    private static BigDecimal puissanceExacte(double[] f, double[] e, double r) {
+        BigDecimal somme = exact(r).multiply(exact(r)).negate();
+        for (int k = 0; k < 3; k++) {
+            BigDecimal x = exact(f[k]).add(exact(e[k]));
+            somme = somme.add(x.multiply(x));
+        }
+        return somme;
+    }
+
+    @Test
+    void laPuissanceDUnPointEstJusteADeuxPuissanceMoins53OuA2PuissanceMoins127R2Pres() {
+        int presque = 0;
+        for (int k = 0; k < 15_000; k++) {
+            double r = Math.scalb(1 + hasard.nextDouble(), hasard.nextInt(40) - 20);
+            Vecteur n = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian() * Math.pow(10, -hasard.nextInt(8)))
+                    .normalized();
+            // de un millième du rayon à son dernier chiffre
+            double ecart = hasard.nextInt(3) == 0 ? 0 : Math.pow(10, -3 - 13 * hasard.nextDouble()) * (hasard.nextBoolean() ? 1 : -1);
+            double[] f = {n.x * r * (1 + ecart), n.y * r * (1 + ecart), n.z * r * (1 + ecart)};
+            double[] e = new double[3];
+            double reste = puissanceExacte(f, e, r).doubleValue();
+            boolean annule = hasard.nextBoolean();
+            for (int i = 0; i < 3; i++) {
+                double demi = Math.ulp(f[i]) / 2;
+                // le second terme au hasard, ou celui qui annule presque tout
+                double voulu = annule ? -reste * f[i] / (2 * r * r) : demi * (2 * hasard.nextDouble() - 1);
+                e[i] = Math.max(-demi, Math.min(demi, voulu));
+            }
+            BigDecimal juste = puissanceExacte(f, e, r);
+            double c = IntersectionCompensee.puissance(f[0], f[1], f[2], e[0], e[1], e[2], r);
+            double erreur = exact(c).subtract(juste).abs().doubleValue();
+            double permise = U * Math.abs(juste.doubleValue()) + 0x1p-127 * r * r;
+            assertTrue(erreur <= permise, "graine " + GRAINE + ", tirage " + k + " : " + juste.doubleValue() / (r * r) + " r², erreur "
+                    + erreur / permise);
+            presque += Math.abs(juste.doubleValue()) < 1e-24 * r * r ? 1 : 0;
+        }
+        assertTrue(presque > 100, presque + " puissances presque nulles");
+    }
+
+    @Test
+    void lEcartALaSurfaceSeMesureAussiDeLoin() {
+        for (double r : new double[] {1e-30, 1e-10, 0.5, 1, 2, 1e10, 1e30}) {
+            for (double norme : new double[] {0.25, 0.5, 0.999, 1, 1.001, 2, 4}) {
+                double carre = (norme * r) * (norme * r);
+                assertEquals(1 - 1 / norme, Sphere.ecart(carre, r), 4 * U * Math.max(1, 1 / norme), "r = " + r + ", à " + norme + " r");
+            }
+            double colle = r * (1 + 1e-12);
+            assertEquals(1e-12, Sphere.ecart(colle * colle, r), 8 * U);
+        }
+        assertEquals(-1, Sphere.ecart(1, 2));
+    }
+
+    /** C'est ce qui permet d'écarter une sphère sans reprendre le calcul : une borne de zéro serait juste, et ne servirait à rien. */
+    @Test
+    void uneDistanceEnDouteSAnnonceAUnDixMilliemePres() {
+        int annoncees = 0;
+        for (int k = 0; k < 20_000; k++) {
+            double r = Math.pow(10, 4 * hasard.nextDouble());
+            Vecteur n = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
+            Vecteur p = n.mul(r * (1 + Math.pow(10, -5 * hasard.nextDouble())));
+            Vecteur v = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).sub(n).normalized();
+            double d = Sphere.distanceOuDoute(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
+            double t = Sphere.distance(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
+            if (d < -Double.MIN_VALUE) {
+                annoncees++;
+                assertTrue(Sphere.auMoins(d) <= t && Sphere.auMoins(d) >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
+                        + Sphere.auMoins(d) + " pour " + t);
+            }
+        }
+        assertTrue(annoncees > 5000, annoncees + " doutes");
+    }
+
+    @Test
+    void deLInterieurDosAuCentreLaSortieEstJusteAToutesLesTailles() {
+        for (int k = 0; k < 20_000; k++) {
+            double r = Math.pow(10, 20 * hasard.nextDouble() - 10);
+            double part = hasard.nextDouble();
+            // P est en (part r, 0, 0) et s'éloigne du centre : la sortie est à r − part r
+            double attendue = exact(r).subtract(exact(part * r)).doubleValue();
+            assertEquals(attendue, Sphere.distance(part * r, 0, 0, 1, 0, 0, 0, 0, 0, r), 8 * U * 2 * attendue,
+                    "graine " + GRAINE + ", tirage " + k);
         }
     }
 }
