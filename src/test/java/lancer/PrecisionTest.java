@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import lancer.precision.Doute;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -143,7 +144,7 @@ class PrecisionTest {
             Cas cas = tirer(famille);
             Vecteur V = new Rayon(cas.p, cas.p2).getV();
             double d = Sphere.distanceOuDoute(cas.p.x, cas.p.y, cas.p.z, V.x, V.y, V.z, cas.c.x, cas.c.y, cas.c.z, cas.r);
-            assertTrue(d >= 0 ? d == cas.distance() : cas.distance() >= Sphere.auMoins(d), "graine " + GRAINE + ", tirage " + k + ", "
+            assertTrue(d >= 0 ? d == cas.distance() : cas.distance() >= Doute.auMoins(d), "graine " + GRAINE + ", tirage " + k + ", "
                     + cas);
             doutes += d < 0 ? 1 : 0;
         }

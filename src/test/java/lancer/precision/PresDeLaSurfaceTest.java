@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.util.Random;
+import lancer.Constantes;
 import lancer.Point;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.Constantes;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -199,12 +199,12 @@ class PresDeLaSurfaceTest {
         for (double r : new double[] {1e-30, 1e-10, 0.5, 1, 2, 1e10, 1e30}) {
             for (double norme : new double[] {0.25, 0.5, 0.999, 1, 1.001, 2, 4}) {
                 double carre = (norme * r) * (norme * r);
-                assertEquals(1 - 1 / norme, Sphere.ecart(carre, r), 4 * U * Math.max(1, 1 / norme), "r = " + r + ", à " + norme + " r");
+                assertEquals(1 - 1 / norme, Norme.ecart(carre, r), 4 * U * Math.max(1, 1 / norme), "r = " + r + ", à " + norme + " r");
             }
             double colle = r * (1 + 1e-12);
-            assertEquals(1e-12, Sphere.ecart(colle * colle, r), 8 * U);
+            assertEquals(1e-12, Norme.ecart(colle * colle, r), 8 * U);
         }
-        assertEquals(-1, Sphere.ecart(1, 2));
+        assertEquals(-1, Norme.ecart(1, 2));
     }
 
     /** C'est ce qui permet d'écarter une sphère sans reprendre le calcul : une borne de zéro serait juste, et ne servirait à rien. */
@@ -220,8 +220,8 @@ class PresDeLaSurfaceTest {
             double t = Sphere.distance(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
             if (d < -Double.MIN_VALUE) {
                 annoncees++;
-                assertTrue(Sphere.auMoins(d) <= t && Sphere.auMoins(d) >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
-                        + Sphere.auMoins(d) + " pour " + t);
+                assertTrue(Doute.auMoins(d) <= t && Doute.auMoins(d) >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
+                        + Doute.auMoins(d) + " pour " + t);
             }
         }
         assertTrue(annoncees > 5000, annoncees + " doutes");
