@@ -33,6 +33,15 @@ public final class Constantes {
     /** Distance d'un contact qui n'existe pas. */
     public static final double INFINI = Double.POSITIVE_INFINITY;
 
+    /** Rouge et vert du ciel à l'horizon, où son bleu est 1 ; plus haut, il va vers le bleu pur. */
+    public static final double CIEL_HORIZON = 0.7;
+
+    /** Rouge, vert et bleu du sol à l'horizon, et ce que le vert perd jusque droit au-dessous. */
+    public static final double SOL_ROUGE = 0.5;
+    public static final double SOL_VERT = 0.4;
+    public static final double SOL_BLEU = 0.1;
+    public static final double SOL_ASSOMBRI = 0.2;
+
     private Constantes() {
     }
 }

@@ -1,7 +1,6 @@
 package lancer;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
@@ -85,23 +84,18 @@ public class Lancer {
      * @throws PixelFautif si un pixel ne peut être calculé
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
-        long jugementNs = juger(profondeur, true);
+        long debut = System.nanoTime();
+        juger(profondeur, true);
+        long jugementNs = System.nanoTime() - debut;
         TracerBrouillon(toile, profondeur, fils);
         brouillonFait = true;
-        boolean juste = temoignage.ecart == null;
-        parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-        if (juste) {
-            jugementNs += juger(profondeur, false);
-            if (temoignage.ecart != null) {
-                parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-            }
-        }
+        tracer(toile, profondeur, fils, false);
         dureeNs += jugementNs;
     }
 
     /** Dessine des carrés de 4 × 4 pixels, chacun de la couleur de son centre, avec une réflexion au plus. */
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        parcourir(new Brouillon(), toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+        parcourir(Echantillonnage.BROUILLON, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
     }
 
     /**
@@ -109,14 +103,23 @@ public class Lancer {
      * elle.
      */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
+        tracer(toile, profondeur, fils, true);
+    }
+
+    private void tracer(Toile toile, int profondeur, int fils, boolean temoinsATirer) {
+        long debut = System.nanoTime();
         parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
         if (temoignage.ecart == null) {
-            long jugementNs = juger(profondeur, true) + juger(profondeur, false);
+            if (temoinsATirer) {
+                juger(profondeur, true);
+            }
+            juger(profondeur, false);
             if (temoignage.ecart != null) {
                 parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
             }
-            dureeNs += jugementNs;
         }
+        compteurs.pixelsTemoins = temoignage.pixels;
+        dureeNs = System.nanoTime() - debut;
     }
 
     /** Abandonne le dessin en cours, au prochain rayon de chaque fil, et tous les suivants. */
@@ -150,28 +153,19 @@ public class Lancer {
     }
 
     /**
-     * Fait juger la recherche de la scène ; si elle se trompe, les boucles du cours la remplacent.
+     * Fait juger la recherche de la scène ; si elle se trompe, les boucles du cours la remplacent, pour de bon.
      *
      * @param tires vrai pour des témoins tirés au hasard, faux pour d'autres, choisis
-     * @return le temps que cela a pris, en nanosecondes
      * @throws PixelFautif si un témoin ne peut être calculé
      */
-    private long juger(int profondeur, boolean tires) {
-        long debut = System.nanoTime();
-        if (temoignage.ecart != null) {
-            // déjà dit : depuis, les boucles dessinent
-            return 0;
+    private void juger(int profondeur, boolean tires) {
+        if (temoignage.ecart == null) {
+            Temoignage juge = scene.getRecherche().juger(this, profondeur, tires);
+            temoignage = tires ? juge : new Temoignage(temoignage.pixels, juge.ecart);
+            if (juge.ecart != null) {
+                scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
+            }
         }
-        int nombre = temoignage.pixels;
-        new Equipe("temoins").faire(1, Collections.singletonList(new Jugement(profondeur, tires)));
-        if (!tires) {
-            temoignage = new Temoignage(nombre, temoignage.ecart);
-        }
-        compteurs.pixelsTemoins = temoignage.pixels;
-        if (temoignage.ecart != null) {
-            scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
-        }
-        return System.nanoTime() - debut;
     }
 
     /** La boucle sur l'image, dont chaque pavé est dessiné par cet échantillonnage ; personne ne juge la recherche. */
@@ -187,7 +181,6 @@ public class Lancer {
         for (Fil fil : ouvriers) {
             total.ajouter(fil.sien.scene.getCompteurs());
         }
-        total.pixelsTemoins = temoignage.pixels;
         compteurs = total;
         dureeNs = System.nanoTime() - debut;
     }
@@ -217,43 +210,6 @@ public class Lancer {
         public Couleur couleur(double xe, double ye) {
             equipe.verifier();
             return sien.voir(xe, ye, profondeur);
-        }
-    }
-
-    private final class Jugement implements IntConsumer {
-
-        private final int profondeur;
-        private final boolean tires;
-
-        Jugement(int profondeur, boolean tires) {
-            this.profondeur = profondeur;
-            this.tires = tires;
-        }
-
-        @Override
-        public void accept(int rang) {
-            temoignage = scene.getRecherche().juger(Lancer.this, profondeur, tires);
-        }
-    }
-
-    /** Un rayon pour seize pixels ; sur les bords, au centre de la part du carré qui est dans l'image. */
-    private static final class Brouillon implements Echantillonnage {
-        @Override
-        public int tracer(Pave pave, Vue vue, Toile toile) {
-            int pas = Constantes.PAS_BROUILLON;
-            for (int j = pave.j0; j < pave.j1; j += pas) {
-                int jFin = Math.min(j + pas, pave.j1);
-                for (int i = pave.i0; i < pave.i1; i += pas) {
-                    int iFin = Math.min(i + pas, pave.i1);
-                    Couleur couleur = vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0);
-                    for (int y = j; y < jFin; y++) {
-                        for (int x = i; x < iFin; x++) {
-                            toile.drawPixel(couleur, x, y);
-                        }
-                    }
-                }
-            }
-            return 0;
         }
     }
 }

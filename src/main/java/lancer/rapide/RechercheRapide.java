@@ -1,5 +1,7 @@
 package lancer.rapide;
 
+import java.util.Collections;
+import java.util.function.IntConsumer;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Lancer;
@@ -10,6 +12,7 @@ import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.Temoignage;
+import lancer.fils.Equipe;
 
 /**
  * La recherche qui s'aide des structures de {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui
@@ -155,12 +158,20 @@ final class RechercheRapide implements Recherche {
         return new RechercheRapide(preparation, premiers, suivants, obstacles, compteurs);
     }
 
+    /** Dans un fil dont la pile suffit aux réflexions permises. */
     @Override
     public Temoignage juger(Lancer lancer, int profondeur, boolean tires) {
         if (tires) {
             temoins = new Temoins(this, lancer, profondeur);
         }
-        return tires ? temoins.auHasard() : temoins.choisis();
+        Temoignage[] dit = new Temoignage[1];
+        new Equipe("temoins").faire(1, Collections.singletonList(new IntConsumer() {
+            @Override
+            public void accept(int rang) {
+                dit[0] = tires ? temoins.auHasard() : temoins.choisis();
+            }
+        }));
+        return dit[0];
     }
 
     /** Ce que {@link Preparation} a choisi pour cette scène. */
