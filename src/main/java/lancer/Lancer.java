@@ -8,7 +8,6 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
@@ -23,7 +22,6 @@ public class Lancer {
     private final Camera camera;
     private final Equipe equipe = new Equipe("lancer");
     private volatile boolean brouillonFait;
-    private volatile Temoignage temoignage = Temoignage.SANS_OBJET;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
@@ -38,6 +36,11 @@ public class Lancer {
 
     public Camera getCamera() {
         return camera;
+    }
+
+    /** De quoi dessiner la même scène autrement : voir {@link Scene#avec}. */
+    public Lancer avec(Echantillonnage echantillonnage, double seuil) {
+        return new Lancer(scene.avec(echantillonnage, seuil), camera);
     }
 
     /**
@@ -84,13 +87,9 @@ public class Lancer {
      * @throws PixelFautif si un pixel ne peut être calculé
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
-        long debut = System.nanoTime();
-        juger(profondeur, true);
-        long jugementNs = System.nanoTime() - debut;
         TracerBrouillon(toile, profondeur, fils);
         brouillonFait = true;
-        tracer(toile, profondeur, fils, false);
-        dureeNs += jugementNs;
+        TracerPixels(toile, profondeur, fils);
     }
 
     /** Dessine des carrés de 4 × 4 pixels, chacun de la couleur de son centre, avec une réflexion au plus. */
@@ -98,28 +97,9 @@ public class Lancer {
         parcourir(Echantillonnage.BROUILLON, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
     }
 
-    /**
-     * Dessine tous les pixels, sans brouillon. Personne ne regarde encore l'image : ses témoins viennent tous après
-     * elle.
-     */
+    /** Dessine tous les pixels, sans brouillon. */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
-        tracer(toile, profondeur, fils, true);
-    }
-
-    private void tracer(Toile toile, int profondeur, int fils, boolean temoinsATirer) {
-        long debut = System.nanoTime();
         parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-        if (temoignage.ecart == null) {
-            if (temoinsATirer) {
-                juger(profondeur, true);
-            }
-            juger(profondeur, false);
-            if (temoignage.ecart != null) {
-                parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-            }
-        }
-        compteurs.pixelsTemoins = temoignage.pixels;
-        dureeNs = System.nanoTime() - debut;
     }
 
     /** Abandonne le dessin en cours, au prochain rayon de chaque fil, et tous les suivants. */
@@ -137,9 +117,9 @@ public class Lancer {
         return brouillonFait;
     }
 
-    /** Ce que des pixels témoins ont dit de la recherche du dernier dessin. */
+    /** Ce que des pixels témoins ont dit de la recherche du dernier dessin ; les boucles du cours n'en ont pas. */
     public Temoignage getTemoignage() {
-        return temoignage;
+        return Temoignage.SANS_OBJET;
     }
 
     /** Ce que le dernier dessin achevé a compté, tous fils ensemble. */
@@ -147,28 +127,12 @@ public class Lancer {
         return compteurs;
     }
 
-    /** Le temps du dernier dessin achevé, celui des témoins compris, en nanosecondes. */
+    /** Le temps du dernier dessin achevé, en nanosecondes. */
     public long getDureeNs() {
         return dureeNs;
     }
 
-    /**
-     * Fait juger la recherche de la scène ; si elle se trompe, les boucles du cours la remplacent, pour de bon.
-     *
-     * @param tires vrai pour des témoins tirés au hasard, faux pour d'autres, choisis
-     * @throws PixelFautif si un témoin ne peut être calculé
-     */
-    private void juger(int profondeur, boolean tires) {
-        if (temoignage.ecart == null) {
-            Temoignage juge = scene.getRecherche().juger(this, profondeur, tires);
-            temoignage = tires ? juge : new Temoignage(temoignage.pixels, juge.ecart);
-            if (juge.ecart != null) {
-                scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
-            }
-        }
-    }
-
-    /** La boucle sur l'image, dont chaque pavé est dessiné par cet échantillonnage ; personne ne juge la recherche. */
+    /** La boucle sur l'image, dont chaque pavé est dessiné par cet échantillonnage. */
     public void parcourir(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
         long debut = System.nanoTime();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur());

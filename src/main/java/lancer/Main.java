@@ -19,6 +19,7 @@ import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.fenetre.Fenetre;
 import lancer.lecture.LecteurScene;
+import lancer.rapide.LancerSurveille;
 import lancer.rapide.Preparation;
 import lancer.sortie.BarreProgression;
 import lancer.sortie.Comparaison;
@@ -302,7 +303,7 @@ public class Main implements Toile {
         Camera camera = new Camera(largeur, hauteur);
         scene.setRecherche(simple
                 ? new RechercheSimple(scene.getObjets(), scene.getCompteurs()) : Preparation.pour(scene, camera));
-        return new Lancer(scene, camera);
+        return new LancerSurveille(scene, camera);
     }
 
     /**

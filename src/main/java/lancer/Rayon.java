@@ -100,9 +100,8 @@ public class Rayon {
     public Couleur getSkyColor() {
         if (V.y > 0) {
             double bas = 1 - V.y;
-            return new Couleur(Constantes.CIEL_HORIZON * bas, Constantes.CIEL_HORIZON * bas, bas + V.y);
+            return new Couleur(Constantes.CIEL.r * bas, Constantes.CIEL.v * bas, Constantes.CIEL.b * bas + V.y);
         }
-        return new Couleur(Constantes.SOL_ROUGE, Constantes.SOL_VERT + Constantes.SOL_ASSOMBRI * V.y,
-                Constantes.SOL_BLEU);
+        return new Couleur(Constantes.SOL.r, Constantes.SOL.v + Constantes.SOL_ASSOMBRI * V.y, Constantes.SOL.b);
     }
 }

@@ -163,10 +163,6 @@ public final class Scene {
         this.recherche = recherche;
     }
 
-    public Atmosphere getAtmosphere() {
-        return atmosphere;
-    }
-
     public Specularite getSpecularite() {
         return specularite;
     }

@@ -108,16 +108,13 @@ public class Sphere extends Objet3D {
         double fx = cx - px;
         double fy = cy - py;
         double fz = cz - pz;
-        int k = Norme.echelle(fx, fy, fz, r);
-        if (k == 0) {
+        double s = Norme.echelle(fx, fy, fz, r);
+        if (s == 1) {
             return IntersectionCompensee.distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
         }
-        // tout multiplié par 2^k, depuis un départ et un centre qui ont cette même différence
-        double ex = Math.scalb(IntersectionCompensee.reste(cx, -px, fx), k);
-        double ey = Math.scalb(IntersectionCompensee.reste(cy, -py, fy), k);
-        double ez = Math.scalb(IntersectionCompensee.reste(cz, -pz, fz), k);
-        return Math.scalb(distance(-ex, -ey, -ez, vx, vy, vz, Math.scalb(fx, k), Math.scalb(fy, k), Math.scalb(fz, k),
-                Math.scalb(r, k)), -k);
+        // tout multiplié par s, depuis un départ et un centre qui ont cette même différence
+        return distance(-s * IntersectionCompensee.reste(cx, -px, fx), -s * IntersectionCompensee.reste(cy, -py, fy),
+                -s * IntersectionCompensee.reste(cz, -pz, fz), vx, vy, vz, s * fx, s * fy, s * fz, s * r) / s;
     }
 
     /**

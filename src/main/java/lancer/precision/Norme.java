@@ -46,14 +46,14 @@ public final class Norme {
         return r2 > CARRE_MIN && r2 + (x * x + y * y + z * z) < CARRE_MAX;
     }
 
-    /** L'exposant de la puissance de deux qui les rend ordinaires ; 0 s'ils le sont, ou si rien n'y fait. */
-    public static int echelle(double x, double y, double z, double rayon) {
+    /** La puissance de deux qui, par une multiplication, les rend ordinaires ; 1 s'ils le sont, ou si rien n'y fait. */
+    public static double echelle(double x, double y, double z, double rayon) {
         if (sontOrdinaires(x, y, z, rayon)) {
-            return 0;
+            return 1;
         }
         double max = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.max(Math.abs(z), rayon));
-        int k = -Math.getExponent(max);
-        return max <= Double.MAX_VALUE && Math.scalb(rayon, k) >= POUSSIERE ? k : 0;
+        double echelle = Math.scalb(1.0, -Math.getExponent(max));
+        return max <= Double.MAX_VALUE && echelle * rayon >= POUSSIERE ? echelle : 1;
     }
 
     /**

@@ -1,18 +1,13 @@
 package lancer.rapide;
 
-import java.util.Collections;
-import java.util.function.IntConsumer;
 import lancer.Constantes;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.Temoignage;
-import lancer.fils.Equipe;
 
 /**
  * La recherche qui s'aide des structures de {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui
@@ -40,9 +35,6 @@ final class RechercheRapide implements Recherche {
      * suivant.
      */
     private int derniere = -1;
-
-    /** Ceux qui jugent cette recherche : les choisis ont ce que leur laissent les tirés au hasard. */
-    private Temoins temoins;
 
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
@@ -156,22 +148,6 @@ final class RechercheRapide implements Recherche {
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
         return new RechercheRapide(preparation, premiers, suivants, obstacles, compteurs);
-    }
-
-    /** Dans un fil dont la pile suffit aux réflexions permises. */
-    @Override
-    public Temoignage juger(Lancer lancer, int profondeur, boolean tires) {
-        if (tires) {
-            temoins = new Temoins(this, lancer, profondeur);
-        }
-        Temoignage[] dit = new Temoignage[1];
-        new Equipe("temoins").faire(1, Collections.singletonList(new IntConsumer() {
-            @Override
-            public void accept(int rang) {
-                dit[0] = tires ? temoins.auHasard() : temoins.choisis();
-            }
-        }));
-        return dit[0];
     }
 
     /** Ce que {@link Preparation} a choisi pour cette scène. */
