@@ -175,10 +175,6 @@ public final class Scene {
         this.recherche = recherche;
     }
 
-    public Atmosphere getAtmosphere() {
-        return atmosphere;
-    }
-
     public Specularite getSpecularite() {
         return specularite;
     }

@@ -3,6 +3,7 @@ package lancer.rapide;
 import lancer.Constantes;
 import lancer.Point;
 import lancer.Sphere;
+import lancer.precision.Doute;
 
 /**
  * Ce qui cache une lampe : elle est ponctuelle et le cours fait partir d'elle les rayons d'ombre, donc elle voit la
@@ -59,7 +60,7 @@ final class CarteLampe implements Occultations {
                 tests++;
                 int s = Spheres.PAS * k;
                 d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                if (d < distance && (d >= 0 || Sphere.auMoins(d) < distance)) {
+                if (d < distance && (d >= 0 || Doute.auMoins(d) < distance)) {
                     break;
                 }
             }
@@ -84,7 +85,7 @@ final class CarteLampe implements Occultations {
                 parcours.compteurs.testsSpheres++;
                 int s = Spheres.PAS * k;
                 double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                if (d < 0 && Sphere.auMoins(d) < distance) {
+                if (d < 0 && Doute.auMoins(d) < distance) {
                     d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
                 }
                 if (d >= 0 && d < distance) {

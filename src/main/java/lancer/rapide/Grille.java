@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lancer.Constantes;
 import lancer.Sphere;
 import lancer.fils.Equipe;
+import lancer.precision.Doute;
 
 /**
  * Une grille régulière de cases, traversées l'une après l'autre (Amanatides et Woo, 1987) : deux à trois fois plus
@@ -330,7 +331,7 @@ final class Grille implements Intersections {
                 double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
                 if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
                     if (d < 0) {
-                        if (Sphere.auMoins(d) > distance) {
+                        if (Doute.auMoins(d) > distance) {
                             continue;
                         }
                         douteuse = k;

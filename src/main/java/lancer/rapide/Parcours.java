@@ -1,8 +1,8 @@
 package lancer.rapide;
 
-import lancer.precision.IntersectionCompensee;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
+import lancer.precision.Doute;
 
 /** Ce qu'un fil garde à côté de ses questions aux structures : la distance trouvée, une pile, ses comptes. */
 final class Parcours {
@@ -41,7 +41,7 @@ final class Parcours {
      */
     void retenir(Spheres spheres, int k, double d, double px, double py, double pz, double vx, double vy, double vz) {
         if (d < 0) {
-            if (Sphere.auMoins(d) > distance) {
+            if (Doute.auMoins(d) > distance) {
                 return;
             }
             d = trancher(spheres, k, px, py, pz, vx, vy, vz);
@@ -57,6 +57,6 @@ final class Parcours {
         compteurs.testsPrecis++;
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
-        return IntersectionCompensee.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+        return Sphere.trancher(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
     }
 }
