@@ -2,6 +2,7 @@ package lancer;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.util.List;
 import lancer.commande.Aide;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
@@ -9,6 +10,7 @@ import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
+import lancer.contrat.Variante;
 import lancer.fenetre.Dessinateur;
 import lancer.fenetre.Fenetre;
 import lancer.lecture.LecteurScene;
@@ -33,6 +35,8 @@ public class Main implements Toile, Dessinateur {
     private final PrintStream erreur;
     private volatile Scene scene;
     private volatile String fichier;
+    private List<String> avertissements;
+    private List<Variante> variantesLibres;
     private long lectureNs;
     private long preparationNs;
     private volatile ImageMemoire image;
@@ -90,7 +94,7 @@ public class Main implements Toile, Dessinateur {
         fichiers.epargner(chemin);
         lireScene(options.scene);
         image = fichiers.creerImage();
-        Lancer dessine = fichiers.dessiner(preparer(), this, image, lectureNs, preparationNs);
+        Lancer dessine = fichiers.dessiner(preparer(), variantesLibres, this, image, lectureNs, preparationNs);
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
         avertir();
         direEcart(dessine);
@@ -118,19 +122,22 @@ public class Main implements Toile, Dessinateur {
     }
 
     @Override
-    public Scene lireScene(String nomFichier) {
+    public List<String> lireScene(String nomFichier) {
         long debut = System.nanoTime();
-        Scene nouvelle = new Scene(nomFichier);
+        LecteurScene lu = LecteurScene.lire(nomFichier);
+        Scene nouvelle = new Scene(lu);
         lectureNs = System.nanoTime() - debut;
         nouvelle.setSeuil(options.seuil);
         scene = nouvelle;
         fichier = nomFichier;
-        return nouvelle;
+        variantesLibres = lu.getVariantesLibres();
+        avertissements = lu.getAvertissements();
+        return avertissements;
     }
 
     @Override
     public void avertir() {
-        for (String avertissement : scene.getAvertissements()) {
+        for (String avertissement : avertissements) {
             Pannes.avertir(avertissement, erreur);
         }
     }

@@ -1,9 +1,9 @@
 package lancer.fenetre;
 
 import java.awt.Dimension;
+import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import lancer.Scene;
 
 /**
  * Où se font les images de la fenêtre. Un seul fil, donc une image à la fois : la suivante attend là, et non sur le fil
@@ -24,7 +24,7 @@ final class Atelier {
     }
 
     /** Lit la première scène, dans le fil de l'appelant. */
-    Scene lire(String fichier) {
+    List<String> lire(String fichier) {
         surveillance.suivre(fichier);
         return dessinateur.lireScene(fichier);
     }

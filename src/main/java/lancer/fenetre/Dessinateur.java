@@ -1,5 +1,6 @@
 package lancer.fenetre;
 
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import lancer.Lancer;
 import lancer.Scene;
@@ -14,9 +15,10 @@ public interface Dessinateur {
      * Lit une scène, qui devient celle à dessiner.
      *
      * @param fichier voir {@link Scene#Scene(String)}
+     * @return ce qu'elle a de laissé de côté, une ligne chacun
      * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
      */
-    Scene lireScene(String fichier);
+    List<String> lireScene(String fichier);
 
     /** Dit sur l'erreur standard ce que la scène lue a de laissé de côté. */
     void avertir();

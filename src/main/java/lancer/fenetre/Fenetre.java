@@ -13,6 +13,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
@@ -20,13 +21,12 @@ import javax.swing.JMenuBar;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import lancer.Lancer;
-import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
-import lancer.lecture.Variantes;
+import lancer.lecture.Services;
 import lancer.sortie.ImageMemoire;
 
 /**
@@ -54,21 +54,21 @@ public final class Fenetre {
 
     private String fichier;
     private String fichierMontre;
-    private Scene scene;
+    private List<String> avertissements;
     private Tracage courant;
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
     private ImageMemoire complete;
     private boolean fermee;
 
-    /** @param scene celle qui est déjà lue, {@code null} si aucune ne l'est */
-    private Fenetre(Dessinateur dessinateur, Options options, Scene scene, Atelier atelier, String programme,
+    /** @param avertissements ceux de la scène déjà lue, {@code null} si aucune ne l'est */
+    private Fenetre(Dessinateur dessinateur, Options options, List<String> avertissements, Atelier atelier, String programme,
             Runnable fin) {
         this.dessinateur = dessinateur;
         this.atelier = atelier;
         this.programme = programme;
         this.fin = fin;
-        this.scene = scene;
+        this.avertissements = avertissements;
         fichier = options.scene;
         fichierMontre = fichier;
         cadre = new Cadre(menus(), panneau, barre, taille(options));
@@ -88,20 +88,20 @@ public final class Fenetre {
     /** {@link #ouvrir(Dessinateur, Options)}, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
     public static Fenetre ouvrir(Dessinateur dessinateur, Options options, Runnable fin) {
         Atelier atelier = new Atelier(dessinateur);
-        Scene scene = options.scene == null ? null : atelier.lire(options.scene);
-        if (scene != null) {
+        List<String> avertissements = options.scene == null ? null : atelier.lire(options.scene);
+        if (avertissements != null) {
             dessinateur.avertir();
         }
         exigerEcran();
         // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
-        Tracage premier = scene == null ? null : atelier.dessiner(null, taille(options));
-        String variantes = String.join(", ", Variantes.noms());
+        Tracage premier = avertissements == null ? null : atelier.dessiner(null, taille(options));
+        String variantes = String.join(", ", Services.nomsDesVariantes());
         String programme = variantes.isEmpty() ? "lancer" : "lancer (" + variantes + ")";
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
                 Dialogues.preparer();
-                ouverte[0] = new Fenetre(dessinateur, options, scene, atelier, programme, fin);
+                ouverte[0] = new Fenetre(dessinateur, options, avertissements, atelier, programme, fin);
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
@@ -271,7 +271,7 @@ public final class Fenetre {
     private void dessiner(boolean relire) {
         boolean lire = relire || courant != null && courant.resteALire();
         Dimension voulue = panneau.getTaillePixels();
-        if (fermee || !lire && scene == null || voulue.width < 1 || voulue.height < 1) {
+        if (fermee || !lire && avertissements == null || voulue.width < 1 || voulue.height < 1) {
             return;
         }
         if (courant != null) {
@@ -305,9 +305,9 @@ public final class Fenetre {
     private void observer() {
         suivreTaille();
         boolean fini = courant.isFini();
-        Scene lue = courant.getLue();
-        if (lue != null && lue != scene) {
-            scene = lue;
+        List<String> lus = courant.getAvertissements();
+        if (lus != null && lus != avertissements) {
+            avertissements = lus;
             fichierMontre = fichier;
             avertir();
         }
@@ -351,7 +351,7 @@ public final class Fenetre {
     /** Montre ce que la scène, sans faute, a de laissé de côté, à la place du message qui était là. */
     private void avertir() {
         bandeau.faute("");
-        bandeau.avis(String.join("\n", scene.getAvertissements()));
+        bandeau.avis(String.join("\n", avertissements));
     }
 
     private void montrerPixel() {

@@ -1,11 +1,11 @@
 package lancer.fenetre;
 
 import java.awt.Dimension;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import javax.swing.SwingWorker;
 import lancer.Lancer;
-import lancer.Scene;
 import lancer.SceneFautive;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
@@ -19,7 +19,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     private final Surveillance surveillance;
     private final long debut = System.nanoTime();
     private volatile long fin;
-    private volatile Scene lue;
+    private volatile List<String> avertissements;
     private volatile boolean dessine;
 
     /**
@@ -42,7 +42,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         try {
             if (aLire != null) {
                 surveillance.suivre(aLire);
-                lue = dessinateur.lireScene(aLire);
+                avertissements = dessinateur.lireScene(aLire);
             }
             if (!isCancelled()) {
                 dessine = true;
@@ -89,14 +89,14 @@ final class Tracage extends SwingWorker<Void, Void> {
         return dessine ? dessinateur.getLancer() : null;
     }
 
-    /** La scène que ce dessin a lue ; {@code null} s'il n'en avait pas à lire, ou ne l'a pas encore lue. */
-    Scene getLue() {
-        return lue;
+    /** Ceux de la scène que ce dessin a lue ; {@code null} s'il n'en avait pas à lire, ou ne l'a pas encore lue. */
+    List<String> getAvertissements() {
+        return avertissements;
     }
 
     /** Vrai si la scène à lire ne l'est pas encore : à refaire si l'on interrompt ce dessin. */
     boolean resteALire() {
-        return aLire != null && lue == null && getPanne() == null;
+        return aLire != null && avertissements == null && getPanne() == null;
     }
 
     /** Le temps passé depuis la demande, en nanosecondes. */
@@ -127,7 +127,7 @@ final class Tracage extends SwingWorker<Void, Void> {
             return getPanne() == null ? "terminé" : "échec";
         }
         if (lancer == null) {
-            return aLire != null && lue == null ? "lecture…" : "préparation…";
+            return aLire != null && avertissements == null ? "lecture…" : "préparation…";
         }
         return (lancer.isBrouillonFait() ? "dessin " : "brouillon ") + pourCent(lancer.getAvancement());
     }

@@ -3,6 +3,7 @@ package lancer.sortie;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.List;
 import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.commande.CodeSortie;
@@ -10,6 +11,7 @@ import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Toile;
+import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
 /** Le travail sans fenêtre : les fichiers demandés, vérifiés avant de dessiner, et ce qu'il y a à dire du dessin. */
@@ -52,11 +54,13 @@ public final class VersFichiers {
      * Dessine autant de fois que demandé, écrit les fichiers, et répond aux demandes de nombres.
      *
      * @param prepare la scène, prête à être dessinée
+     * @param libres les variantes que {@code --auto} peut régler
      * @param toile ce qui dessine dans {@code image}
      * @return ce qui a dessiné : {@code prepare}, ou ce qu'a choisi {@code --auto}
      */
-    public Lancer dessiner(Lancer prepare, Toile toile, ImageMemoire image, long lectureNs, long preparationNs) {
-        Auto auto = options.auto ? new Auto(prepare, options) : null;
+    public Lancer dessiner(Lancer prepare, List<Variante> libres, Toile toile, ImageMemoire image, long lectureNs,
+            long preparationNs) {
+        Auto auto = options.auto ? new Auto(prepare, options, libres) : null;
         Lancer lancer = auto == null ? prepare : auto.getLancer();
         long[] traces = auto == null ? tracer(lancer, toile, options.reflets)
                 : tracer(lancer, auto.surveiller(toile), auto.getChoisi().getReflets());

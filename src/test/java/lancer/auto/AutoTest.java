@@ -21,6 +21,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Options;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.rapide.Preparation;
@@ -219,8 +220,8 @@ class AutoTest {
             }
 
             @Override
-            public void installer(Section valeurs, Scene scene) {
-                scene.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
+            public void installer(Section valeurs, Modele modele) {
+                modele.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
             }
 
             @Override
@@ -264,8 +265,8 @@ class AutoTest {
             }
 
             @Override
-            public void installer(Section valeurs, Scene scene) {
-                scene.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
+            public void installer(Section valeurs, Modele modele) {
+                modele.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
             }
 
             @Override

@@ -21,6 +21,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
@@ -171,7 +172,7 @@ class FenetreTest extends EssaiFenetre {
             private boolean premiere = true;
 
             @Override
-            public Scene lireScene(String fichier) {
+            public List<String> lireScene(String fichier) {
                 if (!premiere) {
                     attendreSansEtreInterrompu(lecture);
                 }

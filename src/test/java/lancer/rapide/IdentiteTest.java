@@ -17,6 +17,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
+import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Specularite;
@@ -82,10 +83,11 @@ class IdentiteTest {
 
     @Test
     void autresContrats() {
-        Scene scene = ScenesDEssai.toutes(FOULE).get("foule");
-        scene.setAtmosphere(new Voile());
-        scene.setSpecularite((V, N, L, R, ns) -> Specularite.puissance(N.dot(L.sub(V).normalized()), ns / 2));
-        comparer("voile et autre reflet", scene, 5);
+        Scene foule = ScenesDEssai.toutes(FOULE).get("foule");
+        Modele modele = new Modele();
+        modele.setAtmosphere(new Voile());
+        modele.setSpecularite((V, N, L, R, ns) -> Specularite.puissance(N.dot(L.sub(V).normalized()), ns / 2));
+        comparer("voile et autre reflet", new Scene(foule.getObjets(), foule.getLampes(), modele), 5);
     }
 
     /** Une atmosphère qui ne commute avec rien. */

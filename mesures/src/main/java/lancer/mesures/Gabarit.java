@@ -35,10 +35,7 @@ final class Gabarit {
     }
 
     private static double[] image(Scene scene, int largeur, int hauteur, long graine) {
-        Scene copie = Scenes.copie(scene);
-        copie.setEchantillonnage(new AuHasard(graine));
-        copie.setSeuil(SEUIL);
-        Lancer lancer = Preparation.preparer(copie, largeur, hauteur, false);
+        Lancer lancer = Preparation.preparer(scene.avec(new AuHasard(graine), SEUIL), largeur, hauteur, false);
         return ImageLineaire.de(lancer, Verite.PROFONDEUR, Runtime.getRuntime().availableProcessors()).getComposantes();
     }
 

@@ -70,10 +70,7 @@ public final class Verite {
     }
 
     private static Lancer preparer(Scene scene, Echantillonnage echantillonnage, int largeur, int hauteur, double seuil) {
-        Scene copie = Scenes.copie(scene);
-        copie.setEchantillonnage(echantillonnage);
-        copie.setSeuil(seuil);
-        return Preparation.preparer(copie, largeur, hauteur, false);
+        return Preparation.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, false);
     }
 
     private static ImageLineaire dessiner(Lancer lancer, int profondeur) {

@@ -16,6 +16,7 @@ import lancer.Sphere;
 import lancer.antialias.Antialias;
 import lancer.brume.Brume;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 
@@ -30,8 +31,7 @@ class VeriteTest {
     }
 
     private static ImageLineaire image(Scene scene, Echantillonnage echantillonnage, int profondeur) {
-        Scene copie = Scenes.nue(scene);
-        copie.setEchantillonnage(echantillonnage);
+        Scene copie = Scenes.nue(scene).avec(echantillonnage, Constantes.SEUIL);
         return ImageLineaire.de(Preparation.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
     }
 
@@ -112,8 +112,9 @@ class VeriteTest {
     void elleGardeLaBrumeDeLaSceneEtNeChangeRienACelleCi() {
         Scene scene = cours();
         Verite claire = Verite.sansLimite(scene, LARGEUR, HAUTEUR);
-        scene.setAtmosphere(new Brume());
-        Verite brumeuse = Verite.sansLimite(scene, LARGEUR, HAUTEUR);
+        Modele modele = new Modele();
+        modele.setAtmosphere(new Brume());
+        Verite brumeuse = Verite.sansLimite(new Scene(scene.getObjets(), scene.getLampes(), modele), LARGEUR, HAUTEUR);
         assertTrue(Erreur.rmse(claire.image, brumeuse.image) > 0.05);
         assertEquals(Constantes.SEUIL, scene.getSeuil());
         assertEquals(Echantillonnage.CENTRE, scene.getEchantillonnage());

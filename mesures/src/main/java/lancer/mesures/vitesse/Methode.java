@@ -6,7 +6,6 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
-import lancer.mesures.Scenes;
 import lancer.rapide.Preparation;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Immuable : chaque précision en donne une autre. */
@@ -110,10 +109,7 @@ final class Methode {
     }
 
     private Lancer preparer(Scene scene, int largeur, int hauteur, Echantillonnage choisi, boolean boucles) {
-        Scene copie = changement.apply(Scenes.copie(scene));
-        copie.setEchantillonnage(choisi);
-        copie.setSeuil(seuil);
-        return Preparation.preparer(copie, largeur, hauteur, boucles);
+        return Preparation.preparer(changement.apply(scene).avec(choisi, seuil), largeur, hauteur, boucles);
     }
 
     /** Dessine, une fois. */
