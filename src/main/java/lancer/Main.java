@@ -3,6 +3,7 @@ package lancer;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import lancer.commande.Aide;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
@@ -126,6 +127,9 @@ public class Main implements Toile, Dessinateur {
         long debut = System.nanoTime();
         LecteurScene lu = LecteurScene.lire(nomFichier);
         Scene nouvelle = new Scene(lu);
+        if (Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("lecture abandonnée : la scène d'avant reste");
+        }
         lectureNs = System.nanoTime() - debut;
         nouvelle.setSeuil(options.seuil);
         scene = nouvelle;

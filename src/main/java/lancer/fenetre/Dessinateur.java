@@ -17,6 +17,7 @@ public interface Dessinateur {
      * @param fichier voir {@link Scene#Scene(String)}
      * @return ce qu'elle a de laissé de côté, une ligne chacun
      * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
+     * @throws CancellationException de même, si ce fil a été interrompu
      */
     List<String> lireScene(String fichier);
 
