@@ -21,9 +21,6 @@ public interface Dessinateur {
      */
     List<String> lireScene(String fichier);
 
-    /** Dit sur l'erreur standard ce que la scène lue a de laissé de côté. */
-    void avertir();
-
     /**
      * Dessine la scène lue, brouillon puis image.
      *

@@ -15,6 +15,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
+import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -86,20 +87,21 @@ public final class Fenetre {
     /**
      * Ouvre la fenêtre sur la scène demandée, et revient ; fermer la fenêtre termine le programme, avec le statut 0.
      *
+     * @param erreur où dire ce que cette première scène a de laissé de côté
      * @throws SceneFautive si la scène ne peut être utilisée ; rien ne s'est ouvert
      * @throws Echec s'il n'y a pas d'écran
      */
-    public static Fenetre ouvrir(Dessinateur dessinateur, Options options) {
-        return ouvrir(dessinateur, options, () -> System.exit(CodeSortie.FAIT));
+    public static void ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur) {
+        ouvrir(dessinateur, options, erreur, () -> System.exit(CodeSortie.FAIT));
     }
 
-    /** {@link #ouvrir(Dessinateur, Options)}, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
-    public static Fenetre ouvrir(Dessinateur dessinateur, Options options, Runnable fin) {
+    /** De même, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
+    public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille);
         if (premier != null) {
             premier.lire();
-            dessinateur.avertir();
+            Pannes.avertir(premier.getAvertissements(), erreur);
         }
         exigerEcran();
         // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire

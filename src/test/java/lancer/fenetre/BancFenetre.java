@@ -72,7 +72,7 @@ final class BancFenetre {
         sortie = main.sortie;
         erreur = main.erreur;
         robot = new Robot();
-        fenetre = Fenetre.ouvrir(main, main.options, fin::countDown);
+        fenetre = Fenetre.ouvrir(main, main.options, flux(erreur), fin::countDown);
         cadre = fenetre.getCadre();
         panneau = composant("image", JComponent.class);
     }
