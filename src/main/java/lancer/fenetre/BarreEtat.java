@@ -106,7 +106,8 @@ final class BarreEtat extends JPanel {
         int k = ou.y * image.getLargeur() + ou.x;
         int code = image.getCodes()[k];
         pastille.setBackground(new Color(code));
-        String texte = "pixel " + ou.x + ", " + ou.y + (brouillon ? " (brouillon) : " : " : ") + String.format("#%06X", code & 0xFFFFFF)
+        String texte = "pixel " + ou.x + ", " + ou.y + (brouillon ? " (brouillon)" : "")
+                + String.format(" : #%06X", code & 0xFFFFFF)
                 + " = " + (code >> 16 & 0xFF) + " " + (code >> 8 & 0xFF) + " " + (code & 0xFF);
         float[] lineaire = image.getLineaire();
         if (lineaire != null) {

@@ -374,6 +374,7 @@ public final class Fenetre {
             bandeau.erreur(Pannes.message(panne));
         }
         resumer();
+        montrerPixel();
     }
 
     /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */

@@ -90,7 +90,8 @@ class FenetreTest extends EssaiFenetre {
         double reduction = Math.min(banc.panneau.getWidth() / 2000.0, banc.panneau.getHeight() / 1500.0);
         assertTrue(reduction < 1, "l'écran du test est trop grand");
         JLabel resume = chercher("resume", JLabel.class);
-        attendre("la réduction se dit", () -> resume.getText().startsWith("2000 × 1500 pixels montrés à " + Math.round(100 * reduction) + " %, "));
+        String debut = "2000 × 1500 pixels montrés à " + Math.round(100 * reduction) + " %, ";
+        attendre("la réduction se dit", () -> resume.getText().startsWith(debut));
         JLabel pixel = chercher("pixel", JLabel.class);
         Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
         attendre("le pixel dit est celui de l'image dessinée", () -> {
@@ -157,6 +158,7 @@ class FenetreTest extends EssaiFenetre {
         attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
         JProgressBar avancement = chercher("avancement", JProgressBar.class);
         assertTrue(surFilEvenements(avancement::getString).startsWith("arrêté à "));
+        assertEquals(" ", chercher("resume", JLabel.class).getText(), "pas de coût d'une image inachevée");
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
         assertNull(banc.fenetre.getImageComplete());
         banc.main.lent = false;
@@ -252,7 +254,7 @@ class FenetreTest extends EssaiFenetre {
         }
     }
 
-    private static void attendreSansEtreInterrompu(CountDownLatch loquet) {
+    static void attendreSansEtreInterrompu(CountDownLatch loquet) {
         while (true) {
             try {
                 loquet.await();
@@ -284,6 +286,35 @@ class FenetreTest extends EssaiFenetre {
         String dit = texte(banc.sortie);
         assertTrue(dit.matches("(?:(?:[a-z]+\\.)+[a-z]+: [0-9.]+\n){24}"), dit);
         assertTrue(dit.startsWith("rayons.primaires: 76800\n"), dit);
+    }
+
+    @Test
+    void seuleLaCouleurDUnPixelDessineSeDitEtCelleDUnBrouillonEstDiteTelle() throws Exception {
+        CountDownLatch bas = new CountDownLatch(1);
+        String[] args = {TAILLE, scene.toString()};
+        banc = new BancFenetre(new MainLent(args) {
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                // le brouillon attend avant le bas de l'image
+                if (ye >= H / 2 && !getLancer().isBrouillonFait()) {
+                    attendreSansEtreInterrompu(bas);
+                }
+                super.drawPixel(coul, xe, ye);
+            }
+        }.lent());
+        JLabel pixel = chercher("pixel", JLabel.class);
+        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        attendre("le haut du brouillon se dit", () -> {
+            banc.robot.mouseMove(coin.x + 11, coin.y + 10);
+            banc.robot.mouseMove(coin.x + 10, coin.y + 10);
+            return pixel.getText().matches("pixel 10, 10 \\(brouillon\\) : #.*");
+        });
+        banc.robot.mouseMove(coin.x + 10, coin.y + H - 10);
+        attendre("le bas n'a pas encore de couleur", () -> pixel.getText().equals(" "));
+        bas.countDown();
+        attendre("le bas du brouillon se dit", () -> pixel.getText().matches("pixel 10, " + (H - 10) + " \\(brouillon\\) : #.*"));
+        banc.main.lent = false;
+        attendre("puis sa dernière couleur", () -> pixel.getText().startsWith("pixel 10, " + (H - 10) + " : #"));
     }
 
     @Test
