@@ -198,8 +198,8 @@ class BancTest {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
-            return autre.estCachee(lampe, contact, L, distance, objet);
+        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+            return autre.estCachee(lampe, P, V, distance, objet);
         }
 
         @Override

@@ -62,7 +62,7 @@ public class NoyauRecherche {
     private final Rayon[] reflechis = new Rayon[RAYONS];
     private final Objet3D[] departs = new Objet3D[RAYONS];
     private final PointContact[] contacts = new PointContact[RAYONS];
-    private final Vecteur[] versLaLampe = new Vecteur[RAYONS];
+    private final Vecteur[] deLaLampe = new Vecteur[RAYONS];
     private final double[] distances = new double[RAYONS];
     private Lampe lampe;
     private Recherche sienne;
@@ -98,7 +98,7 @@ public class NoyauRecherche {
                 departs[k] = contact.objet;
                 contacts[k] = contact;
                 Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
-                versLaLampe[k] = versLampe.normalized();
+                deLaLampe[k] = versLampe.normalized().neg();
                 distances[k] = versLampe.norme();
                 k++;
             }
@@ -124,7 +124,7 @@ public class NoyauRecherche {
     }
 
     private boolean estCachee(Recherche laquelle, int k) {
-        return laquelle.estCachee(lampe, contacts[k], versLaLampe[k], distances[k], departs[k]);
+        return laquelle.estCachee(lampe, lampe.getPosition(), deLaLampe[k], distances[k], departs[k]);
     }
 
     private static Scene foule() throws IOException {
