@@ -1,9 +1,9 @@
 package lancer;
 
 import java.io.PrintStream;
-import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import lancer.commande.Aide;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
@@ -36,7 +36,6 @@ public class Main implements Toile, Dessinateur {
     private final PrintStream erreur;
     private volatile Scene scene;
     private volatile String fichier;
-    private volatile List<String> avertissements = Collections.emptyList();
     private List<Variante> variantesLibres;
     private long lectureNs;
     private long preparationNs;
@@ -81,7 +80,7 @@ public class Main implements Toile, Dessinateur {
             } else if (options.versFichier()) {
                 versFichiers();
             } else {
-                Fenetre.ouvrir(this, options);
+                Fenetre.ouvrir(this, options, erreur);
             }
             return CodeSortie.FAIT;
         } catch (PixelFautif e) {
@@ -90,28 +89,26 @@ public class Main implements Toile, Dessinateur {
     }
 
     private void versFichiers() {
-        Path chemin = LecteurScene.trouver(options.scene);
-        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
-        fichiers.epargner(chemin);
-        lireScene(options.scene);
+        VersFichiers fichiers = VersFichiers.pourDessiner(options, sortie, erreur);
+        List<String> avertissements = lireScene(options.scene);
         image = fichiers.creerImage();
         Lancer dessine = fichiers.dessiner(preparer(), variantesLibres, this, image, lectureNs, preparationNs);
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
-        avertir();
+        Pannes.avertir(avertissements, erreur);
         direEcart(dessine);
     }
 
     private void dessinerUnPixel() {
-        lireScene(options.scene);
+        List<String> avertissements = lireScene(options.scene);
         Camera camera = new Camera(options.largeur, options.hauteur);
         UnPixel.dessiner(scene, camera, options.reflets, options.pixelX, options.pixelY).ecrire(sortie);
-        avertir();
+        Pannes.avertir(avertissements, erreur);
     }
 
     /** @return le statut de sortie ; que des images diffèrent est une réponse, pas une panne */
     private int comparer() {
-        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
-        ImageMemoire attendue = fichiers.lireReference();
+        VersFichiers fichiers = VersFichiers.pourComparer(options, sortie, erreur);
+        ImageMemoire attendue = LectureImage.lire(options.comparer);
         if (LectureImage.estImage(options.scene)) {
             image = LectureImage.lire(options.scene);
         } else {
@@ -123,35 +120,25 @@ public class Main implements Toile, Dessinateur {
     }
 
     @Override
-    public Scene lireScene(String nomFichier) {
+    public List<String> lireScene(String nomFichier) {
         long debut = System.nanoTime();
         LecteurScene lu = LecteurScene.lire(nomFichier);
         Scene nouvelle = new Scene(lu);
+        if (Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("lecture abandonnée : la scène d'avant reste");
+        }
         lectureNs = System.nanoTime() - debut;
         nouvelle.setSeuil(options.seuil);
         scene = nouvelle;
-        avertissements = lu.getAvertissements();
-        variantesLibres = lu.getVariantesLibres();
         fichier = nomFichier;
-        return nouvelle;
-    }
-
-    @Override
-    public List<String> getAvertissements() {
-        return avertissements;
-    }
-
-    @Override
-    public void avertir() {
-        for (String avertissement : avertissements) {
-            Pannes.avertir(avertissement, erreur);
-        }
+        variantesLibres = lu.getVariantesLibres();
+        return lu.getAvertissements();
     }
 
     /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
     private void direEcart(Lancer dessine) {
         if (dessine.getTemoignage().ecart != null) {
-            Pannes.avertir(dessine.getTemoignage().ecart, erreur);
+            Pannes.avertir(Collections.singletonList(dessine.getTemoignage().ecart), erreur);
         }
     }
 

@@ -2,6 +2,8 @@ package lancer.commande;
 
 import java.io.File;
 import java.io.PrintStream;
+import java.util.Collections;
+import java.util.List;
 import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.contrat.PixelFautif;
@@ -15,7 +17,7 @@ public final class Pannes {
 
     /** Dit cette panne en une ligne. @return le statut de sortie */
     public static int dire(Throwable panne, PrintStream erreur) {
-        avertir(message(panne), erreur);
+        avertir(Collections.singletonList(message(panne)), erreur);
         return panne instanceof Echec ? ((Echec) panne).getCode()
                 : panne instanceof SceneFautive ? CodeSortie.DEMANDE : CodeSortie.PANNE;
     }
@@ -35,8 +37,11 @@ public final class Pannes {
         return "échec du programme : " + Texte.echappe(panne.toString());
     }
 
-    public static void avertir(String message, PrintStream erreur) {
-        erreur.println("lancer : " + Texte.echappe(message));
+    /** Dit ces messages, une ligne chacun. */
+    public static void avertir(List<String> messages, PrintStream erreur) {
+        for (String message : messages) {
+            erreur.println("lancer : " + Texte.echappe(message));
+        }
     }
 
     /** Répond sur la sortie standard. @throws Echec si elle n'a pu être écrite */

@@ -15,15 +15,11 @@ public interface Dessinateur {
      * Lit une scène, qui devient celle à dessiner.
      *
      * @param fichier voir {@link Scene#Scene(String)}
+     * @return ce qu'elle a de laissé de côté, une ligne chacun
      * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
+     * @throws CancellationException de même, si ce fil a été interrompu
      */
-    Scene lireScene(String fichier);
-
-    /** Ce que la lecture de la scène a laissé de côté, une ligne chacun. */
-    List<String> getAvertissements();
-
-    /** Dit sur l'erreur standard ce que la scène lue a de laissé de côté. */
-    void avertir();
+    List<String> lireScene(String fichier);
 
     /**
      * Dessine la scène lue, brouillon puis image.

@@ -87,12 +87,10 @@ final class Dialogues {
         return ici.isDirectory() ? ici : plusHaut.isDirectory() ? plusHaut : new File("").getAbsoluteFile();
     }
 
-    /** @param dossier celui du dernier enregistrement, ou {@code null} */
-    static File choisirImage(Component parent, File dossier, String nom) {
-        File propose = dossier != null ? dossier : new File("").getAbsoluteFile();
-        JFileChooser choix = new JFileChooser(propose);
+    static File choisirImage(Component parent, File proposee) {
+        JFileChooser choix = new JFileChooser(proposee.getParentFile());
         choix.setDialogType(JFileChooser.SAVE_DIALOG);
-        choix.setSelectedFile(new File(propose, nom));
+        choix.setSelectedFile(proposee);
         return choisir(parent, choix, TITRE_IMAGE, new FileNameExtensionFilter("Images PNG (*.png)", "png"));
     }
 

@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.EventQueue;
 import java.io.File;
 import java.nio.file.Files;
+import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import lancer.SceneFautive;
@@ -22,7 +23,9 @@ final class Enregistrement {
     /** Un fil qui retient le programme : fermer la fenêtre laisse finir d'écrire. */
     private final ExecutorService disque =
             Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
-    private File dossier;
+    /** Ce que le prochain dialogue propose : le dossier du dernier enregistrement, ou le fichier qui a échoué. */
+    private File dossier = new File("").getAbsoluteFile();
+    private File echoue;
 
     /** @param bandeau où dire ce qu'il en est */
     Enregistrement(Component parent, Bandeau bandeau) {
@@ -33,20 +36,24 @@ final class Enregistrement {
     /** Demande où enregistrer cette image. @param scene le fichier de la scène, qui ne sera pas écrasé */
     void commencer(ImageMemoire image, String scene) {
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File choisi = Dialogues.choisirImage(parent, dossier, nom);
+        File choisi = Dialogues.choisirImage(parent, echoue != null ? echoue : new File(dossier, nom));
         if (choisi == null) {
             return;
         }
         dossier = choisi.getParentFile();
-        File cible = choisi.getName().indexOf('.') < 0 ? new File(choisi.getPath() + ".png") : choisi;
-        disque.execute(() -> essayer(() -> verifier(image, cible, scene)));
+        boolean png = choisi.getName().toLowerCase(Locale.ROOT).endsWith(".png");
+        File cible = png ? choisi : new File(choisi.getPath() + ".png");
+        disque.execute(() -> essayer(cible, () -> verifier(image, cible, scene)));
     }
 
-    private void essayer(Runnable etape) {
+    private void essayer(File cible, Runnable etape) {
         try {
             etape.run();
         } catch (RuntimeException | Error e) {
-            EventQueue.invokeLater(() -> bandeau.erreur(Pannes.message(e)));
+            EventQueue.invokeLater(() -> {
+                echoue = cible;
+                bandeau.erreur(Pannes.message(e));
+            });
         }
     }
 
@@ -67,13 +74,16 @@ final class Enregistrement {
 
     private void confirmer(ImageMemoire image, Ecriture ecriture, File cible) {
         if (!disque.isShutdown() && Dialogues.confirmerRemplacement(parent, cible)) {
-            disque.execute(() -> essayer(() -> ecrire(image, ecriture, cible)));
+            disque.execute(() -> essayer(cible, () -> ecrire(image, ecriture, cible)));
         }
     }
 
     private void ecrire(ImageMemoire image, Ecriture ecriture, File cible) {
         ecriture.ecrire(image, new FichierPng());
-        EventQueue.invokeLater(() -> bandeau.avis("enregistrée : " + Texte.echappe(cible.getName())));
+        EventQueue.invokeLater(() -> {
+            echoue = null;
+            bandeau.avis("enregistrée : " + Texte.echappe(cible.getName()));
+        });
     }
 
     /** Appelle {@code fin} quand tout est écrit. */

@@ -1,10 +1,13 @@
 package lancer.fenetre;
 
 import java.awt.AWTError;
+import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
@@ -12,15 +15,19 @@ import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
+import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
+import javax.swing.WindowConstants;
 import lancer.Lancer;
-import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
@@ -38,70 +45,82 @@ public final class Fenetre {
     /** Temps entre deux regards sur le dessin en cours, en millisecondes. */
     private static final int PERIODE_MS = 33;
 
-    /** Temps laissé à un brouillon avant de montrer ses morceaux, ou de le refaire à une autre taille, en ns. */
+    /** Temps laissé à un brouillon avant de montrer ses morceaux, en nanosecondes. */
     private static final long PATIENCE_NS = 300_000_000;
 
     private final Dessinateur dessinateur;
-    private final Atelier atelier;
+    private final Dimension taille;
     private final String programme;
     private final Runnable fin;
-    private final PanneauImage panneau = new PanneauImage();
-    private final Bandeau bandeau = panneau.getBandeau();
+    private final ExecutorService dessins;
+    private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
+    private final PanneauImage panneau;
+    private final Bandeau bandeau;
     private final BarreEtat barre = new BarreEtat(this::arreterOuRecharger);
-    private final JFrame cadre;
+    private final JFrame cadre = new JFrame();
     private final Enregistrement enregistrement;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
 
+    /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
     private String fichier;
-    private String fichierMontre;
-    private Scene scene;
+    /** Celui de la dernière scène lue sans faute, même si son dessin a été abandonné avant de se voir. */
+    private String lu;
     private Tracage courant;
+    private Tracage adopte;
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
     private ImageMemoire complete;
     private boolean fermee;
 
-    /** @param scene celle qui est déjà lue, {@code null} si aucune ne l'est */
-    private Fenetre(Dessinateur dessinateur, Options options, Scene scene, Atelier atelier, String programme,
+    private Fenetre(Dessinateur dessinateur, Dimension taille, String programme, ExecutorService dessins,
             Runnable fin) {
         this.dessinateur = dessinateur;
-        this.atelier = atelier;
+        this.taille = taille;
         this.programme = programme;
+        this.dessins = dessins;
         this.fin = fin;
-        this.scene = scene;
-        fichier = options.scene;
-        fichierMontre = fichier;
-        cadre = new Cadre(menus(), panneau, barre, taille(options));
+        panneau = new PanneauImage(taille);
+        bandeau = panneau.getBandeau();
         enregistrement = new Enregistrement(cadre, bandeau);
     }
 
     /**
      * Ouvre la fenêtre sur la scène demandée, et revient ; fermer la fenêtre termine le programme, avec le statut 0.
      *
+     * @param erreur où dire ce que cette première scène a de laissé de côté
      * @throws SceneFautive si la scène ne peut être utilisée ; rien ne s'est ouvert
      * @throws Echec s'il n'y a pas d'écran
      */
-    public static Fenetre ouvrir(Dessinateur dessinateur, Options options) {
-        return ouvrir(dessinateur, options, () -> System.exit(CodeSortie.FAIT));
+    public static void ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur) {
+        ouvrir(dessinateur, options, erreur, () -> System.exit(CodeSortie.FAIT));
     }
 
-    /** {@link #ouvrir(Dessinateur, Options)}, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
-    public static Fenetre ouvrir(Dessinateur dessinateur, Options options, Runnable fin) {
-        Atelier atelier = new Atelier(dessinateur);
-        Scene scene = options.scene == null ? null : atelier.lire(options.scene);
-        if (scene != null) {
-            dessinateur.avertir();
+    /** De même, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
+    public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
+        Dimension taille = new Dimension(options.largeur, options.hauteur);
+        Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille);
+        if (premier != null) {
+            premier.lire();
+            Pannes.avertir(premier.getAvertissements(), erreur);
         }
         exigerEcran();
-        // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
-        Tracage premier = scene == null ? null : atelier.dessiner(null, taille(options));
+        // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
+        ExecutorService dessins = Executors.newSingleThreadExecutor(tache -> {
+            Thread fil = new Thread(tache, "lancer-dessin");
+            fil.setDaemon(true);
+            return fil;
+        });
+        if (premier != null) {
+            // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
+            dessins.execute(premier);
+        }
         String variantes = String.join(", ", Services.nomsDesVariantes());
         String programme = variantes.isEmpty() ? "lancer" : "lancer (" + variantes + ")";
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
                 Dialogues.preparer();
-                ouverte[0] = new Fenetre(dessinateur, options, scene, atelier, programme, fin);
+                ouverte[0] = new Fenetre(dessinateur, taille, programme, dessins, fin);
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
@@ -127,49 +146,59 @@ public final class Fenetre {
         }
     }
 
-    private static Dimension taille(Options options) {
-        return new Dimension(options.largeur, options.hauteur);
-    }
-
     private JMenuBar menus() {
         // Ctrl, ou Commande sur un Mac ; la forme en Ex est de Java 10
         int ctrl = Toolkit.getDefaultToolkit().getMenuShortcutKeyMask();
         JMenuBar menus = new JMenuBar();
         JMenu menu = menus.add(new JMenu("Fichier"));
         menu.setMnemonic(KeyEvent.VK_F);
-        menu.add(commande("Ouvrir une scène…", KeyEvent.VK_O, ctrl, this::choisirScene));
-        menu.add(commande("Enregistrer l'image…", KeyEvent.VK_S, ctrl, this::enregistrer));
+        article(menu, "Ouvrir une scène…", KeyStroke.getKeyStroke(KeyEvent.VK_O, ctrl), this::choisirScene);
+        article(menu, "Enregistrer l'image…", KeyStroke.getKeyStroke(KeyEvent.VK_S, ctrl), this::enregistrer);
         menu.addSeparator();
-        menu.add(commande("Quitter", KeyEvent.VK_Q, ctrl, this::fermer));
+        article(menu, "Quitter", KeyStroke.getKeyStroke(KeyEvent.VK_Q, ctrl), this::fermer);
         menu = menus.add(new JMenu("Dessin"));
         menu.setMnemonic(KeyEvent.VK_D);
-        menu.add(commande("Relire la scène et redessiner", KeyEvent.VK_F5, 0, this::recharger));
+        article(menu, "Relire la scène et redessiner", KeyStroke.getKeyStroke(KeyEvent.VK_F5, 0), this::recharger);
         // la touche est liée plus bas : Java l'afficherait « Escape »
-        menu.add(new Commande("Arrêter (Échap)", null, this::arreter));
+        article(menu, "Arrêter (Échap)", null, this::arreter);
         return menus;
     }
 
-    private static Commande commande(String nom, int touche, int avec, Runnable action) {
-        return new Commande(nom, KeyStroke.getKeyStroke(touche, avec), action);
+    private static void article(JMenu menu, String nom, KeyStroke touche, Runnable action) {
+        JMenuItem article = menu.add(new JMenuItem(nom));
+        article.setAccelerator(touche);
+        article.addActionListener(e -> action.run());
     }
 
     /** @param premier le dessin qu'il y a déjà à montrer, ou {@code null} */
     private void commencer(Tracage premier) {
+        assembler();
         ecouter();
         titrer();
         if (premier == null) {
             panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
             EventQueue.invokeLater(this::choisirScene);
         } else {
-            avertir();
+            adopter(premier);
             suivre(premier);
         }
         cadre.setVisible(true);
     }
 
+    private void assembler() {
+        cadre.setJMenuBar(menus());
+        cadre.add(panneau, BorderLayout.CENTER);
+        cadre.add(barre, BorderLayout.PAGE_END);
+        cadre.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        cadre.pack();
+        Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        cadre.setSize(Math.min(cadre.getWidth(), ecran.width), Math.min(cadre.getHeight(), ecran.height));
+        cadre.setLocationRelativeTo(null);
+    }
+
     /** À quoi la fenêtre répond, en plus de ses menus. */
     private void ecouter() {
-        atelier.surveiller(() -> EventQueue.invokeLater(() -> dessiner(true)));
+        surveillance.commencer();
         cadre.getRootPane().setTransferHandler(new DepotFichier(this::ouvrirScene, bandeau::avis));
         cadre.getRootPane().registerKeyboardAction(e -> arreter(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
                 JComponent.WHEN_IN_FOCUSED_WINDOW);
@@ -183,11 +212,9 @@ public final class Fenetre {
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
-                suivreTaille();
+                resumer();
             }
         });
-        // un écran d'une autre densité : les mêmes points, plus ou moins de pixels
-        panneau.addPropertyChangeListener("graphicsConfiguration", e -> suivreTaille());
     }
 
     /** Le cadre, qui contient tout ce qui se voit. */
@@ -213,10 +240,8 @@ public final class Fenetre {
     }
 
     private void ouvrirScene(File choisi) {
-        fichier = choisi.getPath();
-        titrer();
         panneau.setInvite(null);
-        dessiner(true);
+        dessiner(choisi.getPath());
     }
 
     private void arreterOuRecharger() {
@@ -231,7 +256,14 @@ public final class Fenetre {
         if (fichier == null) {
             choisirScene();
         } else {
-            dessiner(true);
+            dessiner(fichier);
+        }
+    }
+
+    /** Le fichier de la scène montrée a changé ; une autre scène qui se lit passe avant. */
+    private void relire() {
+        if (!enCours || courant.getFichier() == null || courant.getFichier().equals(fichier)) {
+            dessiner(fichier);
         }
     }
 
@@ -241,7 +273,7 @@ public final class Fenetre {
             bandeau.avis(enCours ? "L'image se dessine encore : elle pourra être enregistrée une fois achevée."
                     : "Pas d'image achevée à enregistrer ; F5 pour la dessiner.");
         } else {
-            enregistrement.commencer(image, fichierMontre);
+            enregistrement.commencer(image, fichier);
         }
     }
 
@@ -262,66 +294,66 @@ public final class Fenetre {
         if (courant != null) {
             courant.arreter();
         }
-        atelier.terminer();
+        surveillance.terminer();
+        dessins.shutdown();
         cadre.dispose();
         enregistrement.terminer(fin);
     }
 
-    /** Recommence le dessin à la taille du panneau ; l'ancienne image reste jusqu'au brouillon de la nouvelle. */
-    private void dessiner(boolean relire) {
-        boolean lire = relire || courant != null && courant.resteALire();
-        Dimension voulue = panneau.getTaillePixels();
-        if (fermee || !lire && scene == null || voulue.width < 1 || voulue.height < 1) {
+    /**
+     * Recommence le dessin ; l'ancienne image reste jusqu'au brouillon de la nouvelle.
+     *
+     * @param aLire la scène à lire d'abord, {@code null} pour celle qui l'est déjà
+     */
+    private void dessiner(String aLire) {
+        if (fermee) {
             return;
         }
         if (courant != null) {
             courant.arreter();
         }
-        suivre(atelier.dessiner(lire ? fichier : null, voulue));
+        Tracage tracage = new Tracage(dessinateur, aLire, taille);
+        dessins.execute(tracage);
+        suivre(tracage);
     }
 
     private void suivre(Tracage tracage) {
         courant = tracage;
         enCours = true;
         horloge.start();
+        resumer();
         observer();
-    }
-
-    /** Refait l'image si le panneau n'a plus sa taille, en laissant au brouillon le temps de se montrer. */
-    private void suivreTaille() {
-        if (courant == null || panneau.getTaillePixels().equals(courant.getTaille())) {
-            return;
-        }
-        if (enCours) {
-            Lancer lancer = courant.getLancer();
-            if (lancer == null || !lancer.isBrouillonFait() && courant.getDureeNs() < PATIENCE_NS) {
-                return;
-            }
-        }
-        dessiner(false);
     }
 
     /** Montre où en est le dessin en cours. */
     private void observer() {
-        suivreTaille();
         boolean fini = courant.isFini();
-        Scene lue = courant.getLue();
-        if (lue != null && lue != scene) {
-            scene = lue;
-            fichierMontre = fichier;
-            avertir();
-        }
+        lu = courant.getAvertissements() != null ? courant.getFichier() : lu;
         // l'image d'abord : vue avec le lancer d'après, elle a au moins son brouillon
         ImageMemoire image = dessinateur.getImage();
         Lancer lancer = courant.getLancer();
         if (lancer != null) {
             panneau.montrer(image, lancer.isBrouillonFait(), courant.getDureeNs() > PATIENCE_NS);
         }
+        boolean montree = lancer != null && (image == panneau.getImage() || image == panneau.getNaissante());
+        if (montree && courant.getFichier() != null && courant != adopte) {
+            adopter(courant);
+        }
         barre.avancer(courant);
         montrerPixel();
         if (fini && enCours) {
             finir();
         }
+    }
+
+    /** La scène que ce dessin a lue devient celle qui est montrée. */
+    private void adopter(Tracage tracage) {
+        adopte = tracage;
+        fichier = tracage.getFichier();
+        surveillance.suivre(fichier, tracage.getVersion());
+        titrer();
+        bandeau.faute("");
+        bandeau.avis(String.join("\n", tracage.getAvertissements()));
     }
 
     /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
@@ -331,31 +363,51 @@ public final class Fenetre {
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
             complete = dessinateur.getImage();
-            barre.resumer(courant.getLancer());
             bandeau.effacerErreur();
             String ecart = courant.getLancer().getTemoignage().ecart;
             if (ecart != null) {
                 bandeau.avis(ecart);
             }
         } else if (panne instanceof SceneFautive) {
-            bandeau.faute(Pannes.message(panne));
-            if (complete != panneau.getImage()) {
-                // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
-                dessiner(false);
-            }
+            refuser(courant, Pannes.message(panne));
         } else if (panne != null) {
             bandeau.erreur(Pannes.message(panne));
         }
+        resumer();
+        montrerPixel();
     }
 
-    /** Montre ce que la scène, sans faute, a de laissé de côté, à la place du message qui était là. */
-    private void avertir() {
-        bandeau.faute("");
-        bandeau.avis(String.join("\n", dessinateur.getAvertissements()));
+    /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */
+    private void refuser(Tracage fautif, String message) {
+        bandeau.faute(message);
+        if (fichier == null || fautif.getFichier().equals(fichier)) {
+            fichier = fautif.getFichier();
+            surveillance.suivre(fichier, fautif.getVersion());
+            titrer();
+        }
+        if (fichier.equals(lu) && complete != panneau.getImage()) {
+            // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
+            dessiner(null);
+        }
+    }
+
+    /** Dit ce qu'a coûté l'image montrée, si elle est achevée. */
+    private void resumer() {
+        if (getImageComplete() == null) {
+            barre.oublier();
+        } else {
+            barre.resumer(dessinateur.getLancer(), panneau.getReduction());
+        }
     }
 
     private void montrerPixel() {
-        barre.montrerPixel(panneau.getPixelSouris(), panneau.getImage());
+        ImageMemoire image = panneau.getNaissante();
+        Point pixel = panneau.getPixelSouris(image);
+        if (pixel == null) {
+            image = panneau.getImage();
+            pixel = panneau.getPixelSouris(image);
+        }
+        barre.montrerPixel(pixel, image, image != complete);
     }
 
     private void titrer() {

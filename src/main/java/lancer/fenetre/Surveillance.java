@@ -12,51 +12,56 @@ import lancer.lecture.LecteurScene;
  * Veille sur le fichier de la scène, dans un fil à elle. Elle regarde l'heure et la taille, car un éditeur qui
  * enregistre en renommant échappe aux notifications du système.
  */
-final class Surveillance {
+final class Surveillance extends TimerTask {
 
     private static final int PERIODE_MS = 250;
 
     private final Timer veille = new Timer("lancer-surveillance", true);
+    private final Runnable siChange;
     private String fichier;
-    private String connu;
-    private String vu;
-
-    /** À appeler juste avant de lire le fichier : ce qui changera ensuite sera vu. */
-    synchronized void suivre(String aSuivre) {
-        fichier = aSuivre;
-        connu = etat(aSuivre);
-    }
+    private String connue;
+    private String vue;
 
     /** @param siChange appelé dans le fil de la surveillance, une fois par changement */
-    void commencer(Runnable siChange) {
-        veille.schedule(new TimerTask() {
-            @Override
-            public void run() {
-                if (regarder()) {
-                    siChange.run();
-                }
-            }
-        }, PERIODE_MS, PERIODE_MS);
+    Surveillance(Runnable siChange) {
+        this.siChange = siChange;
+    }
+
+    void commencer() {
+        veille.schedule(this, PERIODE_MS, PERIODE_MS);
     }
 
     void terminer() {
         veille.cancel();
     }
 
+    /** @param version celle qui est lue, prise par {@link #version} avant de lire : ce qui change ensuite est vu */
+    synchronized void suivre(String aSuivre, String version) {
+        fichier = aSuivre;
+        connue = version;
+    }
+
+    @Override
+    public void run() {
+        if (regarder()) {
+            siChange.run();
+        }
+    }
+
     /** @return vrai, une fois, si le fichier a changé et n'a plus bougé depuis : l'éditeur a fini d'écrire */
     private synchronized boolean regarder() {
-        String nouveau = fichier == null ? null : etat(fichier);
+        String nouvelle = fichier == null ? null : version(fichier);
         // absent : on l'enregistre, il revient
-        boolean change = nouveau != null && nouveau.equals(vu) && !nouveau.equals(connu);
-        vu = nouveau;
+        boolean change = nouvelle != null && nouvelle.equals(vue) && !nouvelle.equals(connue);
+        vue = nouvelle;
         if (change) {
-            connu = nouveau;
+            connue = nouvelle;
         }
         return change;
     }
 
     /** L'heure, la taille et l'identité du fichier ; {@code null} s'il n'existe pas. */
-    private static String etat(String fichier) {
+    static String version(String fichier) {
         try {
             BasicFileAttributes a = Files.readAttributes(LecteurScene.trouver(fichier), BasicFileAttributes.class);
             return a.lastModifiedTime() + " " + a.size() + " " + a.fileKey();

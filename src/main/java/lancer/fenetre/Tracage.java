@@ -1,11 +1,11 @@
 package lancer.fenetre;
 
 import java.awt.Dimension;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import javax.swing.SwingWorker;
 import lancer.Lancer;
-import lancer.Scene;
 import lancer.SceneFautive;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
@@ -14,35 +14,35 @@ final class Tracage extends SwingWorker<Void, Void> {
     private static final double NS_PAR_S = 1e9;
 
     private final Dessinateur dessinateur;
-    private final String aLire;
+    private final String fichier;
     private final Dimension taille;
-    private final Surveillance surveillance;
     private final long debut = System.nanoTime();
     private volatile long fin;
-    private volatile Scene lue;
+    private volatile String version;
+    private volatile List<String> avertissements;
     private volatile boolean dessine;
 
     /**
-     * @param aLire la scène à lire, {@code null} pour redessiner celle qui est déjà lue
+     * @param fichier la scène à lire, {@code null} pour redessiner celle qui est déjà lue
      * @param taille celle de l'image, en pixels
      */
-    Tracage(Dessinateur dessinateur, String aLire, Dimension taille, Surveillance surveillance) {
+    Tracage(Dessinateur dessinateur, String fichier, Dimension taille) {
         this.dessinateur = dessinateur;
-        this.aLire = aLire;
+        this.fichier = fichier;
         this.taille = taille;
-        this.surveillance = surveillance;
     }
 
-    Dimension getTaille() {
-        return taille;
+    /** Lit la scène, dans le fil de l'appelant. */
+    void lire() {
+        version = Surveillance.version(fichier);
+        avertissements = dessinateur.lireScene(fichier);
     }
 
     @Override
     protected Void doInBackground() {
         try {
-            if (aLire != null) {
-                surveillance.suivre(aLire);
-                lue = dessinateur.lireScene(aLire);
+            if (resteALire()) {
+                lire();
             }
             if (!isCancelled()) {
                 dessine = true;
@@ -89,14 +89,23 @@ final class Tracage extends SwingWorker<Void, Void> {
         return dessine ? dessinateur.getLancer() : null;
     }
 
-    /** La scène que ce dessin a lue ; {@code null} s'il n'en avait pas à lire, ou ne l'a pas encore lue. */
-    Scene getLue() {
-        return lue;
+    /** Le fichier de la scène à lire, {@code null} s'il n'y en a pas. */
+    String getFichier() {
+        return fichier;
     }
 
-    /** Vrai si la scène à lire ne l'est pas encore : à refaire si l'on interrompt ce dessin. */
-    boolean resteALire() {
-        return aLire != null && lue == null && getPanne() == null;
+    /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */
+    String getVersion() {
+        return version;
+    }
+
+    /** Ceux de la scène lue, {@code null} tant qu'elle ne l'est pas. */
+    List<String> getAvertissements() {
+        return avertissements;
+    }
+
+    private boolean resteALire() {
+        return fichier != null && avertissements == null;
     }
 
     /** Le temps passé depuis la demande, en nanosecondes. */
@@ -120,19 +129,16 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     private String getEtape() {
         Lancer lancer = getLancer();
-        if (isCancelled()) {
-            return "arrêté à " + pourCent(getAvancement());
+        if (isAcheve()) {
+            return "terminé";
         }
-        if (isDone()) {
-            return getPanne() == null ? "terminé" : "échec";
+        if (getPanne() != null) {
+            return "échec";
         }
         if (lancer == null) {
-            return aLire != null && lue == null ? "lecture…" : "préparation…";
+            return (resteALire() ? "lecture" : "préparation") + (isCancelled() ? " arrêtée" : "…");
         }
-        return (lancer.isBrouillonFait() ? "dessin " : "brouillon ") + pourCent(lancer.getAvancement());
-    }
-
-    private static String pourCent(double part) {
-        return (int) (100 * part) + " %";
+        return (lancer.isBrouillonFait() ? isCancelled() ? "" : "dessin " : "brouillon ")
+                + (isCancelled() ? "arrêté à " : "") + (int) (100 * lancer.getAvancement()) + " %";
     }
 }

@@ -12,6 +12,7 @@ import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
+import lancer.lecture.LecteurScene;
 import lancer.texte.Texte;
 
 /** Le travail sans fenêtre : les fichiers demandés, vérifiés avant de dessiner, et ce qu'il y a à dire du dessin. */
@@ -23,8 +24,7 @@ public final class VersFichiers {
     private final Ecriture png;
     private final Ecriture pfm;
 
-    /** @throws Echec s'il est clair dès maintenant qu'un des fichiers ne pourra être écrit */
-    public VersFichiers(Options options, PrintStream sortie, PrintStream erreur) {
+    private VersFichiers(Options options, PrintStream sortie, PrintStream erreur) {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
@@ -32,16 +32,32 @@ public final class VersFichiers {
         pfm = options.lineaire == null ? null : new Ecriture(options.lineaire);
     }
 
-    /** @throws Echec si une sortie écraserait la scène, ou l'autre sortie */
-    public void epargner(Path scene) {
-        for (Ecriture ecriture : new Ecriture[] {png, pfm}) {
-            if (ecriture != null) {
-                ecriture.epargner(scene, "la sortie est la scène elle-même : " + Texte.echappe(scene.toString()));
-            }
-        }
-        if (png != null && pfm != null && png.vise(pfm.getCible())) {
+    /** @throws Echec si une sortie ne pourra être écrite, ou si elle écraserait la scène ou l'autre sortie */
+    public static VersFichiers pourDessiner(Options options, PrintStream sortie, PrintStream erreur) {
+        Path scene = LecteurScene.trouver(options.scene);
+        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
+        fichiers.epargner(scene, "la sortie est la scène elle-même : " + Texte.echappe(scene.toString()));
+        if (fichiers.png != null && fichiers.pfm != null && fichiers.png.vise(fichiers.pfm.getCible())) {
             throw new Echec(CodeSortie.DEMANDE, "--image et --lineaire écrivent le même fichier : "
                     + Texte.echappe(options.image) + " ; attendu : deux fichiers");
+        }
+        return fichiers;
+    }
+
+    /** @throws Echec si l'image des différences ne pourra être écrite, ou écraserait une des images comparées */
+    public static VersFichiers pourComparer(Options options, PrintStream sortie, PrintStream erreur) {
+        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
+        String faute = "la sortie est une des images comparées : " + Texte.echappe(String.valueOf(options.image));
+        fichiers.epargner(Paths.get(options.comparer), faute);
+        fichiers.epargner(Paths.get(options.scene), faute);
+        return fichiers;
+    }
+
+    private void epargner(Path fichier, String faute) {
+        for (Ecriture ecriture : new Ecriture[] {png, pfm}) {
+            if (ecriture != null) {
+                ecriture.epargner(fichier, faute);
+            }
         }
     }
 
@@ -79,7 +95,7 @@ public final class VersFichiers {
                     : nombres + System.lineSeparator() + auto.getRapport().getStatistiques(), sortie);
         }
         if (auto != null) {
-            auto.getRapport().getLignes().forEach(ligne -> Pannes.avertir(ligne, erreur));
+            Pannes.avertir(auto.getRapport().getLignes(), erreur);
         }
         return lancer;
     }
@@ -99,17 +115,6 @@ public final class VersFichiers {
             barre.finir();
         }
         return traces;
-    }
-
-    /** @throws Echec si elle ne peut être lue, ou si l'image des différences écraserait une des images comparées */
-    public ImageMemoire lireReference() {
-        for (String comparee : new String[] {options.comparer, options.scene}) {
-            if (png != null) {
-                png.epargner(Paths.get(comparee),
-                        "la sortie est une des images comparées : " + Texte.echappe(options.image));
-            }
-        }
-        return LectureImage.lire(options.comparer);
     }
 
     /** Compare, et écrit l'image des différences si elle est demandée. @return le statut de sortie */

@@ -15,7 +15,7 @@ import javax.imageio.ImageIO;
 /** De quoi comparer les pixels que {@code --pixel} dit un par un à ceux de l'image entière. */
 public final class EssaiPixel {
 
-    private static final int AU_HASARD = 12;
+    private static final int AU_HASARD = 6;
 
     private EssaiPixel() {
     }

@@ -72,7 +72,7 @@ final class BancFenetre {
         sortie = main.sortie;
         erreur = main.erreur;
         robot = new Robot();
-        fenetre = Fenetre.ouvrir(main, main.options, fin::countDown);
+        fenetre = Fenetre.ouvrir(main, main.options, flux(erreur), fin::countDown);
         cadre = fenetre.getCadre();
         panneau = composant("image", JComponent.class);
     }
@@ -226,7 +226,7 @@ final class BancFenetre {
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
         attendre(quoi, () -> fenetre.getImageComplete() != null && Arrays.equals(fenetre.getImageComplete().getCodes(), codes));
-        attendre(quoi + ", à l'écran", () -> trouver(codes, panneau.getWidth()) != null);
+        attendre(quoi + ", à l'écran", () -> trouver(codes, fenetre.getImageComplete().getLargeur()) != null);
     }
 
     static int[] codes(BufferedImage image) {

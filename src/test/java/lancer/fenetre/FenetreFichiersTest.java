@@ -22,8 +22,11 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
+import javax.swing.JProgressBar;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import lancer.Scene;
@@ -81,6 +84,9 @@ class FenetreFichiersTest extends EssaiFenetre {
 
     @Test
     void laSceneElleMemeNEstJamaisEcrasee() throws Exception {
+        // un nom de scène finit comme on veut, celui d'une image par .png
+        scene = dossier.resolve("scene.png");
+        ecrire(ROUGE);
         banc = new BancFenetre(lente());
         banc.imageAchevee();
         enregistrerSous(scene);
@@ -119,6 +125,78 @@ class FenetreFichiersTest extends EssaiFenetre {
         // c'est elle, maintenant, qui est surveillée
         ecrire(ROUGE);
         banc.attendreImage("l'autre scène, modifiée", attendue(L, H));
+    }
+
+    @Test
+    void uneSceneQuiNePeutEtreLueLaisseLeTitreF5EtLaSurveillanceACelleQuiEstMontree() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        Path fautive = dossier.resolve("fautive.ini");
+        Files.write(fautive, FAUTIVE.getBytes(StandardCharsets.UTF_8));
+        banc.frapperCtrl('O');
+        choisir(fautive);
+        banc.attendreMessage(fautive.toString());
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreMessage("");
+        ecrire(BLEUE);
+        banc.attendreImage("la scène montrée est toujours surveillée", attendue(L, H));
+    }
+
+    @Test
+    void echapPendantUneLectureLaisseLaSceneMontree() throws Exception {
+        CountDownLatch lecture = new CountDownLatch(1);
+        Path longue = dossier.resolve("longue.ini");
+        Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
+        String[] args = {TAILLE, scene.toString()};
+        banc = new BancFenetre(new BancFenetre.MainLent(args) {
+            @Override
+            public List<String> lireScene(String fichier) {
+                if (fichier.equals(longue.toString())) {
+                    FenetreTest.attendreSansEtreInterrompu(lecture);
+                }
+                return super.lireScene(fichier);
+            }
+        });
+        banc.imageAchevee();
+        banc.frapperCtrl('O');
+        choisir(longue);
+        JProgressBar avancement = chercher("avancement", JProgressBar.class);
+        attendre("elle se lit", () -> avancement.getString().startsWith("lecture…"));
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("la lecture est arrêtée", () -> avancement.getString().startsWith("lecture arrêtée — "));
+        lecture.countDown();
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("F5 est à la scène montrée", attendue(L, H));
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+    }
+
+    @Test
+    void leNomDUneImageFinitToujoursParPng() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        byte[] attendu = Files.readAllBytes(pngSansFenetre(dossier, scene, L, H));
+        for (String[] noms : new String[][] {{"tp1.exo2", "tp1.exo2.png"}, {"photo.jpg", "photo.jpg.png"}, {"vue.PNG", "vue.PNG"}}) {
+            enregistrerSous(dossier.resolve(noms[0]));
+            banc.attendreMessage("enregistrée : " + noms[1]);
+            assertArrayEquals(attendu, Files.readAllBytes(dossier.resolve(noms[1])));
+        }
+    }
+
+    @Test
+    void apresUnEchecLeDossierEtLeNomSontProposesDeNouveau() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        Path dossierOccupe = Files.createDirectories(dossier.resolve("sous/vue.png"));
+        assertEquals("boule.png", enregistrerSous(dossierOccupe));
+        banc.attendreMessage(dossierOccupe + " : écriture impossible, c'est un dossier");
+        banc.frapperCtrl('S');
+        JFileChooser choix = composant(null, JFileChooser.class);
+        assertEquals(dossierOccupe.toFile(), surFilEvenements(choix::getSelectedFile));
+        choisir(dossier.resolve("sous/autre.png"));
+        banc.attendreMessage("enregistrée : autre.png");
+        assertEquals("boule.png", enregistrerSous(dossier.resolve("fin.png")));
     }
 
     @Test

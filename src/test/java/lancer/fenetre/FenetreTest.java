@@ -8,10 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.Dimension;
+import java.awt.Color;
 import java.awt.Point;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
@@ -21,6 +22,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
@@ -28,6 +30,7 @@ import javax.swing.JLabel;
 import javax.swing.JProgressBar;
 import lancer.Camera;
 import lancer.Constantes;
+import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.fenetre.BancFenetre.MainLent;
@@ -62,41 +65,89 @@ class FenetreTest extends EssaiFenetre {
     }
 
     @Test
-    void changerDeTailleRedessineALaNouvelleTaille() throws Exception {
+    void changerDeTailleGardeLImageDemandeeEtSesProportions() throws Exception {
         banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        for (int k = 0; k < 20; k++) {
-            int agrandi = 10 * k;
-            surFilEvenements(() -> {
-                banc.cadre.setSize(banc.cadre.getWidth() + agrandi % 70 - 30, banc.cadre.getHeight() + 3);
-                return null;
-            });
-        }
-        attendre("l'image a la taille du panneau", () -> banc.fenetre.getImageComplete() != null
-                && banc.fenetre.getImageComplete().getLargeur() == banc.panneau.getWidth()
-                && banc.fenetre.getImageComplete().getHauteur() == banc.panneau.getHeight());
-        Dimension taille = surFilEvenements(banc.panneau::getSize);
-        assertFalse(taille.equals(new Dimension(L, H)));
-        banc.attendreImage("sans trace des tailles abandonnées", attendue(taille.width, taille.height));
+        ImageMemoire image = banc.imageAchevee();
+        retailler(151, 83);
+        attendre("elle est à sa taille, au milieu", () -> BancFenetre.trouver(image.getCodes(), L) != null);
+        BufferedImage vue = peinte();
+        assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(60, 20));
+        retailler(-151 - L / 2, -83);
+        // une colonne de gris, puis la moitié des pixels : une boule rouge au milieu, comme avant
+        vue = peinte();
+        assertEquals(L / 2, vue.getWidth());
+        assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(L / 4, H / 8));
+        assertEquals(new Color(image.getCodes()[H / 2 * L + L / 2]).getRed(), new Color(vue.getRGB(L / 4, H / 2)).getRed(), 25);
+        assertTrue(chercher("resume", JLabel.class).getText().startsWith("320 × 240 pixels montrés à 50 %, "));
+        assertSame(image, banc.fenetre.getImageComplete(), "rien n'est redessiné");
     }
 
     @Test
-    void lAncienneImageRemplitLaFenetreJusquAuBrouillonSuivant() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-        int gris = banc.panneau.getBackground().getRGB();
-        // dans un seul événement : aucun dessin n'a pu être montré entre-temps
-        BufferedImage vue = surFilEvenements(() -> {
-            banc.cadre.setSize(banc.cadre.getWidth() + 150, banc.cadre.getHeight() + 100);
+    void uneTaillePlusGrandeQueLEcranEstDessineeEnEntierEtMontreeReduite() throws Exception {
+        banc = new BancFenetre(new MainLent("--taille=2000x1500", scene.toString()));
+        ImageMemoire image = banc.imageAchevee();
+        assertEquals("2000 x 1500", image.getLargeur() + " x " + image.getHauteur());
+        double reduction = Math.min(banc.panneau.getWidth() / 2000.0, banc.panneau.getHeight() / 1500.0);
+        assertTrue(reduction < 1, "l'écran du test est trop grand");
+        JLabel resume = chercher("resume", JLabel.class);
+        String debut = "2000 × 1500 pixels montrés à " + Math.round(100 * reduction) + " %, ";
+        attendre("la réduction se dit", () -> resume.getText().startsWith(debut));
+        JLabel pixel = chercher("pixel", JLabel.class);
+        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        attendre("le pixel dit est celui de l'image dessinée", () -> {
+            banc.robot.mouseMove(coin.x + banc.panneau.getWidth() / 2 + 1, coin.y + banc.panneau.getHeight() / 2);
+            banc.robot.mouseMove(coin.x + banc.panneau.getWidth() / 2, coin.y + banc.panneau.getHeight() / 2);
+            return pixel.getText().matches("pixel (99\\d|100\\d), (74\\d|75\\d) : .*");
+        });
+    }
+
+    private void retailler(int deX, int deY) throws Exception {
+        surFilEvenements(() -> {
+            banc.cadre.setSize(banc.cadre.getWidth() + deX, banc.cadre.getHeight() + deY);
             banc.cadre.validate();
+            return null;
+        });
+    }
+
+    private BufferedImage peinte() throws Exception {
+        return surFilEvenements(() -> {
             BufferedImage image = new BufferedImage(banc.panneau.getWidth(), banc.panneau.getHeight(), BufferedImage.TYPE_INT_RGB);
             banc.panneau.paint(image.createGraphics());
             return image;
         });
-        assertEquals(L + 150, vue.getWidth());
-        for (int code : BancFenetre.codes(vue)) {
-            assertFalse(code == gris || code == 0xFF000000, "ni gris ni noir entre deux images");
-        }
+    }
+
+    @Test
+    void lAncienneImageResteJusquAuBrouillonDeLaSuivante() throws Exception {
+        CountDownLatch dessin = new CountDownLatch(1);
+        String[] args = {TAILLE, scene.toString()};
+        banc = new BancFenetre(new MainLent(args) {
+            private boolean premiere = true;
+
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                if (!premiere) {
+                    attendreSansEtreInterrompu(dessin);
+                }
+                super.drawPixel(coul, xe, ye);
+            }
+
+            @Override
+            public List<String> lireScene(String fichier) {
+                premiere = getImage() == null;
+                return super.lireScene(fichier);
+            }
+        });
+        banc.imageAchevee();
+        int[] avant = attendue(L, H);
+        JLabel resume = chercher("resume", JLabel.class);
+        attendre("le coût se dit", () -> resume.getText().contains("rayons"));
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("le dessin suivant a commencé", () -> banc.fenetre.enCours() && banc.main.getLancer() != null);
+        assertArrayEquals(avant, BancFenetre.codes(peinte()));
+        assertEquals(" ", resume.getText(), "le coût n'est plus celui de l'image qui vient");
+        dessin.countDown();
+        banc.attendreImage("elle la remplace", avant);
     }
 
     @Test
@@ -107,6 +158,7 @@ class FenetreTest extends EssaiFenetre {
         attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
         JProgressBar avancement = chercher("avancement", JProgressBar.class);
         assertTrue(surFilEvenements(avancement::getString).startsWith("arrêté à "));
+        assertEquals(" ", chercher("resume", JLabel.class).getText(), "pas de coût d'une image inachevée");
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
         assertNull(banc.fenetre.getImageComplete());
         banc.main.lent = false;
@@ -171,7 +223,7 @@ class FenetreTest extends EssaiFenetre {
             private boolean premiere = true;
 
             @Override
-            public Scene lireScene(String fichier) {
+            public List<String> lireScene(String fichier) {
                 if (!premiere) {
                     attendreSansEtreInterrompu(lecture);
                 }
@@ -202,7 +254,7 @@ class FenetreTest extends EssaiFenetre {
         }
     }
 
-    private static void attendreSansEtreInterrompu(CountDownLatch loquet) {
+    static void attendreSansEtreInterrompu(CountDownLatch loquet) {
         while (true) {
             try {
                 loquet.await();
@@ -237,17 +289,45 @@ class FenetreTest extends EssaiFenetre {
     }
 
     @Test
+    void seuleLaCouleurDUnPixelDessineSeDitEtCelleDUnBrouillonEstDiteTelle() throws Exception {
+        CountDownLatch bas = new CountDownLatch(1);
+        String[] args = {TAILLE, scene.toString()};
+        banc = new BancFenetre(new MainLent(args) {
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                // le brouillon attend avant le bas de l'image
+                if (ye >= H / 2 && !getLancer().isBrouillonFait()) {
+                    attendreSansEtreInterrompu(bas);
+                }
+                super.drawPixel(coul, xe, ye);
+            }
+        }.lent());
+        JLabel pixel = chercher("pixel", JLabel.class);
+        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        attendre("le haut du brouillon se dit", () -> {
+            banc.robot.mouseMove(coin.x + 11, coin.y + 10);
+            banc.robot.mouseMove(coin.x + 10, coin.y + 10);
+            return pixel.getText().matches("pixel 10, 10 \\(brouillon\\) : #.*");
+        });
+        banc.robot.mouseMove(coin.x + 10, coin.y + H - 10);
+        attendre("le bas n'a pas encore de couleur", () -> pixel.getText().equals(" "));
+        bas.countDown();
+        attendre("le bas du brouillon se dit", () -> pixel.getText().matches("pixel 10, " + (H - 10) + " \\(brouillon\\) : #.*"));
+        banc.main.lent = false;
+        attendre("puis sa dernière couleur", () -> pixel.getText().startsWith("pixel 10, " + (H - 10) + " : #"));
+    }
+
+    @Test
     void unEcranDenseMontreUnPixelDImageParPixel() throws Exception {
         BancFenetre.exigerEcran();
-        int[] attendue = attendue(2 * L, 2 * H);
+        int[] attendue = attendue(L, H);
         Robot robot = new Robot();
         Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
                 scene.toString()).start();
         try {
-            attendre("l'image est à l'écran, deux fois plus grande et aussi nette",
-                    () -> BancFenetre.trouver(attendue, 2 * L) != null);
-            Point ou = BancFenetre.trouver(attendue, 2 * L);
-            robot.mouseMove(ou.x + L, ou.y + H);
+            attendre("l'image est à l'écran, à la taille demandée", () -> BancFenetre.trouver(attendue, L) != null);
+            Point ou = BancFenetre.trouver(attendue, L);
+            robot.mouseMove(ou.x + L / 2, ou.y + H / 2);
             attendre("Ctrl+Q termine le programme", () -> {
                 robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
                 robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);

@@ -15,6 +15,7 @@ import java.util.Collections;
 import javax.tools.ToolProvider;
 import lancer.Main;
 import lancer.essai.Essai;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -26,12 +27,22 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ModificationsTest {
 
     private static final Path SOURCES = Paths.get("src/main/java/lancer");
-    private static final String[] DEMANDE = {"--taille", "96x72", "--fils", "2"};
+    private static final String[] DEMANDE = {"--taille", "64x48", "--fils", "2"};
+
+    /** L'image du programme tel qu'il est. */
+    private static byte[] avant;
 
     @TempDir
     Path dossier;
 
-    private byte[] dessiner(Essai.Isole programme, String nom, String... options) throws IOException {
+    @BeforeAll
+    static void dessinerSansRienChanger(@TempDir Path commun) throws IOException {
+        try (Essai.Isole programme = new Essai.Isole(Collections.<Path>emptyList())) {
+            avant = dessiner(programme, commun, "avant");
+        }
+    }
+
+    private static byte[] dessiner(Essai.Isole programme, Path dossier, String nom, String... options) throws IOException {
         Path image = dossier.resolve(nom + ".pfm");
         String[] tout = Arrays.copyOf(DEMANDE, DEMANDE.length + options.length + 3);
         System.arraycopy(options, 0, tout, DEMANDE.length, options.length);
@@ -87,13 +98,9 @@ class ModificationsTest {
         Path classes = Files.createDirectories(dossier.resolve("classes"));
         assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-nowarn", "-encoding", "UTF-8", "-d",
                 classes.toString(), "-cp", Essai.origine(Main.class).toString(), changee.toString()));
-        byte[] avant;
-        try (Essai.Isole programme = new Essai.Isole(Collections.<Path>emptyList())) {
-            avant = dessiner(programme, "avant");
-        }
         try (Essai.Isole programme = new Essai.Isole(Collections.singletonList(classes), Collections.<Path>emptyList())) {
-            byte[] simple = dessiner(programme, "simple", "--simple");
-            assertArrayEquals(simple, dessiner(programme, "defaut"), "l'image par défaut n'est pas celle de --simple");
+            byte[] simple = dessiner(programme, dossier, "simple", "--simple");
+            assertArrayEquals(simple, dessiner(programme, dossier, "defaut"), "l'image par défaut n'est pas celle de --simple");
             assertFalse(Arrays.equals(avant, simple), "l'image n'a pas changé");
         }
     }

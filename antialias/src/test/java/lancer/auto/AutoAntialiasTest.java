@@ -81,15 +81,15 @@ class AutoAntialiasTest {
     @Test
     void lesRayonsAttendusSontCeuxDuDessin() {
         Scene lue = new Scene(scene.toString());
-        Essais essais = new Essais(Preparation.preparer(lue, 200, 150, false), 2);
+        Essais essais = new Essais(Preparation.preparer(lue, 120, 90, false), 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
-        EssaiFinesses essai = new EssaiFinesses(essais, new Semis(200, 150).choix, limites(), new Reseau(13));
+        EssaiFinesses essai = new EssaiFinesses(essais, new Semis(120, 90).choix, limites(), new Reseau(13));
         for (Finesse finesse : finesses) {
             essai.essayer(Collections.singletonList(finesse));
             essai.approfondir(finesse);
             Lancer lancer = essais.lancer(finesse.getEchantillonnage(), 1.0 / 1024);
             lancer.TracerPixels(Essais.AVEUGLE, 5, 2);
-            double rayons = lancer.getCompteurs().primaires / (200.0 * 150);
+            double rayons = lancer.getCompteurs().primaires / (120.0 * 90);
             assertEquals(1, finesse.getRayons() / rayons, 0.2, finesse.getTexte());
         }
     }
@@ -135,7 +135,7 @@ class AutoAntialiasTest {
         double erreur = Double.POSITIVE_INFINITY;
         long rayons = 0;
         for (String voulue : new String[] {"8", "2", "0.5"}) {
-            Essai essai = Essai.executerAvec(Arrays.asList(Essai.origine(Antialias.class)), "--taille=200x150", "--auto=erreur=" + voulue,
+            Essai essai = Essai.executerAvec(Arrays.asList(Essai.origine(Antialias.class)), "--taille=120x90", "--auto=erreur=" + voulue,
                     "--statistiques", "--lineaire=" + dossier.resolve("auto.pfm"), scene.toString());
             assertTrue(rapport(essai).get("mesuré").endsWith("erreur voulue tenue"), essai.erreur);
             double mesuree = Double.parseDouble(rapport(essai).get("mesuré").replaceAll("erreur de ([0-9.]+) .*", "$1"));
