@@ -9,6 +9,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
@@ -25,6 +26,9 @@ public class Lancer {
     private final Equipe equipe = new Equipe("lancer");
     private volatile boolean brouillonFait;
     private volatile Temoignage temoignage = Temoignage.SANS_OBJET;
+    /** La recherche dont parle ce témoignage, et à quelle profondeur : refaire le même dessin n'en apprend rien. */
+    private Recherche jugee;
+    private int profondeurJugee;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
@@ -158,14 +162,16 @@ public class Lancer {
      */
     private long juger(int profondeur, boolean tires) {
         long debut = System.nanoTime();
-        if (temoignage.ecart != null) {
-            // déjà dit : depuis, les boucles dessinent
+        if (temoignage.ecart != null || scene.getRecherche() == jugee && profondeur == profondeurJugee) {
+            // déjà dit : s'il y a un écart, depuis, les boucles dessinent
             return 0;
         }
         int nombre = temoignage.pixels;
         new Equipe("temoins").faire(1, Collections.singletonList(new Jugement(profondeur, tires)));
         if (!tires) {
             temoignage = new Temoignage(nombre, temoignage.ecart);
+            jugee = scene.getRecherche();
+            profondeurJugee = profondeur;
         }
         compteurs.pixelsTemoins = temoignage.pixels;
         if (temoignage.ecart != null) {

@@ -2,18 +2,16 @@ package lancer;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Specularite;
-import lancer.contrat.Variante;
 import lancer.lecture.LecteurScene;
-import lancer.lecture.Variantes;
+import lancer.precision.Jumelles;
 
 /**
  * Les objets, les lampes, et ce qu'un rayon y voit (cours, « Scène de sphères »). Une scène appartient à un seul fil :
@@ -25,14 +23,12 @@ public final class Scene {
     private final List<Lampe> lampes;
     /** Les mêmes, en tableau : chaque contact les parcourt. */
     final Lampe[] tableauDesLampes;
-    private final List<String> avertissements;
+    private final Atmosphere atmosphere;
+    private final Specularite specularite;
+    private final Echantillonnage echantillonnage;
     private final Compteurs compteurs = new Compteurs();
-    private List<Variante> variantesLibres = Collections.emptyList();
     private Recherche recherche;
     private double seuil = Constantes.SEUIL;
-    private Atmosphere atmosphere = Atmosphere.CLAIRE;
-    private Specularite specularite = Specularite.PHONG;
-    private Echantillonnage echantillonnage = Echantillonnage.CENTRE;
 
     /**
      * Lit une scène dans un fichier, et y installe les variantes présentes.
@@ -42,108 +38,53 @@ public final class Scene {
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {
-        this(new LecteurScene(nomFichier).lire());
+        this(LecteurScene.lire(nomFichier));
     }
 
-    private Scene(LecteurScene lu) {
-        this(lu.getObjets(), lu.getLampes(), lu.getAvertissements());
-        variantesLibres = Variantes.installer(lu, this);
+    /** La scène d'un fichier déjà lu. */
+    public Scene(LecteurScene lu) {
+        this(lu.getObjets(), lu.getLampes(), lu.getModele());
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente est laissée de côté. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
-        this(objets, lampes, Collections.<String>emptyList());
+        this(objets, lampes, new Modele());
     }
 
-    private Scene(List<? extends Objet3D> objets, List<Lampe> lampes, List<String> avertissements) {
-        this.objets = Collections.unmodifiableList(sansJumelles(objets));
+    /** Une scène sans fichier, où {@code modele} dit ce que des variantes changent. */
+    public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, Modele modele) {
+        this.objets = Collections.unmodifiableList(Jumelles.sans(objets));
         this.lampes = Collections.unmodifiableList(new ArrayList<>(lampes));
-        this.tableauDesLampes = lampes.toArray(new Lampe[0]);
-        this.avertissements = avertissements;
-        this.recherche = new RechercheSimple(this.objets, compteurs);
+        tableauDesLampes = lampes.toArray(new Lampe[0]);
+        atmosphere = modele.getAtmosphere();
+        specularite = modele.getSpecularite();
+        echantillonnage = modele.getEchantillonnage();
+        recherche = new RechercheSimple(this.objets, compteurs);
     }
 
-    private Scene(Scene autre) {
+    private Scene(Scene autre, Echantillonnage echantillonnage, double seuil) {
         objets = autre.objets;
         lampes = autre.lampes;
         tableauDesLampes = autre.tableauDesLampes;
-        avertissements = autre.avertissements;
-        recherche = autre.recherche.pourUnFil(compteurs);
-        seuil = autre.seuil;
         atmosphere = autre.atmosphere;
         specularite = autre.specularite;
-        echantillonnage = autre.echantillonnage;
+        this.echantillonnage = echantillonnage;
+        recherche = autre.recherche.pourUnFil(compteurs);
+        this.seuil = seuil;
     }
 
     /** La même scène pour un fil de plus, avec ses propres compteurs. */
     public Scene pourUnFil() {
-        return new Scene(this);
+        return avec(echantillonnage, seuil);
     }
 
     /**
      * La même scène, à dessiner autrement : ce que compare {@code --auto}.
      *
-     * @param autreSeuil voir {@link #setSeuil}
+     * @param seuil voir {@link #setSeuil}
      */
-    public Scene avec(Echantillonnage autreEchantillonnage, double autreSeuil) {
-        Scene scene = new Scene(this);
-        scene.echantillonnage = autreEchantillonnage;
-        scene.seuil = autreSeuil;
-        return scene;
-    }
-
-    /** Une sphère confondue avec une autre serait touchée à une distance nulle, à un arrondi près. */
-    private static List<Objet3D> sansJumelles(List<? extends Objet3D> objets) {
-        List<Objet3D> gardes = new ArrayList<>(objets.size());
-        Set<Geometrie> vues = new HashSet<>(2 * objets.size());
-        for (Objet3D objet : objets) {
-            if (objet.getClass() != Sphere.class || vues.add(new Geometrie((Sphere) objet))) {
-                gardes.add(objet);
-            }
-        }
-        return gardes;
-    }
-
-    /**
-     * Une sphère, égale à toute autre de mêmes centre et rayon. L'ordre est pour la table : des centres choisis pour
-     * avoir tous le même code y coûteraient sinon le carré de leur nombre.
-     */
-    private static final class Geometrie implements Comparable<Geometrie> {
-
-        private final Sphere sphere;
-
-        Geometrie(Sphere sphere) {
-            this.sphere = sphere;
-        }
-
-        @Override
-        public int hashCode() {
-            Point c = sphere.getCentre();
-            // + 0.0 : −0.0 et 0.0 sont la même position
-            int h = 31 * Double.hashCode(c.x + 0.0) + Double.hashCode(c.y + 0.0);
-            return 31 * (31 * h + Double.hashCode(c.z + 0.0)) + Double.hashCode(sphere.getRayon());
-        }
-
-        @Override
-        public boolean equals(Object autre) {
-            if (!(autre instanceof Geometrie)) {
-                return false;
-            }
-            Sphere s = ((Geometrie) autre).sphere;
-            Point c = sphere.getCentre();
-            Point d = s.getCentre();
-            return c.x == d.x && c.y == d.y && c.z == d.z && sphere.getRayon() == s.getRayon();
-        }
-
-        @Override
-        public int compareTo(Geometrie autre) {
-            Point c = sphere.getCentre();
-            Point d = autre.sphere.getCentre();
-            int x = Double.compare(c.x + 0.0, d.x + 0.0);
-            int y = x != 0 ? x : Double.compare(c.y + 0.0, d.y + 0.0);
-            int z = y != 0 ? y : Double.compare(c.z + 0.0, d.z + 0.0);
-            return z != 0 ? z : Double.compare(sphere.getRayon(), autre.sphere.getRayon());
-        }
+    public Scene avec(Echantillonnage echantillonnage, double seuil) {
+        return new Scene(this, echantillonnage, seuil);
     }
 
     /** Le premier objet que rencontre ce rayon. Voir {@link #getClosestIntersection(Rayon, Objet3D)}. */
@@ -164,14 +105,26 @@ public final class Scene {
 
     /**
      * Vrai si un objet autre que {@code objet} se trouve strictement entre la lampe et le contact (cours, « Ombres
-     * portées »).
+     * portées »). Le rayon part de la lampe ; si elle est lointaine, chaque moitié du segment se demande de son bout,
+     * le seul d'où elle se voit sans arrondi.
      *
      * @param L direction de la lampe vue du contact, de longueur 1
      * @param distance du contact à la lampe
      */
     public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
         compteurs.ombre++;
-        return recherche.estCachee(lampe, contact, L, distance, objet);
+        if (estLointaine(lampe)) {
+            double milieu = distance / 2;
+            return recherche.estCachee(lampe, contact, L, milieu, objet)
+                    || recherche.estCachee(lampe, lampe.getPosition(), L.neg(), milieu, objet);
+        }
+        return recherche.estCachee(lampe, lampe.getPosition(), L.neg(), distance, objet);
+    }
+
+    /** Vrai si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE}. */
+    public static boolean estLointaine(Lampe lampe) {
+        Point p = lampe.getPosition();
+        return Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z))) > Constantes.LOINTAINE;
     }
 
     /**
@@ -197,16 +150,6 @@ public final class Scene {
     /** Les lampes, dans l'ordre du fichier ; la liste ne change pas. */
     public List<Lampe> getLampes() {
         return lampes;
-    }
-
-    /** Ce que la lecture a laissé de côté, une ligne chacun. */
-    public List<String> getAvertissements() {
-        return avertissements;
-    }
-
-    /** Les variantes présentes dont le fichier de la scène n'a pas la section ; aucune pour une scène sans fichier. */
-    public List<Variante> getVariantesLibres() {
-        return variantesLibres;
     }
 
     /** Ce que ce fil a compté. */
@@ -236,41 +179,11 @@ public final class Scene {
         return atmosphere;
     }
 
-    /** @throws SceneFautive si une autre variante a déjà changé l'air */
-    public void setAtmosphere(Atmosphere atmosphere) {
-        this.atmosphere = libre(this.atmosphere, Atmosphere.CLAIRE, atmosphere, "l'air");
-    }
-
     public Specularite getSpecularite() {
         return specularite;
     }
 
-    /** @throws SceneFautive si une autre variante a déjà changé le reflet des lampes */
-    public void setSpecularite(Specularite specularite) {
-        this.specularite = libre(this.specularite, Specularite.PHONG, specularite, "le reflet des lampes");
-    }
-
     public Echantillonnage getEchantillonnage() {
         return echantillonnage;
-    }
-
-    /** @throws SceneFautive si une autre variante a déjà changé l'échantillonnage */
-    public void setEchantillonnage(Echantillonnage echantillonnage) {
-        this.echantillonnage = libre(this.echantillonnage, Echantillonnage.CENTRE, echantillonnage,
-                "l'échantillonnage");
-    }
-
-    /** Un contrat ne se prend qu'une fois : deux variantes qui le veulent ne peuvent aller ensemble. */
-    private static <T> T libre(T present, T defaut, T nouveau, String quoi) {
-        if (present != defaut) {
-            throw new SceneFautive("deux variantes veulent changer " + quoi + " : " + nom(present) + " et "
-                    + nom(nouveau) + " ; attendu : une seule des deux dans le chemin des classes");
-        }
-        return nouveau;
-    }
-
-    /** Le nom de la classe, sans ce que Java ajoute à celui d'une lambda. */
-    private static String nom(Object contrat) {
-        return contrat.getClass().getName().replaceAll("\\$\\$Lambda.*", "");
     }
 }

@@ -76,7 +76,7 @@ class DependancesTest {
 
     @Test
     void laCommandeNeDependQueDesTextesEtDesNombres() {
-        verifier("lancer/commande/.*", "java\\.(?!awt).*|lancer\\.(Constantes|contrat\\.PixelFautif)|lancer\\.texte\\..*");
+        verifier("lancer/commande/.*", "java\\.(?!awt).*|lancer\\.(Constantes|SceneFautive|contrat\\.PixelFautif)|lancer\\.texte\\..*");
     }
 
     @Test
@@ -89,12 +89,14 @@ class DependancesTest {
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
         verifier("lancer/auto/.*",
                 "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.commande\\.Options");
-        verifier("(?!lancer/auto/|lancer/Main\\.java).*", "(?!lancer\\.auto\\.).*");
+        verifier("(?!lancer/(auto/|sortie/VersFichiers\\.java)).*", "(?!lancer\\.auto\\.).*");
     }
 
     @Test
-    void seuleLaFenetreConnaitAwt() {
-        verifier("(?!lancer/fenetre/).*", "(?!java\\.awt|javax\\.|sun\\.|com\\.).*");
+    void seuleLaFenetreConnaitAwtEtImageIoNeLitQueLesImagesAComparer() {
+        String sansAwt = "(?!java\\.awt|javax\\.|sun\\.|com\\.).*";
+        verifier("(?!lancer/(fenetre/|sortie/LectureImage\\.java)).*", sansAwt);
+        verifier("lancer/sortie/LectureImage\\.java", sansAwt + "|java\\.awt\\.image\\..*|javax\\.imageio\\..*");
         verifier("(?!lancer/(fenetre/|Main\\.java)).*", "(?!lancer\\.fenetre\\.).*");
     }
 

@@ -143,8 +143,7 @@ class EgalitesTest {
     void leDecoupageEnPavesNeChangePasUnBit() {
         Ressources.Image attendue = imageRapide(foule(), new Camera(90, 70), 5);
         for (int[] pas : new int[][] {{1, 1}, {5, 3}, {90, 1}, {1, 70}}) {
-            Scene scene = foule();
-            scene.setEchantillonnage((pave, vue, toile) -> {
+            Scene scene = foule().avec((pave, vue, toile) -> {
                 // de droite à gauche et de bas en haut, pour que l'ordre change aussi
                 for (int j = pave.j1; j > pave.j0; j -= pas[1]) {
                     for (int i = pave.i1; i > pave.i0; i -= pas[0]) {
@@ -153,7 +152,7 @@ class EgalitesTest {
                     }
                 }
                 return 0;
-            });
+            }, Constantes.SEUIL);
             assertTrue(memesBits(attendue, imageRapide(scene, new Camera(90, 70), 5)), Arrays.toString(pas));
         }
     }

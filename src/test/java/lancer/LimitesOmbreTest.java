@@ -76,7 +76,8 @@ class LimitesOmbreTest {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+            Point contact = P.add(distance, V);
             Rayon ombre = new Rayon(contact, lampe.getPosition());
             for (Objet3D autre : objets) {
                 Sphere s = (Sphere) autre;
@@ -141,8 +142,8 @@ class LimitesOmbreTest {
         assertEquals(0, noirs(scene));
         scene.setRecherche(new Naive(scene.getObjets()) {
             @Override
-            public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
-                Rayon versLaLampe = new Rayon(contact, lampe.getPosition());
+            public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+                Rayon versLaLampe = new Rayon(P.add(distance, V), lampe.getPosition());
                 for (Objet3D autre : objets) {
                     if (autre != objet && autre.getIntersectionDistance(versLaLampe) < Constantes.INFINI) {
                         return true;

@@ -37,11 +37,6 @@ public final class Auto {
     private Tirage controle;
     private Temoin temoin;
 
-    /** Comme {@link #Auto(Lancer, Options, List)}, avec les variantes présentes dont la scène n'a pas la section. */
-    public Auto(Lancer prepare, Options options) {
-        this(prepare, options, prepare.getScene().getVariantesLibres());
-    }
-
     /**
      * Choisit, en essayant.
      *

@@ -1,14 +1,12 @@
 package lancer.auto;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import lancer.Lampe;
-import lancer.Objet3D;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Variante;
+import lancer.contrat.Modele;
 import lancer.contrat.Section;
+import lancer.contrat.Variante;
 
 /** Un échantillonnage possible de la scène, et ce que les essais en disent. */
 final class Finesse {
@@ -34,10 +32,10 @@ final class Finesse {
         List<Finesse> finesses = new ArrayList<>();
         for (Variante variante : variantes) {
             for (Section reglage : variante.getReglages()) {
-                Scene vide = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
-                variante.installer(reglage, vide);
+                Modele modele = new Modele();
+                variante.installer(reglage, modele);
                 reglage.verifierCles();
-                finesses.add(new Finesse(reglage.toString(), vide.getEchantillonnage()));
+                finesses.add(new Finesse(reglage.toString(), modele.getEchantillonnage()));
             }
         }
         if (finesses.isEmpty()) {

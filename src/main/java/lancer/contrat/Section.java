@@ -65,11 +65,6 @@ public final class Section {
         return section;
     }
 
-    /** Vrai si la section est dans le fichier de la scène, faux si la variante la reçoit vide ou l'a faite. */
-    public boolean estDonnee() {
-        return ligne > 0;
-    }
-
     /** Le nom, tel qu'écrit entre les crochets. */
     public String getNom() {
         return nom;

@@ -2,7 +2,6 @@ package lancer.contrat;
 
 import java.util.Collections;
 import java.util.List;
-import lancer.Scene;
 
 /**
  * Une variante du programme, dans un module à côté de la base. Elle met en œuvre un contrat ({@link Atmosphere},
@@ -16,13 +15,14 @@ public interface Variante {
     String getSection();
 
     /**
-     * Pose ce que fait la variante dans une scène qui vient d'être lue.
+     * Pose ce que fait la variante.
      *
      * @param valeurs sa section, vide si la scène n'en a pas : chaque clé a donc une valeur par défaut. Une clé que
      *     cette méthode ne demande pas est refusée ensuite, comme inconnue.
+     * @param modele celui d'une scène qui vient d'être lue
      * @throws lancer.SceneFautive si une valeur ne va pas
      */
-    void installer(Section valeurs, Scene scene);
+    void installer(Section valeurs, Modele modele);
 
     /**
      * Les réglages entre lesquels {@code --auto} peut choisir là où la scène n'a pas de section de cette variante : des

@@ -1,10 +1,9 @@
 package lancer.fenetre;
 
 import java.awt.Dimension;
-import java.io.PrintStream;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import lancer.Main;
+import lancer.Scene;
 
 /**
  * Où se font les images de la fenêtre. Un seul fil, donc une image à la fois : la suivante attend là, et non sur le fil
@@ -12,26 +11,22 @@ import lancer.Main;
  */
 final class Atelier {
 
-    private final Main main;
-    private final PrintStream sortie;
-    private final PrintStream erreur;
+    private final Dessinateur dessinateur;
     private final Surveillance surveillance = new Surveillance();
-    private final ExecutorService dessins = Executors.newSingleThreadExecutor(new FilDemon("lancer-dessin"));
+    private final ExecutorService dessins = Executors.newSingleThreadExecutor(tache -> {
+        Thread fil = new Thread(tache, "lancer-dessin");
+        fil.setDaemon(true);
+        return fil;
+    });
 
-    /**
-     * @param sortie où vont les statistiques, si elles sont demandées
-     * @param erreur où va ce que les témoins d'un dessin ont vu de faux
-     */
-    Atelier(Main main, PrintStream sortie, PrintStream erreur) {
-        this.main = main;
-        this.sortie = sortie;
-        this.erreur = erreur;
+    Atelier(Dessinateur dessinateur) {
+        this.dessinateur = dessinateur;
     }
 
     /** Lit la première scène, dans le fil de l'appelant. */
-    void lire(String fichier) {
+    Scene lire(String fichier) {
         surveillance.suivre(fichier);
-        main.lireScene(fichier);
+        return dessinateur.lireScene(fichier);
     }
 
     /**
@@ -40,7 +35,7 @@ final class Atelier {
      * @param aLire la scène à lire d'abord, {@code null} si elle l'est déjà
      */
     Tracage dessiner(String aLire, Dimension taille) {
-        Tracage tracage = new Tracage(main, aLire, taille, surveillance, sortie, erreur);
+        Tracage tracage = new Tracage(dessinateur, aLire, taille, surveillance);
         dessins.execute(tracage);
         return tracage;
     }

@@ -33,7 +33,8 @@ final class BarreEtat extends JPanel {
     private final JButton bouton = new JButton("Redessiner");
     private final transient Pastille pastille = new Pastille();
 
-    BarreEtat(Fenetre fenetre) {
+    /** @param siPresse ce que fait le bouton */
+    BarreEtat(Runnable siPresse) {
         super(new BorderLayout(MARGE, INTERLIGNE));
         setBorder(BorderFactory.createEmptyBorder(INTERLIGNE, MARGE, INTERLIGNE, MARGE));
         pixel.setName("pixel");
@@ -43,13 +44,7 @@ final class BarreEtat extends JPanel {
         avancement.setStringPainted(true);
         avancement.setString("");
         bouton.setFocusable(false);
-        bouton.addActionListener(e -> {
-            if (fenetre.enCours()) {
-                fenetre.arreter();
-            } else {
-                fenetre.recharger();
-            }
-        });
+        bouton.addActionListener(e -> siPresse.run());
         // la largeur du plus long de ses deux textes, pour que la barre ne bouge pas
         bouton.setPreferredSize(bouton.getPreferredSize());
         JPanel textes = new JPanel(new BorderLayout(MARGE, 0));
@@ -69,28 +64,19 @@ final class BarreEtat extends JPanel {
     }
 
     void avancer(Tracage tracage) {
-        boolean fini = tracage.isDone();
-        boolean acheve = tracage.isAcheve();
-        boolean sansMesure = !fini && tracage.getLancer() == null;
-        avancement.setIndeterminate(sansMesure);
-        avancement.setValue(acheve ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));
+        avancement.setIndeterminate(!tracage.isFini() && tracage.getLancer() == null);
+        avancement.setValue(tracage.isAcheve() ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));
         avancement.setString(tracage.getEtat());
-        bouton.setText(fini ? "Redessiner" : "Arrêter");
+        bouton.setText(tracage.isFini() ? "Redessiner" : "Arrêter");
     }
 
     /** Dit ce qu'a coûté l'image achevée. */
-    void resumer(Tracage tracage) {
-        Lancer lancer = tracage.getLancer();
+    void resumer(Lancer lancer) {
         // l'espace fine des nombres français manque à bien des polices
         String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
                 .replace('\u202F', '\u00A0');
-        resumer(lancer.getCamera().getLargeur() + " × " + lancer.getCamera().getHauteur() + " pixels, " + rayons
-                + " rayons, "
-                + String.format(Locale.FRANCE, "%.2f s", lancer.getDureeNs() / 1e9));
-    }
-
-    void resumer(String texte) {
-        resume.setText(texte);
+        resume.setText(lancer.getCamera().getLargeur() + " × " + lancer.getCamera().getHauteur() + " pixels, " + rayons
+                + " rayons, " + String.format(Locale.FRANCE, "%.2f s", lancer.getDureeNs() / 1e9));
     }
 
     /** @param ou le pixel sous la souris, ou {@code null} */

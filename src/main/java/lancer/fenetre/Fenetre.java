@@ -1,23 +1,33 @@
 package lancer.fenetre;
 
+import java.awt.AWTError;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.awt.Toolkit;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.io.File;
-import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
-import java.util.List;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
-import lancer.lecture.Variantes;
+import lancer.commande.Pannes;
+import lancer.lecture.Services;
 import lancer.sortie.ImageMemoire;
-import lancer.texte.Texte;
 
 /**
  * La fenêtre : elle montre l'image pendant que {@link Tracage} la dessine. Le fil des événements ne calcule pas, ne lit
@@ -31,36 +41,122 @@ public final class Fenetre {
     /** Temps laissé à un brouillon avant de montrer ses morceaux, ou de le refaire à une autre taille, en ns. */
     private static final long PATIENCE_NS = 300_000_000;
 
-    private final Main main;
+    private final Dessinateur dessinateur;
     private final Atelier atelier;
-    private final List<String> variantes;
+    private final String programme;
     private final Runnable fin;
     private final PanneauImage panneau = new PanneauImage();
-    private final BarreEtat barre = new BarreEtat(this);
+    private final Bandeau bandeau = panneau.getBandeau();
+    private final BarreEtat barre = new BarreEtat(this::arreterOuRecharger);
     private final JFrame cadre;
-    private final Enregistrement enregistrement = new Enregistrement(this);
+    private final Enregistrement enregistrement;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
 
     private String fichier;
     private String fichierMontre;
-    private boolean fichierFautif;
+    private Scene scene;
     private Tracage courant;
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
-    private Dimension taille = new Dimension();
     private ImageMemoire complete;
     private boolean fermee;
 
-    private Fenetre(Main main, Atelier atelier, Tracage premier, List<String> variantes, Runnable fin) {
-        this.main = main;
+    /** @param scene celle qui est déjà lue, {@code null} si aucune ne l'est */
+    private Fenetre(Dessinateur dessinateur, Options options, Scene scene, Atelier atelier, String programme,
+            Runnable fin) {
+        this.dessinateur = dessinateur;
         this.atelier = atelier;
-        this.variantes = variantes;
+        this.programme = programme;
         this.fin = fin;
-        fichier = main.getOptions().scene;
+        this.scene = scene;
+        fichier = options.scene;
         fichierMontre = fichier;
-        cadre = new Cadre(this, panneau, barre, taille(main.getOptions()));
+        cadre = new Cadre(menus(), panneau, barre, taille(options));
+        enregistrement = new Enregistrement(cadre, bandeau);
+    }
+
+    /**
+     * Ouvre la fenêtre sur la scène demandée, et revient ; fermer la fenêtre termine le programme, avec le statut 0.
+     *
+     * @throws SceneFautive si la scène ne peut être utilisée ; rien ne s'est ouvert
+     * @throws Echec s'il n'y a pas d'écran
+     */
+    public static Fenetre ouvrir(Dessinateur dessinateur, Options options) {
+        return ouvrir(dessinateur, options, () -> System.exit(CodeSortie.FAIT));
+    }
+
+    /** {@link #ouvrir(Dessinateur, Options)}, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
+    public static Fenetre ouvrir(Dessinateur dessinateur, Options options, Runnable fin) {
+        Atelier atelier = new Atelier(dessinateur);
+        Scene scene = options.scene == null ? null : atelier.lire(options.scene);
+        if (scene != null) {
+            dessinateur.avertir();
+        }
+        exigerEcran();
+        // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
+        Tracage premier = scene == null ? null : atelier.dessiner(null, taille(options));
+        String variantes = String.join(", ", Services.nomsDesVariantes());
+        String programme = variantes.isEmpty() ? "lancer" : "lancer (" + variantes + ")";
+        Fenetre[] ouverte = new Fenetre[1];
+        try {
+            EventQueue.invokeAndWait(() -> {
+                Dialogues.preparer();
+                ouverte[0] = new Fenetre(dessinateur, options, scene, atelier, programme, fin);
+                ouverte[0].commencer(premier);
+            });
+        } catch (InvocationTargetException e) {
+            throw new Echec(CodeSortie.PANNE, Pannes.message(e.getCause()));
+        } catch (InterruptedException e) {
+            throw new Echec(CodeSortie.PANNE, "interrompu");
+        }
+        return ouverte[0];
+    }
+
+    private static void exigerEcran() {
+        boolean present;
+        try {
+            present = !GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+        } catch (HeadlessException | AWTError | LinkageError e) {
+            // un DISPLAY sans serveur derrière, ou un Java sans ses bibliothèques d'écran
+            present = false;
+        }
+        if (!present) {
+            throw new Echec(CodeSortie.PANNE,
+                    "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+        }
+    }
+
+    private static Dimension taille(Options options) {
+        return new Dimension(options.largeur, options.hauteur);
+    }
+
+    private JMenuBar menus() {
+        // Ctrl, ou Commande sur un Mac ; la forme en Ex est de Java 10
+        int ctrl = Toolkit.getDefaultToolkit().getMenuShortcutKeyMask();
+        JMenuBar menus = new JMenuBar();
+        JMenu menu = menus.add(new JMenu("Fichier"));
+        menu.setMnemonic(KeyEvent.VK_F);
+        menu.add(commande("Ouvrir une scène…", KeyEvent.VK_O, ctrl, this::choisirScene));
+        menu.add(commande("Enregistrer l'image…", KeyEvent.VK_S, ctrl, this::enregistrer));
+        menu.addSeparator();
+        menu.add(commande("Quitter", KeyEvent.VK_Q, ctrl, this::fermer));
+        menu = menus.add(new JMenu("Dessin"));
+        menu.setMnemonic(KeyEvent.VK_D);
+        menu.add(commande("Relire la scène et redessiner", KeyEvent.VK_F5, 0, this::recharger));
+        // la touche est liée plus bas : Java l'afficherait « Escape »
+        menu.add(new Commande("Arrêter (Échap)", null, this::arreter));
+        return menus;
+    }
+
+    private static Commande commande(String nom, int touche, int avec, Runnable action) {
+        return new Commande(nom, KeyStroke.getKeyStroke(touche, avec), action);
+    }
+
+    /** @param premier le dessin qu'il y a déjà à montrer, ou {@code null} */
+    private void commencer(Tracage premier) {
+        ecouter();
         titrer();
-        atelier.surveiller(() -> EventQueue.invokeLater(() -> dessiner(true)));
         if (premier == null) {
             panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
             EventQueue.invokeLater(this::choisirScene);
@@ -71,44 +167,27 @@ public final class Fenetre {
         cadre.setVisible(true);
     }
 
-    /**
-     * Ouvre la fenêtre sur la scène demandée, et revient ; fermer la fenêtre termine le programme, avec le statut 0.
-     *
-     * @throws SceneFautive si la scène ne peut être utilisée ; rien ne s'est ouvert
-     * @throws Echec s'il n'y a pas d'écran
-     */
-    public static Fenetre ouvrir(Main main, PrintStream sortie, PrintStream erreur) {
-        return ouvrir(main, sortie, erreur, () -> System.exit(CodeSortie.FAIT));
-    }
-
-    /** {@link #ouvrir(Main, PrintStream, PrintStream)}, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
-    public static Fenetre ouvrir(Main main, PrintStream sortie, PrintStream erreur, Runnable fin) {
-        Atelier atelier = new Atelier(main, sortie, erreur);
-        String fichier = main.getOptions().scene;
-        if (fichier != null) {
-            atelier.lire(fichier);
-            main.avertir(erreur);
-        }
-        Ecran.exiger();
-        // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
-        Tracage premier = fichier == null ? null : atelier.dessiner(null, taille(main.getOptions()));
-        List<String> variantes = Variantes.noms();
-        Fenetre[] ouverte = new Fenetre[1];
-        try {
-            EventQueue.invokeAndWait(() -> {
-                Dialogues.preparer();
-                ouverte[0] = new Fenetre(main, atelier, premier, variantes, fin);
-            });
-        } catch (InvocationTargetException e) {
-            throw new Echec(CodeSortie.PANNE, Main.message(e.getCause()));
-        } catch (InterruptedException e) {
-            throw new Echec(CodeSortie.PANNE, "interrompu");
-        }
-        return ouverte[0];
-    }
-
-    private static Dimension taille(Options options) {
-        return new Dimension(options.largeur, options.hauteur);
+    /** À quoi la fenêtre répond, en plus de ses menus. */
+    private void ecouter() {
+        atelier.surveiller(() -> EventQueue.invokeLater(() -> dessiner(true)));
+        cadre.getRootPane().setTransferHandler(new DepotFichier(this::ouvrirScene, bandeau::avis));
+        cadre.getRootPane().registerKeyboardAction(e -> arreter(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                JComponent.WHEN_IN_FOCUSED_WINDOW);
+        cadre.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent e) {
+                fermer();
+            }
+        });
+        panneau.suivreSouris(this::montrerPixel);
+        panneau.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                suivreTaille();
+            }
+        });
+        // un écran d'une autre densité : les mêmes points, plus ou moins de pixels
+        panneau.addPropertyChangeListener("graphicsConfiguration", e -> suivreTaille());
     }
 
     /** Le cadre, qui contient tout ce qui se voit. */
@@ -126,26 +205,29 @@ public final class Fenetre {
         return enCours;
     }
 
-    /** Le fichier de la scène montrée, {@code null} s'il n'y en a pas encore. */
-    String getFichierMontre() {
-        return fichierMontre;
-    }
-
-    void choisirScene() {
+    private void choisirScene() {
         File choisi = Dialogues.choisirScene(cadre, fichier);
         if (choisi != null) {
             ouvrirScene(choisi);
         }
     }
 
-    void ouvrirScene(File scene) {
-        fichier = scene.getPath();
+    private void ouvrirScene(File choisi) {
+        fichier = choisi.getPath();
         titrer();
         panneau.setInvite(null);
         dessiner(true);
     }
 
-    void recharger() {
+    private void arreterOuRecharger() {
+        if (enCours) {
+            arreter();
+        } else {
+            recharger();
+        }
+    }
+
+    private void recharger() {
         if (fichier == null) {
             choisirScene();
         } else {
@@ -153,87 +235,61 @@ public final class Fenetre {
         }
     }
 
-    void enregistrer() {
-        enregistrement.commencer(getImageComplete());
+    private void enregistrer() {
+        ImageMemoire image = getImageComplete();
+        if (image == null) {
+            bandeau.avis(enCours ? "L'image se dessine encore : elle pourra être enregistrée une fois achevée."
+                    : "Pas d'image achevée à enregistrer ; F5 pour la dessiner.");
+        } else {
+            enregistrement.commencer(image, fichierMontre);
+        }
     }
 
-    void arreter() {
+    private void arreter() {
         if (enCours) {
-            courant.cancel(true);
-            // sans attendre que le dessin s'en aperçoive, comme le fait un SwingWorker des Java récents
-            finir(courant);
+            courant.arreter();
+            observer();
         }
     }
 
     /** Termine : plus aucun dessin, plus de fenêtre, et les images en train de s'écrire le seront jusqu'au bout. */
-    void fermer() {
+    private void fermer() {
         if (fermee) {
             return;
         }
         fermee = true;
         horloge.stop();
-        annuler();
+        if (courant != null) {
+            courant.arreter();
+        }
         atelier.terminer();
         cadre.dispose();
         enregistrement.terminer(fin);
-    }
-
-    /** Dit quelque chose, sans recouvrir ce qui ne va pas dans la scène. */
-    void dire(String avis) {
-        if (fichierFautif) {
-            direEtat(avis);
-        } else {
-            panneau.getBandeau().avis(avis);
-        }
-    }
-
-    void direErreur(String erreur) {
-        panneau.getBandeau().erreur(Texte.echappe(erreur));
-    }
-
-    /** Une image est enregistrée : un échec d'avant n'a plus à se lire. */
-    void direEnregistree(String nom) {
-        if (!fichierFautif) {
-            panneau.getBandeau().effacerErreur();
-        }
-        direEtat("enregistrée : " + nom);
-    }
-
-    void direEtat(String etat) {
-        barre.resumer(etat);
     }
 
     /** Recommence le dessin à la taille du panneau ; l'ancienne image reste jusqu'au brouillon de la nouvelle. */
     private void dessiner(boolean relire) {
         boolean lire = relire || courant != null && courant.resteALire();
         Dimension voulue = panneau.getTaillePixels();
-        if (fermee || !lire && main.getScene() == null || voulue.width < 1 || voulue.height < 1) {
+        if (fermee || !lire && scene == null || voulue.width < 1 || voulue.height < 1) {
             return;
         }
-        annuler();
+        if (courant != null) {
+            courant.arreter();
+        }
         suivre(atelier.dessiner(lire ? fichier : null, voulue));
     }
 
     private void suivre(Tracage tracage) {
         courant = tracage;
-        taille = tracage.getTaille();
         enCours = true;
         horloge.start();
-        tracage.ensuite(this::finir);
         observer();
     }
 
-    private void annuler() {
-        Tracage ancien = courant;
-        courant = null;
-        if (ancien != null) {
-            ancien.cancel(true);
-        }
-    }
-
     /** Refait l'image si le panneau n'a plus sa taille, en laissant au brouillon le temps de se montrer. */
-    void suivreTaille() {
-        if (courant == null || panneau.getTaillePixels().equals(taille)) {
+    private void suivreTaille() {
+        if (courant == null || panneau.getTaillePixels().equals(courant.getTaille())) {
             return;
         }
         if (enCours) {
@@ -248,66 +304,61 @@ public final class Fenetre {
     /** Montre où en est le dessin en cours. */
     private void observer() {
         suivreTaille();
-        if (courant == null) {
-            return;
-        }
-        if (courant.vientDeLire()) {
-            fichierFautif = false;
+        boolean fini = courant.isFini();
+        Scene lue = courant.getLue();
+        if (lue != null && lue != scene) {
+            scene = lue;
             fichierMontre = fichier;
             avertir();
         }
         // l'image d'abord : vue avec le lancer d'après, elle a au moins son brouillon
-        ImageMemoire image = main.getImage();
+        ImageMemoire image = dessinateur.getImage();
         Lancer lancer = courant.getLancer();
         if (lancer != null) {
             panneau.montrer(image, lancer.isBrouillonFait(), courant.getDureeNs() > PATIENCE_NS);
         }
         barre.avancer(courant);
         montrerPixel();
+        if (fini && enCours) {
+            finir();
+        }
     }
 
     /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
-    private void finir(Tracage tracage) {
-        if (tracage != courant || fermee || !enCours) {
-            return;
-        }
+    private void finir() {
         enCours = false;
         horloge.stop();
-        Throwable panne = tracage.getPanne();
-        if (tracage.isAcheve()) {
-            complete = main.getImage();
-            barre.resumer(tracage);
-            if (!fichierFautif) {
-                panneau.getBandeau().effacerErreur();
-            }
-            String ecart = main.getLancer().getTemoignage().ecart;
+        Throwable panne = courant.getPanne();
+        if (courant.isAcheve()) {
+            complete = dessinateur.getImage();
+            barre.resumer(courant.getLancer());
+            bandeau.effacerErreur();
+            String ecart = courant.getLancer().getTemoignage().ecart;
             if (ecart != null) {
-                panneau.getBandeau().avis(ecart);
+                bandeau.avis(ecart);
             }
-        }
-        observer();
-        if (panne != null) {
-            fichierFautif = panne instanceof SceneFautive;
-            direErreur(Main.message(panne));
-        }
-        // une faute dans la scène a interrompu un dessin de la précédente : c'est lui, la dernière bonne image
-        if (fichierFautif && panne != null && complete != panneau.getImage()) {
-            dessiner(false);
+        } else if (panne instanceof SceneFautive) {
+            bandeau.faute(Pannes.message(panne));
+            if (complete != panneau.getImage()) {
+                // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
+                dessiner(false);
+            }
+        } else if (panne != null) {
+            bandeau.erreur(Pannes.message(panne));
         }
     }
 
-    /** Montre ce que la scène a de laissé de côté, ou efface le message qui était là. */
+    /** Montre ce que la scène, sans faute, a de laissé de côté, à la place du message qui était là. */
     private void avertir() {
-        Scene scene = main.getScene();
-        panneau.getBandeau().avis(scene == null ? "" : String.join("\n", scene.getAvertissements()));
+        bandeau.faute("");
+        bandeau.avis(String.join("\n", dessinateur.getAvertissements()));
     }
 
-    void montrerPixel() {
+    private void montrerPixel() {
         barre.montrerPixel(panneau.getPixelSouris(), panneau.getImage());
     }
 
     private void titrer() {
-        String titre = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
-        cadre.setTitle(fichier == null ? titre : titre + " — " + new File(fichier).getName());
+        cadre.setTitle(fichier == null ? programme : programme + " — " + new File(fichier).getName());
     }
 }

@@ -25,10 +25,7 @@ final class PanneauImage extends JPanel {
     private static final long serialVersionUID = 1;
 
     private static final Color GRIS = new Color(0x777777);
-    private static final int ROUGE = 0xFF0000;
-    private static final int VERT = 0xFF00;
-    private static final int BLEU = 0xFF;
-    private static final int OPACITE = 0xFF000000;
+    private static final DirectColorModel OPAQUE = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
 
     private final Bandeau bandeau = new Bandeau();
     /** L'image montrée, et celle qui se dessine par-dessus tant que son brouillon n'est pas complet. */
@@ -81,7 +78,7 @@ final class PanneauImage extends JPanel {
     void montrer(ImageMemoire image, boolean entiere, boolean parMorceaux) {
         if (entiere && image != montree) {
             montree = image;
-            fond = surCodes(image, new DirectColorModel(24, ROUGE, VERT, BLEU), ROUGE, VERT, BLEU);
+            fond = surCodes(image, OPAQUE);
         }
         if (entiere || fond != null && !parMorceaux) {
             naissante = null;
@@ -93,16 +90,16 @@ final class PanneauImage extends JPanel {
                 fond = calque;
             }
             naissante = image;
-            calque = surCodes(image, ColorModel.getRGBdefault(), ROUGE, VERT, BLEU, OPACITE);
+            calque = surCodes(image, (DirectColorModel) ColorModel.getRGBdefault());
         }
         repaint();
     }
 
     /** Une image AWT sur le tableau même des codes : rien n'est copié. */
-    private static BufferedImage surCodes(ImageMemoire image, ColorModel couleurs, int... masques) {
+    private static BufferedImage surCodes(ImageMemoire image, DirectColorModel couleurs) {
         int[] codes = image.getCodes();
         WritableRaster raster = Raster.createPackedRaster(new DataBufferInt(codes, codes.length),
-                image.getLargeur(), image.getHauteur(), image.getLargeur(), masques, null);
+                image.getLargeur(), image.getHauteur(), image.getLargeur(), couleurs.getMasks(), null);
         return new BufferedImage(couleurs, raster, false, null);
     }
 

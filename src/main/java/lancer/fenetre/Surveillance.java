@@ -3,6 +3,8 @@ package lancer.fenetre;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Timer;
+import java.util.TimerTask;
 import lancer.SceneFautive;
 import lancer.lecture.LecteurScene;
 
@@ -10,78 +12,47 @@ import lancer.lecture.LecteurScene;
  * Veille sur le fichier de la scène, dans un fil à elle. Elle regarde l'heure et la taille, car un éditeur qui
  * enregistre en renommant échappe aux notifications du système.
  */
-final class Surveillance implements Runnable {
+final class Surveillance {
 
-    private static final int PERIODE_MS = 500;
+    private static final int PERIODE_MS = 250;
 
-    /** Temps qu'on laisse à un éditeur pour finir d'écrire, en millisecondes. */
-    private static final int REPOS_MS = 60;
-
-    private Thread fil;
-    private Runnable siChange;
+    private final Timer veille = new Timer("lancer-surveillance", true);
     private String fichier;
     private String connu;
+    private String vu;
 
     /** À appeler juste avant de lire le fichier : ce qui changera ensuite sera vu. */
-    void suivre(String fichier) {
-        String etat = etat(fichier);
-        synchronized (this) {
-            this.fichier = fichier;
-            this.connu = etat;
-        }
+    synchronized void suivre(String aSuivre) {
+        fichier = aSuivre;
+        connu = etat(aSuivre);
     }
 
     /** @param siChange appelé dans le fil de la surveillance, une fois par changement */
     void commencer(Runnable siChange) {
-        this.siChange = siChange;
-        fil = new FilDemon("lancer-surveillance").newThread(this);
-        fil.start();
+        veille.schedule(new TimerTask() {
+            @Override
+            public void run() {
+                if (regarder()) {
+                    siChange.run();
+                }
+            }
+        }, PERIODE_MS, PERIODE_MS);
     }
 
     void terminer() {
-        fil.interrupt();
+        veille.cancel();
     }
 
-    @Override
-    public void run() {
-        try {
-            String precedent = null;
-            while (true) {
-                Thread.sleep(precedent == null ? PERIODE_MS : REPOS_MS);
-                String nouveau = nouveau();
-                // deux fois le même : l'éditeur a fini d'écrire
-                if (nouveau != null && nouveau.equals(precedent)) {
-                    if (prendre(nouveau)) {
-                        siChange.run();
-                    }
-                    nouveau = null;
-                }
-                precedent = nouveau;
-            }
-        } catch (InterruptedException e) {
-            // la fenêtre se ferme
+    /** @return vrai, une fois, si le fichier a changé et n'a plus bougé depuis : l'éditeur a fini d'écrire */
+    private synchronized boolean regarder() {
+        String nouveau = fichier == null ? null : etat(fichier);
+        // absent : on l'enregistre, il revient
+        boolean change = nouveau != null && nouveau.equals(vu) && !nouveau.equals(connu);
+        vu = nouveau;
+        if (change) {
+            connu = nouveau;
         }
-    }
-
-    /** L'état du fichier s'il a changé ; {@code null} sinon, ou s'il a disparu : on enregistre, il revient. */
-    private String nouveau() {
-        String suivi;
-        String ancien;
-        synchronized (this) {
-            suivi = fichier;
-            ancien = connu;
-        }
-        String etat = suivi == null ? null : etat(suivi);
-        return etat == null || etat.equals(ancien) ? null : suivi + " " + etat;
-    }
-
-    /** Retient l'état vu, sauf si entre-temps on suit un autre fichier. */
-    private synchronized boolean prendre(String nouveau) {
-        if (!nouveau.startsWith(fichier + " ")) {
-            return false;
-        }
-        connu = nouveau.substring(fichier.length() + 1);
-        return true;
+        return change;
     }
 
     /** L'heure, la taille et l'identité du fichier ; {@code null} s'il n'existe pas. */

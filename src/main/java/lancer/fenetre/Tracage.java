@@ -1,13 +1,11 @@
 package lancer.fenetre;
 
 import java.awt.Dimension;
-import java.io.PrintStream;
 import java.util.Locale;
 import java.util.concurrent.ExecutionException;
-import java.util.function.Consumer;
 import javax.swing.SwingWorker;
 import lancer.Lancer;
-import lancer.Main;
+import lancer.Scene;
 import lancer.SceneFautive;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
@@ -15,48 +13,28 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     private static final double NS_PAR_S = 1e9;
 
-    private final Main main;
+    private final Dessinateur dessinateur;
     private final String aLire;
     private final Dimension taille;
     private final Surveillance surveillance;
-    private final PrintStream sortie;
-    private final PrintStream erreur;
-    private Consumer<Tracage> suite;
-    private boolean rendu;
     private final long debut = System.nanoTime();
     private volatile long fin;
-    private volatile boolean lu;
+    private volatile Scene lue;
     private volatile boolean dessine;
-    private boolean lectureVue;
 
     /**
      * @param aLire la scène à lire, {@code null} pour redessiner celle qui est déjà lue
      * @param taille celle de l'image, en pixels
      */
-    Tracage(Main main, String aLire, Dimension taille, Surveillance surveillance, PrintStream sortie,
-            PrintStream erreur) {
-        this.main = main;
+    Tracage(Dessinateur dessinateur, String aLire, Dimension taille, Surveillance surveillance) {
+        this.dessinateur = dessinateur;
         this.aLire = aLire;
         this.taille = taille;
         this.surveillance = surveillance;
-        this.sortie = sortie;
-        this.erreur = erreur;
     }
 
     Dimension getTaille() {
         return taille;
-    }
-
-    /**
-     * À appeler sur le fil des événements.
-     *
-     * @param suite appelée sur ce fil quand c'est achevé, arrêté ou manqué
-     */
-    void ensuite(Consumer<Tracage> suite) {
-        this.suite = suite;
-        if (rendu) {
-            suite.accept(this);
-        }
     }
 
     @Override
@@ -64,34 +42,26 @@ final class Tracage extends SwingWorker<Void, Void> {
         try {
             if (aLire != null) {
                 surveillance.suivre(aLire);
-                main.lireScene(aLire);
-                lu = true;
+                lue = dessinateur.lireScene(aLire);
             }
-            if (isCancelled()) {
-                return null;
+            if (!isCancelled()) {
+                dessine = true;
+                dessinateur.doTracerImage(taille.width, taille.height);
             }
-            dessine = true;
-            main.doTracerImage(taille.width, taille.height);
+            return null;
         } finally {
             fin = System.nanoTime();
         }
-        Main.direEcart(main.getLancer(), erreur);
-        if (main.getOptions().statistiques && !isCancelled()) {
-            sortie.println(main.getStatistiques());
-            sortie.flush();
-        }
-        return null;
     }
 
-    @Override
-    protected void done() {
-        if (fin == 0) {
-            fin = System.nanoTime();
-        }
-        rendu = true;
-        if (suite != null) {
-            suite.accept(this);
-        }
+    void arreter() {
+        cancel(true);
+        fin = System.nanoTime();
+    }
+
+    /** Vrai s'il n'y a plus rien à en attendre ; arrêté, son fil peut finir un peu plus tard. */
+    boolean isFini() {
+        return isCancelled() || isDone();
     }
 
     /** Ce qui a empêché ce dessin d'aller au bout ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
@@ -116,21 +86,17 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** Ce qui dessine ; {@code null} tant que la scène se lit et se prépare. */
     Lancer getLancer() {
-        return dessine ? main.getLancer() : null;
+        return dessine ? dessinateur.getLancer() : null;
+    }
+
+    /** La scène que ce dessin a lue ; {@code null} s'il n'en avait pas à lire, ou ne l'a pas encore lue. */
+    Scene getLue() {
+        return lue;
     }
 
     /** Vrai si la scène à lire ne l'est pas encore : à refaire si l'on interrompt ce dessin. */
     boolean resteALire() {
-        return aLire != null && !lu && (isCancelled() || !isDone());
-    }
-
-    /** Vrai une seule fois, quand la scène vient d'être lue. */
-    boolean vientDeLire() {
-        if (!lu || lectureVue) {
-            return false;
-        }
-        lectureVue = true;
-        return true;
+        return aLire != null && lue == null && getPanne() == null;
     }
 
     /** Le temps passé depuis la demande, en nanosecondes. */
@@ -149,25 +115,21 @@ final class Tracage extends SwingWorker<Void, Void> {
         if (getPanne() instanceof SceneFautive) {
             return "scène fautive";
         }
-        return etape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / NS_PAR_S);
+        return getEtape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / NS_PAR_S);
     }
 
-    private String etape() {
+    private String getEtape() {
         Lancer lancer = getLancer();
         if (isCancelled()) {
-            return "arrêté à " + pourCent();
+            return "arrêté à " + pourCent(getAvancement());
         }
         if (isDone()) {
             return getPanne() == null ? "terminé" : "échec";
         }
         if (lancer == null) {
-            return aLire != null && !lu ? "lecture…" : "préparation…";
+            return aLire != null && lue == null ? "lecture…" : "préparation…";
         }
-        return lancer.isBrouillonFait() ? "dessin " + pourCent() : "brouillon " + pourCent(lancer.getAvancement());
-    }
-
-    private String pourCent() {
-        return pourCent(getAvancement());
+        return (lancer.isBrouillonFait() ? "dessin " : "brouillon ") + pourCent(lancer.getAvancement());
     }
 
     private static String pourCent(double part) {

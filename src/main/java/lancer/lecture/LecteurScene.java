@@ -19,7 +19,9 @@ import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
+import lancer.contrat.Modele;
 import lancer.contrat.Section;
+import lancer.contrat.Variante;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 import org.ini4j.Config;
@@ -56,19 +58,29 @@ public final class LecteurScene {
     private final Map<String, Integer> noms = new HashMap<>();
     /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
+    private final Modele modele = new Modele();
+    private final List<Variante> variantesLibres = new ArrayList<>();
     private Section courante;
     /** Ce que décrit la section en cours, {@code null} si ce n'est pas un objet. */
     private TypeObjet objet;
 
-    public LecteurScene(String fichier) {
+    private LecteurScene(String fichier) {
         this.fichier = fichier;
     }
 
     /**
-     * @return ce lecteur, qui a lu le fichier en entier
-     * @throws SceneFautive si le fichier ne peut être utilisé
+     * Lit un fichier en entier, et installe les variantes présentes, chacune avec sa section.
+     *
+     * @throws SceneFautive si le fichier ne peut être utilisé, ou si deux variantes veulent le même contrat
      */
-    public LecteurScene lire() {
+    public static LecteurScene lire(String fichier) {
+        LecteurScene lecteur = new LecteurScene(fichier);
+        lecteur.lire();
+        lecteur.installer();
+        return lecteur;
+    }
+
+    private void lire() {
         Lignes lignes = null;
         Path chemin = trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
@@ -77,7 +89,6 @@ public final class LecteurScene {
         try (InputStream entree = ouvrir(chemin)) {
             lignes = new Lignes(entree);
             new Decoupeur().parse(lignes, new Sections(lignes));
-            return this;
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim(), lignes.getNumero());
         } catch (CharacterCodingException e) {
@@ -87,6 +98,19 @@ public final class LecteurScene {
                     "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne", e);
         } catch (IOException e) {
             throw inutilisable(e);
+        }
+    }
+
+    private void installer() {
+        for (Variante variante : services.variantes()) {
+            String type = variante.getSection();
+            Section section = sectionsVariantes.get(Texte.minuscules(type));
+            if (section == null) {
+                section = new Section(fichier, type, 0);
+                variantesLibres.add(variante);
+            }
+            variante.installer(section, modele);
+            section.verifierCles();
         }
     }
 
@@ -152,18 +176,19 @@ public final class LecteurScene {
         return lampes;
     }
 
+    /** Ce que les variantes présentes ont changé. */
+    public Modele getModele() {
+        return modele;
+    }
+
+    /** Ce que la lecture a laissé de côté, une ligne chacun. */
     public List<String> getAvertissements() {
         return avertissements;
     }
 
-    Services getServices() {
-        return services;
-    }
-
-    /** La section d'une variante, vide si le fichier n'en a pas. */
-    Section section(String type) {
-        Section section = sectionsVariantes.get(Texte.minuscules(type));
-        return section != null ? section : new Section(fichier, type, 0);
+    /** Les variantes présentes dont le fichier n'a pas la section. */
+    public List<Variante> getVariantesLibres() {
+        return variantesLibres;
     }
 
     /**

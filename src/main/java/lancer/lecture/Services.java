@@ -19,7 +19,7 @@ import lancer.texte.Texte;
  * Les formes et les variantes présentes dans le chemin des classes. Elles sont cherchées dans un fil à part : Java
  * fouille aussi ses propres modules, et la scène se lit pendant ce temps.
  */
-final class Services implements Runnable {
+public final class Services implements Runnable {
 
     /** Les types que lisent des variantes de la maison, présentes ou non. */
     private static final String[] VARIANTES_CONNUES = {"Brume", "Antialias", "Blinn"};
@@ -117,6 +117,15 @@ final class Services implements Runnable {
     List<Variante> variantes() {
         chercher();
         return variantes;
+    }
+
+    /** Les noms des variantes présentes. */
+    public static List<String> nomsDesVariantes() {
+        List<String> noms = new ArrayList<>();
+        for (Variante variante : new Services().variantes()) {
+            noms.add(variante.getSection());
+        }
+        return noms;
     }
 
     /** Vrai si une variante présente lit ce type de section. */

@@ -12,7 +12,6 @@ import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
@@ -23,8 +22,10 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Options;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Variante;
+import lancer.contrat.Modele;
 import lancer.contrat.Section;
+import lancer.contrat.Variante;
+import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -44,7 +45,7 @@ class AutoTest {
         toutes[options.length] = "--image=aucune.png";
         toutes[options.length + 1] = "--taille=" + largeur + "x" + hauteur;
         toutes[options.length + 2] = "s.ini";
-        return new Auto(Main.preparer(scene, largeur, hauteur, false), Options.lire(toutes), variantes);
+        return new Auto(Preparation.preparer(scene, largeur, hauteur, false), Options.lire(toutes), variantes);
     }
 
     private static Auto auto(Scene scene, String... options) {
@@ -231,8 +232,8 @@ class AutoTest {
             }
 
             @Override
-            public void installer(Section valeurs, Scene scene) {
-                scene.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
+            public void installer(Section valeurs, Modele modele) {
+                modele.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
             }
 
             @Override
@@ -276,8 +277,8 @@ class AutoTest {
             }
 
             @Override
-            public void installer(Section valeurs, Scene scene) {
-                scene.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
+            public void installer(Section valeurs, Modele modele) {
+                modele.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
             }
 
             @Override
@@ -285,7 +286,7 @@ class AutoTest {
                 return Collections.singletonList(Section.reglage("Grille", "m", "3"));
             }
         };
-        Lancer lancer = Main.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         Options options = Options.lire("--auto", "erreur=1", "--image", "a.png", "s.ini");
         SceneFautive e = assertThrows(SceneFautive.class, () -> new Auto(lancer, options, Collections.singletonList(fautive)));
         assertEquals("réglage de --auto, [Grille], m : clé inconnue ; attendu : n", e.getMessage());

@@ -11,11 +11,12 @@ import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Objet3D;
-import lancer.contrat.PixelFautif;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
+import lancer.contrat.Modele;
+import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
@@ -85,8 +86,9 @@ class PannesPixelTest {
 
     @Test
     void uneReponseNulleNommeLePixelAussi() {
-        Scene scene = new Scene(Collections.singletonList(new Mur(new Vecteur(0, 0, -1))), Collections.<Lampe>emptyList());
-        scene.setAtmosphere((vue, distance) -> null);
+        Modele modele = new Modele();
+        modele.setAtmosphere((vue, distance) -> null);
+        Scene scene = new Scene(Collections.singletonList(new Mur(new Vecteur(0, 0, -1))), Collections.<Lampe>emptyList(), modele);
         assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((couleur, i, j) -> { }, 5, 2));
     }
 }

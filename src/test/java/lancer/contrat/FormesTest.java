@@ -292,7 +292,7 @@ class FormesTest {
                 "package exo;",
                 "public class Autre implements lancer.contrat.Variante {",
                 "    public String getSection() { return \"Panneau\"; }",
-                "    public void installer(lancer.contrat.Section valeurs, lancer.Scene scene) { }",
+                "    public void installer(lancer.contrat.Section valeurs, lancer.contrat.Modele modele) { }",
                 "}"));
         refuser(String.format(message, "exo.Autre"), executer(classes, "[Lampe 1]", "position=3 0 1", "couleur=1 1 1"));
     }

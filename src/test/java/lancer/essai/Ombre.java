@@ -20,6 +20,6 @@ public final class Ombre {
 
     public static boolean cachee(Recherche recherche, Lampe lampe, Point contact, Objet3D objet) {
         Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
-        return recherche.estCachee(lampe, contact, versLampe.normalized(), versLampe.norme(), objet);
+        return recherche.estCachee(lampe, lampe.getPosition(), versLampe.normalized().neg(), versLampe.norme(), objet);
     }
 }

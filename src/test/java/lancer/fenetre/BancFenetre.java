@@ -23,6 +23,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.io.UnsupportedEncodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -52,8 +53,8 @@ final class BancFenetre {
     /** Bien plus que ce qu'il faut à une machine chargée : au-delà, cela n'arrivera plus. */
     private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(40);
 
-    final ByteArrayOutputStream sortie = new ByteArrayOutputStream();
-    final ByteArrayOutputStream erreur = new ByteArrayOutputStream();
+    final ByteArrayOutputStream sortie;
+    final ByteArrayOutputStream erreur;
     final CountDownLatch fin = new CountDownLatch(1);
     final Robot robot;
     final MainLent main;
@@ -68,8 +69,10 @@ final class BancFenetre {
     BancFenetre(MainLent main) throws Exception {
         exigerEcran();
         this.main = main;
+        sortie = main.sortie;
+        erreur = main.erreur;
         robot = new Robot();
-        fenetre = Fenetre.ouvrir(main, flux(sortie), flux(erreur), fin::countDown);
+        fenetre = Fenetre.ouvrir(main, main.options, fin::countDown);
         cadre = fenetre.getCadre();
         panneau = composant("image", JComponent.class);
     }
@@ -78,10 +81,20 @@ final class BancFenetre {
     static class MainLent extends Main {
 
         private static final long PAUSE_NS = 1_000_000;
+        final Options options;
+        final ByteArrayOutputStream sortie;
+        final ByteArrayOutputStream erreur;
         volatile boolean lent;
 
         MainLent(String... args) {
-            super(Options.lire(args));
+            this(Options.lire(args), new ByteArrayOutputStream(), new ByteArrayOutputStream());
+        }
+
+        private MainLent(Options options, ByteArrayOutputStream sortie, ByteArrayOutputStream erreur) {
+            super(options, flux(sortie), flux(erreur));
+            this.options = options;
+            this.sortie = sortie;
+            this.erreur = erreur;
         }
 
         MainLent lent() {
@@ -99,8 +112,12 @@ final class BancFenetre {
         }
     }
 
-    static PrintStream flux(ByteArrayOutputStream octets) throws IOException {
-        return new PrintStream(octets, true, "UTF-8");
+    static PrintStream flux(ByteArrayOutputStream octets) {
+        try {
+            return new PrintStream(octets, true, "UTF-8");
+        } catch (UnsupportedEncodingException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     static String texte(ByteArrayOutputStream octets) {

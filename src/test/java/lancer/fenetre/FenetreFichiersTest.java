@@ -95,7 +95,7 @@ class FenetreFichiersTest extends EssaiFenetre {
         enregistrerSous(dossier.resolve("absent").resolve("image.png"));
         banc.attendreMessage(dossier.resolve("absent").resolve("image.png") + " : écriture impossible");
         enregistrerSous(dossier.resolve("image.png"));
-        banc.attendreMessage("");
+        banc.attendreMessage("enregistrée : image.png");
     }
 
     @Test

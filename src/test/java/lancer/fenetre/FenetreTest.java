@@ -171,12 +171,12 @@ class FenetreTest extends EssaiFenetre {
             private boolean premiere = true;
 
             @Override
-            public void lireScene(String fichier) {
+            public Scene lireScene(String fichier) {
                 if (!premiere) {
                     attendreSansEtreInterrompu(lecture);
                 }
                 premiere = false;
-                super.lireScene(fichier);
+                return super.lireScene(fichier);
             }
         }.lent());
         attendre("le dessin a commencé", () -> banc.main.getLancer() != null);

@@ -86,11 +86,9 @@ class ComptesTest {
 
     @Test
     void scenesHostilesAuPlusUneFoisEtDemieLArbre() {
-        Preparation.Reglage arbre = new Preparation.Reglage();
-        arbre.arbreSeul = true;
         for (Map.Entry<String, Scene> e : ScenesDEssai.hostiles(3000).entrySet()) {
             Scene scene = e.getValue();
-            IdentiteTest.Dessin oracle = IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA, arbre), 5);
+            IdentiteTest.Dessin oracle = IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA, Preparation.Genre.ARBRE), 5);
             IdentiteTest.Dessin rapide = IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA), 5);
             rapide.verifier(e.getKey(), oracle);
             double rapport = (double) cout(rapide.compteurs) / cout(oracle.compteurs);

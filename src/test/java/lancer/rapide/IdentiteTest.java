@@ -17,6 +17,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
+import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Specularite;
@@ -82,10 +83,11 @@ class IdentiteTest {
 
     @Test
     void autresContrats() {
-        Scene scene = ScenesDEssai.toutes(FOULE).get("foule");
-        scene.setAtmosphere(new Voile());
-        scene.setSpecularite((V, N, L, R, ns) -> Specularite.puissance(N.dot(L.sub(V).normalized()), ns / 2));
-        comparer("voile et autre reflet", scene, 5);
+        Scene foule = ScenesDEssai.toutes(FOULE).get("foule");
+        Modele modele = new Modele();
+        modele.setAtmosphere(new Voile());
+        modele.setSpecularite((V, N, L, R, ns) -> Specularite.puissance(N.dot(L.sub(V).normalized()), ns / 2));
+        comparer("voile et autre reflet", new Scene(foule.getObjets(), foule.getLampes(), modele), 5);
     }
 
     /** Une atmosphère qui ne commute avec rien. */
@@ -102,13 +104,9 @@ class IdentiteTest {
         scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
         Dessin lisible = new Dessin(scene, camera, profondeur, 2);
         Compteurs premiers = null;
-        for (int forme = 0; forme < 6; forme++) {
-            Preparation.Reglage reglage = new Preparation.Reglage();
-            reglage.peu = forme % 2 == 0;
-            reglage.arbreSeul = forme / 2 == 1;
-            reglage.sansChoix = forme / 2 == 2;
-            Dessin impose = Dessin.de(scene, camera, Preparation.pour(scene, camera, reglage), profondeur);
-            impose.verifier(nom + ", structures imposées " + forme, lisible);
+        for (Preparation.Genre genre : Preparation.Genre.values()) {
+            Dessin impose = Dessin.de(scene, camera, Preparation.pour(scene, camera, genre), profondeur);
+            impose.verifier(nom + ", structures imposées : " + genre, lisible);
         }
         for (int fils : new int[] {1, 2, 7}) {
             scene.setRecherche(Preparation.pour(scene, camera));

@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import lancer.Constantes;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
 import lancer.contrat.RechercheSimple;
 import lancer.essai.Essai;
@@ -34,7 +33,7 @@ class PreparerTest {
         float[] programme = simple ? Essai.dessiner(dossier, SCENE, taille, "--simple") : Essai.dessiner(dossier, SCENE, taille);
         ImageMemoire image = new ImageMemoire(64, 48, true);
         Scene scene = new Scene(SCENE.toString());
-        Main.preparer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
+        Preparation.preparer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
         float[] preparee = image.getLineaire();
         for (int j = 0; j < 48; j++) {
             // un fichier PFM commence par la ligne du bas
@@ -49,7 +48,7 @@ class PreparerTest {
     @Test
     void simpleDonneLesBouclesDuCours() {
         Scene scene = new Scene(SCENE.toString());
-        Lancer lancer = Main.preparer(scene, 64, 48, true);
+        Lancer lancer = Preparation.preparer(scene, 64, 48, true);
         assertTrue(scene.getRecherche() instanceof RechercheSimple);
         assertEquals(64, lancer.getCamera().getLargeur());
         assertEquals(48, lancer.getCamera().getHauteur());

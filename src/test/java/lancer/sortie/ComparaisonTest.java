@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
@@ -141,6 +143,34 @@ class ComparaisonTest extends EssaiCommande {
         for (int n = 0; n < octets.length; n++) {
             Files.write(coupe, Arrays.copyOf(octets, n));
             verifierDemandeFausse("image illisible", comparer(coupe, a));
+        }
+    }
+
+    /** Une image entière et juste, mais de quelques octets : sa taille n'est pas allouée pour le voir. */
+    @Test
+    void uneTailleQueLesDonneesNePeuventRemplirEstRefuseeAvantDEtreAllouee() throws IOException {
+        ecrire("a.png", 0, 0, 0);
+        byte[] octets = Files.readAllBytes(dossier.resolve("a.png"));
+        for (int[] taille : new int[][] {{16384, 6000}, {Integer.MAX_VALUE, Integer.MAX_VALUE}, {-7, -5}, {0, 5}}) {
+            ByteBuffer png = ByteBuffer.wrap(octets);
+            png.putInt(16, taille[0]).putInt(20, taille[1]);
+            CRC32 controle = new CRC32();
+            controle.update(octets, 12, 17);
+            png.putInt(29, (int) controle.getValue());
+            Files.write(dossier.resolve("b.png"), octets);
+            verifierDemandeFausse("coupé ou abîmé", comparer(dossier.resolve("b.png"), dossier.resolve("a.png")));
+        }
+    }
+
+    @Test
+    void unOctetChangeDansUnPngSeVoit() throws IOException {
+        ecrire("a.png", 10, 20, 30);
+        byte[] octets = Files.readAllBytes(dossier.resolve("a.png"));
+        for (int k = 0; k < octets.length; k++) {
+            octets[k] ^= 4;
+            Files.write(dossier.resolve("b.png"), octets);
+            octets[k] ^= 4;
+            verifierDemandeFausse("image illisible", comparer(dossier.resolve("b.png"), dossier.resolve("a.png")));
         }
     }
 

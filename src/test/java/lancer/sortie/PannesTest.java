@@ -154,12 +154,12 @@ class PannesTest extends EssaiProcessus {
         Ecriture ecriture = new Ecriture(sous.resolve("a.png").toString());
         Files.delete(sous);
         ImageMemoire image = new ImageMemoire(3, 2, false);
-        Echec e = assertThrows(Echec.class, () -> ecriture.ecrire(image, FichierPng::ecrire));
+        Echec e = assertThrows(Echec.class, () -> ecriture.ecrire(image, new FichierPng()));
         assertEquals(sous.resolve("a.png") + " : écriture impossible, le dossier n'existe pas", e.getMessage());
         assertEquals(1, e.getCode());
 
         Files.createDirectories(sous.resolve("a.png/plein"));
-        e = assertThrows(Echec.class, () -> ecriture.ecrire(image, FichierPng::ecrire));
+        e = assertThrows(Echec.class, () -> ecriture.ecrire(image, new FichierPng()));
         assertTrue(e.getMessage().startsWith(sous.resolve("a.png") + " : écriture impossible, "), e.getMessage());
         assertEquals(1, e.getCode());
         assertArrayEquals(new String[] {"a.png"}, sous.toFile().list());

@@ -17,6 +17,7 @@ import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
 import lancer.essai.EssaiPixel;
@@ -55,12 +56,12 @@ class PixelTest extends EssaiCommande {
     @Test
     void ilNeCouteQueSonRayon() {
         int[] rayons = new int[1];
-        Scene scene = new Scene(Collections.emptyList(), Collections.emptyList());
-        scene.setAtmosphere((vue, distance) -> {
+        Modele modele = new Modele();
+        modele.setAtmosphere((vue, distance) -> {
             rayons[0]++;
             return vue;
         });
-        UnPixel.dessiner(scene, new Camera(40, 70), 5, 31, 31);
+        UnPixel.dessiner(new Scene(Collections.emptyList(), Collections.emptyList(), modele), new Camera(40, 70), 5, 31, 31);
         assertEquals(1, rayons[0]);
     }
 
@@ -75,8 +76,7 @@ class PixelTest extends EssaiCommande {
             }
             return 0;
         };
-        Scene scene = new Scene(SCENE);
-        scene.setEchantillonnage(voisins);
+        Scene scene = new Scene(SCENE).avec(voisins, 0);
         Camera camera = new Camera(40, 70);
         assertEquals("somme 1024.0 1024.0 1024.0 = #FFFFFF", UnPixel.dessiner(scene, camera, 5, 31, 31).toString());
         assertEquals("somme 48.0 48.0 48.0 = #FFFFFF", UnPixel.dessiner(scene, camera, 5, 32, 69).toString());

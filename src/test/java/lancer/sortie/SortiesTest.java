@@ -27,8 +27,8 @@ import java.util.Map;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import lancer.Couleur;
-import lancer.Main;
 import lancer.commande.Echec;
+import lancer.commande.Pannes;
 import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
 import lancer.essai.Ressources;
@@ -90,10 +90,10 @@ class SortiesTest extends EssaiCommande {
     @Test
     void unePanneDeLaMachineDitQuoiFaire() {
         assertEquals("trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2",
-                Main.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
-        assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Main.message(new OutOfMemoryError()));
+                Pannes.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
+        assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Pannes.message(new OutOfMemoryError()));
         assertEquals("échec du programme : java.lang.IllegalStateException: a\\nb",
-                Main.message(new IllegalStateException("a\nb")));
+                Pannes.message(new IllegalStateException("a\nb")));
     }
 
     @Test
@@ -121,7 +121,7 @@ class SortiesTest extends EssaiCommande {
         ImageMemoire image = new ImageMemoire(3, 2, true);
         Map<String, Ecriture.Format> pannes = new LinkedHashMap<>();
         pannes.put("disque plein", (i, sortie) -> {
-            FichierPng.ecrire(i, sortie);
+            new FichierPng().ecrire(i, sortie);
             throw new IOException("No space left on device");
         });
         pannes.put("la prise est débranchée", (i, sortie) -> {
@@ -231,7 +231,7 @@ class SortiesTest extends EssaiCommande {
             for (int k = 0; k < memoire.getCodes().length; k++) {
                 memoire.getCodes()[k] = 0xFF000000 | hasard.nextInt();
             }
-            new Ecriture(png.toString()).ecrire(memoire, FichierPng::ecrire);
+            new Ecriture(png.toString()).ecrire(memoire, new FichierPng());
             BufferedImage lue = ImageIO.read(png.toFile());
             assertArrayEquals(memoire.getCodes(), lue.getRGB(0, 0, taille[0], taille[1], null, 0, taille[0]), Arrays.toString(taille));
         }
@@ -244,7 +244,7 @@ class SortiesTest extends EssaiCommande {
         memoire.drawPixel(new Couleur(4, 5, 6), 1, 0);
         memoire.drawPixel(new Couleur(-7, 1e6, 0.1), 0, 1);
         memoire.drawPixel(new Couleur(0), 1, 1);
-        new Ecriture(pfm.toString()).ecrire(memoire, FichierPfm::ecrire);
+        new Ecriture(pfm.toString()).ecrire(memoire, new FichierPfm());
         ByteBuffer octets = ByteBuffer.wrap(Files.readAllBytes(pfm)).order(ByteOrder.LITTLE_ENDIAN);
         byte[] entete = new byte["PF\n2 2\n-1.0\n".length()];
         octets.get(entete);

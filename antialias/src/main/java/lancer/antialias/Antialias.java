@@ -2,10 +2,10 @@ package lancer.antialias;
 
 import java.util.ArrayList;
 import java.util.List;
-import lancer.Scene;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Variante;
+import lancer.contrat.Modele;
 import lancer.contrat.Section;
+import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
 /**
@@ -56,10 +56,10 @@ public final class Antialias implements Variante {
     }
 
     @Override
-    public void installer(Section valeurs, Scene scene) {
+    public void installer(Section valeurs, Modele modele) {
         int n = valeurs.entier("n", N, 1, N_MAX);
         double seuil = valeurs.reel("seuil", SEUIL, 0, Double.MAX_VALUE);
-        scene.setEchantillonnage(methode(valeurs, n, seuil));
+        modele.setEchantillonnage(methode(valeurs, n, seuil));
     }
 
     @Override

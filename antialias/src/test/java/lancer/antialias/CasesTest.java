@@ -5,19 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import lancer.Couleur;
-import lancer.Lampe;
-import lancer.Objet3D;
-import lancer.Scene;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.contrat.Pave;
+import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.contrat.Vue;
-import lancer.contrat.Section;
 import org.junit.jupiter.api.Test;
 
 /** Les comptes et les bornes que les mutations de cette variante ont montré que personne ne vérifiait. Voir docs/mutations.md. */
@@ -121,9 +118,9 @@ class CasesTest {
         List<Section> reglages = antialias.getReglages();
         assertTrue(reglages.size() > 10);
         for (Section reglage : reglages) {
-            Scene scene = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
-            antialias.installer(reglage, scene);
-            assertNotSame(Echantillonnage.CENTRE, scene.getEchantillonnage(), reglage.toString());
+            Modele modele = new Modele();
+            antialias.installer(reglage, modele);
+            assertNotSame(Echantillonnage.CENTRE, modele.getEchantillonnage(), reglage.toString());
         }
     }
 }

@@ -75,8 +75,7 @@ class CoinsTest {
 
     private static Compteurs compteurs(List<Sphere> spheres, int n, double seuil) {
         Scene scene = new Scene(spheres, Collections.<Lampe>emptyList());
-        scene.setEchantillonnage(new Coins(n, seuil));
-        Lancer lancer = new Lancer(scene, new Camera(40, 30));
+        Lancer lancer = new Lancer(scene.avec(new Coins(n, seuil), scene.getSeuil()), new Camera(40, 30));
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
         return lancer.getCompteurs();
     }
@@ -99,16 +98,15 @@ class CoinsTest {
     @Test
     void leBrouillonNePrendPasUnRayonDePlus() {
         Scene scene = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
-        scene.setEchantillonnage(new Coins(8, 0));
-        Lancer lancer = new Lancer(scene, new Camera(41, 31));
+        Lancer lancer = new Lancer(scene.avec(new Coins(8, 0), scene.getSeuil()), new Camera(41, 31));
         lancer.TracerBrouillon((couleur, i, j) -> { }, 5, 2);
         assertEquals(11 * 8, lancer.getCompteurs().primaires);
     }
 
     /** L'image de 3 × 3 pixels d'une sphère, sous cet échantillonnage. */
     private static Couleur[] image(List<Sphere> spheres, List<Lampe> lampes, Echantillonnage echantillonnage) {
-        Scene scene = new Scene(spheres, lampes);
-        scene.setEchantillonnage(echantillonnage);
+        Scene base = new Scene(spheres, lampes);
+        Scene scene = base.avec(echantillonnage, base.getSeuil());
         Couleur[] image = new Couleur[9];
         new Lancer(scene, new Camera(3, 3)).TracerPixels((couleur, i, j) -> image[3 * j + i] = couleur, 0, 1);
         return image;

@@ -96,10 +96,7 @@ class LimitesAntialiasTest {
     }
 
     private static Couleur[] image(Scene modele, Echantillonnage echantillonnage, int cote) {
-        Scene scene = new Scene(modele.getObjets(), modele.getLampes());
-        if (echantillonnage != null) {
-            scene.setEchantillonnage(echantillonnage);
-        }
+        Scene scene = echantillonnage == null ? modele : modele.avec(echantillonnage, modele.getSeuil());
         Couleur[] image = new Couleur[cote * cote];
         new Lancer(scene, new Camera(cote, cote)).TracerPixels((couleur, i, j) -> image[cote * j + i] = couleur, 3, 2);
         return image;

@@ -67,9 +67,7 @@ public final class MesureMethodes {
 
     private double[] image(Echantillonnage echantillonnage, Releve releve) {
         double[] image = new double[3 * LARGEUR * HAUTEUR];
-        Scene vue = new Scene(scene.getObjets(), scene.getLampes());
-        vue.setEchantillonnage(echantillonnage);
-        Lancer lancer = new Lancer(vue, new Camera(LARGEUR, HAUTEUR));
+        Lancer lancer = new Lancer(scene.avec(echantillonnage, scene.getSeuil()), new Camera(LARGEUR, HAUTEUR));
         lancer.TracerPixels((couleur, i, j) -> noter(image, 3 * (j * LARGEUR + i), couleur), Constantes.MAX_REFLETS,
                 Runtime.getRuntime().availableProcessors());
         releve.rayons = (double) lancer.getCompteurs().primaires / (LARGEUR * HAUTEUR);

@@ -18,6 +18,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
@@ -63,13 +64,13 @@ class PartageTest {
     @CsvSource({"coins, 4, 0, 16", "coins, 4, 0.5, 4", "partage, 4, 0, 16", "partage, 1, 0.5, 1", "partage, 4, 0.5, 1089"})
     void unPixelDemandeSeulCouteLeSienOuLePaveQuIlPartage(String methode, int n, double seuil, int attendus) {
         AtomicInteger rayons = new AtomicInteger();
-        Scene scene = new Scene(Collections.emptyList(), Collections.emptyList());
-        scene.setAtmosphere((vue, distance) -> {
+        Modele modele = new Modele();
+        modele.setAtmosphere((vue, distance) -> {
             rayons.incrementAndGet();
             return new Couleur();
         });
-        scene.setEchantillonnage(methode.equals("coins") ? Antialias.coins(n, seuil) : Antialias.partage(n, seuil));
-        UnPixel.dessiner(scene, new Camera(64, 64), 0, 40, 40);
+        modele.setEchantillonnage(methode.equals("coins") ? Antialias.coins(n, seuil) : Antialias.partage(n, seuil));
+        UnPixel.dessiner(new Scene(Collections.emptyList(), Collections.emptyList(), modele), new Camera(64, 64), 0, 40, 40);
         assertEquals(attendus, rayons.get());
     }
 
@@ -179,9 +180,8 @@ class PartageTest {
             boules[k].setNs(50);
         }
         Scene scene = new Scene(Arrays.asList(boules), Collections.singletonList(new Lampe(new Point(-5, 6, -3), new Couleur(0.9))));
-        scene.setEchantillonnage(echantillonnage);
         double[] image = new double[60 * 45];
-        Lancer lancer = new Lancer(scene, new Camera(60, 45));
+        Lancer lancer = new Lancer(scene.avec(echantillonnage, scene.getSeuil()), new Camera(60, 45));
         lancer.TracerPixels((couleur, i, j) -> image[60 * j + i] = Math.min(1, couleur.r), 5, 2);
         compteurs.ajouter(lancer.getCompteurs());
         return image;

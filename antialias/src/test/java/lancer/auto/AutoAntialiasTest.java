@@ -16,12 +16,12 @@ import java.util.List;
 import java.util.Map;
 import lancer.Couleur;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.contrat.Pave;
 import lancer.contrat.Variante;
 import lancer.essai.Essai;
+import lancer.rapide.Preparation;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -55,7 +55,7 @@ class AutoAntialiasTest {
     @Test
     void ceQuiEstEssayeEstCeQuiSeraDessine() {
         Scene lue = new Scene(scene.toString());
-        Lancer prepare = Main.preparer(lue, 90, 70, false);
+        Lancer prepare = Preparation.preparer(lue, 90, 70, false);
         Essais essais = new Essais(prepare, 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
         assertEquals(33, finesses.size());
@@ -81,7 +81,7 @@ class AutoAntialiasTest {
     @Test
     void lesRayonsAttendusSontCeuxDuDessin() {
         Scene lue = new Scene(scene.toString());
-        Essais essais = new Essais(Main.preparer(lue, 80, 60, false), 2);
+        Essais essais = new Essais(Preparation.preparer(lue, 80, 60, false), 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
         EssaiFinesses essai = new EssaiFinesses(essais, new Semis(80, 60).choix, limites(), new Reseau(13));
         for (Finesse finesse : finesses) {

@@ -1,10 +1,10 @@
 package lancer.blinn;
 
-import lancer.Scene;
 import lancer.Vecteur;
+import lancer.contrat.Modele;
+import lancer.contrat.Section;
 import lancer.contrat.Specularite;
 import lancer.contrat.Variante;
-import lancer.contrat.Section;
 
 /**
  * Le reflet de Blinn (cours, « Reflet spéculaire de Blinn ») : max(0, N·H)^(facteur·ns), H étant la bissectrice de L et
@@ -32,8 +32,8 @@ public final class Blinn implements Variante, Specularite {
     }
 
     @Override
-    public void installer(Section valeurs, Scene scene) {
-        scene.setSpecularite(new Blinn(valeurs.reelPositif("facteur", FACTEUR, Double.MAX_VALUE)));
+    public void installer(Section valeurs, Modele modele) {
+        modele.setSpecularite(new Blinn(valeurs.reelPositif("facteur", FACTEUR, Double.MAX_VALUE)));
     }
 
     @Override

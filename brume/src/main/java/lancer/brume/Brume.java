@@ -2,10 +2,10 @@ package lancer.brume;
 
 import lancer.Constantes;
 import lancer.Couleur;
-import lancer.Scene;
 import lancer.contrat.Atmosphere;
-import lancer.contrat.Variante;
+import lancer.contrat.Modele;
 import lancer.contrat.Section;
+import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
 /**
@@ -38,8 +38,8 @@ public final class Brume implements Variante, Atmosphere {
     }
 
     @Override
-    public void installer(Section valeurs, Scene scene) {
-        scene.setAtmosphere(new Brume(valeurs.couleur("couleur", COULEUR, COULEUR_MAX), loi(valeurs)));
+    public void installer(Section valeurs, Modele modele) {
+        modele.setAtmosphere(new Brume(valeurs.couleur("couleur", COULEUR, COULEUR_MAX), loi(valeurs)));
     }
 
     /** La loi demandée, par {@code densite} si elle est donnée, sinon par {@code fin}. */

@@ -28,12 +28,4 @@ public final class Scenes {
     public static Scene nue(Scene scene) {
         return new Scene(scene.getObjets(), scene.getLampes());
     }
-
-    /** Mêmes objets, mêmes lampes, même air, mêmes reflets ; l'échantillonnage et le seuil sont ceux de la base. */
-    public static Scene copie(Scene scene) {
-        Scene copie = nue(scene);
-        copie.setAtmosphere(scene.getAtmosphere());
-        copie.setSpecularite(scene.getSpecularite());
-        return copie;
-    }
 }

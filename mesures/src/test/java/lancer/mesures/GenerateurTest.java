@@ -18,6 +18,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.lecture.LecteurScene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,10 +46,10 @@ class GenerateurTest {
     private Scene lire(String... args) throws IOException {
         Path fichier = dossier.resolve("scene.ini");
         Files.write(fichier, engendrer(args).getBytes(StandardCharsets.UTF_8));
-        Scene scene = new Scene(fichier.toString());
-        assertEquals(2, scene.getLampes().size());
-        assertTrue(scene.getAvertissements().isEmpty());
-        return scene;
+        LecteurScene lu = LecteurScene.lire(fichier.toString());
+        assertEquals(2, lu.getLampes().size());
+        assertTrue(lu.getAvertissements().isEmpty());
+        return new Scene(lu);
     }
 
     @ParameterizedTest(name = "flocon {0} : {1} sphères")

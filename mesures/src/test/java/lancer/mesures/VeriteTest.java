@@ -10,13 +10,14 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Main;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
 import lancer.brume.Brume;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
+import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 
 /** La vérité : la moyenne des couleurs de chaque pixel, de plus en plus de sous-pixels. */
@@ -30,9 +31,8 @@ class VeriteTest {
     }
 
     private static ImageLineaire image(Scene scene, Echantillonnage echantillonnage, int profondeur) {
-        Scene copie = Scenes.nue(scene);
-        copie.setEchantillonnage(echantillonnage);
-        return ImageLineaire.de(Main.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
+        Scene copie = Scenes.nue(scene).avec(echantillonnage, Constantes.SEUIL);
+        return ImageLineaire.de(Preparation.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
     }
 
     /** Tous les sous-pixels, partout. */
@@ -112,8 +112,9 @@ class VeriteTest {
     void elleGardeLaBrumeDeLaSceneEtNeChangeRienACelleCi() {
         Scene scene = cours();
         Verite claire = Verite.sansLimite(scene, LARGEUR, HAUTEUR);
-        scene.setAtmosphere(new Brume());
-        Verite brumeuse = Verite.sansLimite(scene, LARGEUR, HAUTEUR);
+        Modele modele = new Modele();
+        modele.setAtmosphere(new Brume());
+        Verite brumeuse = Verite.sansLimite(new Scene(scene.getObjets(), scene.getLampes(), modele), LARGEUR, HAUTEUR);
         assertTrue(Erreur.rmse(claire.image, brumeuse.image) > 0.05);
         assertEquals(Constantes.SEUIL, scene.getSeuil());
         assertEquals(Echantillonnage.CENTRE, scene.getEchantillonnage());

@@ -187,9 +187,8 @@ final class Defauts {
     private void limites() {
         Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
-        scene.setEchantillonnage(Antialias.coins(3, 0));
         Vue points = forme(boule).vueDeLaLampe(10);
-        noter("limiter", scene, 0, (xe, ye) -> moyenne(points, xe, ye, 1), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
+        noter("limiter", scene.avec(Antialias.coins(3, 0), scene.getSeuil()), 0, (xe, ye) -> moyenne(points, xe, ye, 1), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
     }
 
     private static Couleur moyenne(Vue vue, double xe, double ye, double limite) {

@@ -11,17 +11,17 @@ import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
-import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.Scenes;
 import lancer.mesures.Verite;
+import lancer.rapide.Preparation;
 import lancer.sortie.ImageMemoire;
 
 /** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
@@ -44,7 +44,7 @@ final class Besoin {
         this.taille = taille;
         nom = fichier.getFileName().toString().replace(".ini", "");
         scene = Scenes.lire(fichier);
-        Lancer lancer = preparer(Scenes.copie(scene), Constantes.SEUIL);
+        Lancer lancer = preparer(scene.pourUnFil(), Constantes.SEUIL);
         codes = codes(lancer, Constantes.MAX_REFLETS);
         compteurs = lancer.getCompteurs();
         structures = lancer.getScene().getRecherche().toString();
@@ -62,7 +62,7 @@ final class Besoin {
 
     private Lancer preparer(Scene copie, double seuil) {
         copie.setSeuil(seuil);
-        return Main.preparer(copie, taille.largeur, taille.hauteur, false);
+        return Preparation.preparer(copie, taille.largeur, taille.hauteur, false);
     }
 
     private int[] codes(Lancer lancer, int profondeur) {
@@ -77,7 +77,7 @@ final class Besoin {
      * de la lumière : une profondeur de plus ne rend pas une image moins juste, et la recherche peut couper en deux.
      */
     int profondeurUtile() {
-        Lancer lancer = preparer(Scenes.copie(scene), 0);
+        Lancer lancer = preparer(scene.pourUnFil(), 0);
         int[] limite = codes(lancer, Verite.PROFONDEUR);
         // de loin en loin d'abord : presque toujours, quelques réflexions suffisent
         int bas = 0;
@@ -111,9 +111,7 @@ final class Besoin {
 
     /** La part des pixels auxquels la méthode du cours, à ses réglages par défaut, ne peut se contenter de quatre rayons. */
     double partAntialias() {
-        Scene copie = Scenes.copie(scene);
-        copie.setEchantillonnage(Antialias.coins(3, 0.05));
-        Lancer lancer = preparer(copie, Constantes.SEUIL);
+        Lancer lancer = preparer(scene.avec(Antialias.coins(3, 0.05), Constantes.SEUIL), Constantes.SEUIL);
         codes(lancer, Constantes.MAX_REFLETS);
         return (double) lancer.getCompteurs().pixelsRaffines / taille.pixels();
     }
@@ -124,12 +122,12 @@ final class Besoin {
      */
     long rayonsSansEconomie() {
         LongAdder contacts = new LongAdder();
+        Modele modele = new Modele();
+        modele.setAtmosphere(compteuse(contacts));
         Scene naive = new Scene(changer(scene.getObjets(), o -> {
             o.setKs(new Couleur(auMoins(o.getKs().r), auMoins(o.getKs().v), auMoins(o.getKs().b)));
             return o;
-        }), scene.getLampes());
-        naive.setAtmosphere(compteuse(contacts));
-        naive.setEchantillonnage(Echantillonnage.CENTRE);
+        }), scene.getLampes(), modele);
         Lancer lancer = preparer(naive, 0);
         codes(lancer, Constantes.MAX_REFLETS);
         Compteurs c = lancer.getCompteurs();

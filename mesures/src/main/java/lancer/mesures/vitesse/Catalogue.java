@@ -11,6 +11,7 @@ import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
+import lancer.contrat.Modele;
 import lancer.mesures.Verite;
 
 /** Tout ce qui se mesure. Le catalogue court en est une partie : {@code make mesures RAPIDE=1}. */
@@ -153,13 +154,15 @@ final class Catalogue {
     }
 
     private static Scene enBrume(Scene scene) {
-        scene.setAtmosphere(new Brume());
-        return scene;
+        Modele modele = new Modele();
+        modele.setAtmosphere(new Brume());
+        return new Scene(scene.getObjets(), scene.getLampes(), modele);
     }
 
     private static Scene enBlinn(Scene scene) {
-        scene.setSpecularite(new Blinn());
-        return scene;
+        Modele modele = new Modele();
+        modele.setSpecularite(new Blinn());
+        return new Scene(scene.getObjets(), scene.getLampes(), modele);
     }
 
     /** La première lampe, de l'autre côté. */

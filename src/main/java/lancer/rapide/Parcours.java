@@ -5,7 +5,7 @@ import lancer.Sphere;
 import lancer.contrat.Compteurs;
 
 /** Ce qu'un fil garde à côté de ses questions aux structures : la distance trouvée, une pile, ses comptes. */
-final class Sonde {
+final class Parcours {
 
     /** Distance du dernier contact trouvé, +∞ s'il n'y en a pas. */
     double distance;
@@ -30,12 +30,12 @@ final class Sonde {
     double ty;
     double tz;
 
-    Sonde(Compteurs compteurs) {
+    Parcours(Compteurs compteurs) {
         this.compteurs = compteurs;
     }
 
     /**
-     * Retient la sphère k si elle passe avant celle que la sonde retient.
+     * Retient la sphère k si elle passe avant celle que la parcours retient.
      *
      * @param d réponse de {@link Sphere#distanceOuDoute} pour elle
      */

@@ -1,12 +1,13 @@
 package lancer.rapide;
 
 import java.util.Arrays;
+import lancer.fils.Equipe;
 
 /**
  * La construction d'un {@link Arbre} : à chaque nœud, la coupe qui coûtera le moins selon l'aire des deux boîtes
  * (MacDonald et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007).
  */
-final class Pousse {
+final class ConstructionArbre {
 
     private static final int TRANCHES = 16;
 
@@ -15,59 +16,53 @@ final class Pousse {
     private static final int FEUILLE_MAX = 12;
     private static final double COUT_NOEUD = 3;
 
+    private final Equipe equipe;
     private final double[] g;
-    private final double marge;
     private final int[] ordre;
-    private float[] boites;
+    private double[] boites;
     private int[] suite;
     private byte[] compte;
     private int noeuds;
 
-    private Pousse(double[] geometrie, double marge, int[] ordre, int nombre) {
-        this.g = geometrie;
-        this.marge = marge;
-        this.ordre = ordre;
-        int places = Math.max(2, nombre / 2);
-        boites = new float[Arbre.PAS * places];
+    ConstructionArbre(Spheres spheres, Equipe equipe) {
+        this.equipe = equipe;
+        g = spheres.geometrie;
+        ordre = spheres.toutes();
+        int places = Math.max(2, ordre.length / 2);
+        boites = new double[Arbre.PAS * places];
         suite = new int[places];
         compte = new byte[places];
     }
 
-    /**
-     * L'arbre de ces sphères.
-     *
-     * @param lesquelles leurs numéros ; le tableau est gardé, et rangé par feuilles
-     * @param grosses les sphères toujours examinées
-     * @param portee plus grande coordonnée des sphères et du départ des rayons
-     */
-    static Arbre arbre(Spheres spheres, int[] lesquelles, int[] grosses, double portee) {
-        int n = lesquelles.length;
-        Pousse p = new Pousse(spheres.geometrie, Etendue.marge(portee), lesquelles, n);
-        if (n > 0) {
-            p.noeuds = 1;
-            p.pousser(0, 0, n, 0);
+    /** @throws java.util.concurrent.CancellationException si l'équipe est arrêtée */
+    Arbre.Noeuds construire() {
+        if (ordre.length > 0) {
+            noeuds = 1;
+            diviser(0, 0, ordre.length, 0);
         }
-        return new Arbre(spheres, grosses, portee, Arrays.copyOf(p.boites, Arbre.PAS * p.noeuds),
-                Arrays.copyOf(p.suite, p.noeuds), Arrays.copyOf(p.compte, p.noeuds), lesquelles);
+        return new Arbre.Noeuds(Arrays.copyOf(boites, Arbre.PAS * noeuds), Arrays.copyOf(suite, noeuds),
+                Arrays.copyOf(compte, noeuds), ordre);
     }
 
-    private void pousser(int noeud, int debut, int fin, int profondeur) {
-        Etendue centres = new Etendue();
-        Etendue boite = new Etendue();
+    private void diviser(int noeud, int debut, int fin, int profondeur) {
+        equipe.verifier();
+        Boite centres = new Boite();
+        Boite boite = new Boite();
         for (int i = debut; i < fin; i++) {
             int s = Spheres.PAS * ordre[i];
             boite.ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
             centres.ajouter(g[s], g[s + 1], g[s + 2], 0);
         }
         int b = Arbre.PAS * noeud;
-        boites[b] = Etendue.enBas(boite.xMin - marge);
-        boites[b + 1] = Etendue.enBas(boite.yMin - marge);
-        boites[b + 2] = Etendue.enBas(boite.zMin - marge);
-        boites[b + 3] = Etendue.enHaut(boite.xMax + marge);
-        boites[b + 4] = Etendue.enHaut(boite.yMax + marge);
-        boites[b + 5] = Etendue.enHaut(boite.zMax + marge);
+        double marge = Arbre.MARGE * boite.portee();
+        boites[b] = boite.xMin - marge;
+        boites[b + 1] = boite.yMin - marge;
+        boites[b + 2] = boite.zMin - marge;
+        boites[b + 3] = boite.xMax + marge;
+        boites[b + 4] = boite.yMax + marge;
+        boites[b + 5] = boite.zMax + marge;
         int n = fin - debut;
-        int coupe = n <= FEUILLE_MIN ? -1 : profondeur > Arbre.PROFONDEUR_MAX / 2 ? moitie(debut, fin)
+        int coupe = n <= FEUILLE_MIN ? -1 : profondeur > Arbre.PROFONDEUR_MAX - Integer.SIZE ? moitie(debut, fin)
                 : couper(debut, fin, centres, boite);
         if (coupe < 0) {
             suite[noeud] = debut;
@@ -82,8 +77,8 @@ final class Pousse {
             compte = Arrays.copyOf(compte, 2 * compte.length);
         }
         suite[noeud] = enfants;
-        pousser(enfants, debut, coupe, profondeur + 1);
-        pousser(enfants + 1, coupe, fin, profondeur + 1);
+        diviser(enfants, debut, coupe, profondeur + 1);
+        diviser(enfants + 1, coupe, fin, profondeur + 1);
     }
 
     private static int moitie(int debut, int fin) {
@@ -93,7 +88,7 @@ final class Pousse {
     /**
      * Range les sphères de part et d'autre de la meilleure coupe, et rend son rang ; -1 s'il vaut mieux une feuille.
      */
-    private int couper(int debut, int fin, Etendue centres, Etendue boite) {
+    private int couper(int debut, int fin, Boite centres, Boite boite) {
         int n = fin - debut;
         double meilleur = Double.POSITIVE_INFINITY;
         int axe = -1;
@@ -105,26 +100,26 @@ final class Pousse {
             if (!(pas[a] > 0)) {
                 continue;
             }
-            Etendue[] parts = new Etendue[TRANCHES];
+            Boite[] parts = new Boite[TRANCHES];
             int[] nombres = new int[TRANCHES];
             for (int i = debut; i < fin; i++) {
                 int s = Spheres.PAS * ordre[i];
                 int t = tranche(g[s + a], bas[a], pas[a]);
                 if (parts[t] == null) {
-                    parts[t] = new Etendue();
+                    parts[t] = new Boite();
                 }
                 parts[t].ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
                 nombres[t]++;
             }
             double[] aDroite = new double[TRANCHES];
-            Etendue e = new Etendue();
+            Boite e = new Boite();
             int c = 0;
             for (int t = TRANCHES - 1; t > 0; t--) {
                 c += nombres[t];
                 e.ajouter(parts[t]);
                 aDroite[t] = c == 0 ? Double.POSITIVE_INFINITY : e.aire() * c;
             }
-            e = new Etendue();
+            e = new Boite();
             c = 0;
             for (int t = 0; t < TRANCHES - 1; t++) {
                 c += nombres[t];
