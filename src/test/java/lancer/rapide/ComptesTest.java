@@ -105,8 +105,8 @@ class ComptesTest {
             long boucles = rapide.compteurs.rayons() * scene.getObjets().size();
             long permis = AU_PLUS * Math.min(boucles, cout(oracle.compteurs)) + PLUS * rapide.compteurs.rayons();
             if (cout(rapide.compteurs) > permis) {
-                fautes.add(e.getKey() + " : " + cout(rapide.compteurs) / (double) rapide.compteurs.rayons() + " examens par rayon, arbre simple "
-                        + cout(oracle.compteurs) / (double) rapide.compteurs.rayons() + ", " + scene.getRecherche());
+                fautes.add(e.getKey() + " : " + cout(rapide.compteurs) / (double) rapide.compteurs.rayons()
+                        + " examens par rayon, arbre simple " + cout(oracle.compteurs) / (double) rapide.compteurs.rayons() + ", " + scene.getRecherche());
             }
         }
         assertEquals(Collections.emptyList(), fautes);
