@@ -75,16 +75,6 @@ public final class Section {
         return ligne;
     }
 
-    /** Le premier mot du nom : ce que la section décrit. */
-    public String getType() {
-        return type(nom);
-    }
-
-    public static String type(String nom) {
-        int blanc = nom.indexOf(' ');
-        return blanc < 0 ? nom : nom.substring(0, blanc);
-    }
-
     public void ajouter(String cle, String valeur, int ligneCle) {
         int deja = rang(cle);
         if (deja >= 0) {
@@ -292,7 +282,7 @@ public final class Section {
                 attendu + (mot.indexOf(',') >= 0 ? ", avec un point décimal" : ""));
     }
 
-    public static boolean blanc(char c) {
+    private static boolean blanc(char c) {
         return c == ' ' || c == '\t';
     }
 
