@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.Set;
 import lancer.Lampe;
 import lancer.SceneFautive;
 import lancer.Sphere;
@@ -23,9 +25,6 @@ public final class Services implements Runnable {
 
     /** Les types que lisent des variantes de la maison, présentes ou non. */
     private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
-
-    /** La forme de la base : lue comme les autres, mais sans attendre qu'elles soient trouvées. */
-    private static final TypeObjet SPHERE = new TypeObjet(new FormeSphere());
 
     private Map<String, TypeObjet> formes;
     private Map<String, Variante> variantes;
@@ -115,7 +114,7 @@ public final class Services implements Runnable {
     /** Ce que décrit ce type de section, {@code null} si ce n'est pas un objet. */
     TypeObjet objet(String type) {
         if (type.equals("sphere")) {
-            return SPHERE;
+            return TypeObjet.SPHERE;
         }
         chercher();
         return formes.get(type);
@@ -140,17 +139,15 @@ public final class Services implements Runnable {
     /** Tous les types de section que l'on peut écrire. */
     String types() {
         chercher();
-        List<String> types = new ArrayList<>();
-        types.add("Sphere");
+        Set<String> types = new LinkedHashSet<>();
+        types.add(TypeObjet.SPHERE.getNom());
         for (TypeObjet forme : formes.values()) {
             types.add(forme.getNom());
         }
         types.add("Lampe");
         types.addAll(VARIANTES_CONNUES);
         for (Variante variante : variantes.values()) {
-            if (!varianteConnue(variante.getSection())) {
-                types.add(variante.getSection());
-            }
+            types.add(variante.getSection());
         }
         return String.join(", ", types);
     }
