@@ -30,6 +30,12 @@ public final class Constantes {
     /** Nombre de réflexions au plus dans le brouillon. */
     public static final int REFLETS_BROUILLON = 1;
 
+    /**
+     * Coordonnée au-delà de laquelle une lampe est lointaine : un rayon qui en part manque son contact du dernier
+     * chiffre de cette distance, 1e8 · 2^-53, soit 1e-8 unité de la scène. Voir {@link Scene#estCachee}.
+     */
+    public static final double LOINTAINE = 1e8;
+
     /** Distance d'un contact qui n'existe pas. */
     public static final double INFINI = Double.POSITIVE_INFINITY;
 

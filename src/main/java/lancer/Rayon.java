@@ -34,7 +34,7 @@ public class Rayon {
     }
 
     /**
-     * Un rayon réfléchi, ou d'ombre : sa direction est déjà normalisée.
+     * Un rayon réfléchi : sa direction est déjà normalisée.
      *
      * @param v direction, de longueur 1
      * @param produitKs produit des Ks rencontrés jusqu'à {@code p} compris
@@ -45,13 +45,9 @@ public class Rayon {
         this.produitKs = produitKs;
     }
 
-    /**
-     * Le rayon d'ombre, qui va d'une lampe vers un contact (cours, « Ombres portées »).
-     *
-     * @param L direction de la lampe vue du contact, de longueur 1
-     */
-    public static Rayon dOmbre(Lampe lampe, Vecteur L) {
-        return new Rayon(lampe.getPosition(), L.neg(), BLANC);
+    /** Un rayon d'ombre : sa direction est déjà normalisée. */
+    public static Rayon dOmbre(Point p, Vecteur v) {
+        return new Rayon(p, v, BLANC);
     }
 
     /** Le point de départ. */

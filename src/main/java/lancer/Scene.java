@@ -105,14 +105,26 @@ public final class Scene {
 
     /**
      * Vrai si un objet autre que {@code objet} se trouve strictement entre la lampe et le contact (cours, « Ombres
-     * portées »).
+     * portées »). Le rayon part de la lampe ; si elle est lointaine, chaque moitié du segment se demande de son bout,
+     * le seul d'où elle se voit sans arrondi.
      *
      * @param L direction de la lampe vue du contact, de longueur 1
      * @param distance du contact à la lampe
      */
     public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
         compteurs.ombre++;
-        return recherche.estCachee(lampe, contact, L, distance, objet);
+        if (estLointaine(lampe)) {
+            double milieu = distance / 2;
+            return recherche.estCachee(lampe, contact, L, milieu, objet)
+                    || recherche.estCachee(lampe, lampe.getPosition(), L.neg(), milieu, objet);
+        }
+        return recherche.estCachee(lampe, lampe.getPosition(), L.neg(), distance, objet);
+    }
+
+    /** Vrai si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE}. */
+    public static boolean estLointaine(Lampe lampe) {
+        Point p = lampe.getPosition();
+        return Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z))) > Constantes.LOINTAINE;
     }
 
     /**

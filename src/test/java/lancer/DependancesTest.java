@@ -99,7 +99,7 @@ class DependancesTest {
 
     @Test
     void laCommandeNeDependQueDesTextesEtDesNombres() {
-        verifier("lancer\\.commande\\..*", JAVA + "|lancer\\.(Constantes|contrat\\.PixelFautif)|lancer\\.texte\\..*");
+        verifier("lancer\\.commande\\..*", JAVA + "|lancer\\.(Constantes|SceneFautive|contrat\\.PixelFautif)|lancer\\.texte\\..*");
     }
 
     @Test
@@ -110,13 +110,15 @@ class DependancesTest {
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
         verifier("lancer\\.auto\\..*", COURS + "lancer\\.contrat\\..*|lancer\\.commande\\.Options");
-        verifier("lancer\\.(?!Main).*", "(?!lancer\\.auto\\.).*");
+        verifier("lancer\\.(?!Main|sortie\\.VersFichiers).*", "(?!lancer\\.auto\\.).*");
     }
 
     @Test
-    void seuleLaFenetreConnaitAwt() {
-        verifier("lancer\\.(?!fenetre\\.).*", "(?!java\\.awt|javax\\.|sun\\.|com\\.).*");
-        verifier("lancer\\.(?!Main).*", "(?!lancer\\.fenetre\\.).*");
+    void seuleLaFenetreConnaitAwtEtImageIoNeLitQueLesImagesAComparer() {
+        String sansAwt = "(?!java\\.awt|javax\\.|sun\\.|com\\.).*";
+        verifier("lancer\\.(?!fenetre\\.|sortie\\.LectureImage).*", sansAwt);
+        verifier("lancer\\.sortie\\.LectureImage", sansAwt + "|java\\.awt\\.image\\..*|javax\\.imageio\\..*");
+        verifier("lancer\\.(?!fenetre\\.|Main).*", "(?!lancer\\.fenetre\\.).*");
     }
 
     @Test

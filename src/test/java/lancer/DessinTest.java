@@ -1,9 +1,9 @@
 package lancer;
 
-import static lancer.Ressources.boule;
-import static lancer.Ressources.image;
-import static lancer.Ressources.memesBits;
-import static lancer.Ressources.scene;
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.memesBits;
+import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui ne doit changer l'image d'aucun bit, et ce qu'en font le brouillon et l'arrêt. */
@@ -91,6 +92,18 @@ class DessinTest {
                 Couleur attendue = temoin.getCouleurPixel(xe, ye, 1);
                 assertEquals((float) attendue.r, brouillon.composantes[3 * (j * largeur + i)], "pixel " + i + ", " + j);
             }
+        }
+    }
+
+    @Test
+    void leBrouillonLanceUnRayonParCarreDeQuatrePixelsMemeCoupeParLeBord() {
+        Scene ciel = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
+        for (int[] taille : new int[][] {{64, 32}, {32, 64}, {1, 1}, {33, 70}, {6, 3}}) {
+            Lancer lancer = new Lancer(ciel, new Camera(taille[0], taille[1]));
+            int[] peints = new int[1];
+            lancer.TracerBrouillon((couleur, i, j) -> peints[0]++, 1, 1);
+            assertEquals((taille[0] + 3) / 4 * ((taille[1] + 3) / 4), lancer.getCompteurs().primaires, taille[0] + " × " + taille[1]);
+            assertEquals(taille[0] * taille[1], peints[0]);
         }
     }
 

@@ -1,10 +1,10 @@
 package lancer;
 
-import static lancer.Ressources.boule;
-import static lancer.Ressources.image;
-import static lancer.Ressources.imageRapide;
-import static lancer.Ressources.memesBits;
-import static lancer.Ressources.scene;
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.imageRapide;
+import static lancer.essai.Ressources.memesBits;
+import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -15,6 +15,8 @@ import java.util.Collections;
 import java.util.List;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
+import lancer.essai.Ressources;
+import lancer.essai.Tirages;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -10,6 +10,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
+import lancer.essai.Ombre;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
@@ -18,6 +23,7 @@ import org.junit.jupiter.api.Test;
 class ExigencesTest {
 
     private static final double PRES = 1e-12;
+    private static final double[] VALEURS = {0, 1, -1, 2, 0.5, 1e100, Double.NaN, Double.POSITIVE_INFINITY};
 
     private static void assertTuple(double x, double y, double z, Tuple t) {
         assertEquals(x, t.x, PRES, "x de " + t);
@@ -31,6 +37,12 @@ class ExigencesTest {
         assertEquals(b, c.b, PRES, "bleu de " + c);
     }
 
+    /** Ce qui est fait de trois nombres ; une couleur n'est pas un {@link Tuple}, et se compare de même. */
+    private static List<Function<double[], Object>> fabriques() {
+        return Arrays.asList(t -> new Tuple(t[0], t[1], t[2]), t -> new Vecteur(t[0], t[1], t[2]),
+                t -> new Point(t[0], t[1], t[2]), t -> new Couleur(t[0], t[1], t[2]));
+    }
+
     @Nested
     @DisplayName("Tuple")
     class UnTuple {
@@ -41,22 +53,40 @@ class ExigencesTest {
         }
 
         @Test
-        void estEgalAUnAutreDeMemesComposantes() {
-            assertEquals(new Tuple(1, 2, 3), new Tuple(1, 2, 3));
-            assertEquals(new Tuple(1, 2, 3).hashCode(), new Tuple(1, 2, 3).hashCode());
-            assertNotEquals(new Tuple(1, 2, 3), new Tuple(1, 2, 4));
+        void nEstEgalAUnAutreQueSiChaqueComposanteLEst() {
+            for (Function<double[], Object> fait : fabriques()) {
+                for (double x : VALEURS) {
+                    double[] t = {x, 3, 4};
+                    assertEquals(fait.apply(t), fait.apply(t.clone()));
+                    for (int k = 0; k < 3; k++) {
+                        double[] autre = t.clone();
+                        autre[k] = 7;
+                        assertNotEquals(fait.apply(t), fait.apply(autre));
+                    }
+                }
+                assertNotEquals(fait.apply(new double[3]), fait.apply(new double[] {-0.0, 0, 0}));
+                assertNotEquals(fait.apply(new double[3]), "0 0 0");
+                assertNotEquals(fait.apply(new double[3]), null);
+            }
         }
 
         @Test
         void nEstPasEgalAUnTupleDUneAutreClasse() {
             assertNotEquals(new Point(1, 2, 3), new Vecteur(1, 2, 3));
-            assertNotEquals(new Point(1, 2, 3), null);
         }
 
+        /** Un code ne doit rien de plus qu'être égal pour des égaux ; mais s'il confond tout, une table n'est plus qu'une liste. */
         @Test
-        void distingueLesDeuxZerosEtReconnaitNaN() {
-            assertNotEquals(new Vecteur(0.0, 0, 0), new Vecteur(-0.0, 0, 0));
-            assertEquals(new Vecteur(Double.NaN, 0, 0), new Vecteur(Double.NaN, 0, 0));
+        void aPresqueToujoursUnCodeQueSesVoisinsNOntPas() {
+            for (Function<double[], Object> fait : fabriques()) {
+                Set<Integer> codes = new HashSet<>();
+                for (int k = 0; k < 1000; k++) {
+                    double[] t = {k / 100 / 10.0, k / 10 % 10 / 10.0, k % 10 / 10.0};
+                    codes.add(fait.apply(t).hashCode());
+                    assertEquals(fait.apply(t).hashCode(), fait.apply(t.clone()).hashCode());
+                }
+                assertTrue(codes.size() > 900, codes.size() + " codes pour 1000 triplets");
+            }
         }
 
         @Test
@@ -159,6 +189,11 @@ class ExigencesTest {
         }
 
         @Test
+        void seMontreAvecSesComposantes() {
+            assertEquals("Couleur(0.9, 0.15, 0.1)", new Couleur(0.9, 0.15, 0.1).toString());
+        }
+
+        @Test
         void seCalculeComposanteParComposante() {
             assertCouleur(0.7, 1.4, 2.6, c.add(d));
             assertCouleur(-0.3, -0.6, -1.4, c.sub(d));
@@ -254,7 +289,9 @@ class ExigencesTest {
 
         @Test
         void sansPixelEstRefusee() {
-            assertThrows(IllegalArgumentException.class, () -> new Camera(0, 600));
+            for (int[] taille : new int[][] {{0, 600}, {0, 1}, {1, 0}, {-1, 5}}) {
+                assertThrows(IllegalArgumentException.class, () -> new Camera(taille[0], taille[1]));
+            }
         }
     }
 
@@ -291,10 +328,18 @@ class ExigencesTest {
         }
 
         @Test
-        void sansVraiRayonEstRefusee() {
-            for (double rayon : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+        void aUnRayonFiniEtPlusGrandQueZero() {
+            for (double rayon : new double[] {Double.MAX_VALUE, Double.MIN_VALUE}) {
+                assertEquals(rayon, new Sphere(new Point(), rayon).getRayon());
+            }
+            for (double rayon : new double[] {0, -0.0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
                 assertThrows(IllegalArgumentException.class, () -> new Sphere(new Point(), rayon));
             }
+        }
+
+        @Test
+        void seMontreAvecSonCentreEtSonRayon() {
+            assertEquals("Sphere(Point(0.0, 0.5, 6.0), 1.0)", new Sphere(new Point(0, 0.5, 6), 1).toString());
         }
     }
 
@@ -357,6 +402,35 @@ class ExigencesTest {
         void sansLampeEstNoir() {
             boule.setKd(new Couleur(1));
             assertCouleur(0, 0, 0, couleur(0));
+        }
+
+        @Test
+        void lampeSeMontreAvecSaPositionEtSaCouleur() {
+            assertEquals("Lampe(Point(-4.0, 6.0, -3.0), Couleur(1.0, 1.0, 1.0))",
+                    new Lampe(new Point(-4, 6, -3), new Couleur(1)).toString());
+        }
+
+        /** Une forme nouvelle n'a que deux méthodes à donner ; son contact est alors P + t V, tel quel. */
+        @Test
+        void sansPointDeSurfaceGardeSonContact() {
+            Objet3D plan = new Objet3D() {
+                @Override
+                public double getIntersectionDistance(Rayon incident) {
+                    double t = (7 - incident.getP().z) / incident.getV().z;
+                    incident.setContact(this, t);
+                    return t;
+                }
+
+                @Override
+                public Vecteur getNormale(Point contact) {
+                    return new Vecteur(0, 0, -1);
+                }
+            };
+            Rayon rayon = new Rayon(new Point(1, 2, 3), new Point(1, 5, 7));
+            plan.getIntersectionDistance(rayon);
+            PointContact contact = rayon.calcContact();
+            assertSame(plan, contact.objet);
+            assertEquals(rayon.getP().add(rayon.getV().mul(5)), new Point(contact.x, contact.y, contact.z));
         }
 
         @Test

@@ -1,13 +1,14 @@
 package lancer;
 
-import static lancer.Ressources.boule;
-import static lancer.Ressources.imageRapide;
-import static lancer.Ressources.scene;
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.imageRapide;
+import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Random;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /** Des quantités que la géométrie donne sans dessiner. {@link TheorieTest} a les autres. E est l'œil, F la focale, sin α = r/|EC|. */

@@ -1,9 +1,11 @@
 package lancer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import lancer.essai.Exact;
 import org.junit.jupiter.api.Test;
 
 /** L'intersection là où elle est mal placée : tangentes, centres, nombres qui n'en sont pas, longueurs aux bornes du domaine. */
@@ -112,5 +114,134 @@ class IntersectionTest {
             assertTrue(douteux || t == exact.distance || Math.abs(t - exact.distance) <= exact.tolerance(8, p, c, r),
                     "graine 8, tirage " + k + ", taille " + taille + " : " + t + " au lieu de " + exact.distance);
         }
+    }
+
+    /** Trois axes, deux sens. */
+    private interface Axe {
+        void essayer(double[] v, int long0, int travers1, int travers2);
+    }
+
+    private static void surChaqueAxe(Axe axe) {
+        for (int k = 0; k < 3; k++) {
+            for (double sens : new double[] {1, -1}) {
+                double[] v = new double[3];
+                v[k] = sens;
+                axe.essayer(v, k, (k + 1) % 3, (k + 2) % 3);
+            }
+        }
+    }
+
+    private static double distance(double[] f, double[] v, double r) {
+        return Sphere.distance(-f[0], -f[1], -f[2], v[0], v[1], v[2], 0, 0, 0, r);
+    }
+
+    /** Le long d'un axe, à (3, 4)·s de côté d'une sphère de rayon 5 s, tout est exact : seul un chiffre de r sépare le contact du vide. */
+    @Test
+    void uneTangenteRasanteEstUnContactEtUnChiffreDeMoinsAuRayonNEnEstPasUn() {
+        Random hasard = new Random(61);
+        surChaqueAxe((v, axe, a, b) -> {
+            for (int k = 0; k < 3000; k++) {
+                double s = Math.scalb(1.0, hasard.nextInt(200) - 100);
+                double[] f = new double[3];
+                double t = 5 * s * Math.pow(2, -1 - 24 * hasard.nextDouble());
+                f[axe] = v[axe] * t;
+                f[a] = 3 * s;
+                f[b] = -4 * s;
+                String cas = "graine 61, tirage " + k + ", s = " + s + ", t = " + t;
+                assertEquals(t, distance(f, v, 5 * s), 4 * U * t, cas);
+                assertEquals(INFINI, distance(f, v, Math.nextDown(5 * s)), cas + ", rayon plus court");
+                double dedans = distance(f, v, Math.nextUp(5 * s));
+                assertTrue(t < 1e-7 * s ? dedans > 0 : dedans < t, cas + ", rayon plus long : " + dedans);
+                f[axe] = -f[axe];
+                assertEquals(INFINI, distance(f, v, 5 * s), cas + ", derrière");
+            }
+        });
+    }
+
+    /**
+     * De même quand C − P n'est pas un double : arrondi, il passe d'un côté ou de l'autre du vrai, et h² peut en devenir négatif ; la
+     * perpendiculaire, elle, reste juste. Un h² d'un arrondi fait une demi-corde de √u : c'est ce que vaut alors la distance.
+     */
+    @Test
+    void uneTangenteDontLaDistanceEstArrondieEnEstEncoreUne() {
+        Random hasard = new Random(61);
+        surChaqueAxe((v, axe, a, b) -> {
+            for (int k = 0; k < 1000; k++) {
+                double s = Math.scalb(1.0, hasard.nextInt(200) - 100);
+                double[] c = new double[3];
+                double[] p = new double[3];
+                c[axe] = v[axe] * s * (1 + 3 * hasard.nextDouble());
+                p[axe] = -v[axe] * s * hasard.nextDouble() / 8;
+                c[a] = 3 * s;
+                c[b] = -4 * s;
+                double t = Math.abs(c[axe] - p[axe]);
+                String cas = "graine 61, tirage " + k + ", s = " + s + ", t = " + t;
+                assertEquals(t, distance(p, v, c, 5 * s), 2 * Math.sqrt(U) * t, cas);
+                assertEquals(INFINI, distance(p, v, c, Math.nextDown(5 * s)), cas + ", rayon plus court");
+            }
+        });
+    }
+
+    private static double distance(double[] p, double[] v, double[] c, double r) {
+        return Sphere.distance(p[0], p[1], p[2], v[0], v[1], v[2], c[0], c[1], c[2], r);
+    }
+
+    @Test
+    void unDepartExactementSurLaSurfaceTraverseOuSEnVa() {
+        surChaqueAxe((v, axe, a, b) -> {
+            for (int k = -400; k <= 400; k += 50) {
+                double[] f = new double[3];
+                f[axe] = v[axe] * Math.scalb(3.0, k);
+                f[a] = Math.scalb(4.0, k);
+                double r = Math.scalb(5.0, k);
+                assertEquals(Math.scalb(6.0, k), distance(f, v, r), "vers l'intérieur : la corde entière");
+                f[axe] = -f[axe];
+                assertEquals(INFINI, distance(f, v, r), "vers l'extérieur");
+            }
+        });
+    }
+
+    @Test
+    void uneSphereReduiteAUnPointEstToucheeParCeQuiYPasseEtNonACote() {
+        surChaqueAxe((v, axe, a, b) -> {
+            for (int k = -300; k <= 300; k += 100) {
+                double loin = Math.scalb(1.5, k);
+                double r = Math.scalb(loin, -500);
+                double[] f = new double[3];
+                f[axe] = v[axe] * loin;
+                assertEquals(loin, distance(f, v, r), "en plein centre");
+                for (int travers : new int[] {a, b}) {
+                    f[travers] = r;
+                    assertEquals(loin, distance(f, v, r), "tangente");
+                    f[travers] = -2 * r;
+                    assertEquals(INFINI, distance(f, v, r), "à côté");
+                    f[travers] = 0;
+                }
+                f[axe] = -f[axe];
+                assertEquals(INFINI, distance(f, v, r), "derrière");
+            }
+        });
+    }
+
+    @Test
+    void auBoutDesDoublesUneSphereEstEncoreTouchee() {
+        double max = Double.MAX_VALUE;
+        surChaqueAxe((v, axe, a, b) -> {
+            double[] f = new double[3];
+            f[axe] = v[axe] * max;
+            assertEquals(0.75 * max, distance(f, v, 0.25 * max), 4 * U * max);
+            f[axe] = 0;
+            assertEquals(max, distance(f, v, max), 4 * U * max);
+        });
+        assertEquals(new Point(1, 0, 0), new Sphere(new Point(), 1).getPointDeSurface(new Point(max, 0, 0)));
+        assertEquals(new Point(0, 0, -3), new Sphere(new Point(), 3).getPointDeSurface(new Point(0, 0, -Double.MIN_VALUE)));
+    }
+
+    @Test
+    void leCentreNeSeRameneNullePart() {
+        Point centre = new Point(1, 2, 3);
+        assertSame(centre, new Sphere(new Point(1, 2, 3), 5).getPointDeSurface(centre));
+        Point infini = new Point(1, INFINI, 3);
+        assertSame(infini, new Sphere(centre, 5).getPointDeSurface(infini));
     }
 }

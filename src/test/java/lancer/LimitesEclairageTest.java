@@ -1,8 +1,8 @@
 package lancer;
 
-import static lancer.Ressources.boule;
-import static lancer.Ressources.image;
-import static lancer.Ressources.scene;
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -14,6 +14,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Specularite;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /** Où les formules d'éclairement, recopiées telles quelles, échouent : miroirs, reflets de lampes, lampes mal placées. */
@@ -52,7 +53,7 @@ class LimitesEclairageTest {
             }
 
             @Override
-            public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+            public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
                 return false;
             }
 

@@ -1,9 +1,9 @@
 package lancer;
 
-import static lancer.Ressources.boule;
-import static lancer.Ressources.image;
-import static lancer.Ressources.memesBits;
-import static lancer.Ressources.scene;
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.memesBits;
+import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -15,6 +15,8 @@ import java.util.List;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
+import lancer.essai.Ombre;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -74,7 +76,8 @@ class LimitesOmbreTest {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+            Point contact = P.add(distance, V);
             Rayon ombre = new Rayon(contact, lampe.getPosition());
             for (Objet3D autre : objets) {
                 Sphere s = (Sphere) autre;
@@ -139,8 +142,8 @@ class LimitesOmbreTest {
         assertEquals(0, noirs(scene));
         scene.setRecherche(new Naive(scene.getObjets()) {
             @Override
-            public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
-                Rayon versLaLampe = new Rayon(contact, lampe.getPosition());
+            public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+                Rayon versLaLampe = new Rayon(P.add(distance, V), lampe.getPosition());
                 for (Objet3D autre : objets) {
                     if (autre != objet && autre.getIntersectionDistance(versLaLampe) < Constantes.INFINI) {
                         return true;

@@ -7,6 +7,7 @@ import java.io.File;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.Map;
+import lancer.essai.EssaiProcessus;
 import org.junit.jupiter.api.Test;
 
 /** Ce que make décide avant de lancer quoi que ce soit. */

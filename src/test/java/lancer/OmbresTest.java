@@ -1,9 +1,9 @@
 package lancer;
 
-import static lancer.Ressources.boule;
-import static lancer.Ressources.image;
-import static lancer.Ressources.imageRapide;
-import static lancer.Ressources.scene;
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.imageRapide;
+import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -13,6 +13,8 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import lancer.essai.Ombre;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /** Les ombres là où un arrondi en ferait ou en ôterait : sols immenses, lampes lointaines, sphères qui se touchent. */

@@ -1,8 +1,8 @@
 package lancer;
 
-import static lancer.Ressources.image;
-import static lancer.Ressources.imageRapide;
-import static lancer.Ressources.scene;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.imageRapide;
+import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
@@ -14,6 +14,9 @@ import java.util.Collections;
 import java.util.List;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
+import lancer.essai.Ombre;
+import lancer.essai.Ressources;
+import lancer.essai.Tirages;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Random;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui est vrai de tous les vecteurs, de tous les rayons, de toutes les sphères : tirages à graine fixe. */

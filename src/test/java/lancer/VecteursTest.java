@@ -9,6 +9,8 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import lancer.essai.Exact;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /**

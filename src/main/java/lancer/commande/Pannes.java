@@ -1,14 +1,60 @@
 package lancer.commande;
 
 import java.io.File;
+import java.io.PrintStream;
+import java.util.Collections;
+import java.util.List;
 import lancer.Constantes;
+import lancer.SceneFautive;
 import lancer.contrat.PixelFautif;
 import lancer.texte.Texte;
 
-/** Ce qu'il faut dire d'un pixel qui n'a pu être calculé. */
+/** Ce que le programme dit et rend quand il n'a pas pu, et comment il parle : une ligne, quoi qu'elle contienne. */
 public final class Pannes {
 
     private Pannes() {
+    }
+
+    /** Dit cette panne en une ligne. @return le statut de sortie */
+    public static int dire(Throwable panne, PrintStream erreur) {
+        avertir(Collections.singletonList(message(panne)), erreur);
+        return panne instanceof Echec ? ((Echec) panne).getCode()
+                : panne instanceof SceneFautive ? CodeSortie.DEMANDE : CodeSortie.PANNE;
+    }
+
+    /** Ce qu'il faut dire d'une panne. */
+    public static String message(Throwable panne) {
+        if (panne instanceof Echec || panne instanceof SceneFautive) {
+            return panne.getMessage();
+        }
+        if (panne instanceof OutOfMemoryError) {
+            // la même erreur de Java dit deux manques ; celui-ci ne vient pas de la mémoire
+            if (String.valueOf(panne.getMessage()).contains("native thread")) {
+                return "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2";
+            }
+            return "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
+        }
+        return "échec du programme : " + Texte.echappe(panne.toString());
+    }
+
+    /** Dit ces messages, une ligne chacun. */
+    public static void avertir(List<String> messages, PrintStream erreur) {
+        for (String message : messages) {
+            erreur.println("lancer : " + Texte.echappe(message));
+        }
+    }
+
+    /** Répond sur la sortie standard. @throws Echec si elle n'a pu être écrite */
+    public static void repondre(String texte, PrintStream sortie) {
+        sortie.println(texte);
+        verifier(sortie);
+    }
+
+    /** @throws Echec si la sortie standard n'a pu être écrite : un {@code PrintStream} ne le dit pas de lui-même */
+    public static void verifier(PrintStream sortie) {
+        if (sortie.checkError()) {
+            throw new Echec(CodeSortie.PANNE, "sortie standard : écriture impossible");
+        }
     }
 
     /**

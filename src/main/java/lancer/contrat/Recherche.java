@@ -21,14 +21,13 @@ public interface Recherche {
     void plusProche(Rayon incident, Objet3D saufLui);
 
     /**
-     * Un autre objet se trouve-t-il strictement entre la lampe et le contact ? Le rayon part de la lampe, comme le
-     * demande le cours, « Ombres portées ».
+     * Un rayon d'ombre de cette lampe rencontre-t-il un autre objet avant cette distance ?
      *
-     * @param L direction de la lampe vue du contact, de longueur 1
-     * @param distance du contact à la lampe
-     * @param objet celui que le contact touche : il ne se cache pas lui-même
+     * @param P le départ du rayon : d'ordinaire, la lampe
+     * @param V sa direction, de longueur 1
+     * @param objet celui qui est éclairé : il ne se cache pas lui-même
      */
-    boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet);
+    boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet);
 
     /** La même recherche pour un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);

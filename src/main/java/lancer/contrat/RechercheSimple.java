@@ -37,8 +37,8 @@ public final class RechercheSimple implements Recherche {
     }
 
     @Override
-    public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
-        Rayon ombre = Rayon.dOmbre(lampe, L);
+    public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+        Rayon ombre = Rayon.dOmbre(P, V);
         for (Objet3D autre : objets) {
             if (autre != objet) {
                 compteurs.testsSpheres++;

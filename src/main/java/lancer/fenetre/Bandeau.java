@@ -7,8 +7,12 @@ import java.awt.event.MouseEvent;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 import javax.swing.Timer;
+import lancer.texte.Texte;
 
-/** Un message par-dessus le bas de l'image, en entier quelle que soit sa longueur ; invisible s'il est vide. */
+/**
+ * Ce que dit la fenêtre, par-dessus le bas de l'image, en entier quelle que soit sa longueur ; invisible s'il n'y a
+ * rien à dire. La faute de la scène reste tant qu'elle y est, et le dernier message vient dessous.
+ */
 final class Bandeau extends JTextArea {
 
     private static final long serialVersionUID = 1;
@@ -20,6 +24,8 @@ final class Bandeau extends JTextArea {
     private static final int MARGE_H = 10;
 
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> avis(""));
+    private String faute = "";
+    private String message = "";
     private boolean erreur;
 
     Bandeau() {
@@ -38,23 +44,26 @@ final class Bandeau extends JTextArea {
         addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
+                faute = "";
                 avis("");
             }
         });
     }
 
+    /** La faute de la scène, qui reste jusqu'à la suivante ; vide, il n'y en a plus. */
+    void faute(String texte) {
+        faute = Texte.echappe(texte);
+        montrer();
+    }
+
     /** Un message qui reste jusqu'à ce qu'il n'ait plus lieu d'être. */
     void erreur(String texte) {
-        oubli.stop();
-        erreur = true;
-        montrer(texte, FOND_ERREUR, Color.WHITE);
+        dire(Texte.echappe(texte), true);
     }
 
     /** Un message qui s'efface de lui-même ; vide, il efface le précédent. */
     void avis(String texte) {
-        oubli.restart();
-        erreur = false;
-        montrer(texte, FOND_AVIS, Color.BLACK);
+        dire(texte, false);
     }
 
     void effacerErreur() {
@@ -63,9 +72,21 @@ final class Bandeau extends JTextArea {
         }
     }
 
-    private void montrer(String texte, Color fond, Color encre) {
-        setBackground(fond);
-        setForeground(encre);
+    private void dire(String texte, boolean reste) {
+        message = texte;
+        erreur = reste;
+        oubli.stop();
+        if (!reste && !texte.isEmpty()) {
+            oubli.start();
+        }
+        montrer();
+    }
+
+    private void montrer() {
+        boolean grave = erreur || !faute.isEmpty();
+        setBackground(grave ? FOND_ERREUR : FOND_AVIS);
+        setForeground(grave ? Color.WHITE : Color.BLACK);
+        String texte = faute.isEmpty() || message.isEmpty() ? faute + message : faute + "\n" + message;
         if (!texte.equals(getText())) {
             setText(texte);
             setVisible(!texte.isEmpty());

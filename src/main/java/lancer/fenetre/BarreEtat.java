@@ -2,14 +2,12 @@ package lancer.fenetre;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
-import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Point;
 import java.text.NumberFormat;
 import java.util.Locale;
 import javax.swing.BorderFactory;
-import javax.swing.Icon;
+import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -31,9 +29,11 @@ final class BarreEtat extends JPanel {
     private final JLabel resume = new JLabel(" ");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
     private final JButton bouton = new JButton("Redessiner");
-    private final transient Pastille pastille = new Pastille();
+    /** Un carré de la couleur du pixel. */
+    private final JLabel pastille = new JLabel("    ");
 
-    BarreEtat(Fenetre fenetre) {
+    /** @param siPresse ce que fait le bouton */
+    BarreEtat(Runnable siPresse) {
         super(new BorderLayout(MARGE, INTERLIGNE));
         setBorder(BorderFactory.createEmptyBorder(INTERLIGNE, MARGE, INTERLIGNE, MARGE));
         pixel.setName("pixel");
@@ -43,19 +43,17 @@ final class BarreEtat extends JPanel {
         avancement.setStringPainted(true);
         avancement.setString("");
         bouton.setFocusable(false);
-        bouton.addActionListener(e -> {
-            if (fenetre.enCours()) {
-                fenetre.arreter();
-            } else {
-                fenetre.recharger();
-            }
-        });
+        bouton.addActionListener(e -> siPresse.run());
         // la largeur du plus long de ses deux textes, pour que la barre ne bouge pas
         bouton.setPreferredSize(bouton.getPreferredSize());
         JPanel textes = new JPanel(new BorderLayout(MARGE, 0));
         // dans une fenêtre étroite, c'est le résumé qui est coupé, pas la couleur du pixel
         resume.setHorizontalAlignment(SwingConstants.TRAILING);
-        textes.add(pixel, BorderLayout.LINE_START);
+        Box gauche = Box.createHorizontalBox();
+        gauche.add(pastille);
+        gauche.add(Box.createHorizontalStrut(MARGE));
+        gauche.add(pixel);
+        textes.add(gauche, BorderLayout.LINE_START);
         textes.add(resume, BorderLayout.CENTER);
         add(textes, BorderLayout.PAGE_START);
         add(avancement, BorderLayout.CENTER);
@@ -69,41 +67,47 @@ final class BarreEtat extends JPanel {
     }
 
     void avancer(Tracage tracage) {
-        boolean fini = tracage.isDone();
-        boolean acheve = tracage.isAcheve();
-        boolean sansMesure = !fini && tracage.getLancer() == null;
-        avancement.setIndeterminate(sansMesure);
-        avancement.setValue(acheve ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));
+        avancement.setIndeterminate(!tracage.isFini() && tracage.getLancer() == null);
+        avancement.setValue(tracage.isAcheve() ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));
         avancement.setString(tracage.getEtat());
-        bouton.setText(fini ? "Redessiner" : "Arrêter");
+        bouton.setText(tracage.isFini() ? "Redessiner" : "Arrêter");
     }
 
-    /** Dit ce qu'a coûté l'image achevée. */
-    void resumer(Tracage tracage) {
-        Lancer lancer = tracage.getLancer();
+    /** Ne dit plus rien : l'image montrée n'est pas achevée. */
+    void oublier() {
+        resume.setText(" ");
+    }
+
+    /**
+     * Dit ce qu'a coûté l'image montrée.
+     *
+     * @param reduction le rapport de la taille à laquelle elle est montrée à la sienne
+     */
+    void resumer(Lancer lancer, double reduction) {
         // l'espace fine des nombres français manque à bien des polices
         String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
                 .replace('\u202F', '\u00A0');
-        resumer(lancer.getCamera().getLargeur() + " × " + lancer.getCamera().getHauteur() + " pixels, " + rayons
-                + " rayons, "
-                + String.format(Locale.FRANCE, "%.2f s", lancer.getDureeNs() / 1e9));
+        String reduite = reduction < 1 ? " montrés à " + Math.round(100 * reduction) + " %" : "";
+        resume.setText(lancer.getCamera().getLargeur() + " × " + lancer.getCamera().getHauteur() + " pixels" + reduite
+                + ", " + rayons + " rayons, " + String.format(Locale.FRANCE, "%.2f s", lancer.getDureeNs() / 1e9));
     }
 
-    void resumer(String texte) {
-        resume.setText(texte);
-    }
-
-    /** @param ou le pixel sous la souris, ou {@code null} */
-    void montrerPixel(Point ou, ImageMemoire image) {
+    /**
+     * @param ou le pixel sous la souris, ou {@code null}
+     * @param brouillon vrai si sa couleur n'est peut-être pas la dernière
+     */
+    void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
+        pastille.setOpaque(ou != null);
+        pastille.repaint();
         if (ou == null) {
-            pixel.setIcon(null);
             pixel.setText(" ");
             return;
         }
         int k = ou.y * image.getLargeur() + ou.x;
         int code = image.getCodes()[k];
-        pastille.couleur = new Color(code);
-        String texte = "pixel " + ou.x + ", " + ou.y + " : " + String.format("#%06X", code & 0xFFFFFF)
+        pastille.setBackground(new Color(code));
+        String texte = "pixel " + ou.x + ", " + ou.y + (brouillon ? " (brouillon)" : "")
+                + String.format(" : #%06X", code & 0xFFFFFF)
                 + " = " + (code >> 16 & 0xFF) + " " + (code >> 8 & 0xFF) + " " + (code & 0xFF);
         float[] lineaire = image.getLineaire();
         if (lineaire != null) {
@@ -111,33 +115,6 @@ final class BarreEtat extends JPanel {
             texte += String.format(Locale.ROOT, " ← %.3f %.3f %.3f", lineaire[3 * k], lineaire[3 * k + 1],
                     lineaire[3 * k + 2]);
         }
-        pixel.setIcon(pastille);
         pixel.setText(texte);
-        pixel.repaint();
-    }
-
-    /** Un carré de la couleur du pixel. */
-    private static final class Pastille implements Icon {
-
-        private static final int COTE = 12;
-        private Color couleur = Color.BLACK;
-
-        @Override
-        public void paintIcon(Component c, Graphics g, int x, int y) {
-            g.setColor(couleur);
-            g.fillRect(x, y, COTE, COTE);
-            g.setColor(Color.GRAY);
-            g.drawRect(x, y, COTE - 1, COTE - 1);
-        }
-
-        @Override
-        public int getIconWidth() {
-            return COTE;
-        }
-
-        @Override
-        public int getIconHeight() {
-            return COTE;
-        }
     }
 }

@@ -5,6 +5,7 @@ import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
 import java.util.List;
+import java.util.function.Consumer;
 import javax.swing.TransferHandler;
 
 /** Ouvre la scène dont on dépose le fichier sur la fenêtre. */
@@ -12,10 +13,12 @@ final class DepotFichier extends TransferHandler {
 
     private static final long serialVersionUID = 1;
 
-    private final transient Fenetre fenetre;
+    private final transient Consumer<File> ouvrir;
+    private final transient Consumer<String> dire;
 
-    DepotFichier(Fenetre fenetre) {
-        this.fenetre = fenetre;
+    DepotFichier(Consumer<File> ouvrir, Consumer<String> dire) {
+        this.ouvrir = ouvrir;
+        this.dire = dire;
     }
 
     @Override
@@ -31,10 +34,10 @@ final class DepotFichier extends TransferHandler {
         try {
             List<?> fichiers = (List<?>) depot.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
             if (fichiers.size() != 1) {
-                fenetre.dire("une scène à la fois : " + fichiers.size() + " fichiers déposés");
+                dire.accept("une scène à la fois : " + fichiers.size() + " fichiers déposés");
                 return false;
             }
-            fenetre.ouvrirScene((File) fichiers.get(0));
+            ouvrir.accept((File) fichiers.get(0));
             return true;
         } catch (UnsupportedFlavorException | IOException e) {
             return false;

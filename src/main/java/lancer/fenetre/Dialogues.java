@@ -9,48 +9,41 @@ import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
+import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import lancer.texte.Texte;
 
 /** Les dialogues, en français même là où Java ne l'est pas, et l'apparence du système. */
 final class Dialogues {
 
-    /** Ce que dit Swing, en français : selon les versions de Java, ses traductions manquent. */
+    /** Un texte, et les clés de {@code FileChooser} qui le montrent : selon Java, ses traductions manquent. */
     private static final String[][] TEXTES = {
-        {"FileChooser.lookInLabelText", "Dossier :"},
-        {"FileChooser.saveInLabelText", "Dossier :"},
-        {"FileChooser.fileNameLabelText", "Nom du fichier :"},
-        {"FileChooser.folderNameLabelText", "Nom du dossier :"},
-        {"FileChooser.filesOfTypeLabelText", "Type de fichiers :"},
-        {"FileChooser.upFolderToolTipText", "Dossier parent"},
-        {"FileChooser.upFolderAccessibleName", "Dossier parent"},
-        {"FileChooser.homeFolderToolTipText", "Dossier personnel"},
-        {"FileChooser.homeFolderAccessibleName", "Dossier personnel"},
-        {"FileChooser.newFolderToolTipText", "Nouveau dossier"},
-        {"FileChooser.newFolderAccessibleName", "Nouveau dossier"},
-        {"FileChooser.newFolderActionLabelText", "Nouveau dossier"},
-        {"FileChooser.listViewButtonToolTipText", "Liste"},
-        {"FileChooser.listViewButtonAccessibleName", "Liste"},
-        {"FileChooser.listViewActionLabelText", "Liste"},
-        {"FileChooser.detailsViewButtonToolTipText", "Détails"},
-        {"FileChooser.detailsViewButtonAccessibleName", "Détails"},
-        {"FileChooser.detailsViewActionLabelText", "Détails"},
-        {"FileChooser.viewMenuLabelText", "Affichage"},
-        {"FileChooser.refreshActionLabelText", "Actualiser"},
-        {"FileChooser.fileNameHeaderText", "Nom"},
-        {"FileChooser.fileSizeHeaderText", "Taille"},
-        {"FileChooser.fileTypeHeaderText", "Type"},
-        {"FileChooser.fileDateHeaderText", "Modifié"},
-        {"FileChooser.acceptAllFileFilterText", "Tous les fichiers"},
-        {"FileChooser.openButtonText", "Ouvrir"},
-        {"FileChooser.openButtonToolTipText", "Ouvrir le fichier choisi"},
-        {"FileChooser.saveButtonText", "Enregistrer"},
-        {"FileChooser.saveButtonToolTipText", "Enregistrer sous ce nom"},
-        {"FileChooser.directoryOpenButtonText", "Ouvrir"},
-        {"FileChooser.directoryOpenButtonToolTipText", "Ouvrir le dossier choisi"},
-        {"FileChooser.cancelButtonText", "Annuler"},
-        {"FileChooser.cancelButtonToolTipText", "Fermer sans rien choisir"},
+        {"Dossier :", "lookInLabelText", "saveInLabelText"},
+        {"Nom du fichier :", "fileNameLabelText"},
+        {"Nom du dossier :", "folderNameLabelText"},
+        {"Type de fichiers :", "filesOfTypeLabelText"},
+        {"Dossier parent", "upFolderToolTipText", "upFolderAccessibleName"},
+        {"Dossier personnel", "homeFolderToolTipText", "homeFolderAccessibleName"},
+        {"Nouveau dossier", "newFolderToolTipText", "newFolderAccessibleName", "newFolderActionLabelText"},
+        {"Liste", "listViewButtonToolTipText", "listViewButtonAccessibleName", "listViewActionLabelText"},
+        {"Détails", "detailsViewButtonToolTipText", "detailsViewButtonAccessibleName", "detailsViewActionLabelText"},
+        {"Affichage", "viewMenuLabelText"},
+        {"Actualiser", "refreshActionLabelText"},
+        {"Nom", "fileNameHeaderText"},
+        {"Taille", "fileSizeHeaderText"},
+        {"Type", "fileTypeHeaderText"},
+        {"Modifié", "fileDateHeaderText"},
+        {"Tous les fichiers", "acceptAllFileFilterText"},
+        {"Ouvrir", "openButtonText", "directoryOpenButtonText"},
+        {"Ouvrir le fichier choisi", "openButtonToolTipText"},
+        {"Ouvrir le dossier choisi", "directoryOpenButtonToolTipText"},
+        {"Enregistrer", "saveButtonText"},
+        {"Enregistrer sous ce nom", "saveButtonToolTipText"},
+        {"Annuler", "cancelButtonText"},
+        {"Fermer sans rien choisir", "cancelButtonToolTipText"},
     };
+
+    private static final String TITRE_IMAGE = "Enregistrer l'image";
 
     /** Vrai tant qu'un choix de fichier est à l'écran : une touche qui se répète en ouvrirait un autre par-dessus. */
     private static boolean ouvert;
@@ -71,19 +64,17 @@ final class Dialogues {
         }
         JComponent.setDefaultLocale(Locale.FRANCE);
         for (String[] texte : TEXTES) {
-            UIManager.put(texte[0], texte[1]);
+            for (int k = 1; k < texte.length; k++) {
+                UIManager.put("FileChooser." + texte[k], texte[0]);
+            }
         }
     }
 
     /** @param actuelle la scène déjà ouverte, dont le dossier est proposé, ou {@code null} */
     static File choisirScene(Component parent, String actuelle) {
-        if (ouvert) {
-            return null;
-        }
         JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
-        choix.setDialogTitle("Ouvrir une scène");
-        choix.setFileFilter(new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
-        return choisir(parent, choix, JFileChooser.OPEN_DIALOG);
+        choix.setDialogType(JFileChooser.OPEN_DIALOG);
+        return choisir(parent, choix, "Ouvrir une scène", new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
     }
 
     private static File dossierDesScenes(String actuelle) {
@@ -96,34 +87,32 @@ final class Dialogues {
         return ici.isDirectory() ? ici : plusHaut.isDirectory() ? plusHaut : new File("").getAbsoluteFile();
     }
 
-    /** @param dossier celui du dernier enregistrement, ou {@code null} */
-    static File choisirImage(Component parent, File dossier, String nom) {
-        if (ouvert) {
-            return null;
-        }
-        File propose = dossier != null ? dossier : new File("").getAbsoluteFile();
-        JFileChooser choix = new JFileChooser(propose);
-        choix.setDialogTitle("Enregistrer l'image");
-        choix.setFileFilter(new FileNameExtensionFilter("Images PNG (*.png)", "png"));
-        choix.setSelectedFile(new File(propose, nom));
-        return choisir(parent, choix, JFileChooser.SAVE_DIALOG);
+    static File choisirImage(Component parent, File proposee) {
+        JFileChooser choix = new JFileChooser(proposee.getParentFile());
+        choix.setDialogType(JFileChooser.SAVE_DIALOG);
+        choix.setSelectedFile(proposee);
+        return choisir(parent, choix, TITRE_IMAGE, new FileNameExtensionFilter("Images PNG (*.png)", "png"));
     }
 
     static boolean confirmerRemplacement(Component parent, File fichier) {
         String[] reponses = {"Remplacer", "Annuler"};
         int reponse = JOptionPane.showOptionDialog(parent,
                 "Le fichier « " + Texte.echappe(fichier.getName()) + " » existe déjà. Le remplacer ?",
-                "Enregistrer l'image",
+                TITRE_IMAGE,
                 JOptionPane.DEFAULT_OPTION, JOptionPane.WARNING_MESSAGE, null, reponses, reponses[1]);
         parent.requestFocus();
         return reponse == 0;
     }
 
-    private static File choisir(Component parent, JFileChooser choix, int genre) {
+    private static File choisir(Component parent, JFileChooser choix, String titre, FileFilter filtre) {
+        if (ouvert) {
+            return null;
+        }
         ouvert = true;
+        choix.setDialogTitle(titre);
+        choix.setFileFilter(filtre);
         try {
-            int reponse = genre == JFileChooser.SAVE_DIALOG ? choix.showSaveDialog(parent)
-                    : choix.showOpenDialog(parent);
+            int reponse = choix.showDialog(parent, null);
             return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
         } finally {
             ouvert = false;

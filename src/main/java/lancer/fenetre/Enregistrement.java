@@ -1,14 +1,14 @@
 package lancer.fenetre;
 
+import java.awt.Component;
 import java.awt.EventQueue;
 import java.io.File;
 import java.nio.file.Files;
+import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import lancer.Main;
 import lancer.SceneFautive;
-import lancer.commande.CodeSortie;
-import lancer.commande.Echec;
+import lancer.commande.Pannes;
 import lancer.lecture.LecteurScene;
 import lancer.sortie.Ecriture;
 import lancer.sortie.FichierPng;
@@ -18,75 +18,72 @@ import lancer.texte.Texte;
 /** L'image de la fenêtre vers un fichier PNG, le même qu'avec {@code --image} ; le disque a un fil à part. */
 final class Enregistrement {
 
-    private final Fenetre fenetre;
+    private final Component parent;
+    private final Bandeau bandeau;
     /** Un fil qui retient le programme : fermer la fenêtre laisse finir d'écrire. */
     private final ExecutorService disque =
             Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
-    private File dossier;
+    /** Ce que le prochain dialogue propose : le dossier du dernier enregistrement, ou le fichier qui a échoué. */
+    private File dossier = new File("").getAbsoluteFile();
+    private File echoue;
 
-    Enregistrement(Fenetre fenetre) {
-        this.fenetre = fenetre;
+    /** @param bandeau où dire ce qu'il en est */
+    Enregistrement(Component parent, Bandeau bandeau) {
+        this.parent = parent;
+        this.bandeau = bandeau;
     }
 
-    /** Demande où l'enregistrer. @param image l'image achevée, ou {@code null} si elle ne l'est pas */
-    void commencer(ImageMemoire image) {
-        if (image == null) {
-            fenetre.dire(fenetre.enCours()
-                    ? "L'image se dessine encore : elle pourra être enregistrée une fois achevée."
-                    : "Pas d'image achevée à enregistrer ; F5 pour la dessiner.");
-            return;
-        }
-        String scene = fenetre.getFichierMontre();
+    /** Demande où enregistrer cette image. @param scene le fichier de la scène, qui ne sera pas écrasé */
+    void commencer(ImageMemoire image, String scene) {
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File choisi = Dialogues.choisirImage(fenetre.getCadre(), dossier, nom);
+        File choisi = Dialogues.choisirImage(parent, echoue != null ? echoue : new File(dossier, nom));
         if (choisi == null) {
             return;
         }
         dossier = choisi.getParentFile();
-        File cible = choisi.getName().indexOf('.') < 0 ? new File(choisi.getPath() + ".png") : choisi;
-        disque.execute(() -> verifier(image, cible, scene));
+        boolean png = choisi.getName().toLowerCase(Locale.ROOT).endsWith(".png");
+        File cible = png ? choisi : new File(choisi.getPath() + ".png");
+        disque.execute(() -> essayer(cible, () -> verifier(image, cible, scene)));
+    }
+
+    private void essayer(File cible, Runnable etape) {
+        try {
+            etape.run();
+        } catch (RuntimeException | Error e) {
+            EventQueue.invokeLater(() -> {
+                echoue = cible;
+                bandeau.erreur(Pannes.message(e));
+            });
+        }
     }
 
     private void verifier(ImageMemoire image, File cible, String scene) {
+        Ecriture ecriture = new Ecriture(cible.getPath());
         try {
-            Ecriture ecriture = new Ecriture(cible.getPath());
-            if (vise(ecriture, scene)) {
-                throw new Echec(CodeSortie.DEMANDE, "la sortie est la scène elle-même : "
-                        + Texte.echappe(cible.getPath())
-                        + " ; attendu : un autre fichier");
-            }
-            if (Files.exists(ecriture.getCible())) {
-                EventQueue.invokeLater(() -> confirmer(image, ecriture, cible));
-            } else {
-                ecrire(image, ecriture, cible);
-            }
-        } catch (RuntimeException | Error e) {
-            EventQueue.invokeLater(() -> fenetre.direErreur(Main.message(e)));
+            ecriture.epargner(LecteurScene.trouver(scene),
+                    "la sortie est la scène elle-même : " + Texte.echappe(cible.getPath()));
+        } catch (SceneFautive e) {
+            // effacée depuis qu'elle a été lue
+        }
+        if (Files.exists(ecriture.getCible())) {
+            EventQueue.invokeLater(() -> confirmer(image, ecriture, cible));
+        } else {
+            ecrire(image, ecriture, cible);
         }
     }
 
     private void confirmer(ImageMemoire image, Ecriture ecriture, File cible) {
-        if (!disque.isShutdown() && Dialogues.confirmerRemplacement(fenetre.getCadre(), cible)) {
-            disque.execute(() -> ecrire(image, ecriture, cible));
-        }
-    }
-
-    private static boolean vise(Ecriture ecriture, String scene) {
-        try {
-            return ecriture.vise(LecteurScene.trouver(scene));
-        } catch (SceneFautive e) {
-            // effacée depuis qu'elle a été lue
-            return false;
+        if (!disque.isShutdown() && Dialogues.confirmerRemplacement(parent, cible)) {
+            disque.execute(() -> essayer(cible, () -> ecrire(image, ecriture, cible)));
         }
     }
 
     private void ecrire(ImageMemoire image, Ecriture ecriture, File cible) {
-        try {
-            ecriture.ecrire(image, FichierPng::ecrire);
-            EventQueue.invokeLater(() -> fenetre.direEnregistree(Texte.echappe(cible.getName())));
-        } catch (RuntimeException | Error e) {
-            EventQueue.invokeLater(() -> fenetre.direErreur(Main.message(e)));
-        }
+        ecriture.ecrire(image, new FichierPng());
+        EventQueue.invokeLater(() -> {
+            echoue = null;
+            bandeau.avis("enregistrée : " + Texte.echappe(cible.getName()));
+        });
     }
 
     /** Appelle {@code fin} quand tout est écrit. */

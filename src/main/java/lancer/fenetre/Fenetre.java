@@ -1,22 +1,40 @@
 package lancer.fenetre;
 
+import java.awt.AWTError;
+import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.io.File;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
-import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
+import javax.swing.KeyStroke;
 import javax.swing.Timer;
+import javax.swing.WindowConstants;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.SceneFautive;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
+import lancer.commande.Pannes;
 import lancer.lecture.Services;
 import lancer.sortie.ImageMemoire;
-import lancer.texte.Texte;
 
 /**
  * La fenêtre : elle montre l'image pendant que {@link Tracage} la dessine. Le fil des événements ne calcule pas, ne lit
@@ -27,87 +45,176 @@ public final class Fenetre {
     /** Temps entre deux regards sur le dessin en cours, en millisecondes. */
     private static final int PERIODE_MS = 33;
 
-    /** Temps laissé à un brouillon avant de montrer ses morceaux, ou de le refaire à une autre taille, en ns. */
+    /** Temps laissé à un brouillon avant de montrer ses morceaux, en nanosecondes. */
     private static final long PATIENCE_NS = 300_000_000;
 
-    private final Main main;
-    private final Atelier atelier;
-    private final List<String> variantes;
+    private final Dessinateur dessinateur;
+    private final Dimension taille;
+    private final String programme;
     private final Runnable fin;
-    private final PanneauImage panneau = new PanneauImage();
-    private final BarreEtat barre = new BarreEtat(this);
-    private final JFrame cadre;
-    private final Enregistrement enregistrement = new Enregistrement(this);
+    private final ExecutorService dessins;
+    private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
+    private final PanneauImage panneau;
+    private final Bandeau bandeau;
+    private final BarreEtat barre = new BarreEtat(this::arreterOuRecharger);
+    private final JFrame cadre = new JFrame();
+    private final Enregistrement enregistrement;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
 
+    /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
     private String fichier;
-    private String fichierMontre;
-    private boolean fichierFautif;
+    /** Celui de la dernière scène lue sans faute, même si son dessin a été abandonné avant de se voir. */
+    private String lu;
     private Tracage courant;
+    private Tracage adopte;
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
-    private Dimension taille = new Dimension();
     private ImageMemoire complete;
     private boolean fermee;
 
-    private Fenetre(Main main, Atelier atelier, Tracage premier, List<String> variantes, Runnable fin) {
-        this.main = main;
-        this.atelier = atelier;
-        this.variantes = variantes;
+    private Fenetre(Dessinateur dessinateur, Dimension taille, String programme, ExecutorService dessins,
+            Runnable fin) {
+        this.dessinateur = dessinateur;
+        this.taille = taille;
+        this.programme = programme;
+        this.dessins = dessins;
         this.fin = fin;
-        fichier = main.getOptions().scene;
-        fichierMontre = fichier;
-        cadre = new Cadre(this, panneau, barre, taille(main.getOptions()));
-        titrer();
-        atelier.surveiller(() -> EventQueue.invokeLater(() -> dessiner(true)));
-        if (premier == null) {
-            panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
-            EventQueue.invokeLater(this::choisirScene);
-        } else {
-            avertir();
-            suivre(premier);
-        }
-        cadre.setVisible(true);
+        panneau = new PanneauImage(taille);
+        bandeau = panneau.getBandeau();
+        enregistrement = new Enregistrement(cadre, bandeau);
     }
 
     /**
      * Ouvre la fenêtre sur la scène demandée, et revient ; fermer la fenêtre termine le programme, avec le statut 0.
      *
+     * @param erreur où dire ce que cette première scène a de laissé de côté
      * @throws SceneFautive si la scène ne peut être utilisée ; rien ne s'est ouvert
      * @throws Echec s'il n'y a pas d'écran
      */
-    public static Fenetre ouvrir(Main main, PrintStream sortie, PrintStream erreur) {
-        return ouvrir(main, sortie, erreur, () -> System.exit(CodeSortie.FAIT));
+    public static void ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur) {
+        ouvrir(dessinateur, options, erreur, () -> System.exit(CodeSortie.FAIT));
     }
 
-    /** {@link #ouvrir(Main, PrintStream, PrintStream)}, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
-    public static Fenetre ouvrir(Main main, PrintStream sortie, PrintStream erreur, Runnable fin) {
-        Atelier atelier = new Atelier(main, sortie, erreur);
-        String fichier = main.getOptions().scene;
-        if (fichier != null) {
-            atelier.lire(fichier);
-            main.avertir(erreur);
+    /** De même, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
+    public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
+        Dimension taille = new Dimension(options.largeur, options.hauteur);
+        Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille);
+        if (premier != null) {
+            premier.lire();
+            Pannes.avertir(premier.getAvertissements(), erreur);
         }
-        Ecran.exiger();
-        // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
-        Tracage premier = fichier == null ? null : atelier.dessiner(null, taille(main.getOptions()));
-        List<String> variantes = Services.nomsDesVariantes();
+        exigerEcran();
+        // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
+        ExecutorService dessins = Executors.newSingleThreadExecutor(tache -> {
+            Thread fil = new Thread(tache, "lancer-dessin");
+            fil.setDaemon(true);
+            return fil;
+        });
+        if (premier != null) {
+            // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
+            dessins.execute(premier);
+        }
+        String variantes = String.join(", ", Services.nomsDesVariantes());
+        String programme = variantes.isEmpty() ? "lancer" : "lancer (" + variantes + ")";
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
                 Dialogues.preparer();
-                ouverte[0] = new Fenetre(main, atelier, premier, variantes, fin);
+                ouverte[0] = new Fenetre(dessinateur, taille, programme, dessins, fin);
+                ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
-            throw new Echec(CodeSortie.PANNE, Main.message(e.getCause()));
+            throw new Echec(CodeSortie.PANNE, Pannes.message(e.getCause()));
         } catch (InterruptedException e) {
             throw new Echec(CodeSortie.PANNE, "interrompu");
         }
         return ouverte[0];
     }
 
-    private static Dimension taille(Options options) {
-        return new Dimension(options.largeur, options.hauteur);
+    private static void exigerEcran() {
+        boolean present;
+        try {
+            present = !GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+        } catch (HeadlessException | AWTError | LinkageError e) {
+            // un DISPLAY sans serveur derrière, ou un Java sans ses bibliothèques d'écran
+            present = false;
+        }
+        if (!present) {
+            throw new Echec(CodeSortie.PANNE,
+                    "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+        }
+    }
+
+    private JMenuBar menus() {
+        // Ctrl, ou Commande sur un Mac ; la forme en Ex est de Java 10
+        int ctrl = Toolkit.getDefaultToolkit().getMenuShortcutKeyMask();
+        JMenuBar menus = new JMenuBar();
+        JMenu menu = menus.add(new JMenu("Fichier"));
+        menu.setMnemonic(KeyEvent.VK_F);
+        article(menu, "Ouvrir une scène…", KeyStroke.getKeyStroke(KeyEvent.VK_O, ctrl), this::choisirScene);
+        article(menu, "Enregistrer l'image…", KeyStroke.getKeyStroke(KeyEvent.VK_S, ctrl), this::enregistrer);
+        menu.addSeparator();
+        article(menu, "Quitter", KeyStroke.getKeyStroke(KeyEvent.VK_Q, ctrl), this::fermer);
+        menu = menus.add(new JMenu("Dessin"));
+        menu.setMnemonic(KeyEvent.VK_D);
+        article(menu, "Relire la scène et redessiner", KeyStroke.getKeyStroke(KeyEvent.VK_F5, 0), this::recharger);
+        // la touche est liée plus bas : Java l'afficherait « Escape »
+        article(menu, "Arrêter (Échap)", null, this::arreter);
+        return menus;
+    }
+
+    private static void article(JMenu menu, String nom, KeyStroke touche, Runnable action) {
+        JMenuItem article = menu.add(new JMenuItem(nom));
+        article.setAccelerator(touche);
+        article.addActionListener(e -> action.run());
+    }
+
+    /** @param premier le dessin qu'il y a déjà à montrer, ou {@code null} */
+    private void commencer(Tracage premier) {
+        assembler();
+        ecouter();
+        titrer();
+        if (premier == null) {
+            panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
+            EventQueue.invokeLater(this::choisirScene);
+        } else {
+            adopter(premier);
+            suivre(premier);
+        }
+        cadre.setVisible(true);
+    }
+
+    private void assembler() {
+        cadre.setJMenuBar(menus());
+        cadre.add(panneau, BorderLayout.CENTER);
+        cadre.add(barre, BorderLayout.PAGE_END);
+        cadre.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        cadre.pack();
+        Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        cadre.setSize(Math.min(cadre.getWidth(), ecran.width), Math.min(cadre.getHeight(), ecran.height));
+        cadre.setLocationRelativeTo(null);
+    }
+
+    /** À quoi la fenêtre répond, en plus de ses menus. */
+    private void ecouter() {
+        surveillance.commencer();
+        cadre.getRootPane().setTransferHandler(new DepotFichier(this::ouvrirScene, bandeau::avis));
+        cadre.getRootPane().registerKeyboardAction(e -> arreter(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                JComponent.WHEN_IN_FOCUSED_WINDOW);
+        cadre.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent e) {
+                fermer();
+            }
+        });
+        panneau.suivreSouris(this::montrerPixel);
+        panneau.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                resumer();
+            }
+        });
     }
 
     /** Le cadre, qui contient tout ce qui se voit. */
@@ -125,187 +232,185 @@ public final class Fenetre {
         return enCours;
     }
 
-    /** Le fichier de la scène montrée, {@code null} s'il n'y en a pas encore. */
-    String getFichierMontre() {
-        return fichierMontre;
-    }
-
-    void choisirScene() {
+    private void choisirScene() {
         File choisi = Dialogues.choisirScene(cadre, fichier);
         if (choisi != null) {
             ouvrirScene(choisi);
         }
     }
 
-    void ouvrirScene(File scene) {
-        fichier = scene.getPath();
-        titrer();
+    private void ouvrirScene(File choisi) {
         panneau.setInvite(null);
-        dessiner(true);
+        dessiner(choisi.getPath());
     }
 
-    void recharger() {
-        if (fichier == null) {
-            choisirScene();
+    private void arreterOuRecharger() {
+        if (enCours) {
+            arreter();
         } else {
-            dessiner(true);
+            recharger();
         }
     }
 
-    void enregistrer() {
-        enregistrement.commencer(getImageComplete());
+    private void recharger() {
+        if (fichier == null) {
+            choisirScene();
+        } else {
+            dessiner(fichier);
+        }
     }
 
-    void arreter() {
+    /** Le fichier de la scène montrée a changé ; une autre scène qui se lit passe avant. */
+    private void relire() {
+        if (!enCours || courant.getFichier() == null || courant.getFichier().equals(fichier)) {
+            dessiner(fichier);
+        }
+    }
+
+    private void enregistrer() {
+        ImageMemoire image = getImageComplete();
+        if (image == null) {
+            bandeau.avis(enCours ? "L'image se dessine encore : elle pourra être enregistrée une fois achevée."
+                    : "Pas d'image achevée à enregistrer ; F5 pour la dessiner.");
+        } else {
+            enregistrement.commencer(image, fichier);
+        }
+    }
+
+    private void arreter() {
         if (enCours) {
-            courant.cancel(true);
-            // sans attendre que le dessin s'en aperçoive, comme le fait un SwingWorker des Java récents
-            finir(courant);
+            courant.arreter();
+            observer();
         }
     }
 
     /** Termine : plus aucun dessin, plus de fenêtre, et les images en train de s'écrire le seront jusqu'au bout. */
-    void fermer() {
+    private void fermer() {
         if (fermee) {
             return;
         }
         fermee = true;
         horloge.stop();
-        annuler();
-        atelier.terminer();
+        if (courant != null) {
+            courant.arreter();
+        }
+        surveillance.terminer();
+        dessins.shutdown();
         cadre.dispose();
         enregistrement.terminer(fin);
     }
 
-    /** Dit quelque chose, sans recouvrir ce qui ne va pas dans la scène. */
-    void dire(String avis) {
-        if (fichierFautif) {
-            direEtat(avis);
-        } else {
-            panneau.getBandeau().avis(avis);
-        }
-    }
-
-    void direErreur(String erreur) {
-        panneau.getBandeau().erreur(Texte.echappe(erreur));
-    }
-
-    /** Une image est enregistrée : un échec d'avant n'a plus à se lire. */
-    void direEnregistree(String nom) {
-        if (!fichierFautif) {
-            panneau.getBandeau().effacerErreur();
-        }
-        direEtat("enregistrée : " + nom);
-    }
-
-    void direEtat(String etat) {
-        barre.resumer(etat);
-    }
-
-    /** Recommence le dessin à la taille du panneau ; l'ancienne image reste jusqu'au brouillon de la nouvelle. */
-    private void dessiner(boolean relire) {
-        boolean lire = relire || courant != null && courant.resteALire();
-        Dimension voulue = panneau.getTaillePixels();
-        if (fermee || !lire && main.getScene() == null || voulue.width < 1 || voulue.height < 1) {
+    /**
+     * Recommence le dessin ; l'ancienne image reste jusqu'au brouillon de la nouvelle.
+     *
+     * @param aLire la scène à lire d'abord, {@code null} pour celle qui l'est déjà
+     */
+    private void dessiner(String aLire) {
+        if (fermee) {
             return;
         }
-        annuler();
-        suivre(atelier.dessiner(lire ? fichier : null, voulue));
+        if (courant != null) {
+            courant.arreter();
+        }
+        Tracage tracage = new Tracage(dessinateur, aLire, taille);
+        dessins.execute(tracage);
+        suivre(tracage);
     }
 
     private void suivre(Tracage tracage) {
         courant = tracage;
-        taille = tracage.getTaille();
         enCours = true;
         horloge.start();
-        tracage.ensuite(this::finir);
+        resumer();
         observer();
-    }
-
-    private void annuler() {
-        Tracage ancien = courant;
-        courant = null;
-        if (ancien != null) {
-            ancien.cancel(true);
-        }
-    }
-
-    /** Refait l'image si le panneau n'a plus sa taille, en laissant au brouillon le temps de se montrer. */
-    void suivreTaille() {
-        if (courant == null || panneau.getTaillePixels().equals(taille)) {
-            return;
-        }
-        if (enCours) {
-            Lancer lancer = courant.getLancer();
-            if (lancer == null || !lancer.isBrouillonFait() && courant.getDureeNs() < PATIENCE_NS) {
-                return;
-            }
-        }
-        dessiner(false);
     }
 
     /** Montre où en est le dessin en cours. */
     private void observer() {
-        suivreTaille();
-        if (courant == null) {
-            return;
-        }
-        if (courant.vientDeLire()) {
-            fichierFautif = false;
-            fichierMontre = fichier;
-            avertir();
-        }
+        boolean fini = courant.isFini();
+        lu = courant.getAvertissements() != null ? courant.getFichier() : lu;
         // l'image d'abord : vue avec le lancer d'après, elle a au moins son brouillon
-        ImageMemoire image = main.getImage();
+        ImageMemoire image = dessinateur.getImage();
         Lancer lancer = courant.getLancer();
         if (lancer != null) {
             panneau.montrer(image, lancer.isBrouillonFait(), courant.getDureeNs() > PATIENCE_NS);
         }
+        boolean montree = lancer != null && (image == panneau.getImage() || image == panneau.getNaissante());
+        if (montree && courant.getFichier() != null && courant != adopte) {
+            adopter(courant);
+        }
         barre.avancer(courant);
         montrerPixel();
+        if (fini && enCours) {
+            finir();
+        }
+    }
+
+    /** La scène que ce dessin a lue devient celle qui est montrée. */
+    private void adopter(Tracage tracage) {
+        adopte = tracage;
+        fichier = tracage.getFichier();
+        surveillance.suivre(fichier, tracage.getVersion());
+        titrer();
+        bandeau.faute("");
+        bandeau.avis(String.join("\n", tracage.getAvertissements()));
     }
 
     /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
-    private void finir(Tracage tracage) {
-        if (tracage != courant || fermee || !enCours) {
-            return;
-        }
+    private void finir() {
         enCours = false;
         horloge.stop();
-        Throwable panne = tracage.getPanne();
-        if (tracage.isAcheve()) {
-            complete = main.getImage();
-            barre.resumer(tracage);
-            if (!fichierFautif) {
-                panneau.getBandeau().effacerErreur();
-            }
-            String ecart = main.getLancer().getTemoignage().ecart;
+        Throwable panne = courant.getPanne();
+        if (courant.isAcheve()) {
+            complete = dessinateur.getImage();
+            bandeau.effacerErreur();
+            String ecart = courant.getLancer().getTemoignage().ecart;
             if (ecart != null) {
-                panneau.getBandeau().avis(ecart);
+                bandeau.avis(ecart);
             }
+        } else if (panne instanceof SceneFautive) {
+            refuser(courant, Pannes.message(panne));
+        } else if (panne != null) {
+            bandeau.erreur(Pannes.message(panne));
         }
-        observer();
-        if (panne != null) {
-            fichierFautif = panne instanceof SceneFautive;
-            direErreur(Main.message(panne));
+        resumer();
+        montrerPixel();
+    }
+
+    /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */
+    private void refuser(Tracage fautif, String message) {
+        bandeau.faute(message);
+        if (fichier == null || fautif.getFichier().equals(fichier)) {
+            fichier = fautif.getFichier();
+            surveillance.suivre(fichier, fautif.getVersion());
+            titrer();
         }
-        // une faute dans la scène a interrompu un dessin de la précédente : c'est lui, la dernière bonne image
-        if (fichierFautif && panne != null && complete != panneau.getImage()) {
-            dessiner(false);
+        if (fichier.equals(lu) && complete != panneau.getImage()) {
+            // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
+            dessiner(null);
         }
     }
 
-    /** Montre ce que la scène a de laissé de côté, ou efface le message qui était là. */
-    private void avertir() {
-        panneau.getBandeau().avis(String.join("\n", main.getAvertissements()));
+    /** Dit ce qu'a coûté l'image montrée, si elle est achevée. */
+    private void resumer() {
+        if (getImageComplete() == null) {
+            barre.oublier();
+        } else {
+            barre.resumer(dessinateur.getLancer(), panneau.getReduction());
+        }
     }
 
-    void montrerPixel() {
-        barre.montrerPixel(panneau.getPixelSouris(), panneau.getImage());
+    private void montrerPixel() {
+        ImageMemoire image = panneau.getNaissante();
+        Point pixel = panneau.getPixelSouris(image);
+        if (pixel == null) {
+            image = panneau.getImage();
+            pixel = panneau.getPixelSouris(image);
+        }
+        barre.montrerPixel(pixel, image, image != complete);
     }
 
     private void titrer() {
-        String titre = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
-        cadre.setTitle(fichier == null ? titre : titre + " — " + new File(fichier).getName());
+        cadre.setTitle(fichier == null ? programme : programme + " — " + new File(fichier).getName());
     }
 }

@@ -5,7 +5,9 @@ import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.GraphicsEnvironment;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -19,16 +21,16 @@ import java.awt.image.WritableRaster;
 import javax.swing.JPanel;
 import lancer.sortie.ImageMemoire;
 
-/** L'image, un de ses pixels sur chaque pixel de l'écran, sur un gris neutre qui ne fausse pas les couleurs. */
+/**
+ * L'image au milieu d'un gris neutre qui ne fausse pas les couleurs, un de ses pixels sur chaque pixel de l'écran ;
+ * réduite, ses proportions gardées, là où la place manque.
+ */
 final class PanneauImage extends JPanel {
 
     private static final long serialVersionUID = 1;
 
     private static final Color GRIS = new Color(0x777777);
-    private static final int ROUGE = 0xFF0000;
-    private static final int VERT = 0xFF00;
-    private static final int BLEU = 0xFF;
-    private static final int OPACITE = 0xFF000000;
+    private static final DirectColorModel OPAQUE = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
 
     private final Bandeau bandeau = new Bandeau();
     /** L'image montrée, et celle qui se dessine par-dessus tant que son brouillon n'est pas complet. */
@@ -39,10 +41,14 @@ final class PanneauImage extends JPanel {
     private String invite;
     private Point souris;
 
-    PanneauImage() {
+    /** @param image la taille de l'image à montrer, en pixels */
+    PanneauImage(Dimension image) {
         setName("image");
         setBackground(GRIS);
         add(bandeau);
+        AffineTransform ecran = getEchelle();
+        setPreferredSize(new Dimension((int) Math.ceil(image.width / ecran.getScaleX()),
+                (int) Math.ceil(image.height / ecran.getScaleY())));
     }
 
     Bandeau getBandeau() {
@@ -60,16 +66,32 @@ final class PanneauImage extends JPanel {
         return montree;
     }
 
-    /** La taille du panneau, en pixels de l'écran ; un écran dense en a plusieurs par point. */
-    Dimension getTaillePixels() {
-        AffineTransform echelle = echelle();
-        return new Dimension((int) Math.round(getWidth() * echelle.getScaleX()),
-                (int) Math.round(getHeight() * echelle.getScaleY()));
+    /** Celle qui se dessine par-dessus, {@code null} s'il n'y en a pas. */
+    ImageMemoire getNaissante() {
+        return naissante;
     }
 
-    private AffineTransform echelle() {
-        return getGraphicsConfiguration() == null ? new AffineTransform()
-                : getGraphicsConfiguration().getDefaultTransform();
+    /** Le nombre de pixels de l'écran par point : un écran dense en a plusieurs. */
+    private AffineTransform getEchelle() {
+        return (getGraphicsConfiguration() != null ? getGraphicsConfiguration()
+                : GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice().getDefaultConfiguration())
+                .getDefaultTransform();
+    }
+
+    /** Où va une image de cette taille, en pixels de l'écran. */
+    private Rectangle getPlace(int largeur, int hauteur) {
+        AffineTransform ecran = getEchelle();
+        double libreX = getWidth() * ecran.getScaleX();
+        double libreY = getHeight() * ecran.getScaleY();
+        double reduction = Math.min(1, Math.min(libreX / largeur, libreY / hauteur));
+        int l = (int) Math.round(reduction * largeur);
+        int h = (int) Math.round(reduction * hauteur);
+        return new Rectangle((int) (libreX - l) / 2, (int) (libreY - h) / 2, l, h);
+    }
+
+    /** Le rapport de la taille à laquelle l'image est montrée à la sienne, au plus 1. */
+    double getReduction() {
+        return (double) getPlace(montree.getLargeur(), montree.getHauteur()).width / montree.getLargeur();
     }
 
     /**
@@ -81,7 +103,7 @@ final class PanneauImage extends JPanel {
     void montrer(ImageMemoire image, boolean entiere, boolean parMorceaux) {
         if (entiere && image != montree) {
             montree = image;
-            fond = surCodes(image, new DirectColorModel(24, ROUGE, VERT, BLEU), ROUGE, VERT, BLEU);
+            fond = surCodes(image, OPAQUE);
         }
         if (entiere || fond != null && !parMorceaux) {
             naissante = null;
@@ -93,16 +115,16 @@ final class PanneauImage extends JPanel {
                 fond = calque;
             }
             naissante = image;
-            calque = surCodes(image, ColorModel.getRGBdefault(), ROUGE, VERT, BLEU, OPACITE);
+            calque = surCodes(image, (DirectColorModel) ColorModel.getRGBdefault());
         }
         repaint();
     }
 
     /** Une image AWT sur le tableau même des codes : rien n'est copié. */
-    private static BufferedImage surCodes(ImageMemoire image, ColorModel couleurs, int... masques) {
+    private static BufferedImage surCodes(ImageMemoire image, DirectColorModel couleurs) {
         int[] codes = image.getCodes();
         WritableRaster raster = Raster.createPackedRaster(new DataBufferInt(codes, codes.length),
-                image.getLargeur(), image.getHauteur(), image.getLargeur(), masques, null);
+                image.getLargeur(), image.getHauteur(), image.getLargeur(), couleurs.getMasks(), null);
         return new BufferedImage(couleurs, raster, false, null);
     }
 
@@ -115,6 +137,7 @@ final class PanneauImage extends JPanel {
             AffineTransform t = g2.getTransform();
             g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
                     Math.round(t.getTranslateY())));
+            g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
             peindre(g2, fond);
             peindre(g2, calque);
         } finally {
@@ -128,20 +151,13 @@ final class PanneauImage extends JPanel {
     }
 
     private void peindre(Graphics2D g, BufferedImage image) {
-        if (image == null) {
-            return;
-        }
-        Dimension taille = getTaillePixels();
-        if (image.getWidth() == taille.width && image.getHeight() == taille.height) {
-            g.drawImage(image, 0, 0, null);
-        } else {
-            // le temps que la nouvelle taille se dessine
-            g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
-            g.drawImage(image, 0, 0, taille.width, taille.height, null);
+        if (image != null) {
+            Rectangle place = getPlace(image.getWidth(), image.getHeight());
+            g.drawImage(image, place.x, place.y, place.width, place.height, null);
         }
     }
 
-    /** Le bandeau recouvre le bas de l'image, sans la pousser : un message ne doit pas la faire redessiner. */
+    /** Le bandeau recouvre le bas de l'image, sans la pousser. */
     @Override
     public void doLayout() {
         bandeau.setSize(getWidth(), Short.MAX_VALUE);
@@ -158,11 +174,6 @@ final class PanneauImage extends JPanel {
             }
 
             @Override
-            public void mouseDragged(MouseEvent e) {
-                mouseMoved(e);
-            }
-
-            @Override
             public void mouseExited(MouseEvent e) {
                 souris = null;
                 siBouge.run();
@@ -172,16 +183,20 @@ final class PanneauImage extends JPanel {
         addMouseMotionListener(suiveur);
     }
 
-    /** Le pixel de l'image montrée qui est sous la souris, {@code null} s'il n'y en a pas. */
-    Point getPixelSouris() {
-        Dimension taille = getTaillePixels();
-        if (souris == null || montree == null || taille.width < 1 || taille.height < 1) {
+    /** Le pixel de cette image qui est sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas dessiné. */
+    Point getPixelSouris(ImageMemoire image) {
+        if (souris == null || image == null) {
             return null;
         }
-        AffineTransform echelle = echelle();
-        int x = (int) (souris.x * echelle.getScaleX() * montree.getLargeur() / taille.width);
-        int y = (int) (souris.y * echelle.getScaleY() * montree.getHauteur() / taille.height);
-        boolean dedans = x >= 0 && x < montree.getLargeur() && y >= 0 && y < montree.getHauteur();
-        return dedans ? new Point(x, y) : null;
+        AffineTransform ecran = getEchelle();
+        Rectangle place = getPlace(image.getLargeur(), image.getHauteur());
+        int dx = (int) (souris.x * ecran.getScaleX()) - place.x;
+        int dy = (int) (souris.y * ecran.getScaleY()) - place.y;
+        if (dx < 0 || dx >= place.width || dy < 0 || dy >= place.height) {
+            return null;
+        }
+        Point pixel = new Point((int) ((long) dx * image.getLargeur() / place.width),
+                (int) ((long) dy * image.getHauteur() / place.height));
+        return image.getCodes()[pixel.y * image.getLargeur() + pixel.x] == 0 ? null : pixel;
     }
 }

@@ -1,13 +1,11 @@
 package lancer.fenetre;
 
 import java.awt.Dimension;
-import java.io.PrintStream;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutionException;
-import java.util.function.Consumer;
 import javax.swing.SwingWorker;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.SceneFautive;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
@@ -15,83 +13,55 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     private static final double NS_PAR_S = 1e9;
 
-    private final Main main;
-    private final String aLire;
+    private final Dessinateur dessinateur;
+    private final String fichier;
     private final Dimension taille;
-    private final Surveillance surveillance;
-    private final PrintStream sortie;
-    private final PrintStream erreur;
-    private Consumer<Tracage> suite;
-    private boolean rendu;
     private final long debut = System.nanoTime();
     private volatile long fin;
-    private volatile boolean lu;
+    private volatile String version;
+    private volatile List<String> avertissements;
     private volatile boolean dessine;
-    private boolean lectureVue;
 
     /**
-     * @param aLire la scène à lire, {@code null} pour redessiner celle qui est déjà lue
+     * @param fichier la scène à lire, {@code null} pour redessiner celle qui est déjà lue
      * @param taille celle de l'image, en pixels
      */
-    Tracage(Main main, String aLire, Dimension taille, Surveillance surveillance, PrintStream sortie,
-            PrintStream erreur) {
-        this.main = main;
-        this.aLire = aLire;
+    Tracage(Dessinateur dessinateur, String fichier, Dimension taille) {
+        this.dessinateur = dessinateur;
+        this.fichier = fichier;
         this.taille = taille;
-        this.surveillance = surveillance;
-        this.sortie = sortie;
-        this.erreur = erreur;
     }
 
-    Dimension getTaille() {
-        return taille;
-    }
-
-    /**
-     * À appeler sur le fil des événements.
-     *
-     * @param suite appelée sur ce fil quand c'est achevé, arrêté ou manqué
-     */
-    void ensuite(Consumer<Tracage> suite) {
-        this.suite = suite;
-        if (rendu) {
-            suite.accept(this);
-        }
+    /** Lit la scène, dans le fil de l'appelant. */
+    void lire() {
+        version = Surveillance.version(fichier);
+        avertissements = dessinateur.lireScene(fichier);
     }
 
     @Override
     protected Void doInBackground() {
         try {
-            if (aLire != null) {
-                surveillance.suivre(aLire);
-                main.lireScene(aLire);
-                lu = true;
+            if (resteALire()) {
+                lire();
             }
-            if (isCancelled()) {
-                return null;
+            if (!isCancelled()) {
+                dessine = true;
+                dessinateur.doTracerImage(taille.width, taille.height);
             }
-            dessine = true;
-            main.doTracerImage(taille.width, taille.height);
+            return null;
         } finally {
             fin = System.nanoTime();
         }
-        Main.direEcart(main.getLancer(), erreur);
-        if (main.getOptions().statistiques && !isCancelled()) {
-            sortie.println(main.getStatistiques());
-            sortie.flush();
-        }
-        return null;
     }
 
-    @Override
-    protected void done() {
-        if (fin == 0) {
-            fin = System.nanoTime();
-        }
-        rendu = true;
-        if (suite != null) {
-            suite.accept(this);
-        }
+    void arreter() {
+        cancel(true);
+        fin = System.nanoTime();
+    }
+
+    /** Vrai s'il n'y a plus rien à en attendre ; arrêté, son fil peut finir un peu plus tard. */
+    boolean isFini() {
+        return isCancelled() || isDone();
     }
 
     /** Ce qui a empêché ce dessin d'aller au bout ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
@@ -116,21 +86,26 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** Ce qui dessine ; {@code null} tant que la scène se lit et se prépare. */
     Lancer getLancer() {
-        return dessine ? main.getLancer() : null;
+        return dessine ? dessinateur.getLancer() : null;
     }
 
-    /** Vrai si la scène à lire ne l'est pas encore : à refaire si l'on interrompt ce dessin. */
-    boolean resteALire() {
-        return aLire != null && !lu && (isCancelled() || !isDone());
+    /** Le fichier de la scène à lire, {@code null} s'il n'y en a pas. */
+    String getFichier() {
+        return fichier;
     }
 
-    /** Vrai une seule fois, quand la scène vient d'être lue. */
-    boolean vientDeLire() {
-        if (!lu || lectureVue) {
-            return false;
-        }
-        lectureVue = true;
-        return true;
+    /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */
+    String getVersion() {
+        return version;
+    }
+
+    /** Ceux de la scène lue, {@code null} tant qu'elle ne l'est pas. */
+    List<String> getAvertissements() {
+        return avertissements;
+    }
+
+    private boolean resteALire() {
+        return fichier != null && avertissements == null;
     }
 
     /** Le temps passé depuis la demande, en nanosecondes. */
@@ -149,28 +124,21 @@ final class Tracage extends SwingWorker<Void, Void> {
         if (getPanne() instanceof SceneFautive) {
             return "scène fautive";
         }
-        return etape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / NS_PAR_S);
+        return getEtape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / NS_PAR_S);
     }
 
-    private String etape() {
+    private String getEtape() {
         Lancer lancer = getLancer();
-        if (isCancelled()) {
-            return "arrêté à " + pourCent();
+        if (isAcheve()) {
+            return "terminé";
         }
-        if (isDone()) {
-            return getPanne() == null ? "terminé" : "échec";
+        if (getPanne() != null) {
+            return "échec";
         }
         if (lancer == null) {
-            return aLire != null && !lu ? "lecture…" : "préparation…";
+            return (resteALire() ? "lecture" : "préparation") + (isCancelled() ? " arrêtée" : "…");
         }
-        return lancer.isBrouillonFait() ? "dessin " + pourCent() : "brouillon " + pourCent(lancer.getAvancement());
-    }
-
-    private String pourCent() {
-        return pourCent(getAvancement());
-    }
-
-    private static String pourCent(double part) {
-        return (int) (100 * part) + " %";
+        return (lancer.isBrouillonFait() ? isCancelled() ? "" : "dessin " : "brouillon ")
+                + (isCancelled() ? "arrêté à " : "") + (int) (100 * lancer.getAvancement()) + " %";
     }
 }

@@ -2,76 +2,95 @@ package lancer.rapide;
 
 import lancer.Constantes;
 import lancer.Sphere;
+import lancer.fils.Equipe;
 
 /**
- * Un arbre de boîtes, parcouru de la plus proche à la plus lointaine : jamais le meilleur ici, mais ni les tailles ni
- * les places ne le mettent en défaut, tant que les coordonnées ne font pas des milliards de rayons (au-delà, {@link
- * Grosses}). Il sert là où une grille ou une carte coûterait davantage. Construit par {@link Pousse}.
+ * Un arbre de boîtes, parcouru de la plus proche à la plus lointaine : rarement le meilleur ici, mais ni les tailles,
+ * ni les places, ni les distances ne le mettent en défaut. Il sert là où une grille ou une carte coûterait davantage,
+ * et pour les rayons qui ne sont pas de ceux d'une carte. {@link ConstructionArbre} ne le fait qu'à la première
+ * question : d'ordinaire, personne n'en pose.
  *
- * <p>Les boîtes sont des flottants arrondis vers l'extérieur et élargis d'une marge ({@link Etendue#marge}) : une boîte
- * n'est passée que si aucune de ses sphères ne peut l'emporter, arrondis compris.
+ * <p>Une boîte n'est passée que si aucune de ses sphères ne peut l'emporter, arrondis compris. La distance calculée par
+ * {@link Sphere#distance} est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53, et les
+ * plans d'une boîte se traversent à 4 u (|P| + |boîte|) près : chaque boîte est élargie de {@link #MARGE} fois sa plus
+ * grande coordonnée, et chaque rayon s'élargit de {@link #MARGE} fois celle de son départ. La marge suit donc ce que le
+ * rayon et la boîte ont de grand, et rien d'autre dans la scène.
  */
-final class Arbre implements Voisins, Obstacles {
+final class Arbre implements Intersections, Occultations {
 
-    /** Profondeur au plus : à partir de la moitié, la construction coupe en deux moitiés égales. */
-    static final int PROFONDEUR_MAX = 64;
+    /** Part des coordonnées dont s'élargissent une boîte et un rayon : 2,7 fois ce que demandent les arrondis. */
+    static final double MARGE = 0x1.0p-46;
 
-    /** Flottants par nœud : minimums, puis maximums. */
+    /** Profondeur au plus : les trente-deux derniers étages se coupent en deux moitiés égales. */
+    static final int PROFONDEUR_MAX = 96;
+
+    /** Nombres par nœud : minimums, puis maximums. */
     static final int PAS = 6;
 
     /** Au-dessous, une composante de V vaut cela : son inverse reste fini. */
-    static final double PLUS_PETITE = 1e-300;
+    private static final double PLUS_PETITE = 1e-300;
 
     private final Spheres spheres;
-    /** Les sphères qui ne sont pas dans l'arbre : toujours examinées. */
-    private final int[] grosses;
-    private final double departMax;
-    /** Pour un rayon qui part de plus loin. */
-    private final Boucle boucle;
-    private final float[] boites;
-    /** Premier des deux enfants, qui se suivent ; ou, d'une feuille, la première place dans {@link #feuilles}. */
-    private final int[] suite;
-    /** Nombre de sphères d'une feuille, 0 si ce n'en est pas une. */
-    private final byte[] compte;
-    private final int[] feuilles;
+    private final Equipe equipe;
+    private volatile Noeuds noeuds;
 
-    Arbre(Spheres spheres, int[] grosses, double portee, float[] boites, int[] suite, byte[] compte, int[] feuilles) {
+    /** @param equipe celle dont l'arrêt arrête aussi la construction */
+    Arbre(Spheres spheres, Equipe equipe) {
         this.spheres = spheres;
-        this.grosses = grosses;
-        departMax = Etendue.DEPART_MAX * portee;
-        boucle = new Boucle(spheres);
-        this.boites = boites;
-        this.suite = suite;
-        this.compte = compte;
-        this.feuilles = feuilles;
+        this.equipe = equipe;
     }
 
-    @Override
-    public int plusProche(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
-        if (loin(px, py, pz)) {
-            return boucle.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
+    /** Les nœuds d'un arbre construit. La racine est le nœud 0. */
+    static final class Noeuds {
+
+        final double[] boites;
+        /** Premier des deux enfants, qui se suivent ; ou, d'une feuille, la première place dans {@link #feuilles}. */
+        final int[] suite;
+        /** Nombre de sphères d'une feuille, 0 si ce n'en est pas une. */
+        final byte[] compte;
+        final int[] feuilles;
+
+        Noeuds(double[] boites, int[] suite, byte[] compte, int[] feuilles) {
+            this.boites = boites;
+            this.suite = suite;
+            this.compte = compte;
+            this.feuilles = feuilles;
         }
-        sonde.distance = Constantes.INFINI;
-        return parcourir(sonde, px, py, pz, vx, vy, vz, sauf, false);
+    }
+
+    /** Les nœuds, construits s'ils ne le sont pas encore. */
+    Noeuds noeuds() {
+        Noeuds faits = noeuds;
+        if (faits == null) {
+            synchronized (this) {
+                faits = noeuds;
+                if (faits == null) {
+                    faits = new ConstructionArbre(spheres, equipe).construire();
+                    noeuds = faits;
+                }
+            }
+        }
+        return faits;
     }
 
     @Override
-    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz,
+    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            int sauf) {
+        parcours.distance = Constantes.INFINI;
+        return chercher(parcours, px, py, pz, vx, vy, vz, sauf, false);
+    }
+
+    @Override
+    public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
-        if (loin(px, py, pz)) {
-            return boucle.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
-        }
-        sonde.distance = distance;
-        return parcourir(sonde, px, py, pz, vx, vy, vz, sauf, true) >= 0;
+        parcours.distance = distance;
+        return chercher(parcours, px, py, pz, vx, vy, vz, sauf, true) >= 0;
     }
 
-    private boolean loin(double x, double y, double z) {
-        return !(Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))) <= departMax);
-    }
-
-    /** @param premiereVenue vrai pour s'arrêter à la première sphère à moins de {@code sonde.distance} */
-    private int parcourir(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf,
-            boolean premiereVenue) {
+    /** @param premiereVenue vrai pour s'arrêter à la première sphère à moins de {@code parcours.distance} */
+    private int chercher(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            int sauf, boolean premiereVenue) {
+        Noeuds arbre = noeuds();
         double ix = inverse(vx);
         double iy = inverse(vy);
         double iz = inverse(vz);
@@ -82,37 +101,31 @@ final class Arbre implements Voisins, Obstacles {
         int sx = 3 - ex;
         int sy = 5 - ey;
         int sz = 7 - ez;
-        float[] q = boites;
+        // d'où le rayon entre au plus tôt, et sort au plus tard
+        double marge = MARGE * Math.max(Math.abs(px), Math.max(Math.abs(py), Math.abs(pz)));
+        double pex = ix < 0 ? px - marge : px + marge;
+        double pey = iy < 0 ? py - marge : py + marge;
+        double pez = iz < 0 ? pz - marge : pz + marge;
+        double psx = 2 * px - pex;
+        double psy = 2 * py - pey;
+        double psz = 2 * pz - pez;
+        double[] q = arbre.boites;
         double[] g = spheres.geometrie;
-        int[] pile = sonde.pile;
-        double[] entrees = sonde.entrees;
-        double distance = sonde.distance;
+        int[] pile = parcours.pile;
+        double[] entrees = parcours.entrees;
+        double distance = parcours.distance;
         int trouvee = -1;
         int tests = 0;
-        int noeuds = 0;
+        int visites = 0;
         int haut = 0;
         int n = 0;
-        for (int k : grosses) {
-            if (k != sauf) {
-                tests++;
-                int i = Spheres.PAS * k;
-                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
-                if (d < 0) {
-                    d = sonde.trancher(spheres, k, px, py, pz, vx, vy, vz);
-                }
-                if (premiereVenue ? d < distance : d <= distance && spheres.avant(d, k, distance, trouvee)) {
-                    distance = d;
-                    trouvee = k;
-                }
-            }
-        }
-        boolean fini = suite.length == 0 || premiereVenue && trouvee >= 0;
+        boolean fini = spheres.nombre == 0;
         while (!fini) {
-            int c = compte[n];
-            int s = suite[n];
+            int c = arbre.compte[n];
+            int s = arbre.suite[n];
             if (c > 0) {
                 for (int f = s; f < s + c; f++) {
-                    int k = feuilles[f];
+                    int k = arbre.feuilles[f];
                     if (k == sauf) {
                         continue;
                     }
@@ -120,7 +133,7 @@ final class Arbre implements Voisins, Obstacles {
                     int i = Spheres.PAS * k;
                     double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
                     if (d < 0) {
-                        d = sonde.trancher(spheres, k, px, py, pz, vx, vy, vz);
+                        d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
                     }
                     if (premiereVenue ? d < distance : d <= distance && spheres.avant(d, k, distance, trouvee)) {
                         distance = d;
@@ -132,17 +145,17 @@ final class Arbre implements Voisins, Obstacles {
                     }
                 }
             } else {
-                noeuds += 2;
+                visites += 2;
                 int b = PAS * s;
-                double e0 = Math.max(Math.max((q[b + ex] - px) * ix, (q[b + ey] - py) * iy),
-                        Math.max((q[b + ez] - pz) * iz, 0));
-                double s0 = Math.min(Math.min((q[b + sx] - px) * ix, (q[b + sy] - py) * iy),
-                        Math.min((q[b + sz] - pz) * iz, distance));
+                double e0 = Math.max(Math.max((q[b + ex] - pex) * ix, (q[b + ey] - pey) * iy),
+                        Math.max((q[b + ez] - pez) * iz, 0));
+                double s0 = Math.min(Math.min((q[b + sx] - psx) * ix, (q[b + sy] - psy) * iy),
+                        Math.min((q[b + sz] - psz) * iz, distance));
                 b += PAS;
-                double e1 = Math.max(Math.max((q[b + ex] - px) * ix, (q[b + ey] - py) * iy),
-                        Math.max((q[b + ez] - pz) * iz, 0));
-                double s1 = Math.min(Math.min((q[b + sx] - px) * ix, (q[b + sy] - py) * iy),
-                        Math.min((q[b + sz] - pz) * iz, distance));
+                double e1 = Math.max(Math.max((q[b + ex] - pex) * ix, (q[b + ey] - pey) * iy),
+                        Math.max((q[b + ez] - pez) * iz, 0));
+                double s1 = Math.min(Math.min((q[b + sx] - psx) * ix, (q[b + sy] - psy) * iy),
+                        Math.min((q[b + sz] - psz) * iz, distance));
                 if (e0 <= s0) {
                     if (e1 <= s1) {
                         boolean premier = e0 <= e1;
@@ -163,14 +176,12 @@ final class Arbre implements Voisins, Obstacles {
             do {
                 haut--;
             } while (haut >= 0 && entrees[haut] > distance);
-            if (haut < 0) {
-                break;
-            }
-            n = pile[haut];
+            fini = haut < 0;
+            n = fini ? 0 : pile[haut];
         }
-        sonde.compteurs.testsSpheres += tests;
-        sonde.compteurs.noeudsVisites += noeuds;
-        sonde.distance = distance;
+        parcours.compteurs.testsSpheres += tests;
+        parcours.compteurs.noeudsVisites += visites;
+        parcours.distance = distance;
         return trouvee;
     }
 

@@ -5,13 +5,14 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
 import lancer.Sphere;
+import lancer.fils.Equipe;
 
 /**
  * Ce que l'on voit d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la
  * plus lointaine. Une case qu'une sphère couvre tout entière a une coupe : ce qui est au-delà est caché, et n'y est pas
  * noté.
  */
-final class Carte implements Voisins {
+final class Carte implements Intersections {
 
     /** Une sphère dont le point est aussi près de la surface est notée dans toutes les cases. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
@@ -20,15 +21,15 @@ final class Carte implements Voisins {
     private static final double LOIN_MIN = 1e-120;
     private static final double LOIN_MAX = 1e140;
 
+    /** Cases examinées, par place permise, au-delà desquelles la carte coûte plus qu'elle ne rendra. */
+    private static final long TRAVAIL = 16;
+
     /** Marge des distances de coupe : les distances calculées sous une coupe sont justes à 1e-10 près. */
     private static final double MARGE_COUPE = 1e-7;
 
-    /** Entrées par case au-delà desquelles la carte n'en est plus une. */
-    private static final int ENTREES_PAR_CASE = 8;
-
     private final Spheres spheres;
     /** Pour un rayon qui n'est pas de ceux de la carte. */
-    private final Voisins secours;
+    private final Arbre secours;
     private final int parFace;
     private final Face[] faces;
 
@@ -36,20 +37,24 @@ final class Carte implements Voisins {
      * Première entrée de chaque case, et pour chaque entrée une sphère et une distance qu'aucun de ses points ne
      * précède.
      */
-    final int[] debut;
-    final int[] entrees;
-    final float[] pres;
+    int[] debut;
+    int[] entrees;
+    float[] pres;
 
     /** Pour chaque case, la distance de coupe (+∞ sans coupe) et la sphère qui coupe. */
     final float[] coupe;
     final int[] coupeuse;
 
-    /** Faux si les cases débordent : les sphères sont trop serrées, vues de ce point. */
-    final boolean bonne;
-
-    /** La carte d'une lampe. */
-    static Carte deLaLampe(Spheres spheres, Point lampe, Face[] faces) {
-        return new Carte(spheres, lampe.x, lampe.y, lampe.z, faces, null);
+    /**
+     * La carte d'une lampe.
+     *
+     * @param places au plus, dans les cases
+     * @param equipe celle dont l'arrêt arrête aussi la construction
+     * @return {@code null} si elles débordent : les sphères sont trop serrées, vues de ce point
+     */
+    static Carte deLaLampe(Spheres spheres, Point lampe, Face[] faces, long places, Equipe equipe) {
+        Carte carte = new Carte(spheres, faces, null);
+        return carte.remplir(lampe.x, lampe.y, lampe.z, places, equipe) ? carte : null;
     }
 
     /**
@@ -57,27 +62,37 @@ final class Carte implements Voisins {
      * point.
      *
      * @param image la fenêtre de l'image
+     * @param secours pour les rayons qui ne viennent pas de l'œil
      */
-    static Carte deLOeil(Spheres spheres, Face image, Voisins secours) {
-        return new Carte(spheres, 0, 0, -Camera.FOCALE, new Face[] {image}, secours);
+    static Carte deLOeil(Spheres spheres, Face image, Arbre secours, long places, Equipe equipe) {
+        Carte carte = new Carte(spheres, new Face[] {image}, secours);
+        return carte.remplir(0, 0, -Camera.FOCALE, places, equipe) ? carte : null;
     }
 
     /** @param secours {@code null} pour une lampe ; pour l'œil, ce qui coupe l'écran n'en couvre rien */
-    private Carte(Spheres spheres, double ox, double oy, double oz, Face[] faces, Voisins secours) {
+    private Carte(Spheres spheres, Face[] faces, Arbre secours) {
         this.spheres = spheres;
         this.faces = faces;
         this.secours = secours;
-        int n = spheres.nombre;
         parFace = faces[0].colonnes * faces[0].lignes;
-        int cases = faces.length * parFace;
-        coupe = new float[cases];
-        coupeuse = new int[cases];
+        coupe = new float[faces.length * parFace];
+        coupeuse = new int[coupe.length];
         Arrays.fill(coupe, Float.POSITIVE_INFINITY);
+    }
+
+    /** Note chaque sphère dans les cases où elle peut se voir ; faux si c'est trop de places, ou trop de travail. */
+    private boolean remplir(double ox, double oy, double oz, long places, Equipe equipe) {
+        int n = spheres.nombre;
+        int cases = coupe.length;
         Entrees liste = new Entrees(cases);
-        long maximum = (long) ENTREES_PAR_CASE * cases + n;
+        long travail = TRAVAIL * (places + cases);
         double[] g = spheres.geometrie;
         long[] ordre = parDistance(spheres, ox, oy, oz);
-        for (int o = 0; o < n && liste.nombre <= maximum; o++) {
+        for (int o = 0; o < n; o++) {
+            equipe.verifier();
+            if (liste.nombre > places || travail < 0) {
+                return false;
+            }
             int k = (int) ordre[o];
             float proche = Float.intBitsToFloat((int) (ordre[o] >>> 32));
             int s = Spheres.PAS * k;
@@ -88,7 +103,7 @@ final class Carte implements Voisins {
             double r = g[s + 3] / loin;
             if (!(loin > LOIN_MIN && loin < LOIN_MAX && r < 1 - CONTRE_LA_SURFACE)) {
                 // le point y est, ou presque : à examiner partout, d'abord
-                for (int c = 0; c < cases && liste.nombre <= maximum; c++) {
+                for (int c = 0; c < cases && liste.nombre <= places; c++) {
                     liste.noter(c, k, 0);
                 }
                 continue;
@@ -105,6 +120,7 @@ final class Carte implements Voisins {
                 for (int j = face.ligne0; j <= face.ligne1; j++) {
                     int ligne = f * parFace + j * face.colonnes;
                     int a = face.a[j];
+                    travail -= face.examinees + Math.max(0, a - face.de[j]);
                     for (int i = face.de[j]; i <= a; i++) {
                         int c = ligne + i;
                         if (proche > coupe[c]) {
@@ -112,7 +128,7 @@ final class Carte implements Voisins {
                         }
                         liste.noter(c, k, proche);
                         if (peutCouper && i >= face.couvertDe[j] && i <= face.couvertA[j]) {
-                            float d = Etendue.enHaut(face.entree(i, j, x, y, z, r) * loin * (1 + MARGE_COUPE));
+                            float d = enHaut(face.entree(i, j, x, y, z, r) * loin * (1 + MARGE_COUPE));
                             if (d < coupe[c]) {
                                 coupe[c] = d;
                                 coupeuse[c] = k;
@@ -122,7 +138,9 @@ final class Carte implements Voisins {
                 }
             }
         }
-        bonne = liste.nombre <= maximum;
+        if (liste.nombre > places) {
+            return false;
+        }
         entrees = new int[liste.nombre];
         pres = new float[liste.nombre];
         debut = new int[cases + 1];
@@ -136,6 +154,7 @@ final class Carte implements Voisins {
             }
         }
         debut[cases] = e;
+        return true;
     }
 
     /**
@@ -152,7 +171,7 @@ final class Carte implements Voisins {
             double d = Math.sqrt(x * x + y * y + z * z);
             double r = g[s + 3];
             double proche = d - r - 1e-9 * (d + r);
-            ordre[k] = (long) Float.floatToRawIntBits(proche > 0 && d < LOIN_MAX ? Etendue.enBas(proche) : 0) << 32 | k;
+            ordre[k] = (long) Float.floatToRawIntBits(proche > 0 && d < LOIN_MAX ? enBas(proche) : 0) << 32 | k;
         }
         Arrays.sort(ordre);
         return ordre;
@@ -163,15 +182,15 @@ final class Carte implements Voisins {
      * vient pas de l'œil est pour le secours.
      */
     @Override
-    public int plusProche(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
+    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
         int c = faces[0].caseDeLOeil(px, py, pz, vx, vy, vz);
         if (c < 0) {
-            return secours.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
+            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }
         // les distances de la carte partent de l'œil, et V.z = FOCALE / ‖P − Œil‖
         double avance = Camera.FOCALE / vz * (1 + 1e-12);
-        sonde.distance = Constantes.INFINI;
-        sonde.compteurs.noeudsVisites++;
+        parcours.distance = Constantes.INFINI;
+        parcours.compteurs.noeudsVisites++;
         int premiere = debut[c];
         int fin = debut[c + 1];
         if (premiere == fin) {
@@ -199,27 +218,39 @@ final class Carte implements Voisins {
                 }
             }
         }
-        sonde.compteurs.testsSpheres += e - premiere;
-        sonde.distance = distance;
-        sonde.trouvee = trouvee;
-        return douteuse < 0 ? trouvee : trancher(sonde, douteuse, doute, e, fin, avance, px, py, pz, vx, vy, vz);
+        parcours.compteurs.testsSpheres += e - premiere;
+        parcours.distance = distance;
+        parcours.trouvee = trouvee;
+        return douteuse < 0 ? trouvee : trancher(parcours, douteuse, doute, e, fin, avance, px, py, pz, vx, vy, vz);
     }
 
     /**
      * La fin de {@link #plusProche} quand une sphère est en doute : elle d'abord, puis ce qui vient à partir de
      * l'entrée e.
      */
-    private int trancher(Sonde sonde, int douteuse, double doute, int e, int fin, double avance, double px,
+    private int trancher(Parcours parcours, int douteuse, double doute, int e, int fin, double avance, double px,
             double py, double pz, double vx, double vy, double vz) {
-        sonde.retenir(spheres, douteuse, doute, px, py, pz, vx, vy, vz);
+        parcours.retenir(spheres, douteuse, doute, px, py, pz, vx, vy, vz);
         double[] g = spheres.geometrie;
-        for (; e < fin && pres[e] - avance <= sonde.distance; e++) {
+        for (; e < fin && pres[e] - avance <= parcours.distance; e++) {
             int s = Spheres.PAS * entrees[e];
-            sonde.compteurs.testsSpheres++;
+            parcours.compteurs.testsSpheres++;
             double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-            sonde.retenir(spheres, entrees[e], d, px, py, pz, vx, vy, vz);
+            parcours.retenir(spheres, entrees[e], d, px, py, pz, vx, vy, vz);
         }
-        return sonde.trouvee;
+        return parcours.trouvee;
+    }
+
+    /** Le flottant juste au-dessous, ou égal. */
+    private static float enBas(double x) {
+        float f = (float) x;
+        return f <= x ? f : Math.nextDown(f);
+    }
+
+    /** Le flottant juste au-dessus, ou égal. */
+    private static float enHaut(double x) {
+        float f = (float) x;
+        return f >= x ? f : Math.nextUp(f);
     }
 
     /** La case de cette direction, -1 si aucune sphère ne peut y être. */

@@ -1,6 +1,7 @@
 package lancer.rapide;
 
 import lancer.Constantes;
+import lancer.Point;
 import lancer.Sphere;
 import lancer.precision.Doute;
 
@@ -9,38 +10,44 @@ import lancer.precision.Doute;
  * scène comme une seconde caméra, dans une {@link Carte} (« light buffer », Haines et Greenberg, 1986). Une question
  * coûte une ou deux sphères au lieu d'une descente d'arbre : cinq à neuf fois moins.
  */
-final class CarteLampe implements Obstacles {
+final class CarteLampe implements Occultations {
 
     /** Ce dont le carré d'une longueur peut s'écarter de 1. */
     private static final double UNITE = 1e-10;
 
     private final Spheres spheres;
+    private final double x;
+    private final double y;
+    private final double z;
     private final Carte carte;
     /** Pour les rares questions auxquelles la carte ne sait pas répondre. */
-    private final Obstacles secours;
+    private final Arbre secours;
 
-    CarteLampe(Spheres spheres, Carte carte, Obstacles secours) {
+    CarteLampe(Spheres spheres, Point lampe, Carte carte, Arbre secours) {
         this.spheres = spheres;
+        x = lampe.x;
+        y = lampe.y;
+        z = lampe.z;
         this.carte = carte;
         this.secours = secours;
     }
 
     @Override
-    public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz,
+    public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
         Carte q = carte;
+        // les distances de la carte sont celles de la lampe, dans une direction de longueur 1
+        if (!(px == x && py == y && pz == z && Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITE)) {
+            return secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+        }
         int c = q.caseDe(vx, vy, vz);
         if (c < 0) {
             return false;
         }
-        // les distances de la carte sont celles d'une direction de longueur 1
-        if (!(Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITE)) {
-            return secours.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
-        }
-        sonde.compteurs.noeudsVisites++;
+        parcours.compteurs.noeudsVisites++;
         if (distance > q.coupe[c]) {
             // ou bien le contact est sur la sphère qui coupe, un rien plus loin qu'elle par un arrondi
-            return q.coupeuse[c] != sauf || secours.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
+            return q.coupeuse[c] != sauf || secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
         double[] g = spheres.geometrie;
         int fin = q.debut[c + 1];
@@ -58,28 +65,28 @@ final class CarteLampe implements Obstacles {
                 }
             }
         }
-        sonde.compteurs.testsSpheres += tests;
+        parcours.compteurs.testsSpheres += tests;
         if (e == fin || !(q.pres[e] < distance)) {
             return false;
         }
-        return d >= 0 || trancher(sonde, e, fin, px, py, pz, vx, vy, vz, distance, sauf);
+        return d >= 0 || trancher(parcours, e, fin, px, py, pz, vx, vy, vz, distance, sauf);
     }
 
     /** La fin de la boucle, à partir de l'entrée e, dont la sphère est en doute. */
-    private boolean trancher(Sonde sonde, int e, int fin, double px, double py, double pz, double vx,
+    private boolean trancher(Parcours parcours, int e, int fin, double px, double py, double pz, double vx,
             double vy, double vz, double distance, int sauf) {
         double[] g = spheres.geometrie;
-        if (sonde.trancher(spheres, carte.entrees[e], px, py, pz, vx, vy, vz) < distance) {
+        if (parcours.trancher(spheres, carte.entrees[e], px, py, pz, vx, vy, vz) < distance) {
             return true;
         }
         for (e++; e < fin && carte.pres[e] < distance; e++) {
             int k = carte.entrees[e];
             if (k != sauf) {
-                sonde.compteurs.testsSpheres++;
+                parcours.compteurs.testsSpheres++;
                 int s = Spheres.PAS * k;
                 double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
                 if (d < 0 && Doute.auMoins(d) < distance) {
-                    d = sonde.trancher(spheres, k, px, py, pz, vx, vy, vz);
+                    d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
                 }
                 if (d >= 0 && d < distance) {
                     return true;

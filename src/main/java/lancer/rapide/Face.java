@@ -41,6 +41,8 @@ final class Face {
     /** La silhouette en cours : première et dernière ligne, et pour chacune les colonnes touchées et couvertes. */
     int ligne0;
     int ligne1;
+    /** Cases examinées à part, pour chacune de ces lignes. */
+    int examinees;
     int[] de;
     int[] a;
     int[] couvertDe;
@@ -118,7 +120,9 @@ final class Face {
                 || cy - v1 * cz > rm * Math.sqrt(1 + v1 * v1) || v0 * cz - cy > rm * Math.sqrt(1 + v0 * v0)) {
             return false;
         }
-        return cz > r + RASANTE ? ellipse(cx, cy, cz, r) : cone(cx, cy, cz, r);
+        boolean ellipse = cz > r + RASANTE;
+        examinees = ellipse ? 1 : colonnes;
+        return ellipse ? ellipse(cx, cy, cz, r) : cone(cx, cy, cz, r);
     }
 
     /**

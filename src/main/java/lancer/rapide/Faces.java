@@ -50,7 +50,7 @@ final class Faces {
      */
     private static Face ajustee(Spheres spheres, double ox, double oy, double oz, int cases) {
         double[] g = spheres.geometrie;
-        Etendue boite = new Etendue();
+        Boite boite = new Boite();
         for (int s = 0; s < g.length; s += Spheres.PAS) {
             boite.ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
         }

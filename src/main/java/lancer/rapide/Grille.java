@@ -3,6 +3,7 @@ package lancer.rapide;
 import java.util.Arrays;
 import lancer.Constantes;
 import lancer.Sphere;
+import lancer.fils.Equipe;
 import lancer.precision.Doute;
 
 /**
@@ -10,14 +11,29 @@ import lancer.precision.Doute;
  * rapide que l'arbre pour les rayons réfléchis, qui ne vont pas loin, tant que les sphères sont de tailles et de places
  * comparables. Les quelques très grosses sont à part.
  */
-final class Grille implements Voisins {
+final class Grille implements Intersections {
 
     /** Cases par sphère. */
-    static final double DENSITE = 2;
+    private static final double DENSITE = 2;
 
     /**
-     * Comme {@link Etendue#marge}, quatre fois plus large : une traversée ajoute ses pas, et leurs arrondis. Elle
-     * couvre un rayon qui part de {@link #DEPART_MAX} fois plus loin que la grille.
+     * Une sphère de tant de fois le rayon médian couvrirait presque toute la grille ; une autre, à tant de fois la
+     * distance médiane du milieu, l'étirerait. Il y en a au plus tant, à part. Les médianes sont celles d'un
+     * échantillon.
+     */
+    private static final double GROSSE = 50;
+    private static final double ECARTEE = 64;
+    private static final int GROSSES_MAX = 8;
+    private static final int ECHANTILLON = 1000;
+
+    /** Au-delà, par sphère, de tant de cases dans leurs boîtes, ou de places dans les cases, pas de grille. */
+    private static final int BOITES_PAR_SPHERE = 64;
+    private static final int PLACES_PAR_SPHERE = 12;
+
+    /**
+     * Élargissement des sphères, en part de la plus grande coordonnée : les arrondis que couvre {@link Arbre#MARGE}, et
+     * ceux d'une traversée qui ajoute ses pas, pour un rayon qui part de {@link #DEPART_MAX} fois plus loin que la
+     * grille.
      */
     private static final double MARGE = 0x1.0p-34;
     private static final double DEPART_MAX = 64;
@@ -36,21 +52,29 @@ final class Grille implements Voisins {
     private final double cote;
     private final double parCote;
     private final double portee;
-    final int[] debut;
-    final int[] entrees;
-    private final Voisins secours;
+    private final double marge;
+    /** La première place de chaque case dans {@link #entrees}. */
+    private int[] debut;
+    private int[] entrees;
+    /** Pour un rayon qui part de trop loin. */
+    private final Arbre secours;
 
-    Grille(Spheres spheres, int[] lesquelles, int[] grosses, Etendue boite, Voisins secours) {
+    private Grille(Spheres spheres, int[] lesquelles, int[] grosses, Arbre secours) {
         this.spheres = spheres;
         this.grosses = grosses;
         this.secours = secours;
+        Boite boite = Boite.de(spheres, lesquelles);
         portee = boite.portee();
-        double marge = MARGE * portee;
+        marge = MARGE * portee;
         double dx = boite.xMax - boite.xMin;
         double dy = boite.yMax - boite.yMin;
         double dz = boite.zMax - boite.zMin;
-        double c = Math.cbrt(dx * dy * dz / (DENSITE * Math.max(1, lesquelles.length)));
-        c = Math.max(c, Math.max(dx, Math.max(dy, dz)) / 512);
+        double cases = DENSITE * lesquelles.length;
+        double c = Math.max(Math.cbrt(dx * dy * dz / cases), Math.max(dx, Math.max(dy, dz)) / 512);
+        // un nuage plat : autant de cases, plus grosses
+        while ((dx / c + 1) * (dy / c + 1) * (dz / c + 1) > 4 * cases + 64) {
+            c *= 1.25;
+        }
         nx = (int) (dx / c) + 1;
         ny = (int) (dy / c) + 1;
         nz = (int) (dz / c) + 1;
@@ -63,55 +87,137 @@ final class Grille implements Voisins {
         x1 = x0 + nx * cote;
         y1 = y0 + ny * cote;
         z1 = z0 + nz * cote;
-        int[] nombres = new int[nx * ny * nz + 1];
-        int total = 0;
+    }
+
+    /**
+     * La grille de ces sphères.
+     *
+     * @param equipe celle dont l'arrêt arrête aussi la construction
+     * @return {@code null} si elles occupent trop de cases, ou si trop d'entre elles sont démesurées
+     */
+    static Grille de(Spheres spheres, Arbre secours, Equipe equipe) {
+        int[] grosses = grosses(spheres);
+        if (grosses.length > GROSSES_MAX || grosses.length == spheres.nombre) {
+            return null;
+        }
+        int[] lesquelles = spheres.toutes();
+        int m = 0;
+        for (int k = 0, q = 0; k < spheres.nombre; k++) {
+            if (q < grosses.length && grosses[q] == k) {
+                q++;
+            } else {
+                lesquelles[m++] = k;
+            }
+        }
+        Grille grille = new Grille(spheres, Arrays.copyOf(lesquelles, m), grosses, secours);
+        return grille.remplir(Arrays.copyOf(lesquelles, m), equipe) ? grille : null;
+    }
+
+    /** Les numéros, croissants, des sphères bien plus grosses, ou bien plus loin, que la plupart (un sol, un ciel). */
+    private static int[] grosses(Spheres spheres) {
         double[] g = spheres.geometrie;
-        int[] fins = null;
-        int[] liste = null;
-        for (int passe = 0; passe < 2; passe++) {
-            for (int k : lesquelles) {
-                int s = Spheres.PAS * k;
-                double x = g[s];
-                double y = g[s + 1];
-                double z = g[s + 2];
-                double r = g[s + 3] + marge;
-                double r2 = r * r;
-                int ia = rang((x - r - x0) * parCote, nx);
-                int ib = rang((x + r - x0) * parCote, nx);
-                int ja = rang((y - r - y0) * parCote, ny);
-                int jb = rang((y + r - y0) * parCote, ny);
-                int ka = rang((z - r - z0) * parCote, nz);
-                int kb = rang((z + r - z0) * parCote, nz);
-                for (int kk = ka; kk <= kb; kk++) {
-                    double ez = ecart(z, z0 + kk * cote, cote);
-                    for (int jj = ja; jj <= jb; jj++) {
-                        double ey = ecart(y, y0 + jj * cote, cote);
-                        int ligne = (kk * ny + jj) * nx;
-                        for (int ii = ia; ii <= ib; ii++) {
-                            double ex = ecart(x, x0 + ii * cote, cote);
-                            if (ex * ex + ey * ey + ez * ez <= r2) {
-                                if (passe == 0) {
-                                    nombres[ligne + ii]++;
-                                } else {
-                                    liste[fins[ligne + ii]++] = k;
-                                }
-                            }
+        int pas = 1 + spheres.nombre / ECHANTILLON;
+        double[] valeurs = new double[(spheres.nombre + pas - 1) / pas];
+        double[] milieu = new double[Spheres.PAS];
+        for (int axe = 0; axe < Spheres.PAS; axe++) {
+            for (int i = 0; i < valeurs.length; i++) {
+                valeurs[i] = g[Spheres.PAS * pas * i + axe];
+            }
+            milieu[axe] = mediane(valeurs);
+        }
+        for (int i = 0; i < valeurs.length; i++) {
+            valeurs[i] = ecart(g, Spheres.PAS * pas * i, milieu);
+        }
+        double loin = ECARTEE * mediane(valeurs);
+        int[] grosses = new int[spheres.nombre];
+        int n = 0;
+        for (int k = 0; k < spheres.nombre; k++) {
+            int s = Spheres.PAS * k;
+            if (g[s + 3] > GROSSE * milieu[3] || ecart(g, s, milieu) > loin) {
+                grosses[n++] = k;
+            }
+        }
+        return Arrays.copyOf(grosses, n);
+    }
+
+    private static double mediane(double[] valeurs) {
+        Arrays.sort(valeurs);
+        return valeurs[valeurs.length / 2];
+    }
+
+    private static double ecart(double[] g, int s, double[] milieu) {
+        return Math.max(Math.abs(g[s] - milieu[0]),
+                Math.max(Math.abs(g[s + 1] - milieu[1]), Math.abs(g[s + 2] - milieu[2])));
+    }
+
+    /** Note chaque sphère dans les cases qu'elle touche ; faux si elles sont trop. */
+    private boolean remplir(int[] lesquelles, Equipe equipe) {
+        long places = 0;
+        for (int k : lesquelles) {
+            places += noter(k, false);
+        }
+        if (places > (long) BOITES_PAR_SPHERE * lesquelles.length) {
+            return false;
+        }
+        debut = new int[nx * ny * nz + 1];
+        for (int k : lesquelles) {
+            equipe.verifier();
+            noter(k, true);
+        }
+        int total = 0;
+        for (int c = 0; c < debut.length; c++) {
+            total += debut[c];
+            debut[c] = total;
+        }
+        if (total > PLACES_PAR_SPHERE * (long) lesquelles.length) {
+            return false;
+        }
+        entrees = new int[total];
+        // de la dernière à la première : chaque case se remplit par la fin, et son début recule
+        for (int q = lesquelles.length - 1; q >= 0; q--) {
+            equipe.verifier();
+            noter(lesquelles[q], true);
+        }
+        return true;
+    }
+
+    /**
+     * Compte une sphère dans chaque case qu'elle touche, ou l'y place si {@link #entrees} existe.
+     *
+     * @param touche faux pour ne rien noter
+     * @return le nombre de cases que touche la boîte de la sphère
+     */
+    private long noter(int k, boolean touche) {
+        double[] g = spheres.geometrie;
+        int s = Spheres.PAS * k;
+        double x = g[s];
+        double y = g[s + 1];
+        double z = g[s + 2];
+        double r = g[s + 3] + marge;
+        int ia = rang((x - r - x0) * parCote, nx);
+        int ib = rang((x + r - x0) * parCote, nx);
+        int ja = rang((y - r - y0) * parCote, ny);
+        int jb = rang((y + r - y0) * parCote, ny);
+        int ka = rang((z - r - z0) * parCote, nz);
+        int kb = rang((z + r - z0) * parCote, nz);
+        for (int kk = ka; kk <= kb && touche; kk++) {
+            double ez = ecart(z, z0 + kk * cote, cote);
+            for (int jj = ja; jj <= jb; jj++) {
+                double ey = ecart(y, y0 + jj * cote, cote);
+                int ligne = (kk * ny + jj) * nx;
+                for (int ii = ia; ii <= ib; ii++) {
+                    double ex = ecart(x, x0 + ii * cote, cote);
+                    if (ex * ex + ey * ey + ez * ez <= r * r) {
+                        if (entrees == null) {
+                            debut[ligne + ii]++;
+                        } else {
+                            entrees[--debut[ligne + ii]] = k;
                         }
                     }
                 }
             }
-            if (passe == 0) {
-                for (int i = 0; i < nombres.length; i++) {
-                    int n = nombres[i];
-                    nombres[i] = total;
-                    total += n;
-                }
-                liste = new int[total];
-                fins = Arrays.copyOf(nombres, nombres.length);
-            }
         }
-        debut = nombres;
-        entrees = liste;
+        return (ib - ia + 1L) * (jb - ja + 1) * (kb - ka + 1);
     }
 
     private static double ecart(double x, double bas, double cote) {
@@ -123,45 +229,45 @@ final class Grille implements Voisins {
     }
 
     @Override
-    public int plusProche(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
+    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
         if (!(Math.max(Math.abs(px), Math.max(Math.abs(py), Math.abs(pz))) <= DEPART_MAX * portee)) {
-            return secours.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
+            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }
         double[] g = spheres.geometrie;
-        sonde.distance = Double.MAX_VALUE;
-        sonde.trouvee = -1;
+        parcours.distance = Double.MAX_VALUE;
+        parcours.trouvee = -1;
         for (int k : grosses) {
             if (k != sauf) {
-                sonde.compteurs.testsSpheres++;
+                parcours.compteurs.testsSpheres++;
                 int s = Spheres.PAS * k;
                 double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                sonde.retenir(spheres, k, d, px, py, pz, vx, vy, vz);
+                parcours.retenir(spheres, k, d, px, py, pz, vx, vy, vz);
             }
         }
-        int k = marcher(sonde, px, py, pz, vx, vy, vz, sauf, false);
+        int k = marcher(parcours, px, py, pz, vx, vy, vz, sauf, false);
         while (k >= 0) {
-            sonde.retenir(spheres, k, sonde.doute, px, py, pz, vx, vy, vz);
-            k = marcher(sonde, px, py, pz, vx, vy, vz, sauf, true);
+            parcours.retenir(spheres, k, parcours.doute, px, py, pz, vx, vy, vz);
+            k = marcher(parcours, px, py, pz, vx, vy, vz, sauf, true);
         }
-        if (sonde.trouvee < 0) {
-            sonde.distance = Constantes.INFINI;
+        if (parcours.trouvee < 0) {
+            parcours.distance = Constantes.INFINI;
         }
-        return sonde.trouvee;
+        return parcours.trouvee;
     }
 
     /**
-     * Traverse les cases, en retenant dans la sonde la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à
+     * Traverse les cases, en retenant dans la parcours la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à
      * une sphère en doute. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la boucle tient
      * en registres irait en mémoire.
      *
      * @param reprise vrai pour repartir d'où la marche précédente s'est arrêtée
      * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini
      */
-    private int marcher(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf,
+    private int marcher(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf,
             boolean reprise) {
         double[] g = spheres.geometrie;
-        double distance = sonde.distance;
-        int trouvee = sonde.trouvee;
+        double distance = parcours.distance;
+        int trouvee = parcours.trouvee;
         double ix = Arbre.inverse(vx);
         double iy = Arbre.inverse(vy);
         double iz = Arbre.inverse(vz);
@@ -176,14 +282,14 @@ final class Grille implements Voisins {
         int tests = 0;
         int cases = 0;
         if (reprise) {
-            tx = sonde.tx;
-            ty = sonde.ty;
-            tz = sonde.tz;
-            resteX = sonde.resteX;
-            resteY = sonde.resteY;
-            resteZ = sonde.resteZ;
-            c = sonde.arretCase;
-            e = sonde.arretEntree;
+            tx = parcours.tx;
+            ty = parcours.ty;
+            tz = parcours.tz;
+            resteX = parcours.resteX;
+            resteY = parcours.resteY;
+            resteZ = parcours.resteZ;
+            c = parcours.arretCase;
+            e = parcours.arretEntree;
         } else {
             double entree = Math.max(Math.max(((ix < 0 ? x1 : x0) - px) * ix, ((iy < 0 ? y1 : y0) - py) * iy),
                     Math.max(((iz < 0 ? z1 : z0) - pz) * iz, 0));
@@ -229,15 +335,15 @@ final class Grille implements Voisins {
                             continue;
                         }
                         douteuse = k;
-                        sonde.doute = d;
-                        sonde.tx = tx;
-                        sonde.ty = ty;
-                        sonde.tz = tz;
-                        sonde.resteX = resteX;
-                        sonde.resteY = resteY;
-                        sonde.resteZ = resteZ;
-                        sonde.arretCase = c;
-                        sonde.arretEntree = e + 1;
+                        parcours.doute = d;
+                        parcours.tx = tx;
+                        parcours.ty = ty;
+                        parcours.tz = tz;
+                        parcours.resteX = resteX;
+                        parcours.resteY = resteY;
+                        parcours.resteZ = resteZ;
+                        parcours.arretCase = c;
+                        parcours.arretEntree = e + 1;
                         break marche;
                     }
                     distance = d;
@@ -273,10 +379,10 @@ final class Grille implements Voisins {
             e = debut[c];
             cases++;
         }
-        sonde.compteurs.testsSpheres += tests;
-        sonde.compteurs.noeudsVisites += cases;
-        sonde.distance = distance;
-        sonde.trouvee = trouvee;
+        parcours.compteurs.testsSpheres += tests;
+        parcours.compteurs.noeudsVisites += cases;
+        parcours.distance = distance;
+        parcours.trouvee = trouvee;
         return douteuse;
     }
 }

@@ -6,6 +6,7 @@ import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
@@ -18,6 +19,9 @@ public final class LancerSurveille extends Lancer {
     private Temoins temoins;
     private boolean tires;
     private long jugementNs;
+    /** La recherche dont parle ce témoignage, et à quelle profondeur : refaire le même dessin n'en apprend rien. */
+    private Recherche jugee;
+    private int profondeurJugee;
 
     public LancerSurveille(Scene scene, Camera camera) {
         super(scene, camera);
@@ -61,12 +65,13 @@ public final class LancerSurveille extends Lancer {
      */
     private void juger(int profondeur, boolean auHasard) {
         tires = true;
-        if (!(getScene().getRecherche() instanceof RechercheRapide)) {
+        Recherche recherche = getScene().getRecherche();
+        if (!(recherche instanceof RechercheRapide) || recherche == jugee && profondeur == profondeurJugee) {
             return;
         }
         long debut = System.nanoTime();
         if (auHasard) {
-            temoins = new Temoins((RechercheRapide) getScene().getRecherche(), this, profondeur);
+            temoins = new Temoins((RechercheRapide) recherche, this, profondeur);
         }
         Temoignage avant = temoignage;
         new Equipe("temoins").faire(1, Collections.singletonList(new IntConsumer() {
@@ -75,6 +80,10 @@ public final class LancerSurveille extends Lancer {
                 temoignage = auHasard ? temoins.auHasard() : new Temoignage(avant.pixels, temoins.choisis().ecart);
             }
         }));
+        if (!auHasard) {
+            jugee = recherche;
+            profondeurJugee = profondeur;
+        }
         if (temoignage.ecart != null) {
             getScene().setRecherche(new RechercheSimple(getScene().getObjets(), getScene().getCompteurs()));
         }

@@ -9,9 +9,9 @@ import lancer.precision.Doute;
 /**
  * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque
  * par tuile de l'écran, un par sphère quittée et par petit cube où tombe la direction, un par lampe et par sphère
- * éclairée. Un rayon qui n'est pas de ceux d'un masque (comparé avant de s'en servir) est pour la boucle.
+ * éclairée. Un rayon qui n'est pas de ceux d'un masque (comparé avant de s'en servir) est pour la secours.
  */
-final class Masques implements Voisins {
+final class Masques implements Intersections {
 
     /** Autant de sphères que de bits. */
     static final int MAX = Long.SIZE;
@@ -30,7 +30,7 @@ final class Masques implements Voisins {
     private static final double MARGE = 1e-9;
 
     private final Spheres spheres;
-    private final Boucle boucle;
+    private final Arbre secours;
     private final double portee;
     private final Face image;
     private final long[] parTuile;
@@ -39,9 +39,9 @@ final class Masques implements Voisins {
     private final double[] limites;
 
     /** @param portee plus grande coordonnée des sphères et de l'œil */
-    Masques(Spheres spheres, Boucle boucle, double portee, Camera camera) {
+    Masques(Spheres spheres, Arbre secours, double portee, Camera camera) {
         this.spheres = spheres;
-        this.boucle = boucle;
+        this.secours = secours;
         this.portee = portee;
         int n = spheres.nombre;
         image = Face.deLImage(camera, TUILE);
@@ -119,13 +119,13 @@ final class Masques implements Voisins {
     }
 
     @Override
-    public int plusProche(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
+    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
         long masque;
         double[] g = spheres.geometrie;
         if (sauf < 0) {
             int t = image.caseDeLOeil(px, py, pz, vx, vy, vz);
             if (t < 0) {
-                return boucle.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
+                return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
             }
             masque = parTuile[t];
         } else {
@@ -134,14 +134,14 @@ final class Masques implements Voisins {
             double y = py - g[s + 1];
             double z = pz - g[s + 2];
             if (!(x * x + y * y + z * z <= limites[sauf] && Math.abs(vx * vx + vy * vy + vz * vz - 1) < MARGE / 4)) {
-                return boucle.plusProche(sonde, px, py, pz, vx, vy, vz, sauf);
+                return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
             }
             int i = Math.min(COTE - 1, (int) ((vx + 1) * (COTE / 2)));
             int j = Math.min(COTE - 1, (int) ((vy + 1) * (COTE / 2)));
             int k = Math.min(COTE - 1, (int) ((vz + 1) * (COTE / 2)));
             masque = parDirection[CUBES * sauf + (k * COTE + j) * COTE + i];
         }
-        sonde.compteurs.noeudsVisites++;
+        parcours.compteurs.noeudsVisites++;
         double distance = Constantes.INFINI;
         int trouvee = -1;
         int tests = 0;
@@ -156,7 +156,7 @@ final class Masques implements Voisins {
                     if (Doute.auMoins(d) > distance) {
                         continue;
                     }
-                    d = sonde.trancher(spheres, k, px, py, pz, vx, vy, vz);
+                    d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
                     if (!(d < distance)) {
                         continue;
                     }
@@ -165,23 +165,29 @@ final class Masques implements Voisins {
                 trouvee = k;
             }
         }
-        sonde.compteurs.testsSpheres += tests;
-        sonde.distance = distance;
+        parcours.compteurs.testsSpheres += tests;
+        parcours.distance = distance;
         return trouvee;
     }
 
     /** Ce qui peut cacher cette lampe. */
-    Obstacles obstacles(Point lampe) {
+    Occultations ombres(Point lampe) {
         return new Ombres(lampe);
     }
 
     /** Pour une lampe et chaque sphère éclairée A, les sphères que touche un segment de la lampe à un point de A. */
-    private final class Ombres implements Obstacles {
+    private final class Ombres implements Occultations {
 
         private final long[] parSphere = new long[spheres.nombre];
         private final double[] limitesIci = new double[spheres.nombre];
+        private final double lx;
+        private final double ly;
+        private final double lz;
 
         Ombres(Point lampe) {
+            lx = lampe.x;
+            ly = lampe.y;
+            lz = lampe.z;
             double longueur = Math.max(portee,
                     Math.max(Math.abs(lampe.x), Math.max(Math.abs(lampe.y), Math.abs(lampe.z))));
             double[] g = spheres.geometrie;
@@ -215,17 +221,17 @@ final class Masques implements Voisins {
         }
 
         @Override
-        public boolean cachee(Sonde sonde, double px, double py, double pz, double vx, double vy, double vz,
+        public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
                 double distance, int sauf) {
             double[] g = spheres.geometrie;
-            if (sauf >= 0) {
+            if (sauf >= 0 && px == lx && py == ly && pz == lz) {
                 int s = Spheres.PAS * sauf;
                 double x = px + distance * vx - g[s];
                 double y = py + distance * vy - g[s + 1];
                 double z = pz + distance * vz - g[s + 2];
                 if (x * x + y * y + z * z <= limitesIci[sauf]
                         && Math.abs(vx * vx + vy * vy + vz * vz - 1) < MARGE / 4) {
-                    sonde.compteurs.noeudsVisites++;
+                    parcours.compteurs.noeudsVisites++;
                     int tests = 0;
                     long masque = parSphere[sauf];
                     for (; masque != 0; masque &= masque - 1) {
@@ -234,15 +240,15 @@ final class Masques implements Voisins {
                         s = Spheres.PAS * k;
                         double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
                         if (d < distance && (d >= 0 || Doute.auMoins(d) < distance
-                                && sonde.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance)) {
+                                && parcours.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance)) {
                             break;
                         }
                     }
-                    sonde.compteurs.testsSpheres += tests;
+                    parcours.compteurs.testsSpheres += tests;
                     return masque != 0;
                 }
             }
-            return boucle.cachee(sonde, px, py, pz, vx, vy, vz, distance, sauf);
+            return secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
     }
 }

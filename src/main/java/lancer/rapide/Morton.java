@@ -13,7 +13,7 @@ final class Morton {
     }
 
     /** Les numéros des sphères, dans cet ordre. */
-    static int[] ordre(Spheres spheres, Etendue boite) {
+    static int[] ordre(Spheres spheres, Boite boite) {
         double[] g = spheres.geometrie;
         long[] cles = new long[spheres.nombre];
         double cote = Math.max(boite.xMax - boite.xMin, Math.max(boite.yMax - boite.yMin, boite.zMax - boite.zMin));

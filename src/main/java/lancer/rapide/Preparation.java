@@ -1,210 +1,181 @@
 package lancer.rapide;
 
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.IntConsumer;
 import lancer.Camera;
-import lancer.Constantes;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.contrat.RechercheSimple;
 import lancer.fils.Equipe;
 
 /**
- * Le choix des structures : ce que la scène demande, et rien de plus. Une préparation vaut pour un dessin : la place
- * des objets, leurs matières et les lampes sont celles du moment où elle est faite.
+ * Le choix des structures : ce que la scène et l'image demandent, et rien de plus. Une préparation vaut pour un dessin :
+ * la place des objets et les lampes sont celles du moment où elle est faite.
+ *
+ * <p>Mémoire, pour N sphères : 40 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
+ * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8
+ * octets et autant de cases, de 12 octets, que de tuiles de l'image et que {@value #CASES_PAR_SPHERE} N ; une carte en
+ * prend trois fois plus pendant qu'elle se fait. Les masques d'une petite scène en prennent 100 ko au plus.
  */
 public final class Preparation {
 
-    /** Jusqu'à ce nombre de sphères, les masques, et la boucle là où ils ne savent pas répondre ; au-delà, l'arbre. */
+    /** Jusqu'à ce nombre de sphères, des masques. */
     static final int PEU = 24;
 
-    /**
-     * Une sphère de tant de fois le rayon médian couvrirait presque toute la grille ; il y en a au plus tant, à part.
-     */
-    static final double GROSSE = 50;
-    static final int GROSSES_MAX = 8;
+    /** Hors de ces bornes, les carrés et les cubes des longueurs ne se calculent plus sans détour. */
+    private static final double LONGUEUR_MIN = 1e-90;
+    private static final double LONGUEUR_MAX = 1e101;
+
+    /** Moins de questions que cela : toute structure coûterait plus que les boucles du cours. */
+    private static final int QUESTIONS_MIN = 32;
+
+    /** Plus de sphères que cela par pixel : seul l'arbre, et non une carte ou une grille, vaut d'être fait. */
+    private static final int SPHERES_PAR_PIXEL = 8;
 
     /**
-     * Cases d'une carte de lampe : tant par sphère, entre ces bornes. De 1 à 16 par sphère le dessin dure autant (7381
-     * à 100 000 sphères), et la construction deux fois moins ; au-delà de 2^19, les cases ne tiennent plus dans les
-     * caches.
+     * Places de toutes les cartes, par sphère ; cases de celles des lampes, par sphère, et d'une lampe, par sphère et
+     * en tout.
      */
-    private static final int CASES_PAR_SPHERE = 2;
-    private static final int CASES_MIN = 1 << 10;
+    private static final int PLACES_PAR_SPHERE = 26;
+    private static final int CASES_PAR_SPHERE = 8;
+    private static final int CASES_PAR_LAMPE = 2;
     private static final int CASES_MAX = 1 << 19;
+    private static final int CASES_MIN = 1 << 10;
 
     /**
      * Côté d'une case de la carte de l'œil, en pixels : au plus celui-ci, et à peu près autant de cases que de sphères.
-     * 8 ne dessine pas plus vite (10 à 1000 sphères).
      */
     private static final int PIXELS_PAR_CASE = 16;
 
     /** Au-dessous de ce nombre de sphères, un fil coûte plus à lancer qu'il ne fait gagner. */
     private static final int SPHERES_PAR_FIL = 200;
 
+    /** Ce qu'un test peut imposer, au lieu du choix. */
+    enum Genre { AU_CHOIX, MASQUES, CARTES, ARBRE }
+
+    private final Equipe equipe = new Equipe("preparation");
+    private final Scene scene;
+    private final Camera camera;
     private final Spheres spheres;
     private final List<Lampe> lampes;
-    private final Voisins general;
-    private final Obstacles obstacleGeneral;
-    private Voisins premiers;
-    private Voisins suivants;
-    private final Obstacles[] obstacles;
+    private final Structures structures;
 
-    private Preparation(Scene scene, Camera camera, Reglage reglage) {
+    private Preparation(Scene scene, Camera camera) {
+        this.scene = scene;
+        this.camera = camera;
         spheres = new Spheres(scene.getObjets());
         lampes = scene.getLampes();
-        obstacles = new Obstacles[lampes.size()];
-        int n = spheres.nombre;
-        int[] lesquelles = Grosses.lesAutres(spheres, n <= PEU ? 0 : GROSSES_MAX);
-        Etendue boite = Etendue.de(spheres, lesquelles);
-        double portee = Math.max(boite.portee(), -Camera.OEIL.z);
-        boolean peu = reglage.peu == null ? n <= PEU : reglage.peu;
-        // rien à chercher, ou des longueurs que des flottants courts ne tiennent pas
-        if (lesquelles.length == 0
-                || !(boite.portee() < Etendue.LONGUEUR_MAX && boite.portee() > Etendue.LONGUEUR_MIN)) {
-            Boucle boucle = new Boucle(spheres);
-            general = boucle;
-            obstacleGeneral = boucle;
-            premiers = boucle;
-            suivants = boucle;
-            Arrays.fill(obstacles, boucle);
-            return;
-        }
-        if (peu) {
-            Boucle boucle = new Boucle(spheres);
-            general = boucle;
-            obstacleGeneral = boucle;
-            Masques masques = reglage.arbreSeul || n > Masques.MAX ? null
-                    : new Masques(spheres, boucle, portee, camera);
-            premiers = masques == null ? boucle : masques;
-            suivants = premiers;
-            for (int l = 0; l < obstacles.length; l++) {
-                obstacles[l] = masques == null ? boucle : masques.obstacles(lampes.get(l).getPosition());
-            }
-            return;
-        }
-        spheres.ranger(Morton.ordre(spheres, boite));
-        lesquelles = Grosses.lesAutres(spheres, GROSSES_MAX);
-        double lointaine = portee;
-        for (Lampe lampe : lampes) {
-            Point p = lampe.getPosition();
-            double d = Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z))) / Etendue.DEPART_MAX;
-            lointaine = Math.max(lointaine, d < 1e6 * portee ? d : 0);
-        }
-        Secours secours = new Secours(spheres, lesquelles, Grosses.complement(lesquelles, n), lointaine);
-        general = secours;
-        obstacleGeneral = secours;
-        premiers = general;
-        suivants = general;
-        Arrays.fill(obstacles, obstacleGeneral);
-        if (reglage.arbreSeul) {
-            return;
-        }
-        int[] dansLaGrille = lesquelles;
-        construire(new IntConsumer() {
-            @Override
-            public void accept(int k) {
-                if (k == 0) {
-                    suivants = new Grille(spheres, dansLaGrille, Grosses.complement(dansLaGrille, n), boite, general);
-                } else if (k <= obstacles.length) {
-                    obstacles[k - 1] = deLaLampe(lampes.get(k - 1).getPosition());
-                } else {
-                    premiers = deLOeil(camera);
-                }
-            }
-        });
-        if (!reglage.sansChoix) {
-            Voisins[] voisins = {premiers, suivants};
-            new Choix(this, lampes).faire(scene, camera, voisins, obstacles, (Secours) general);
-            premiers = voisins[0];
-            suivants = voisins[1];
-        }
+        structures = new Structures(spheres, new Arbre(spheres, equipe), lampes);
     }
 
-    /** Les structures, sans rapport entre elles, par autant de fils que de cœurs si cela en vaut la peine. */
-    private void construire(IntConsumer structure) {
-        int nombre = 2 + obstacles.length;
-        if (spheres.nombre < SPHERES_PAR_FIL) {
-            for (int k = 0; k < nombre; k++) {
-                structure.accept(k);
-            }
-            return;
-        }
-        int fils = Math.min(nombre, Runtime.getRuntime().availableProcessors());
-        new Equipe("preparation").faire(nombre, Collections.nCopies(fils, structure));
-    }
-
-    private Obstacles deLaLampe(Point p) {
-        int cases = (int) Math.max(CASES_MIN, Math.min(CASES_MAX, (long) CASES_PAR_SPHERE * spheres.nombre));
-        Carte carte = Carte.deLaLampe(spheres, p, Faces.pour(spheres, p.x, p.y, p.z, cases));
-        return carte.bonne ? new CarteLampe(spheres, carte, obstacleGeneral) : obstacleGeneral;
-    }
-
-    private Voisins deLOeil(Camera camera) {
-        double pixels = (double) camera.getLargeur() * camera.getHauteur();
-        double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / Math.min(CASES_MAX, Math.max(1, spheres.nombre))));
-        Carte carte = Carte.deLOeil(spheres, Face.deLImage(camera, cote), general);
-        return carte.bonne ? carte : general;
+    /**
+     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure
+     * aussi.
+     *
+     * @param simple vrai pour les boucles du cours
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
+     */
+    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
+        Camera camera = new Camera(largeur, hauteur);
+        boolean boucles = simple || (long) largeur * hauteur * (2 + scene.getLampes().size()) <= QUESTIONS_MIN;
+        scene.setRecherche(boucles ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
+                : pour(scene, camera));
+        return new LancerSurveille(scene, camera);
     }
 
     /**
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
-     * @return une recherche de même image et mêmes comptes de rayons que {@link lancer.contrat.RechercheSimple}
+     * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
      */
     public static Recherche pour(Scene scene, Camera camera) {
-        return pour(scene, camera, new Reglage());
+        return pour(scene, camera, Genre.AU_CHOIX);
     }
 
-    static Recherche pour(Scene scene, Camera camera, Reglage reglage) {
-        Preparation p = de(scene, camera, reglage);
-        return new RechercheRapide(p, p.premiers, p.suivants, p.obstacles, new Compteurs());
+    static Recherche pour(Scene scene, Camera camera, Genre genre) {
+        return new RechercheRapide(new Preparation(scene, camera).faire(genre), new Compteurs());
     }
 
-    static Preparation de(Scene scene, Camera camera, Reglage reglage) {
-        return new Preparation(scene, camera, reglage);
-    }
-
-    Spheres getSpheres() {
-        return spheres;
-    }
-
-    Lampe[] lampes() {
-        return lampes.toArray(new Lampe[0]);
-    }
-
-    /** Les obstacles d'une lampe qui n'est pas de la scène. */
-    Obstacles obstacleGeneral() {
-        return obstacleGeneral;
-    }
-
-    /**
-     * Les structures choisies, par leurs noms : celle des premiers rayons, celle des réfléchis, celle de chaque lampe.
-     */
-    @Override
-    public String toString() {
-        StringBuilder noms = new StringBuilder(premiers.getClass().getSimpleName() + " "
-                + suivants.getClass().getSimpleName());
-        for (Obstacles obstacle : obstacles) {
-            noms.append(' ').append(obstacle.getClass().getSimpleName());
+    private Structures faire(Genre genre) {
+        int n = spheres.nombre;
+        Boite boite = Boite.de(spheres, spheres.toutes());
+        double portee = Math.max(boite.portee(), Camera.FOCALE);
+        boolean masques = genre == Genre.AU_CHOIX ? n <= PEU : genre == Genre.MASQUES && n <= Masques.MAX;
+        long pixels = (long) camera.getLargeur() * camera.getHauteur();
+        if (n == 0 || genre == Genre.ARBRE || !(portee < LONGUEUR_MAX && boite.portee() > LONGUEUR_MIN)) {
+            return structures;
         }
-        return noms.toString();
+        if (masques) {
+            Masques parBits = new Masques(spheres, structures.arbre, portee, camera);
+            structures.premiers = parBits;
+            structures.suivants = parBits;
+            for (int l = 0; l < structures.ombres.length; l++) {
+                if (!Scene.estLointaine(lampes.get(l))) {
+                    structures.ombres[l] = parBits.ombres(lampes.get(l).getPosition());
+                }
+            }
+            return structures;
+        }
+        spheres.ranger(Morton.ordre(spheres, boite));
+        if (genre == Genre.AU_CHOIX && n > SPHERES_PAR_PIXEL * pixels) {
+            return structures;
+        }
+        construire();
+        return genre == Genre.CARTES ? structures : new Sondage(scene, camera, equipe).choisir(structures);
     }
 
-    /** Ce qu'un test peut imposer. */
-    static final class Reglage {
+    /** La grille et les cartes, sans rapport entre elles, par autant de fils que de cœurs si cela en vaut la peine. */
+    private void construire() {
+        int nombre = 2 + structures.ombres.length;
+        IntConsumer construction = new IntConsumer() {
+            @Override
+            public void accept(int k) {
+                if (k == 0) {
+                    Grille grille = Grille.de(spheres, structures.arbre, equipe);
+                    structures.suivants = grille == null ? structures.arbre : grille;
+                } else if (k <= structures.ombres.length) {
+                    structures.ombres[k - 1] = deLaLampe(lampes.get(k - 1));
+                } else {
+                    structures.premiers = deLOeil();
+                }
+            }
+        };
+        if (spheres.nombre < SPHERES_PAR_FIL) {
+            for (int k = 0; k < nombre; k++) {
+                construction.accept(k);
+            }
+        } else {
+            int fils = Math.min(nombre, Runtime.getRuntime().availableProcessors());
+            equipe.faire(nombre, Collections.nCopies(fils, construction));
+        }
+    }
 
-        /** Vrai ou faux pour faire comme si les sphères étaient peu, ou non. */
-        Boolean peu;
+    private Occultations deLaLampe(Lampe lampe) {
+        long sienne = (long) spheres.nombre * CASES_PAR_SPHERE / lampes.size();
+        if (Scene.estLointaine(lampe) || sienne < spheres.nombre / 16) {
+            return structures.arbre;
+        }
+        Point p = lampe.getPosition();
+        int cases = (int) Math.min(Math.min(sienne, (long) CASES_PAR_LAMPE * spheres.nombre), CASES_MAX);
+        Carte carte = Carte.deLaLampe(spheres, p, Faces.pour(spheres, p.x, p.y, p.z, Math.max(CASES_MIN, cases)),
+                places(), equipe);
+        return carte == null ? structures.arbre : new CarteLampe(spheres, p, carte, structures.arbre);
+    }
 
-        /** Vrai pour l'arbre seul (ou la boucle seule, si elles sont peu). */
-        boolean arbreSeul;
+    private Intersections deLOeil() {
+        double pixels = (double) camera.getLargeur() * camera.getHauteur();
+        double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / Math.min(CASES_MAX, spheres.nombre)));
+        Carte carte = Carte.deLOeil(spheres, Face.deLImage(camera, cote), structures.arbre, places(), equipe);
+        return carte == null ? structures.arbre : carte;
+    }
 
-        /** Vrai pour garder les structures même là où l'arbre vaudrait mieux. */
-        boolean sansChoix;
+    /** La part d'une carte : celle de l'œil en a une aussi. */
+    private long places() {
+        return CASES_MIN + (long) spheres.nombre * PLACES_PAR_SPHERE / (1 + lampes.size());
     }
 }

@@ -10,19 +10,19 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 
 /**
- * La recherche qui s'aide des structures de {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui
+ * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui
  * vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a sa
- * {@link Sonde}.
+ * {@link Parcours}.
  */
 final class RechercheRapide implements Recherche {
 
-    private final Preparation preparation;
+    private final Structures structures;
     private final Spheres spheres;
-    private final Voisins premiers;
-    private final Voisins suivants;
+    private final Intersections premiers;
+    private final Intersections suivants;
     private final Lampe[] lampes;
-    private final Obstacles[] obstacles;
-    private final Sonde sonde;
+    private final Occultations[] ombres;
+    private final Parcours parcours;
 
     /**
      * Celle qui répond à la place de celle-ci, d'ordinaire {@code null}. Sous cette forme la recherche d'une scène est
@@ -39,28 +39,24 @@ final class RechercheRapide implements Recherche {
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
 
-    RechercheRapide(Preparation preparation, Voisins premiers, Voisins suivants, Obstacles[] obstacles,
-            Compteurs compteurs) {
-        this.preparation = preparation;
-        this.premiers = premiers;
-        this.suivants = suivants;
-        this.obstacles = obstacles;
-        spheres = preparation.getSpheres();
-        lampes = preparation.lampes();
-        sonde = new Sonde(compteurs);
-        remplacante = null;
+    RechercheRapide(Structures structures, Compteurs compteurs) {
+        this(structures, compteurs, null);
     }
 
-    /** Une recherche de cette classe, qui laisse toujours répondre l'autre. */
-    RechercheRapide(RechercheRapide modele, Recherche remplacante) {
-        preparation = modele.preparation;
-        premiers = modele.premiers;
-        suivants = modele.suivants;
-        obstacles = modele.obstacles;
-        spheres = modele.spheres;
-        lampes = modele.lampes;
-        sonde = modele.sonde;
+    private RechercheRapide(Structures structures, Compteurs compteurs, Recherche remplacante) {
+        this.structures = structures;
+        spheres = structures.spheres;
+        premiers = structures.premiers;
+        suivants = structures.suivants;
+        lampes = structures.lampes;
+        ombres = structures.ombres;
+        parcours = new Parcours(compteurs);
         this.remplacante = remplacante;
+    }
+
+    /** La même, qui laisse toujours répondre l'autre. */
+    RechercheRapide remplacee(Recherche autre) {
+        return new RechercheRapide(structures, parcours.compteurs, autre);
     }
 
     @Override
@@ -71,13 +67,13 @@ final class RechercheRapide implements Recherche {
         }
         Point P = incident.getP();
         Vecteur V = incident.getV();
-        int k = saufLui == null ? premiers.plusProche(sonde, P.x, P.y, P.z, V.x, V.y, V.z, -1)
-                : suivants.plusProche(sonde, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
+        int k = saufLui == null ? premiers.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, -1)
+                : suivants.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
         derniere = k;
         if (spheres.autres.length > 0) {
             avecLesAutres(incident, k, saufLui);
         } else {
-            incident.setContact(k < 0 ? null : spheres.objets[k], sonde.distance);
+            incident.setContact(k < 0 ? null : spheres.objets[k], parcours.distance);
         }
     }
 
@@ -86,42 +82,40 @@ final class RechercheRapide implements Recherche {
     }
 
     @Override
-    public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+    public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
         if (remplacante != null) {
-            // une copie : L n'a sinon pas à exister hors des registres
-            return remplacante.estCachee(lampe, contact, new Vecteur(L.x, L.y, L.z), distance, objet);
+            // une copie : V n'a sinon pas à exister hors des registres
+            return remplacante.estCachee(lampe, P, new Vecteur(V.x, V.y, V.z), distance, objet);
         }
-        Rayon ombre = Rayon.dOmbre(lampe, L);
-        Point P = ombre.getP();
-        Vecteur V = ombre.getV();
-        return obstaclesDe(lampe).cachee(sonde, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
-                || spheres.autres.length > 0 && unAutreCache(Rayon.dOmbre(lampe, L), distance, objet);
+        return ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
+                || spheres.autres.length > 0
+                && unAutreCache(Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet);
     }
 
     /** Ce qui cache cette lampe ; si elle n'est pas de la scène, ce qui les cache toutes. */
-    private Obstacles obstaclesDe(Lampe demandee) {
+    private Occultations ombresDe(Lampe demandee) {
         for (int reste = lampes.length; reste > 0; reste--) {
             if (lampes[lampe] == demandee) {
-                return obstacles[lampe];
+                return ombres[lampe];
             }
             lampe = lampe + 1 < lampes.length ? lampe + 1 : 0;
         }
-        return preparation.obstacleGeneral();
+        return structures.arbre;
     }
 
     /**
      * Retient dans le rayon, de la sphère k et des objets qui ne sont pas des sphères, celui qu'il rencontre d'abord.
      *
-     * @param k numéro de la sphère à {@code sonde.distance}, ou -1
+     * @param k numéro de la sphère à {@code parcours.distance}, ou -1
      */
     private void avecLesAutres(Rayon incident, int k, Objet3D saufLui) {
         Objet3D plusProche = k < 0 ? null : spheres.objets[k];
-        double distance = sonde.distance;
+        double distance = parcours.distance;
         int rang = k < 0 ? Integer.MAX_VALUE : spheres.rang[k];
         for (int a = 0; a < spheres.autres.length; a++) {
             Objet3D autre = spheres.autres[a];
             if (autre != saufLui) {
-                sonde.compteurs.testsSpheres++;
+                parcours.compteurs.testsSpheres++;
                 double d = autre.getIntersectionDistance(incident);
                 if (d < distance || d == distance && d != Constantes.INFINI && spheres.rangAutres[a] < rang) {
                     plusProche = autre;
@@ -136,7 +130,7 @@ final class RechercheRapide implements Recherche {
     private boolean unAutreCache(Rayon ombre, double distance, Objet3D objet) {
         for (Objet3D autre : spheres.autres) {
             if (autre != objet) {
-                sonde.compteurs.testsSpheres++;
+                parcours.compteurs.testsSpheres++;
                 if (autre.getIntersectionDistance(ombre) < distance) {
                     return true;
                 }
@@ -147,12 +141,12 @@ final class RechercheRapide implements Recherche {
 
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheRapide(preparation, premiers, suivants, obstacles, compteurs);
+        return new RechercheRapide(structures, compteurs);
     }
 
     /** Ce que {@link Preparation} a choisi pour cette scène. */
     @Override
     public String toString() {
-        return preparation.toString();
+        return structures.toString();
     }
 }

@@ -63,6 +63,15 @@ final class Spheres {
         }
     }
 
+    /** Les numéros de toutes les sphères, croissants. */
+    int[] toutes() {
+        int[] toutes = new int[nombre];
+        for (int k = 0; k < nombre; k++) {
+            toutes[k] = k;
+        }
+        return toutes;
+    }
+
     /** Range les sphères dans un ordre nouveau : la sphère {@code ordre[k]} devient la k-ième. */
     void ranger(int[] ordre) {
         double[] g = new double[geometrie.length];

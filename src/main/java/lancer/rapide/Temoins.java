@@ -7,11 +7,14 @@ import java.util.Random;
 import java.util.Set;
 import lancer.Camera;
 import lancer.Couleur;
+import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Objet3D;
+import lancer.Point;
 import lancer.contrat.PixelFautif;
 import lancer.Rayon;
 import lancer.Scene;
+import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
@@ -66,7 +69,7 @@ final class Temoins {
         rapide = new Lancer(scene, camera);
         scene = scene.pourUnFil();
         boucles = new RechercheSimple(scene.getObjets(), new Compteurs());
-        scene.setRecherche(new RechercheRapide(recherche, boucles));
+        scene.setRecherche(recherche.remplacee(boucles));
         cours = new Lancer(scene, camera);
     }
 
@@ -138,35 +141,56 @@ final class Temoins {
 
     /** Le rayon de ce pixel, et l'objet qu'il rencontre d'abord. */
     private Rayon premier(long pixel) {
-        // d'abord le pixel entier : s'il échoue, c'est lui qui le dit
-        voir(rapide, pixel);
         Rayon rayon = camera.getRayon(x(pixel) + 0.5, y(pixel) + 0.5);
         rapide.getScene().getClosestIntersection(rayon);
         return rayon;
     }
 
-    /**
-     * Ce en quoi les boucles du cours diffèrent sur les premières questions d'un pixel, là où une seule coûte presque
-     * tout.
-     */
+    /** L'écart des boucles du cours sur les premières questions d'un pixel, là où une seule coûte presque tout. */
     private String questionner(long pixel) {
-        Ecoute ecoute = new Ecoute(jugee);
-        rapide.getScene().setRecherche(new RechercheRapide(jugee, ecoute));
+        Confrontation confrontation = new Confrontation();
+        rapide.getScene().setRecherche(jugee.remplacee(confrontation));
         voir(rapide, pixel);
-        for (Question q : ecoute.questions) {
-            try {
-                if (!q.memeReponse(boucles)) {
-                    return ecart(pixel);
-                }
-            } catch (RuntimeException | StackOverflowError e) {
-                throw new PixelFautif(x(pixel) + 0.5, y(pixel) + 0.5, e);
-            }
+        return confrontation.ecart ? ecart(pixel) : null;
+    }
+
+    /** La recherche jugée, et tant qu'il en reste les moyens, les boucles du cours après elle. */
+    private final class Confrontation implements Recherche {
+
+        private final Recherche sienne = jugee.pourUnFil(new Compteurs());
+        private boolean ecart;
+        private int posees;
+
+        /** La première question l'est toujours. */
+        private boolean permise() {
             reste -= objets;
-            if (reste < objets) {
-                break;
+            return posees++ == 0 || reste >= 0;
+        }
+
+        @Override
+        public void plusProche(Rayon incident, Objet3D saufLui) {
+            sienne.plusProche(incident, saufLui);
+            Objet3D objet = incident.getObjet();
+            double distance = incident.getDistance();
+            if (permise()) {
+                boucles.plusProche(incident, saufLui);
+                ecart |= incident.getObjet() != objet || Double.compare(incident.getDistance(), distance) != 0;
             }
         }
-        return null;
+
+        @Override
+        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+            boolean cachee = sienne.estCachee(lampe, P, V, distance, objet);
+            if (permise()) {
+                ecart |= boucles.estCachee(lampe, P, V, distance, objet) != cachee;
+            }
+            return cachee;
+        }
+
+        @Override
+        public Recherche pourUnFil(Compteurs compteurs) {
+            return sienne.pourUnFil(compteurs);
+        }
     }
 
     private Couleur voir(Lancer lancer, long pixel) {

@@ -5,10 +5,12 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Timer;
+import java.util.TimerTask;
 import lancer.Lancer;
 
 /** Une barre sur l'erreur standard pendant un dessin qui dure ; rien si ce n'est pas un terminal, ou si c'est bref. */
-public final class BarreProgression implements Runnable {
+final class BarreProgression extends TimerTask {
 
     private static final int LARGEUR = 40;
 
@@ -20,16 +22,23 @@ public final class BarreProgression implements Runnable {
 
     private final Lancer lancer;
     private final PrintStream terminal;
-    private Thread fil;
+    private final Timer horloge = new Timer("lancer-barre", true);
     private boolean visible;
+    private boolean effacee;
 
-    public BarreProgression(Lancer lancer, PrintStream terminal) {
+    BarreProgression(Lancer lancer, PrintStream terminal) {
         this.lancer = lancer;
         this.terminal = terminal;
     }
 
-    /** Vrai si l'erreur standard est un terminal : ailleurs qu'un fichier ou un tube, une barre se lit. */
-    public static boolean possible() {
+    void commencer() {
+        if (surUnTerminal()) {
+            horloge.schedule(this, PERIODE_MS, PERIODE_MS);
+        }
+    }
+
+    /** Ailleurs, dans un fichier ou un tube, une barre se lirait. */
+    private static boolean surUnTerminal() {
         try {
             String cible = Files.readSymbolicLink(ERREUR_STANDARD).toString();
             return cible.startsWith("/dev/pts/") || cible.startsWith("/dev/tty");
@@ -38,36 +47,22 @@ public final class BarreProgression implements Runnable {
         }
     }
 
-    public void commencer() {
-        fil = new Thread(this, "lancer-barre");
-        fil.setDaemon(true);
-        fil.start();
-    }
-
-    /** Efface la barre, et rend la ligne au terminal. */
-    public void finir() {
-        fil.interrupt();
-        try {
-            fil.join();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+    @Override
+    public synchronized void run() {
+        if (!effacee) {
+            visible = true;
+            terminal.print(ligne(lancer.getAvancement()));
+            terminal.flush();
         }
     }
 
-    @Override
-    public void run() {
-        try {
-            while (true) {
-                Thread.sleep(PERIODE_MS);
-                visible = true;
-                terminal.print(ligne(lancer.getAvancement()));
-                terminal.flush();
-            }
-        } catch (InterruptedException e) {
-            if (visible) {
-                terminal.print("\r\u001b[K");
-                terminal.flush();
-            }
+    /** Efface la barre, et rend la ligne au terminal. */
+    synchronized void finir() {
+        horloge.cancel();
+        effacee = true;
+        if (visible) {
+            terminal.print("\r\u001b[K");
+            terminal.flush();
         }
     }
 

@@ -14,8 +14,8 @@ public final class Comparaison {
     private static final int PEU = 1;
     private static final int BEAUCOUP = 8;
 
-    private final ImageLue a;
-    private final ImageLue b;
+    private final ImageMemoire a;
+    private final ImageMemoire b;
     private final double tolerance;
     private final boolean surHuitBits;
     private double rmse;
@@ -24,26 +24,35 @@ public final class Comparaison {
     private int plusDUn;
     private int plusDeHuit;
 
-    /**
-     * @param tolerance le plus grand écart permis d'une composante, en niveaux
-     * @throws Echec si les images n'ont pas la même taille, ou ont une couleur qui n'est pas un nombre
-     */
-    public Comparaison(ImageLue a, ImageLue b, double tolerance) {
-        if (a.getLargeur() != b.getLargeur() || a.getHauteur() != b.getHauteur()) {
-            throw new Echec(CodeSortie.DEMANDE, "images de tailles différentes : " + a.getLargeur() + "x"
-                    + a.getHauteur() + " et "
-                    + b.getLargeur() + "x" + b.getHauteur() + " ; attendu : la même taille");
-        }
-        if (a.aUnNaN() || b.aUnNaN()) {
-            throw new Echec(CodeSortie.DEMANDE,
-                    "une des images a une couleur qui n'est pas un nombre (NaN) ; attendu : des nombres");
-        }
+    private Comparaison(ImageMemoire a, ImageMemoire b, double tolerance) {
         this.a = a;
         this.b = b;
         this.tolerance = tolerance;
-        this.surHuitBits = a.estSurHuitBits() || b.estSurHuitBits();
+        this.surHuitBits = a.getLineaire() == null || b.getLineaire() == null;
+    }
+
+    /**
+     * @param a une image qui a ses codes ; sans couleurs non limitées, elle n'a que 8 bits par composante
+     * @param tolerance le plus grand écart permis d'une composante, en niveaux
+     * @throws Echec si les images n'ont pas la même taille
+     */
+    public static Comparaison de(ImageMemoire a, ImageMemoire b, double tolerance) {
+        if (a.getLargeur() != b.getLargeur() || a.getHauteur() != b.getHauteur()) {
+            throw new Echec(CodeSortie.DEMANDE, "images de tailles différentes : " + taille(a) + " et " + taille(b)
+                    + " ; attendu : la même taille");
+        }
+        Comparaison comparaison = new Comparaison(a, b, tolerance);
+        comparaison.mesurer();
+        return comparaison;
+    }
+
+    private static String taille(ImageMemoire image) {
+        return image.getLargeur() + "x" + image.getHauteur();
+    }
+
+    private void mesurer() {
         double carres = 0;
-        int pixels = a.getLargeur() * a.getHauteur();
+        int pixels = a.getCodes().length;
         for (int p = 0; p < pixels; p++) {
             double max = 0;
             for (int k = 0; k < 3; k++) {
@@ -64,13 +73,18 @@ public final class Comparaison {
     private double ecart(int p, int k) {
         if (surHuitBits) {
             int decalage = 16 - 8 * k;
-            return Math.abs((a.code(p) >> decalage & 255) - (b.code(p) >> decalage & 255));
+            return Math.abs((a.getCodes()[p] >> decalage & 255) - (b.getCodes()[p] >> decalage & 255));
         }
-        return Math.abs(a.niveau(3 * p + k) - b.niveau(3 * p + k));
+        return Math.abs(niveau(a.getLineaire()[3 * p + k]) - niveau(b.getLineaire()[3 * p + k]));
+    }
+
+    /** Une composante limitée à [0, 1], en niveaux de 255. */
+    private static double niveau(double composante) {
+        return 255 * Math.min(1, Math.max(0, composante));
     }
 
     /** Vrai si aucune composante ne s'écarte plus que permis. */
-    public boolean pareilles() {
+    public boolean sontPareilles() {
         return pire <= tolerance;
     }
 
@@ -80,7 +94,7 @@ public final class Comparaison {
      */
     public ImageMemoire getDifferences() {
         ImageMemoire image = new ImageMemoire(a.getLargeur(), a.getHauteur(), false);
-        for (int p = 0; p < a.getLargeur() * a.getHauteur(); p++) {
+        for (int p = 0; p < a.getCodes().length; p++) {
             Couleur ecarts = new Couleur(ecart(p, 0), ecart(p, 1), ecart(p, 2)).div(BEAUCOUP);
             image.drawPixel(ecarts, p % a.getLargeur(), p / a.getLargeur());
         }
@@ -90,10 +104,10 @@ public final class Comparaison {
     /** Ce qu'il y a à en dire, une ligne {@code nom: valeur} chacun. */
     @Override
     public String toString() {
+        int pixels = a.getCodes().length;
         String place = pire > 0 ? " en " + ou % a.getLargeur() + "," + ou / a.getLargeur() : "";
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"
                 + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d",
-                pareilles() ? "pareilles" : "différentes", rmse, pire, place,
-                plusDUn, a.getLargeur() * a.getHauteur(), plusDeHuit, a.getLargeur() * a.getHauteur());
+                sontPareilles() ? "pareilles" : "différentes", rmse, pire, place, plusDUn, pixels, plusDeHuit, pixels);
     }
 }

@@ -6,7 +6,6 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
-import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -114,6 +113,13 @@ public final class Ecriture {
         }
     }
 
+    /** @throws Echec si écrire écraserait cet autre fichier. @param faute comment le dire */
+    public void epargner(Path autre, String faute) {
+        if (vise(autre)) {
+            throw new Echec(CodeSortie.DEMANDE, faute + " ; attendu : un autre fichier");
+        }
+    }
+
     /** @throws Echec si l'écriture échoue ; le fichier est alors comme avant */
     public void ecrire(ImageMemoire image, Format format) {
         try {
@@ -162,7 +168,8 @@ public final class Ecriture {
                 garderLesPermissions(provisoire);
                 format.ecrire(image, sortie);
             }
-            remplacer(provisoire);
+            // REPLACE_EXISTING effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent
+            Files.move(provisoire, cible, StandardCopyOption.ATOMIC_MOVE);
         } finally {
             Files.deleteIfExists(provisoire);
         }
@@ -187,15 +194,6 @@ public final class Ecriture {
             }
         } catch (IOException | UnsupportedOperationException e) {
             // ce disque n'en a pas
-        }
-    }
-
-    /** D'un seul coup : {@code REPLACE_EXISTING} effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent. */
-    private void remplacer(Path provisoire) throws IOException {
-        try {
-            Files.move(provisoire, cible, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException e) {
-            Files.move(provisoire, cible, StandardCopyOption.REPLACE_EXISTING);
         }
     }
 

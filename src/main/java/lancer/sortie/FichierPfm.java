@@ -7,21 +7,11 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /** Une image au format PFM : les couleurs non limitées, en flottants petit-boutistes, la ligne du bas d'abord. */
-public final class FichierPfm {
-
-    private FichierPfm() {
-    }
-
-    /** Ce format, pour une {@link Ecriture} : une classe, la première lambda du programme ralentirait le démarrage. */
-    public static final class Format implements Ecriture.Format {
-        @Override
-        public void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {
-            FichierPfm.ecrire(image, sortie);
-        }
-    }
+public final class FichierPfm implements Ecriture.Format {
 
     /** @param image une image qui a gardé ses couleurs non limitées */
-    public static void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {
+    @Override
+    public void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {
         int largeur = image.getLargeur();
         // le signe de l'échelle dit l'ordre des octets : négatif, petit-boutiste
         sortie.write(("PF\n" + largeur + " " + image.getHauteur() + "\n-1.0\n").getBytes(StandardCharsets.US_ASCII));

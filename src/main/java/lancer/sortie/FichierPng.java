@@ -3,6 +3,7 @@ package lancer.sortie;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
@@ -11,42 +12,29 @@ import java.util.zip.Deflater;
  * Une image au format PNG (ISO/IEC 15948), 8 bits par composante, sans passer par ImageIO : charger AWT coûterait plus
  * cher que de dessiner la scène du cours.
  */
-public final class FichierPng {
+public final class FichierPng implements Ecriture.Format {
 
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    private static final int HUIT_BITS = 8;
-    private static final int ROUGE_VERT_BLEU = 2;
+    private static final byte HUIT_BITS = 8;
+    private static final byte ROUGE_VERT_BLEU = 2;
     private static final byte FILTRE_GAUCHE = 1;
 
     /**
      * Pixels filtrés par appel : une méthode est compilée après deux cents appels, une boucle en cours après soixante
-     * mille tours, qui prendraient 5 ms.
+     * mille tours.
      */
     private static final int MORCEAU = 40;
 
     /** Taille d'un bloc de données compressées, en octets. */
     private static final int BLOC = 1 << 16;
 
-    private FichierPng() {
-    }
-
-    /** Ce format, pour une {@link Ecriture} : une classe, la première lambda du programme ralentirait le démarrage. */
-    public static final class Format implements Ecriture.Format {
-        @Override
-        public void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {
-            FichierPng.ecrire(image, sortie);
-        }
-    }
-
-    public static void ecrire(ImageMemoire image, OutputStream fichier) throws IOException {
+    @Override
+    public void ecrire(ImageMemoire image, OutputStream fichier) throws IOException {
         DataOutputStream sortie = new DataOutputStream(fichier);
         sortie.write(SIGNATURE);
-        byte[] entete = new byte[13];
-        entier(entete, 0, image.getLargeur());
-        entier(entete, 4, image.getHauteur());
-        entete[8] = HUIT_BITS;
-        entete[9] = ROUGE_VERT_BLEU;
-        bloc(sortie, "IHDR", entete, entete.length);
+        ByteBuffer entete = ByteBuffer.allocate(13).putInt(image.getLargeur()).putInt(image.getHauteur())
+                .put(HUIT_BITS).put(ROUGE_VERT_BLEU);
+        bloc(sortie, "IHDR", entete.array(), entete.capacity());
         pixels(sortie, image);
         bloc(sortie, "IEND", new byte[0], 0);
         sortie.flush();
@@ -108,11 +96,5 @@ public final class FichierPng {
         sortie.write(nom);
         sortie.write(donnees, 0, longueur);
         sortie.writeInt((int) controle.getValue());
-    }
-
-    private static void entier(byte[] octets, int position, int valeur) {
-        for (int k = 0; k < 4; k++) {
-            octets[position + k] = (byte) (valeur >>> 24 - 8 * k);
-        }
     }
 }

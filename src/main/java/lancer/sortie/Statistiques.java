@@ -1,6 +1,7 @@
 package lancer.sortie;
 
 import java.util.Arrays;
+import java.util.Locale;
 import lancer.contrat.Compteurs;
 
 /**
@@ -33,20 +34,13 @@ public final class Statistiques {
     @Override
     public String toString() {
         double trace = mediane(tracesNs);
-        StringBuilder s = new StringBuilder();
-        ligne(s, "rayons.primaires", compteurs.primaires);
-        ligne(s, "rayons.ombre", compteurs.ombre);
-        ligne(s, "rayons.reflechis", compteurs.reflechis);
-        ligne(s, "tests.spheres", compteurs.testsSpheres);
-        ligne(s, "tests.precis", compteurs.testsPrecis);
-        ligne(s, "noeuds.visites", compteurs.noeudsVisites);
-        ligne(s, "pixels.raffines", compteurs.pixelsRaffines);
-        ligne(s, "pixels.temoins", compteurs.pixelsTemoins);
-        millisecondes(s, "lecture.ms", lectureNs);
-        millisecondes(s, "preparation.ms", preparationNs);
-        millisecondes(s, "trace.ms", trace);
-        ligne(s, "rayons.par.seconde", Math.round(compteurs.rayons() / (Math.max(trace, 1) / 1e9)));
-        return s.substring(0, s.length() - 1);
+        Compteurs c = compteurs;
+        return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
+                + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\npixels.temoins: %d\n"
+                + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
+                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites, c.pixelsRaffines,
+                c.pixelsTemoins, lectureNs / NS_PAR_MS, preparationNs / NS_PAR_MS, trace / NS_PAR_MS,
+                Math.round(c.rayons() / (Math.max(trace, 1) / 1e9)));
     }
 
     /** La médiane de la seconde moitié : au début, la machine virtuelle compile encore. */
@@ -55,15 +49,5 @@ public final class Statistiques {
         Arrays.sort(tries);
         int milieu = tries.length / 2;
         return tries.length % 2 == 1 ? tries[milieu] : (tries[milieu - 1] + tries[milieu]) / 2.0;
-    }
-
-    private static void ligne(StringBuilder s, String nom, long valeur) {
-        s.append(nom).append(": ").append(valeur).append('\n');
-    }
-
-    private static void millisecondes(StringBuilder s, String nom, double ns) {
-        long millieme = Math.round(ns / NS_PAR_MS * 1000);
-        String decimales = String.valueOf(1000 + millieme % 1000).substring(1);
-        s.append(nom).append(": ").append(millieme / 1000).append('.').append(decimales).append('\n');
     }
 }

@@ -1,10 +1,14 @@
 package lancer.sortie;
 
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.commande.Echec;
+import lancer.commande.Pannes;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.RechercheSimple;
@@ -54,6 +58,13 @@ public final class UnPixel implements Echantillonnage, Toile {
         if (i == xe && j == ye) {
             couleur = coul;
         }
+    }
+
+    /** L'écrit en UTF-8, que la console en soit ou non. @throws Echec si elle n'a pu l'être */
+    public void ecrire(PrintStream sortie) {
+        byte[] octets = (this + System.lineSeparator()).getBytes(StandardCharsets.UTF_8);
+        sortie.write(octets, 0, octets.length);
+        Pannes.verifier(sortie);
     }
 
     /** Sa couleur non limitée, et celle de l'écran : {@code somme R V B = #RRGGBB}. */

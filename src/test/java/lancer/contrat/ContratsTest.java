@@ -15,7 +15,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Sphere;
-import lancer.Ombre;
+import lancer.essai.Ombre;
 import org.junit.jupiter.api.Test;
 
 /** Les contrats par défaut : le partage de l'image, la recherche du cours. */

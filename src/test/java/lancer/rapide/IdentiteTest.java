@@ -104,13 +104,9 @@ class IdentiteTest {
         scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
         Dessin lisible = new Dessin(scene, camera, profondeur, 2);
         Compteurs premiers = null;
-        for (int forme = 0; forme < 6; forme++) {
-            Preparation.Reglage reglage = new Preparation.Reglage();
-            reglage.peu = forme % 2 == 0;
-            reglage.arbreSeul = forme / 2 == 1;
-            reglage.sansChoix = forme / 2 == 2;
-            Dessin impose = Dessin.de(scene, camera, Preparation.pour(scene, camera, reglage), profondeur);
-            impose.verifier(nom + ", structures imposées " + forme, lisible);
+        for (Preparation.Genre genre : Preparation.Genre.values()) {
+            Dessin impose = Dessin.de(scene, camera, Preparation.pour(scene, camera, genre), profondeur);
+            impose.verifier(nom + ", structures imposées : " + genre, lisible);
         }
         for (int fils : new int[] {1, 2, 7}) {
             scene.setRecherche(Preparation.pour(scene, camera));

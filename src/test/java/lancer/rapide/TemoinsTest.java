@@ -22,6 +22,7 @@ import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
+import lancer.fils.Equipe;
 import org.junit.jupiter.api.Test;
 
 /** Les pixels témoins voient une recherche qui ne répond pas comme les classes du cours, et les boucles dessinent alors. */
@@ -42,10 +43,8 @@ class TemoinsTest {
         for (int k = 0; k < plates.nombre; k++) {
             plates.geometrie[Spheres.PAS * k + 3] *= part;
         }
-        Boucle boucle = new Boucle(plates);
-        Preparation preparation = Preparation.de(autre, CAMERA, new Preparation.Reglage());
-        Obstacles[] obstacles = Collections.nCopies(autre.getLampes().size(), (Obstacles) boucle).toArray(new Obstacles[0]);
-        autre.setRecherche(new RechercheRapide(preparation, boucle, boucle, obstacles, new Compteurs()));
+        Arbre arbre = new Arbre(plates, new Equipe("essai"));
+        autre.setRecherche(new RechercheRapide(new Structures(plates, arbre, autre.getLampes()), new Compteurs()));
         return autre;
     }
 

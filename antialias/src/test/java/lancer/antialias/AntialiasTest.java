@@ -10,10 +10,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import lancer.Essai;
-import lancer.EssaiPixel;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
+import lancer.essai.Essai;
+import lancer.essai.EssaiPixel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -60,18 +60,18 @@ class AntialiasTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"coins, 3, 0.05", "coins, 4, 0", "coins, 1, 0.05", "coins, 2, 0.05", "partage, 8, 0.1", "partage, 3, 0.02", "partage, 3, 0",
-        "partage, 1, 0.1"})
-    void unPixelDemandeSeulEstCeluiDeLImage(String methode, int n, double seuil) throws IOException {
-        Path scene = scene(ini("p4-foule.ini"), "[Antialias]", "n=" + n, "methode=" + methode, "seuil=" + seuil);
-        EssaiPixel.verifier(SEULE, dossier, scene, 50, 70);
+    @CsvSource({"p4-foule, coins, 3, 0.05", "p4-foule, coins, 4, 0", "p4-foule, coins, 1, 0.05", "p4-foule, coins, 2, 0.05",
+        "p1-quatre, partage, 8, 0.1", "p4-foule, partage, 3, 0.02", "p1-quatre, partage, 3, 0", "p4-foule, partage, 1, 0.1"})
+    void unPixelDemandeSeulEstCeluiDeLImage(String nom, String methode, int n, double seuil) throws IOException {
+        Path scene = scene(ini(nom + ".ini"), "[Antialias]", "n=" + n, "methode=" + methode, "seuil=" + seuil);
+        EssaiPixel.verifier(SEULE, dossier, scene, 40, 36);
     }
 
     @Test
     void unPixelDemandeSeulEstCeluiDeLImageDesTroisVariantes() throws IOException {
         Path scene = scene(ini("p2-sol.ini"), "[Antialias]", "n=4", "methode=partage", "[Blinn]", "facteur=3", "[Brume]", "densite=0.05");
         List<Path> toutes = Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class), Essai.origine(Blinn.class));
-        EssaiPixel.verifier(toutes, dossier, scene, 70, 50, "--reflets=2");
+        EssaiPixel.verifier(toutes, dossier, scene, 36, 40, "--reflets=2");
     }
 
     @ParameterizedTest

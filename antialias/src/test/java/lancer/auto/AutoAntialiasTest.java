@@ -15,13 +15,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lancer.Couleur;
-import lancer.Essai;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.contrat.Pave;
 import lancer.contrat.Variante;
+import lancer.essai.Essai;
+import lancer.rapide.Preparation;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -55,7 +55,7 @@ class AutoAntialiasTest {
     @Test
     void ceQuiEstEssayeEstCeQuiSeraDessine() {
         Scene lue = new Scene(scene.toString());
-        Lancer prepare = Main.preparer(lue, 90, 70, false);
+        Lancer prepare = Preparation.preparer(lue, 90, 70, false);
         Essais essais = new Essais(prepare, 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
         assertEquals(33, finesses.size());
@@ -81,15 +81,15 @@ class AutoAntialiasTest {
     @Test
     void lesRayonsAttendusSontCeuxDuDessin() {
         Scene lue = new Scene(scene.toString());
-        Essais essais = new Essais(Main.preparer(lue, 200, 150, false), 2);
+        Essais essais = new Essais(Preparation.preparer(lue, 80, 60, false), 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
-        EssaiFinesses essai = new EssaiFinesses(essais, new Semis(200, 150).choix, limites(), new Reseau(13));
+        EssaiFinesses essai = new EssaiFinesses(essais, new Semis(80, 60).choix, limites(), new Reseau(13));
         for (Finesse finesse : finesses) {
             essai.essayer(Collections.singletonList(finesse));
             essai.approfondir(finesse);
             Lancer lancer = essais.lancer(finesse.getEchantillonnage(), 1.0 / 1024);
             lancer.TracerPixels(Essais.AVEUGLE, 5, 2);
-            double rayons = lancer.getCompteurs().primaires / (200.0 * 150);
+            double rayons = lancer.getCompteurs().primaires / (80.0 * 60);
             assertEquals(1, finesse.getRayons() / rayons, 0.2, finesse.getTexte());
         }
     }
@@ -135,7 +135,7 @@ class AutoAntialiasTest {
         double erreur = Double.POSITIVE_INFINITY;
         long rayons = 0;
         for (String voulue : new String[] {"8", "2", "0.5"}) {
-            Essai essai = Essai.executerAvec(Arrays.asList(Essai.origine(Antialias.class)), "--taille=200x150", "--auto=erreur=" + voulue,
+            Essai essai = Essai.executerAvec(Arrays.asList(Essai.origine(Antialias.class)), "--taille=120x90", "--auto=erreur=" + voulue,
                     "--statistiques", "--lineaire=" + dossier.resolve("auto.pfm"), scene.toString());
             assertTrue(rapport(essai).get("mesuré").endsWith("erreur voulue tenue"), essai.erreur);
             double mesuree = Double.parseDouble(rapport(essai).get("mesuré").replaceAll("erreur de ([0-9.]+) .*", "$1"));

@@ -22,7 +22,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.ZipFile;
 import javax.imageio.ImageIO;
-import lancer.Essai;
+import lancer.essai.Essai;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -32,6 +32,9 @@ class QuatriemeVarianteTest {
 
     private static final Pattern FICHIER = Pattern.compile("`([^`]+)` :");
     private static final Pattern INSERTION = Pattern.compile("Dans `([^`]+)`, sous `([^`]+)` :");
+
+    private static final Pattern AILLEURS = Pattern.compile("(brume|antialias|blinn|mesures|correction)/src|mesures/resultats|"
+            + "images|docs|src/test/(resources|java/lancer/(?!essai).*)");
 
     @TempDir
     static Path copie;
@@ -95,11 +98,13 @@ class QuatriemeVarianteTest {
         return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
     }
 
+    /** Tout, sauf ce qu'aucune commande du README ne lit ici : les autres variantes, les mesures, la correction, les tests de la base. */
     private static void copier(Path projet) throws IOException {
         Files.walkFileTree(projet, new SimpleFileVisitor<Path>() {
             @Override
             public FileVisitResult preVisitDirectory(Path d, BasicFileAttributes a) throws IOException {
-                if (d.getFileName().toString().matches("target|\\..*")) {
+                String chemin = projet.relativize(d).toString().replace(File.separatorChar, '/');
+                if (d.getFileName().toString().matches("target|\\..*") || AILLEURS.matcher(chemin).matches()) {
                     return FileVisitResult.SKIP_SUBTREE;
                 }
                 Files.createDirectories(copie.resolve(projet.relativize(d).toString()));

@@ -9,7 +9,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
-import lancer.Main;
+import lancer.commande.Pannes;
 
 /**
  * Le banc d'essai : dessine les scènes de 10 à un million de sphères, vérifie chaque image, montre et note les temps.
@@ -49,7 +49,7 @@ public final class Banc {
             erreurs.println("Banc : " + e.getMessage());
             return 2;
         } catch (IOException | RuntimeException e) {
-            erreurs.println("Banc : " + (e instanceof IOException ? e.toString() : Main.message(e)));
+            erreurs.println("Banc : " + (e instanceof IOException ? e.toString() : Pannes.message(e)));
             return 1;
         }
     }

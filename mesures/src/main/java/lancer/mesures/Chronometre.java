@@ -7,8 +7,8 @@ import java.util.List;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
+import lancer.commande.Pannes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
 import lancer.sortie.ImageMemoire;
@@ -33,7 +33,7 @@ final class Chronometre {
     }
 
     /** Celle du programme. */
-    static final Preparation DU_PROGRAMME = (scene, largeur, hauteur) -> Main.preparer(scene, largeur, hauteur, false);
+    static final Preparation DU_PROGRAMME = (scene, largeur, hauteur) -> lancer.rapide.Preparation.preparer(scene, largeur, hauteur, false);
 
     private final Preparation preparation;
     private final Reglages reglages;
@@ -49,7 +49,7 @@ final class Chronometre {
         } catch (ImageFausse e) {
             return Mesure.fautive("image fausse : " + e.getMessage());
         } catch (RuntimeException | OutOfMemoryError e) {
-            return Mesure.fautive(Main.message(e));
+            return Mesure.fautive(Pannes.message(e));
         }
     }
 

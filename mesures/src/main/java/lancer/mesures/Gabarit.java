@@ -3,12 +3,12 @@ package lancer.mesures;
 import java.util.SplittableRandom;
 import lancer.Couleur;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
+import lancer.rapide.Preparation;
 
 /**
  * De quoi mesurer l'erreur d'une image sans calculer la vérité : deux images a et b de la scène sans limite, chacune sans biais et
@@ -35,7 +35,7 @@ final class Gabarit {
     }
 
     private static double[] image(Scene scene, int largeur, int hauteur, long graine) {
-        Lancer lancer = Main.preparer(scene.avec(new AuHasard(graine), SEUIL), largeur, hauteur, false);
+        Lancer lancer = Preparation.preparer(scene.avec(new AuHasard(graine), SEUIL), largeur, hauteur, false);
         return ImageLineaire.de(lancer, Verite.PROFONDEUR, Runtime.getRuntime().availableProcessors()).getComposantes();
     }
 

@@ -5,13 +5,13 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.auto.Auto;
 import lancer.auto.Reglage;
 import lancer.commande.Options;
 import lancer.contrat.Variante;
+import lancer.rapide.Preparation;
 
 /** Ce que {@code --auto erreur=E} a promis pour une scène, et ce qu'il en est contre la vérité. */
 final class PromesseAuto {
@@ -46,7 +46,7 @@ final class PromesseAuto {
         this.gabarit = gabarit;
         Options options = Options.lire("--auto", "erreur=" + voulue, "--image", "aucune.png", "--taille", largeur + "x" + hauteur,
                 "s.ini");
-        auto = new Auto(Main.preparer(scene, largeur, hauteur, false), options, Collections.<Variante>singletonList(new Antialias()));
+        auto = new Auto(Preparation.preparer(scene, largeur, hauteur, false), options, Collections.<Variante>singletonList(new Antialias()));
         promise = auto.getRapport().estTenable();
         erreur = dessiner(auto.getChoisi());
         rayons = derniersRayons;

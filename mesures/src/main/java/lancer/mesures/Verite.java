@@ -1,10 +1,10 @@
 package lancer.mesures;
 
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.rapide.Preparation;
 
 /**
  * L'image qu'aurait donnée un calcul sans limite, ou ce qui en approche, et de combien elle s'en écarte peut-être encore : la
@@ -70,7 +70,7 @@ public final class Verite {
     }
 
     private static Lancer preparer(Scene scene, Echantillonnage echantillonnage, int largeur, int hauteur, double seuil) {
-        return Main.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, false);
+        return Preparation.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, false);
     }
 
     private static ImageLineaire dessiner(Lancer lancer, int profondeur) {

@@ -18,20 +18,19 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import org.junit.jupiter.api.DisplayName;
+import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@DisplayName("Le banc d'essai")
+/** Le banc d'essai : ce qu'il mesure, ce qu'il refuse de mesurer, et ce qu'il écrit. */
 class BancTest {
 
     private static final List<String> PETITES = Arrays.asList("scene1", "flocon-91", "foule-10", "foule-100");
@@ -56,7 +55,7 @@ class BancTest {
     /** Mesure ici même, avec cette recherche au lieu de celle du programme ; la plus petite image, le temps le plus court. */
     private static Function<Reglages, Banc.Essai> avec(UnaryOperator<Recherche> autre) {
         Chronometre.Preparation preparation = (scene, largeur, hauteur) -> {
-            Lancer lancer = Main.preparer(scene, largeur, hauteur, true);
+            Lancer lancer = Preparation.preparer(scene, largeur, hauteur, true);
             scene.setRecherche(autre.apply(scene.getRecherche()));
             return lancer;
         };
@@ -78,8 +77,7 @@ class BancTest {
     }
 
     @Test
-    @DisplayName("Chaque petite scène a ses chiffres, chacune dans sa machine virtuelle, et sa ligne dans le CSV")
-    void lesPetitesScenesSontMesurees() throws IOException {
+    void chaquePetiteSceneASesChiffresSaMachineVirtuelleEtSaLigneDuCsv() throws IOException {
         assertEquals(0, banc(MachineSeparee::new, "--petit", "--secondes", "1"), () -> sortie + "\n" + erreurs);
         assertEquals("", erreurs.toString("UTF-8"));
         List<String> csv = lignesDuCsv();
@@ -101,8 +99,7 @@ class BancTest {
     }
 
     @Test
-    @DisplayName("Le CSV grandit, son en-tête ne se répète pas")
-    void leCsvGrandit() throws IOException {
+    void leCsvGranditSansQueSonEnTeteSeRepete() throws IOException {
         for (int k = 0; k < 2; k++) {
             assertEquals(0, banc(avec(r -> r), "--petit", "--scenes", "foule-10"), () -> sortie + "\n" + erreurs);
         }
@@ -111,14 +108,12 @@ class BancTest {
     }
 
     @Test
-    @DisplayName("Une virgule ou un guillemet ne coupe pas un champ du CSV")
-    void leCsvEstBienForme() {
+    void uneVirguleOuUnGuillemetNeCoupePasUnChampDuCsv() {
         assertEquals("a b,\"c, d\",\"e \"\"f\"\"\",1", FichierCsv.ligne("a b", "c, d", "e \"f\"", 1));
     }
 
     @Test
-    @DisplayName("Une recherche qui oublie une sphère n'a pas de temps, et le statut le dit")
-    void uneRechercheFausseNAPasDeTemps() throws IOException {
+    void uneRechercheQuiOublieUneSphereNAPasDeTempsEtLeStatutLeDit() throws IOException {
         assertEquals(1, banc(avec(Oublieuse::new), "--petit", "--scenes", "foule-10"));
         String ligne = ligneDe("foule-10");
         assertTrue(ligne.contains("PAS DE TEMPS, image fausse : le pixel ("), ligne);
@@ -126,26 +121,23 @@ class BancTest {
     }
 
     @Test
-    @DisplayName("Une image juste la première fois seulement est une image fausse")
-    void uneRechercheQuiChangeDAvisNAPasDeTemps() throws IOException {
+    void uneImageJusteLaPremiereFoisSeulementEstUneImageFausse() throws IOException {
         assertEquals(1, banc(avec(Changeante::new), "--petit", "--scenes", "foule-10"));
         String ligne = ligneDe("foule-10");
         assertTrue(ligne.contains("PAS DE TEMPS, image fausse : deux dessins"), ligne);
     }
 
     @Test
-    @DisplayName("Une scène fausse n'empêche pas de mesurer les autres")
-    void lesAutresScenesSontMesurees() throws IOException {
+    void uneSceneFausseNEmpechePasDeMesurerLesAutres() throws IOException {
         assertEquals(1, banc(reglages -> fichier -> avec(r -> fichier.endsWith("foule-10.ini") ? new Oublieuse(r) : r)
                 .apply(reglages).mesurer(fichier), "--petit"), () -> sortie + "\n" + erreurs);
         assertEquals(1 + PETITES.size() - 1, lignesDuCsv().size());
     }
 
     @Test
-    @DisplayName("Une scène trop chère est sautée, les plus grandes de sa famille aussi, et ce n'est pas une faute")
-    void uneSceneTropChereEstSautee() throws IOException {
+    void uneSceneTropChereEstSauteeAvecLesPlusGrandesDeSaFamilleSansEtreUneFaute() throws IOException {
         Chronometre.Preparation lente = (scene, largeur, hauteur) -> {
-            Lancer lancer = Main.preparer(scene, largeur, hauteur, true);
+            Lancer lancer = Preparation.preparer(scene, largeur, hauteur, true);
             scene.setRecherche(new Lente(scene.getRecherche()));
             return lancer;
         };
@@ -168,8 +160,7 @@ class BancTest {
     }
 
     @Test
-    @DisplayName("Le grand banc va de dix à un million de sphères")
-    void lesScenesSontCellesAnnoncees() {
+    void leGrandBancVaDeDixAUnMillionDeSpheres() {
         assertEquals("scene1 flocon-91 flocon-820 flocon-7381 flocon-66430 flocon-597871 "
                 + "foule-10 foule-100 foule-1000 foule-10000 foule-100000 foule-1000000",
                 OptionsBanc.lire().scenes.stream().map(s -> s.nom).collect(Collectors.joining(" ")));
@@ -180,8 +171,7 @@ class BancTest {
     }
 
     @Test
-    @DisplayName("La langue de la machine ne change ni virgule ni chiffre")
-    void laLangueNeChangeRien() throws IOException {
+    void laLangueDeLaMachineNeChangeNiVirguleNiChiffre() throws IOException {
         Locale avant = Locale.getDefault();
         try {
             Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
@@ -208,8 +198,8 @@ class BancTest {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
-            return autre.estCachee(lampe, contact, L, distance, objet);
+        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+            return autre.estCachee(lampe, P, V, distance, objet);
         }
 
         @Override

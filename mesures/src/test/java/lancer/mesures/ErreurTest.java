@@ -6,10 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import lancer.Couleur;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("L'erreur d'une image")
+/** L'erreur d'une image, et sa ressemblance à celle qu'il faudrait. */
 class ErreurTest {
 
     private static final int COTE = 24;
@@ -34,8 +33,7 @@ class ErreurTest {
     }
 
     @Test
-    @DisplayName("est nulle, et la ressemblance vaut 1, entre une image et elle-même")
-    void nulleEntreUneImageEtElleMeme() {
+    void entreUneImageEtElleMemeLErreurEstNulleEtLaRessemblanceVautUn() {
         Erreur erreur = Erreur.entre(auHasard(1), auHasard(1));
         assertEquals(0, erreur.rmse);
         assertEquals(0, erreur.max);
@@ -45,8 +43,7 @@ class ErreurTest {
     }
 
     @Test
-    @DisplayName("est le décalage, si toute l'image est décalée d'autant")
-    void unDecalageConstant() {
+    void lErreurDUneImageDecaleeToutEntiereEstLeDecalage() {
         Erreur erreur = Erreur.entre(image((i, j) -> new Couleur(0.5)), image((i, j) -> new Couleur(0.5 + 10 / 255.0)));
         assertEquals(10 / 255.0, erreur.rmse, 1e-15);
         assertEquals(10 / 255.0, erreur.max, 1e-15);
@@ -55,8 +52,7 @@ class ErreurTest {
     }
 
     @Test
-    @DisplayName("est l'écart d'un seul pixel divisé par la racine du nombre de composantes")
-    void unSeulPixel() {
+    void lErreurDUnSeulPixelEstSonEcartDiviseParLaRacineDuNombreDeComposantes() {
         Erreur erreur = Erreur.entre(image((i, j) -> new Couleur(0, i == 3 && j == 7 ? 0.6 : 0, 0)), image((i, j) -> new Couleur()));
         assertEquals(0.6 / Math.sqrt(3 * COTE * COTE), erreur.rmse, 1e-15);
         assertEquals(0.6, erreur.max);
@@ -65,25 +61,23 @@ class ErreurTest {
     }
 
     @Test
-    @DisplayName("compte les couleurs plus claires que l'écran, qui n'y changent rien")
-    void auDelaDeLEcran() {
+    void deuxCouleursPlusClairesQueLEcranOntUneErreurEtSeRessemblentToutAFait() {
         Erreur erreur = Erreur.entre(image((i, j) -> new Couleur(1.5)), image((i, j) -> new Couleur(3)));
         assertEquals(1.5, erreur.rmse, 1e-15);
         assertEquals(0, erreur.pas);
         assertEquals(1, erreur.ssim, 1e-15);
     }
 
+    /** (2ab + C1) / (a² + b² + C1). */
     @Test
-    @DisplayName("donne à deux aplats la ressemblance de l'article, (2ab + C1) / (a² + b² + C1)")
-    void laRessemblanceDeDeuxAplats() {
+    void laRessemblanceDeDeuxAplatsEstCelleDeLArticle() {
         double c1 = 0.01 * 0.01;
         Erreur erreur = Erreur.entre(image((i, j) -> new Couleur(0.2)), image((i, j) -> new Couleur(0.6)));
         assertEquals((2 * 0.2 * 0.6 + c1) / (0.2 * 0.2 + 0.6 * 0.6 + c1), erreur.ssim, 1e-12);
     }
 
     @Test
-    @DisplayName("donne une ressemblance négative au négatif d'une image, et proche de 0 à une autre image")
-    void laRessemblanceDUnNegatif() {
+    void laRessemblanceDUnNegatifEstNegativeEtCelleDUneAutreImageProcheDeZero() {
         ImageLineaire image = auHasard(2);
         ImageLineaire negatif = image((i, j) -> new Couleur(1).sub(image.getCouleur(j * COTE + i)));
         assertTrue(Erreur.entre(image, negatif).ssim < -0.8, () -> "" + Erreur.entre(image, negatif).ssim);
@@ -91,14 +85,12 @@ class ErreurTest {
     }
 
     @Test
-    @DisplayName("donne la même ressemblance dans les deux sens")
-    void laRessemblanceEstSymetrique() {
+    void laRessemblanceEstLaMemeDansLesDeuxSens() {
         assertEquals(Erreur.entre(auHasard(4), auHasard(5)).ssim, Erreur.entre(auHasard(5), auHasard(4)).ssim);
     }
 
     @Test
-    @DisplayName("n'a pas de sens entre deux tailles, ni la ressemblance sous onze pixels")
-    void lesTaillesImpossibles() {
+    void deuxTaillesNeSeComparentPasEtSousOnzePixelsRienNeRessemble() {
         assertThrows(IllegalArgumentException.class, () -> Erreur.entre(auHasard(1), new ImageLineaire(COTE, COTE + 1)));
         assertThrows(IllegalArgumentException.class, () -> Erreur.entre(new ImageLineaire(10, 30), new ImageLineaire(10, 30)));
     }

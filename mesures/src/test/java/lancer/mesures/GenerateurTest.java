@@ -19,14 +19,13 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.lecture.LecteurScene;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@DisplayName("Les scènes engendrées")
+/** Les scènes engendrées. */
 class GenerateurTest {
 
     /** Ce que l'arrondi à neuf décimales peut ôter à une distance. */
@@ -62,8 +61,7 @@ class GenerateurTest {
     }
 
     @Test
-    @DisplayName("Dans le flocon, chaque boule touche celle qui la porte, trois fois plus grande, et n'en coupe aucune")
-    void leFloconSeTouche() throws IOException {
+    void dansLeFloconChaqueBouleToucheCelleQuiLaPorteTroisFoisPlusGrandeEtNEnCoupeAucune() throws IOException {
         Scene scene = lire("flocon", "3");
         int contacts = 0;
         for (int i = 0; i < scene.getObjets().size(); i++) {
@@ -96,16 +94,14 @@ class GenerateurTest {
     }
 
     @Test
-    @DisplayName("La même graine donne le même texte, une autre un autre")
-    void laGraineDecide() throws IOException {
+    void laMemeGraineDonneLeMemeTexteUneAutreUnAutre() throws IOException {
         assertEquals(engendrer("foule", "500", "7"), engendrer("foule", "500", "7"));
         assertEquals(engendrer("foule", "500"), engendrer("foule", "500", Long.toString(Generateur.GRAINE)));
         assertNotEquals(engendrer("foule", "500", "7"), engendrer("foule", "500", "8"));
     }
 
     @Test
-    @DisplayName("La langue de la machine ne change rien")
-    void laLangueNeChangeRien() throws IOException {
+    void laLangueDeLaMachineNeChangeRienAuTexte() throws IOException {
         Locale avant = Locale.getDefault();
         String texte = engendrer("fleur", "50");
         try {
@@ -119,8 +115,7 @@ class GenerateurTest {
     }
 
     @Test
-    @DisplayName("scenes/foule.ini est ce qu'écrit fleur 1000")
-    void laFouleDuDepotEstCelleDuGenerateur() throws IOException {
+    void laSceneDuDepotEstCeQuEcritFleur1000() throws IOException {
         Path ici = Paths.get("scenes", "foule.ini");
         Path fichier = Files.exists(ici) ? ici : Paths.get("..").resolve(ici);
         String texte = new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
@@ -142,8 +137,7 @@ class GenerateurTest {
     }
 
     @Test
-    @DisplayName("Appelé de Java, un nombre hors limites est refusé avant d'écrire")
-    void lesLimitesValentAussiDeJava() {
+    void appeleDeJavaUnNombreHorsLimitesEstRefuseAvantDEcrire() {
         StringBuilder texte = new StringBuilder();
         assertThrows(IllegalArgumentException.class, () -> Generateur.flocon(texte, 10));
         assertThrows(IllegalArgumentException.class, () -> Generateur.foule(texte, 0, 1));

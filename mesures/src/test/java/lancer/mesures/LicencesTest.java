@@ -11,10 +11,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("Les licences de ce qui n'est pas de nous")
+/** Les licences de ce qui n'est pas de nous. */
 class LicencesTest {
 
     /** Les archives du chemin des classes qui ne servent qu'aux tests, ou sont de ce projet. */
@@ -42,8 +41,7 @@ class LicencesTest {
     }
 
     @Test
-    @DisplayName("chaque bibliothèque embarquée a les siennes dans l'archive")
-    void chaqueBibliothequeALesSiennes() {
+    void chaqueBibliothequeEmbarqueeALesSiennesDansLArchive() {
         Set<String> dites = new TreeSet<>();
         for (String ligne : texte("/META-INF/licences/LISEZMOI.txt").split("\n")) {
             Matcher m = Pattern.compile("(\\S+) {2,}\\S.* {2,}(\\S+)( et (\\S+))?").matcher(ligne);
@@ -57,8 +55,7 @@ class LicencesTest {
     }
 
     @Test
-    @DisplayName("les textes sont ceux de ces licences")
-    void lesTextesSontLesBons() {
+    void lesTextesSontCeuxDeCesLicences() {
         String ini4j = texte("/META-INF/licences/ini4j.txt");
         assertTrue(ini4j.contains("Apache License") && ini4j.contains("END OF TERMS AND CONDITIONS"));
         String jfreechart = texte("/META-INF/licences/jfreechart.txt");

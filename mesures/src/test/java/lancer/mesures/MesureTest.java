@@ -3,13 +3,12 @@ package lancer.mesures;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@DisplayName("La mesure d'une scène")
+/** La mesure d'une scène. */
 class MesureTest {
 
     private static Mesure mesure(long spheres, long temps) {
@@ -30,8 +29,7 @@ class MesureTest {
     }
 
     @Test
-    @DisplayName("Une mesure passe en une ligne d'une machine virtuelle à l'autre")
-    void laLigneDitTout() {
+    void uneMesurePasseEnUneLigneDUneMachineVirtuelleALAutre() {
         Mesure lue = Mesure.lire(Mesure.faite(new long[] {1, 2, 3, 4, 5, 6, 7, 8}, 30, 10, 20).toString());
         assertEquals(Mesure.Issue.MESUREE, lue.issue);
         assertEquals("MESUREE 1 2 3 4 5 6 7 8 30 10 20", lue.toString());

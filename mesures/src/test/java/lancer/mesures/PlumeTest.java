@@ -5,15 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("Les nombres et les couleurs écrits")
+/** Les nombres et les couleurs écrits. */
 class PlumeTest {
 
     @Test
-    @DisplayName("Neuf décimales, sans zéros de fin")
-    void lesNombres() throws IOException {
+    void unNombreSEcritANeufDecimalesSansZerosDeFin() throws IOException {
         StringBuilder texte = new StringBuilder();
         Plume plume = new Plume(texte);
         plume.sphere("essai", -0.5, 1e-9, 20000, 0.123456789, "");
@@ -26,8 +24,7 @@ class PlumeTest {
     }
 
     @Test
-    @DisplayName("Les teintes font le tour des couleurs")
-    void lesTeintes() {
+    void lesTeintesFontLeTourDesCouleurs() {
         assertArrayEquals(new double[] {1, 0, 0}, Teinte.couleur(0, 1, 1));
         assertArrayEquals(new double[] {1, 1, 0}, Teinte.couleur(1 / 6.0, 1, 1));
         assertArrayEquals(new double[] {0, 0.5, 0}, Teinte.couleur(1 / 3.0, 1, 0.5));

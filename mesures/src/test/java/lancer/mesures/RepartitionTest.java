@@ -3,12 +3,11 @@ package lancer.mesures;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-@DisplayName("La répartition des temps")
+/** La répartition des temps. */
 class RepartitionTest {
 
     @ParameterizedTest(name = "{0} : quartiles {1}, {2}, {3}")

@@ -10,7 +10,6 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Main;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
@@ -18,10 +17,10 @@ import lancer.antialias.Antialias;
 import lancer.brume.Brume;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
-import org.junit.jupiter.api.DisplayName;
+import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("La vérité")
+/** La vérité : la moyenne des couleurs de chaque pixel, de plus en plus de sous-pixels. */
 class VeriteTest {
 
     private static final int LARGEUR = 40;
@@ -33,7 +32,7 @@ class VeriteTest {
 
     private static ImageLineaire image(Scene scene, Echantillonnage echantillonnage, int profondeur) {
         Scene copie = Scenes.nue(scene).avec(echantillonnage, Constantes.SEUIL);
-        return ImageLineaire.de(Main.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
+        return ImageLineaire.de(Preparation.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
     }
 
     /** Tous les sous-pixels, partout. */
@@ -42,16 +41,14 @@ class VeriteTest {
     }
 
     @Test
-    @DisplayName("est, au bit près, la grille complète du module antialias, là où chaque pixel double jusqu'au bout")
-    void laMoyenneEstCelleDeLAntialias() {
+    void laOuChaquePixelDoubleJusquAuBoutElleEstAuBitPresLaGrilleCompleteDeLAntialias() {
         Scene scene = cours();
         assertTrue(entiere(scene, 16).image.memesBits(image(scene, Antialias.coins(16, 0), 5)));
         assertTrue(entiere(scene, 32).image.memesBits(image(scene, Antialias.coins(32, 0), 5)));
     }
 
     @Test
-    @DisplayName("dit de combien elle diffère de l'image de moitié moins de sous-pixels")
-    void leResteEstCeluiDUnDoublement() {
+    void elleDitDeCombienElleDiffereDeLImageDeMoitieMoinsDeSousPixels() {
         Scene scene = cours();
         Verite verite = entiere(scene, 32);
         assertEquals(Erreur.rmse(image(scene, Antialias.coins(16, 0), 5), verite.image), verite.reste);
@@ -59,8 +56,7 @@ class VeriteTest {
     }
 
     @Test
-    @DisplayName("ne double pas là où rien ne change, et n'y perd pas plus que la tolérance")
-    void elleNeDoublePasPartout() {
+    void elleNeDoublePasLaOuRienNeChangeEtNYPerdPasPlusQueLaTolerance() {
         Scene scene = cours();
         double tolerance = 0.1 / 255;
         Verite partout = entiere(scene, 32);
@@ -71,8 +67,7 @@ class VeriteTest {
     }
 
     @Test
-    @DisplayName("du ciel seul s'arrête aussitôt : un dégradé ne demande rien")
-    void leCielSeul() {
+    void duCielSeulElleSArreteAussitot() {
         Scene vide = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
         Verite verite = Verite.desPixels(vide, LARGEUR, HAUTEUR, 5, 0, 1e-4, 64);
         // l'horizon est un bord du ciel, entre deux lignes de pixels
@@ -81,8 +76,7 @@ class VeriteTest {
     }
 
     @Test
-    @DisplayName("d'un bord est l'aire qu'il découpe dans le pixel")
-    void unBord() {
+    void dUnBordElleEstLAireQuIlDecoupeDansLePixel() {
         // une boule blanche, sans lampe : noire sur le ciel ; la part noire est l'aire du disque (vu de face, un cercle)
         Sphere boule = new Sphere(new Point(0, 0, 4), 0.5);
         boule.setKd(new Couleur(1));
@@ -100,8 +94,7 @@ class VeriteTest {
     }
 
     @Test
-    @DisplayName("sans limite de réflexions est atteinte entre deux miroirs")
-    void deuxMiroirs() {
+    void sansLimiteDeReflexionsElleEstAtteinteEntreDeuxMiroirs() {
         Sphere devant = new Sphere(new Point(0, 0, -1010), 1000);
         Sphere fond = new Sphere(new Point(0, 0, 1010), 1000);
         for (Sphere miroir : Arrays.asList(devant, fond)) {
@@ -116,8 +109,7 @@ class VeriteTest {
     }
 
     @Test
-    @DisplayName("garde la brume de la scène, et ne change rien à celle-ci")
-    void laBrumeEstGardee() {
+    void elleGardeLaBrumeDeLaSceneEtNeChangeRienACelleCi() {
         Scene scene = cours();
         Verite claire = Verite.sansLimite(scene, LARGEUR, HAUTEUR);
         Modele modele = new Modele();

@@ -16,6 +16,8 @@ public final class Source {
 
     private static final Pattern PAQUET = Pattern.compile("(?m)^\\s*package\\s+([\\w.]+)\\s*;");
     private static final Pattern DECLARATION = Pattern.compile("\\b(?:class|interface|enum|record)\\s+(\\w+)");
+    private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
+            + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
     private static final Pattern COMMENTAIRES = Pattern.compile("/\\*.*?\\*/|//[^\n]*", Pattern.DOTALL);
 
     final String chemin;
@@ -72,20 +74,29 @@ public final class Source {
         return new Source(chemin, classe, racine, paquet, texte, remarque);
     }
 
-    /** Le même texte, les commentaires remplacés par des blancs. */
+    /** Le même texte, les commentaires remplacés par autant de blancs. */
     static String sansCommentaires(String texte) {
-        return COMMENTAIRES.matcher(texte).replaceAll(" ");
+        return COMMENTAIRES.matcher(texte).replaceAll(m -> m.group().replaceAll("[^\n]", " "));
     }
 
-    /**
-     * Une classe déclarée ici, dans le paquet {@code lancer}, du nom d'une classe de {@code java.lang} : nos
-     * vérifications, qui sont du même paquet, la prendraient pour celle-ci.
-     */
-    String classeDeJavaCachee() {
-        Matcher m = DECLARATION.matcher(sansCommentaires(texte));
+    /** Pourquoi ce fichier est à laisser de côté : ce qu'il déclare cacherait ce qui ne lui appartient pas. */
+    String intrusion() {
+        if (RESERVES.matcher(paquet).matches()) {
+            return "le paquet « " + paquet + " » n'est pas à vous";
+        }
+        String dehors = sansCommentaires(texte).replaceAll("\"(\\\\.|[^\"\\\\\n])*\"", "\"\"");
+        for (String avant = ""; !avant.equals(dehors);) {
+            avant = dehors;
+            dehors = avant.replaceAll("\\{[^{}]*\\}", ";");
+        }
+        Matcher m = DECLARATION.matcher(dehors);
         while (paquet.equals("lancer") && m.find()) {
+            if (m.group(1).equals(Modele.APPELS) || Modele.SONDES.contains(m.group(1))) {
+                return "il déclare une classe " + m.group(1) + " qui cacherait celle de la correction";
+            }
             try {
-                return Class.forName("java.lang." + m.group(1), false, null).getSimpleName();
+                Class.forName("java.lang." + m.group(1), false, null);
+                return "il déclare une classe " + m.group(1) + " qui cacherait celle de Java";
             } catch (ClassNotFoundException | LinkageError e) {
                 // ce nom-là est libre
             }

@@ -1,6 +1,7 @@
 package lancer.correction.jugement;
 
 import java.io.Serializable;
+import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.Base64;
 
@@ -21,9 +22,12 @@ public final class Image implements Serializable {
 
     /** @param texte ce que répond {@code SondeImage} */
     static Image lire(int largeur, int hauteur, String texte) {
-        ByteBuffer octets = ByteBuffer.wrap(Base64.getDecoder().decode(texte));
         float[] rvb = new float[largeur * hauteur * 3];
-        octets.asFloatBuffer().get(rvb);
+        try {
+            ByteBuffer.wrap(Base64.getDecoder().decode(texte)).asFloatBuffer().get(rvb);
+        } catch (IllegalArgumentException | BufferUnderflowException e) {
+            throw new Dialogue.Echec("réponse incompréhensible au lieu d'une image");
+        }
         return new Image(largeur, hauteur, rvb);
     }
 

@@ -6,9 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.stream.Stream;
-import lancer.Main;
 import lancer.Scene;
 import lancer.SceneFautive;
+import lancer.commande.Pannes;
 import lancer.texte.Texte;
 
 /**
@@ -63,7 +63,7 @@ public final class Juge {
             erreurs.println("Juge : " + e.getMessage());
             return 2;
         } catch (IOException | RuntimeException e) {
-            erreurs.println("Juge : " + Texte.echappe(e instanceof IOException ? e.getMessage() : Main.message(e)));
+            erreurs.println("Juge : " + Texte.echappe(e instanceof IOException ? e.getMessage() : Pannes.message(e)));
             return 1;
         }
     }

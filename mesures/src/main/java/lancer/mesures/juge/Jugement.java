@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.Set;
 import lancer.Camera;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Objet3D;
 import lancer.Scene;
+import lancer.rapide.Preparation;
 import lancer.sortie.ImageMemoire;
 
 /** Une scène, dessinée par nous et par le juge, et ce qui les sépare. */
@@ -45,7 +45,7 @@ final class Jugement {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
             scene.setSeuil(0);
         }
-        Lancer lancer = Main.preparer(scene, largeur, hauteur, false);
+        Lancer lancer = Preparation.preparer(scene, largeur, hauteur, false);
         Set<Objet3D> derriere = Ecran.traverses(scene, new Camera(largeur, hauteur));
         Traduction traduction = new Traduction(scene, reflets, derriere);
         ImageMemoire image = new ImageMemoire(largeur, hauteur, true);

@@ -96,7 +96,7 @@ public class NoyauContact {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
             return false;
         }
 

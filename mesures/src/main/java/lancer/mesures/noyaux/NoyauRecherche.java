@@ -11,7 +11,6 @@ import java.util.function.UnaryOperator;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lampe;
-import lancer.Main;
 import lancer.Objet3D;
 import lancer.PointContact;
 import lancer.Rayon;
@@ -22,6 +21,7 @@ import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.mesures.Generateur;
 import lancer.mesures.Scenes;
+import lancer.rapide.Preparation;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -62,7 +62,7 @@ public class NoyauRecherche {
     private final Rayon[] reflechis = new Rayon[RAYONS];
     private final Objet3D[] departs = new Objet3D[RAYONS];
     private final PointContact[] contacts = new PointContact[RAYONS];
-    private final Vecteur[] versLaLampe = new Vecteur[RAYONS];
+    private final Vecteur[] deLaLampe = new Vecteur[RAYONS];
     private final double[] distances = new double[RAYONS];
     private Lampe lampe;
     private Recherche sienne;
@@ -77,7 +77,7 @@ public class NoyauRecherche {
     void preparer(UnaryOperator<Recherche> remplacement) throws IOException {
         Scene scene = foule();
         Recherche simple = new RechercheSimple(scene.getObjets(), new Compteurs());
-        Main.preparer(scene, Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE, recherche.equals("simple"));
+        Preparation.preparer(scene, Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE, recherche.equals("simple"));
         sienne = remplacement.apply(scene.getRecherche().pourUnFil(new Compteurs()));
         lampe = scene.getLampes().get(0);
         Camera camera = new Camera(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
@@ -98,7 +98,7 @@ public class NoyauRecherche {
                 departs[k] = contact.objet;
                 contacts[k] = contact;
                 Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
-                versLaLampe[k] = versLampe.normalized();
+                deLaLampe[k] = versLampe.normalized().neg();
                 distances[k] = versLampe.norme();
                 k++;
             }
@@ -124,7 +124,7 @@ public class NoyauRecherche {
     }
 
     private boolean estCachee(Recherche laquelle, int k) {
-        return laquelle.estCachee(lampe, contacts[k], versLaLampe[k], distances[k], departs[k]);
+        return laquelle.estCachee(lampe, lampe.getPosition(), deLaLampe[k], distances[k], departs[k]);
     }
 
     private static Scene foule() throws IOException {

@@ -53,7 +53,8 @@ final class RechercheNaive implements Recherche {
     }
 
     @Override
-    public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+    public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+        Point contact = P.add(distance, V);
         if (ombre == Ombre.PREMIER_DU_MANUEL) {
             Rayon deLaLampe = new Rayon(lampe.getPosition(), contact);
             plusProche(deLaLampe, null);

@@ -11,7 +11,6 @@ import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Main;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
@@ -22,6 +21,7 @@ import lancer.contrat.Modele;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.Scenes;
 import lancer.mesures.Verite;
+import lancer.rapide.Preparation;
 import lancer.sortie.ImageMemoire;
 
 /** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
@@ -62,7 +62,7 @@ final class Besoin {
 
     private Lancer preparer(Scene copie, double seuil) {
         copie.setSeuil(seuil);
-        return Main.preparer(copie, taille.largeur, taille.hauteur, false);
+        return Preparation.preparer(copie, taille.largeur, taille.hauteur, false);
     }
 
     private int[] codes(Lancer lancer, int profondeur) {

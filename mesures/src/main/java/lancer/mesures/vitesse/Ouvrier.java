@@ -9,8 +9,8 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import lancer.Constantes;
-import lancer.Main;
 import lancer.Scene;
+import lancer.commande.Pannes;
 import lancer.mesures.Circonstances;
 import lancer.mesures.Erreur;
 import lancer.mesures.ImageFausse;
@@ -54,7 +54,7 @@ final class Ouvrier {
             sortie.println("  " + travail.nom() + " : PAS DE TEMPS, image fausse : " + e.getMessage());
             System.exit(1);
         } catch (RuntimeException | OutOfMemoryError e) {
-            sortie.println("  " + travail.nom() + " : " + Main.message(e));
+            sortie.println("  " + travail.nom() + " : " + Pannes.message(e));
             System.exit(1);
         }
     }

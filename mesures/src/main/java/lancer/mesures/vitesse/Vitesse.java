@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lancer.Main;
 import lancer.SceneFautive;
+import lancer.commande.Pannes;
 import lancer.lecture.LecteurScene;
 import lancer.mesures.Circonstances;
 import lancer.mesures.stabilite.Stabilite;
@@ -66,7 +66,7 @@ public final class Vitesse {
             erreurs.println("Vitesse : " + (e.getClass() == IOException.class ? e.getMessage() : e));
             return 1;
         } catch (RuntimeException | OutOfMemoryError e) {
-            erreurs.println("Vitesse : " + Main.message(e));
+            erreurs.println("Vitesse : " + Pannes.message(e));
             return 1;
         }
     }

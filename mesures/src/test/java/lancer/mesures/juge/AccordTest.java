@@ -6,10 +6,9 @@ import java.awt.image.WritableRaster;
 import java.util.Arrays;
 import java.util.Collections;
 import lancer.Couleur;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("L'accord de deux images")
+/** L'accord de deux images. */
 class AccordTest {
 
     private final float[] nous = ScenesJugees.couleurs(ScenesJugees.deuxBoules(new Couleur(0.5)));

@@ -17,10 +17,9 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("L'explication d'un écart")
+/** L'explication d'un écart. */
 class ExplicationTest {
 
     /** Un pixel du milieu ; le rayon de son centre va presque tout droit. */
@@ -93,27 +92,27 @@ class ExplicationTest {
     }
 
     @Test
-    void unPixelSurUneSilhouette() {
+    void unPixelSurUneSilhouetteSExpliqueParElle() {
         verifier(Cause.SILHOUETTE, r -> ScenesJugees.scene(ScenesJugees.boule(0.5, 0.25, 6, r, GRIS, NOIR)), 0.1, 0.9,
                 s -> contact(s) == null);
     }
 
     @Test
-    void unPixelAuBordDUneOmbre() {
+    void unPixelAuBordDUneOmbreSExpliqueParElle() {
         verifier(Cause.OMBRE, r -> ScenesJugees.scene(ScenesJugees.boule(0, 0, 6, 1, GRIS, NOIR),
                 ScenesJugees.boule(-1.25, 2.25, 2.5, r, GRIS, NOIR)), 0.01, 0.9,
                 s -> !cachee(s, s.getLampes().get(0), contact(s), contact(s).objet));
     }
 
     @Test
-    void unPixelDontLeRefletEstSurUneSilhouette() {
+    void unPixelDontLeRefletEstSurUneSilhouetteSExpliqueParElle() {
         verifier(Cause.SILHOUETTE_REFLETEE, r -> ScenesJugees.scene(ScenesJugees.boule(0, -0.5, 6, 1, NOIR, GRIS),
                 ScenesJugees.boule(0.25, 4, 3, r, GRIS, NOIR)), 0.01, 1.5,
                 s -> s.getClosestIntersection(reflechi(s), contact(s).objet) == null);
     }
 
     @Test
-    void unPixelDontLeRefletEstAuBordDUneOmbre() {
+    void unPixelDontLeRefletEstAuBordDUneOmbreSExpliqueParElle() {
         Objet3D miroir = ScenesJugees.boule(0, -0.5, 6, 1, NOIR, GRIS);
         Objet3D vue = ScenesJugees.boule(0, 4, 3, 2, GRIS, NOIR);
         Lampe dessous = new Lampe(new Point(6, -1, 8), new Couleur(1));
@@ -126,13 +125,13 @@ class ExplicationTest {
     }
 
     @Test
-    void unPixelDontLeRefletEstSurLHorizon() {
+    void unPixelDontLeRefletEstSurLHorizonSExpliqueParLui() {
         verifier(Cause.HORIZON, y -> ScenesJugees.scene(ScenesJugees.boule(0, y, 6, 1, NOIR, GRIS)), -0.5, 0.5,
                 s -> reflechi(s).getV().y > 0);
     }
 
     @Test
-    void unPixelOuLaCouleurVarieTresVite() {
+    void unPixelOuLaCouleurVarieTresViteSExpliqueAinsi() {
         // une lampe un million de fois trop forte, et un contact presque hors de sa lumière
         Lampe lampe = new Lampe(new Point(100, 0, 6), new Couleur(1e6));
         DoubleFunction<Scene> scenes = x -> new Scene(Collections.singletonList(ScenesJugees.boule(x, 0, 6, 1, GRIS, NOIR)),

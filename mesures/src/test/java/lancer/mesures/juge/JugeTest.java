@@ -21,13 +21,12 @@ import java.util.List;
 import lancer.Scene;
 import lancer.mesures.Scenes;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@DisplayName("Le juge")
+/** Le juge. */
 class JugeTest {
 
     private static final String TAILLE = ScenesJugees.LARGEUR + "x" + ScenesJugees.HAUTEUR;

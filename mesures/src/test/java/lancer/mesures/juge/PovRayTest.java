@@ -21,12 +21,10 @@ import java.util.Arrays;
 import javax.imageio.ImageIO;
 import lancer.Couleur;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Avec une fausse commande, qui note ce qu'on lui demande et rend une image toute faite. */
-@DisplayName("La commande povray")
+/** La commande povray : une fausse, qui note ce qu'on lui demande et rend une image toute faite. */
 class PovRayTest {
 
     @TempDir

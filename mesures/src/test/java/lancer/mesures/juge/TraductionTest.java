@@ -14,10 +14,9 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("La traduction d'une scène pour POV-Ray")
+/** La traduction d'une scène pour POV-Ray. */
 class TraductionTest {
 
     private static String texte(Scene scene, int reflets, Composante juste) throws Intraduisible {

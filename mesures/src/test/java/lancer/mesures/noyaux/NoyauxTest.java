@@ -16,16 +16,14 @@ import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.openjdk.jmh.runner.options.CommandLineOptions;
 
-@DisplayName("Les noyaux")
+/** Les noyaux. */
 class NoyauxTest {
 
     @Test
-    @DisplayName("JMH les mesure tous, chacun avec son erreur")
-    void jmhLesMesureTous() throws Exception {
+    void jmhLesMesureTousChacunAvecSonErreur() throws Exception {
         ByteArrayOutputStream sortie = new ByteArrayOutputStream();
         Noyaux.mesurer(new CommandLineOptions("-f", "0", "-wi", "0", "-i", "2", "-r", "5ms"), new PrintStream(sortie, true, "UTF-8"));
         String texte = sortie.toString("UTF-8");
@@ -39,8 +37,7 @@ class NoyauxTest {
     }
 
     @Test
-    @DisplayName("Le rayon touche, manque, ou part de l'intérieur, comme le nom du cas le dit")
-    void lesCasSontCeuxQuIlsDisent() {
+    void leRayonToucheManqueOuPartDeLInterieurCommeLeNomDuCasLeDit() {
         for (String cas : new String[] {"touche", "manque", "dedans"}) {
             NoyauIntersection noyau = new NoyauIntersection();
             noyau.cas = cas;
@@ -52,7 +49,6 @@ class NoyauxTest {
     }
 
     @Test
-    @DisplayName("Les deux recherches répondent la même chose")
     void lesDeuxRecherchesRepondentLaMemeChose() throws IOException {
         NoyauRecherche simple = new NoyauRecherche();
         simple.recherche = "simple";
@@ -66,8 +62,7 @@ class NoyauxTest {
     }
 
     @Test
-    @DisplayName("Une recherche qui se trompe n'est pas mesurée")
-    void uneRechercheFausseNEstPasMesuree() {
+    void uneRechercheQuiSeTrompeNEstPasMesuree() {
         NoyauRecherche noyau = new NoyauRecherche();
         noyau.recherche = "programme";
         IllegalStateException refus = assertThrows(IllegalStateException.class, () -> noyau.preparer(SansOmbre::new));
@@ -89,7 +84,7 @@ class NoyauxTest {
         }
 
         @Override
-        public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
             return false;
         }
 
@@ -100,8 +95,7 @@ class NoyauxTest {
     }
 
     @Test
-    @DisplayName("Chaque contact est éclairé, et pas deux pareillement")
-    void lesContactsSontEclaires() {
+    void chaqueContactEstEclaireEtPasDeuxPareillement() {
         NoyauContact noyau = new NoyauContact();
         noyau.ns = 40;
         noyau.preparer();

@@ -15,11 +15,10 @@ import java.util.List;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import lancer.Point;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-@DisplayName("Les courbes de stabilité")
+/** Les courbes de stabilité. */
 class StabiliteTest {
 
     private static final Point ORIGINE = new Point();
@@ -28,8 +27,7 @@ class StabiliteTest {
     Path dossier;
 
     @Test
-    @DisplayName("ont pour juge un calcul sans arrondi, que les formes closes confirment")
-    void leJuge() {
+    void leJugeEstUnCalculSansArrondiQueLesFormesClosesConfirment() {
         // de face, de dedans, de dos, une tangente exacte, un départ sur la surface qui sort, puis qui entre
         juge(4, 1, new Exacte(ORIGINE, new Point(0, 0, 1), new Point(0, 0, 5), 1));
         juge(2, 2, new Exacte(ORIGINE, new Point(0, 0, 3), ORIGINE, 2));
@@ -55,8 +53,7 @@ class StabiliteTest {
     }
 
     @Test
-    @DisplayName("prennent des racines de soixante-dix chiffres")
-    void laRacine() {
+    void lesRacinesOntSoixanteDixChiffres() {
         Random hasard = new Random(6);
         for (int k = 0; k < 2_000; k++) {
             BigDecimal x = new BigDecimal(hasard.nextDouble() * Math.pow(10, 40 * hasard.nextDouble() - 20));
@@ -69,8 +66,7 @@ class StabiliteTest {
     }
 
     @Test
-    @DisplayName("sont les mêmes à chaque mesure, au bit près, et se dessinent sans écran")
-    void refaites() throws IOException {
+    void refaitesLesCourbesSontLesMemesAuBitPresEtSeDessinentSansEcran() throws IOException {
         Path deuxieme = Files.createDirectory(dossier.resolve("deux"));
         Stabilite.mesurer(dossier, true);
         Stabilite.mesurer(deuxieme, true);
@@ -93,8 +89,7 @@ class StabiliteTest {
     }
 
     @Test
-    @DisplayName("ne se lisent pas dans un autre fichier")
-    void unAutreFichier() throws IOException {
+    void unAutreFichierNEstPasLuCommeDesCourbes() throws IOException {
         Path autre = dossier.resolve("autre.csv");
         Files.write(autre, java.util.Arrays.asList("scene,famille", "a,b"));
         assertThrows(IOException.class, () -> Resultat.lire(autre));

@@ -14,18 +14,16 @@ import java.util.stream.Collectors;
 import org.jfree.chart.axis.AxisState;
 import org.jfree.chart.axis.NumberTick;
 import org.jfree.chart.ui.RectangleEdge;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("L'apparence des courbes")
+/** L'apparence des courbes. */
 class StyleTest {
 
     private final BufferedImage image = new BufferedImage(600, 400, BufferedImage.TYPE_INT_RGB);
     private final Graphics2D g = image.createGraphics();
 
     @Test
-    @DisplayName("écrit les nombres à la française, sans chiffre de trop")
-    void lesNombres() {
+    void lesNombresSontALaFrancaiseSansChiffreDeTrop() {
         assertEquals("0", Style.nombre(0));
         assertEquals("0,5", Style.nombre(0.5));
         assertEquals("12,3", Style.nombre(12.345));
@@ -46,8 +44,7 @@ class StyleTest {
     }
 
     @Test
-    @DisplayName("gradue un axe logarithmique de nombres ronds, d'autant moins qu'il est long")
-    void lesGraduations() {
+    void unAxeLogarithmiqueEstGradueDeNombresRondsDAutantMoinsQuIlEstLong() {
         assertEquals(Arrays.asList("0,5", "1", "2", "5", "10", "20"), graduations(0.4, 25, 0));
         assertEquals(Arrays.asList("2", "2,5", "3", "3,5", "4", "4,5"),
                 graduations(2, 4.6, 0).stream().limit(6).collect(Collectors.toList()));
@@ -56,8 +53,7 @@ class StyleTest {
     }
 
     @Test
-    @DisplayName("dessine zéro dans sa bande, sur un axe qui ne saurait l'atteindre")
-    void laBandeDeZero() {
+    void zeroEstDessineDansSaBandeSurUnAxeQuiNeSauraitLAtteindre() {
         Axe axe = new Axe("", 0.001, 100, 0.0005);
         assertEquals(0.0005, axe.place(0));
         assertEquals(0.0005, axe.place(1e-9));
@@ -66,8 +62,7 @@ class StyleTest {
     }
 
     @Test
-    @DisplayName("n'écrit jamais une étiquette sur une autre, ni sur un point, ni hors du cadre")
-    void lesEtiquettes() {
+    void uneEtiquetteNEstJamaisSurUneAutreNiSurUnPointNiHorsDuCadre() {
         g.setColor(Color.WHITE);
         g.fillRect(0, 0, 600, 400);
         Etiquettes noms = new Etiquettes(g, new Rectangle2D.Double(100, 100, 200, 120));
@@ -87,15 +82,13 @@ class StyleTest {
     }
 
     @Test
-    @DisplayName("ne sépare pas un guillemet de son mot")
-    void lesCoupures() {
+    void unGuillemetNEstPasSepareDeSonMot() {
         Paragraphe etroit = new Paragraphe(g, "un « mot » : 2 fois", Style.AXE, 1);
         assertEquals(3 * g.getFontMetrics(Style.AXE).getHeight(), etroit.hauteur(), "un / « mot » : / 2 fois");
     }
 
     @Test
-    @DisplayName("a la même taille pour toutes les planches, et des marques de toutes les couleurs de la légende")
-    void unePlanche() {
+    void toutesLesPlanchesOntLaMemeTailleEtDesMarquesDeToutesLesCouleursDeLaLegende() {
         Serie serie = new Serie("mesures", Style.VERMILLON, Forme.LOSANGE, true,
                 Arrays.asList(Marque.en(1, 10).nommee("un").entreX(0.8, 1.2), Marque.en(10, 1).creuse(), Marque.en(100, 0).cerclee()));
         Volet volet = new Volet("Le constat", "le sujet", "x, en ms", "y, en pas").plancher(0.1).serie(serie)

@@ -11,11 +11,10 @@ import java.nio.file.Paths;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-@DisplayName("Ce que demande une scène")
+/** Ce que demande une scène. */
 class BesoinTest {
 
     private static final Taille TAILLE = new Taille(80, 60, 2);
@@ -36,8 +35,7 @@ class BesoinTest {
     }
 
     @Test
-    @DisplayName("une boule mate ne demande aucun reflet")
-    void uneBouleMate() throws IOException {
+    void uneBouleMateNeDemandeAucunReflet() throws IOException {
         Besoin mate = besoin("[Sphere 1]\ncentre=0 0 4\nrayon=0.5\nKd=1 1 1\n[Lampe 1]\nposition=-4 6 -3\ncouleur=1 1 1\n");
         assertEquals(0, mate.profondeurUtile());
         assertEquals(1, mate.lampesUtiles());
@@ -47,28 +45,24 @@ class BesoinTest {
     }
 
     @Test
-    @DisplayName("une boule brillante, seule, n'en demande qu'un : celui du ciel")
-    void uneBouleBrillante() throws IOException {
+    void uneBouleBrillanteSeuleNEnDemandeQuUnCeluiDuCiel() throws IOException {
         assertEquals(1, besoin("[Sphere 1]\ncentre=0 0 4\nrayon=0.5\nKs=0.5 0.5 0.5\n").profondeurUtile());
     }
 
     @Test
-    @DisplayName("une lampe enfermée dans une boule opaque ne sert à rien")
-    void uneLampeCachee() throws IOException {
+    void uneLampeEnfermeeDansUneBouleOpaqueNeSertARien() throws IOException {
         Besoin besoin = besoin("[Sphere 1]\ncentre=0 0 4\nrayon=0.5\nKd=1 1 1\n[Sphere 2]\ncentre=9 9 9\nrayon=0.1\nKd=1 1 1\n"
                 + "[Lampe dedans]\nposition=9 9 9\ncouleur=1 1 1\n[Lampe dehors]\nposition=-4 6 -3\ncouleur=1 1 1\n");
         assertEquals(1, besoin.lampesUtiles());
     }
 
     @Test
-    @DisplayName("deux miroirs en demandent plus que le programme n'en fait")
-    void deuxMiroirs() {
+    void deuxMiroirsEnDemandentPlusQueLeProgrammeNEnFait() {
         assertTrue(new Besoin(Paths.get("scenes/miroirs.ini"), TAILLE).profondeurUtile() > 20);
     }
 
     @Test
-    @DisplayName("les rayons sans économie sont ceux que l'on compte à la main")
-    void aLaMain() throws IOException {
+    void lesRayonsSansEconomieSontCeuxQueLOnCompteALaMain() throws IOException {
         // une boule qui couvre toute l'image : un contact par pixel, une question à chaque lampe, et un reflet qui voit le ciel
         Besoin besoin = besoin("[Sphere 1]\ncentre=0 0 100\nrayon=90\nKd=1 1 1\n[Lampe 1]\nposition=0 0 -50\ncouleur=1 1 1\n"
                 + "[Lampe derrière]\nposition=0 0 300\ncouleur=1 1 1\n");
@@ -78,8 +72,7 @@ class BesoinTest {
     }
 
     @Test
-    @DisplayName("se lit dans un tableau qui a une ligne par scène, chaque structure par son nom français")
-    void leTableau() {
+    void leTableauAUneLigneParSceneEtChaqueStructureParSonNomFrancais() {
         String tableau = TableBesoins.markdown(java.util.Arrays.asList("scene1", "foule", "diffus").stream().map(nom -> {
             try {
                 return champs(new Besoin(Paths.get("scenes/" + nom + ".ini"), TAILLE));

@@ -3,10 +3,9 @@ package lancer.mesures.vitesse;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("Les phrases des courbes")
+/** Les phrases des courbes. */
 class ConstatsTest {
 
     private static Constats constats(List<Releve> releves) {
@@ -14,8 +13,7 @@ class ConstatsTest {
     }
 
     @Test
-    @DisplayName("disent de combien le défaut est hors du front, et ce qui n'y est jamais")
-    void leDefautEstBattu() {
+    void ellesDisentDeCombienLeDefautEstHorsDuFrontEtCeQuiNYEstJamais() {
         Constats c = constats(Faux.releves());
         assertEquals("Scène du cours : mieux que 3 × 3 pour 3 fois moins de rayons", c.titre());
         assertEquals("Le défaut, « coins » (3 ; 0,05), est battu : « partage » (4 ; 0,1) fait mieux pour 2 fois moins de rayons. "
@@ -24,8 +22,7 @@ class ConstatsTest {
     }
 
     @Test
-    @DisplayName("disent le contraire quand les mesures disent le contraire")
-    void leDefautEstSurLeFront() {
+    void ellesDisentLeContraireQuandLesMesuresDisentLeContraire() {
         List<Releve> releves = Faux.releves();
         releves.removeIf(r -> r.methode.equals(Catalogue.PARTAGE));
         releves.add(Faux.releve(Famille.REFLETS, Catalogue.SEUIL, "p=1000 seuil=1/256", 2, 0.01));
@@ -38,8 +35,7 @@ class ConstatsTest {
     }
 
     @Test
-    @DisplayName("ne prennent pas quelques pour cent pour une différence")
-    void leBruit() {
+    void ellesNePrennentPasQuelquesPourCentPourUneDifference() {
         List<Releve> releves = Faux.releves();
         releves.removeIf(r -> r.methode.equals(Catalogue.PARTAGE));
         releves.add(Faux.releve(Famille.ECHANTILLONNAGE, Catalogue.COINS, "n=4 seuil=0.2", 23.5, 1.5));
@@ -64,8 +60,7 @@ class ConstatsTest {
     }
 
     @Test
-    @DisplayName("disent si Blinn est plus rapide, plus lent, ou si rien ne le dit")
-    void blinn() {
+    void ellesDisentSiBlinnEstPlusRapidePlusLentOuSiRienNeLeDit() {
         assertEquals("Blinn est plus rapide que Phong : de 0,5 à 0,6 fois son temps", blinn(5, 6));
         assertEquals("Blinn est plus rapide que Phong, ou ne s'en distingue pas : de 0,5 à 1 fois son temps", blinn(5, 10));
         assertEquals("Blinn est plus lent que Phong : de 1,5 à 2 fois son temps", blinn(15, 20));

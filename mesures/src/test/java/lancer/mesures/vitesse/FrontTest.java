@@ -9,10 +9,9 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("Le front de Pareto")
+/** Le front de Pareto. */
 class FrontTest {
 
     private static Releve point(double rayons, double pas) {
@@ -20,8 +19,7 @@ class FrontTest {
     }
 
     @Test
-    @DisplayName("garde ce que rien ne bat à la fois en coût et en erreur, du moins cher au plus juste")
-    void leFront() {
+    void ilGardeCeQueRienNeBatALaFoisEnCoutEtEnErreurDuMoinsCherAuPlusJuste() {
         Releve a = point(1, 9);
         Releve b = point(2, 5);
         Releve battu = point(3, 6);
@@ -35,8 +33,7 @@ class FrontTest {
     }
 
     @Test
-    @DisplayName("dit de combien un réglage en est loin")
-    void leGain() {
+    void ilDitDeCombienUnReglageEnEstLoin() {
         Releve b = point(2, 5);
         Releve battu = point(3, 6);
         Front front = new Front(Arrays.asList(point(1, 9), b, battu), Cout.RAYONS);
@@ -48,8 +45,7 @@ class FrontTest {
     }
 
     @Test
-    @DisplayName("de points au hasard : aucun n'y est battu, tout autre l'est, et l'ordre ne change rien")
-    void auHasard() {
+    void dePointsAuHasardAucunNYEstBattuToutAutreLEstEtLOrdreNeChangeRien() {
         for (long graine = 0; graine < 50; graine++) {
             Random hasard = new Random(graine);
             List<Releve> points = new ArrayList<>();

@@ -18,11 +18,10 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import lancer.mesures.FichierCsv;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-@DisplayName("Le journal des mesures")
+/** Le journal des mesures. */
 class JournalTest {
 
     @TempDir
@@ -44,15 +43,13 @@ class JournalTest {
     }
 
     @Test
-    @DisplayName("est vide tant que rien n'est mesuré")
-    void vide() throws IOException {
+    void ilEstVideTantQueRienNEstMesure() throws IOException {
         assertTrue(journal().lire().isEmpty());
         assertTrue(journal().clesFaites().isEmpty());
     }
 
     @Test
-    @DisplayName("rend ce qui y a été noté, virgules et guillemets compris")
-    void rendCeQuiEstNote() throws IOException {
+    void ilRendCeQuiYAEteNoteVirgulesEtGuillemetsCompris() throws IOException {
         journal().ajouter(ligne("n=3 seuil=0.05"));
         journal().ajouter(ligne("a, « b » et \"c\""));
         assertEquals(Arrays.asList("n=3 seuil=0.05", "a, « b » et \"c\""), parametres());
@@ -61,8 +58,7 @@ class JournalTest {
     }
 
     @Test
-    @DisplayName("oublie une ligne coupée, et rien d'autre")
-    void uneLigneCoupee() throws IOException {
+    void ilOublieUneLigneCoupeeEtRienDAutre() throws IOException {
         journal().ajouter(ligne("un"));
         journal().ajouter(ligne("deux"));
         Files.write(journal().getFichier(), "AMD,2,jvm,2026".getBytes(StandardCharsets.UTF_8), StandardOpenOption.APPEND);
@@ -73,8 +69,7 @@ class JournalTest {
     }
 
     @Test
-    @DisplayName("oublie un en-tête coupé")
-    void unEnTeteCoupe() throws IOException {
+    void ilOublieUnEnTeteCoupe() throws IOException {
         Files.createDirectories(journal().getFichier().getParent());
         Files.write(journal().getFichier(), "machine,coe".getBytes(StandardCharsets.UTF_8));
         assertTrue(journal().lire().isEmpty());
@@ -83,16 +78,14 @@ class JournalTest {
     }
 
     @Test
-    @DisplayName("refuse une ligne qui n'a pas le compte de champs")
-    void uneLigneFausse() throws IOException {
+    void uneLigneQuiNAPasLeCompteDeChampsEstRefusee() throws IOException {
         journal().ajouter(ligne("un"));
         journal().ajouter("trop,peu");
         assertThrows(IOException.class, () -> journal().lire());
     }
 
     @Test
-    @DisplayName("fait reprendre où l'on en était : ce qui est fait ne l'est pas deux fois")
-    void laReprise() throws IOException {
+    void onReprendOuLOnEnEtaitEtCeQuiEstFaitNeLEstPasDeuxFois() throws IOException {
         Travail travail = Travail.tous(true).stream().filter(t -> t.scene.equals("foule-10")).findFirst().get();
         ouvrier(travail).faire();
         List<String> completes = Files.readAllLines(journal().getFichier());
@@ -111,8 +104,7 @@ class JournalTest {
     }
 
     @Test
-    @DisplayName("garde tout ce qui était fini quand la machine virtuelle est tuée")
-    void tuee() throws IOException, InterruptedException {
+    void quandLaMachineVirtuelleEstTueeToutCeQuiEtaitFiniEstGarde() throws IOException, InterruptedException {
         int rang = 0;
         while (Travail.tous(true).get(rang).famille != Famille.REFLETS) {
             rang++;

@@ -15,10 +15,9 @@ import lancer.antialias.Antialias;
 import lancer.contrat.Echantillonnage;
 import lancer.mesures.ImageFausse;
 import lancer.mesures.Scenes;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("Mesurer une méthode")
+/** Mesurer une méthode. */
 class MesureurTest {
 
     private static final Taille TAILLE = new Taille(70, 50, 2);
@@ -35,8 +34,7 @@ class MesureurTest {
     }
 
     @Test
-    @DisplayName("donne sept temps au moins, et les comptes d'une seule image")
-    void lesComptes() {
+    void uneMesureASeptTempsAuMoinsEtLesComptesDUneSeuleImage() {
         Mesureur.Mesure mesure = mesurer(methode(Antialias.coins(2, 0)));
         assertTrue(mesure.temps().nombre() >= Mesureur.REPETITIONS_MIN);
         assertEquals(4 * TAILLE.pixels(), mesure.compteurs.primaires);
@@ -44,8 +42,7 @@ class MesureurTest {
     }
 
     @Test
-    @DisplayName("vérifie tous les pixels de chaque méthode du catalogue sur une petite scène, ou ce que permet le budget")
-    void toutLeCatalogue() {
+    void deChaqueMethodeDuCatalogueTousLesPixelsSontVerifiesOuCeQuePermetLeBudget() {
         Catalogue catalogue = new Catalogue(true);
         for (List<Methode> methodes : Arrays.asList(catalogue.echantillonnages(), catalogue.reflets(), catalogue.demandes())) {
             for (Mesureur.Mesure mesure : mesureur.mesurer(scene, methodes)) {
@@ -55,8 +52,7 @@ class MesureurTest {
     }
 
     @Test
-    @DisplayName("ne refait que quelques pixels quand tous coûteraient trop")
-    void unPetitBudget() {
+    void quandTousCouteraientTropQuelquesPixelsSeulementSontRefaits() {
         Methode methode = methode(Echantillonnage.CENTRE);
         Mesureur.Mesure mesure = mesurer(methode);
         int verifies = new Controle(TAILLE, 1).verifier(methode, scene, mesure.image, mesure.compteurs);
@@ -64,8 +60,7 @@ class MesureurTest {
     }
 
     @Test
-    @DisplayName("refuse une image dont un pixel n'est pas celui des boucles du cours")
-    void unPixelFaux() {
+    void uneImageDontUnPixelNEstPasCeluiDesBouclesDuCoursEstRefusee() {
         Methode methode = methode(Echantillonnage.CENTRE);
         Mesureur.Mesure mesure = mesurer(methode);
         Couleur juste = mesure.image.getCouleur(33 * TAILLE.largeur + 41);
@@ -76,8 +71,7 @@ class MesureurTest {
     }
 
     @Test
-    @DisplayName("refuse une image qui change d'un dessin à l'autre")
-    void uneImageQuiChange() {
+    void uneImageQuiChangeDUnDessinALAutreEstRefusee() {
         AtomicInteger paves = new AtomicInteger();
         int parImage = 3 * 2;
         // la première fois, et celle de la vérification, elle est juste
@@ -91,8 +85,7 @@ class MesureurTest {
     }
 
     @Test
-    @DisplayName("refuse qu'une méthode partage des rayons entre pixels sans le dire")
-    void unPartageCache() {
+    void uneMethodeQuiPartageDesRayonsEntrePixelsSansLeDireEstRefusee() {
         Echantillonnage partage = Antialias.partage(4, 0.1);
         Scene foule = Scenes.lire(Paths.get("scenes/foule.ini"));
         assertThrows(ImageFausse.class, () -> mesureur.mesurer(foule, Collections.singletonList(methode(partage))));
@@ -101,8 +94,7 @@ class MesureurTest {
     }
 
     @Test
-    @DisplayName("donne les mêmes comptes quel que soit le nombre de fils")
-    void lesFils() {
+    void lesComptesNeDependentPasDuNombreDeFils() {
         Methode methode = Methode.de(Famille.ECHANTILLONNAGE, "essai", "").partagee(Antialias.partage(8, 0.06));
         Mesureur.Mesure deux = mesurer(methode);
         Mesureur.Mesure un = new Mesureur(new Taille(70, 50, 1), true).mesurer(scene, Collections.singletonList(methode)).get(0);

@@ -11,11 +11,10 @@ import java.nio.file.Path;
 import java.util.Collections;
 import java.util.Map;
 import lancer.mesures.stabilite.Stabilite;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-@DisplayName("Les nombres des pages")
+/** Les nombres des pages. */
 class PagesTest {
 
     private static final Path RESULTATS = Faux.projet("mesures/resultats");
@@ -24,24 +23,21 @@ class PagesTest {
     Path dossier;
 
     @Test
-    @DisplayName("viennent des mesures, et le texte autour ne bouge pas")
-    void remplacer() {
+    void ilsViennentDesMesuresEtLeTexteAutourNeBougePas() {
         assertEquals("un <!--v:a-->2,1<!--/v--> deux <!--v:a-->2,1<!--/v-->",
                 Pages.remplacer("un <!--v:a-->0<!--/v--> deux <!--v:a--><!--/v-->", Collections.singletonMap("a", "2,1")));
         assertEquals("$1 \\", Pages.remplacer("$1 \\", Collections.emptyMap()));
     }
 
     @Test
-    @DisplayName("qui ne viennent d'aucune mesure sont refusés")
-    void inconnu() {
+    void ceuxQuiNeViennentDAucuneMesureSontRefuses() {
         IllegalArgumentException faute = assertThrows(IllegalArgumentException.class,
                 () -> Pages.remplacer("<!--v:b-->0<!--/v-->", Collections.singletonMap("a", "1")));
         assertTrue(faute.getMessage().contains("« b »"), faute.getMessage());
     }
 
     @Test
-    @DisplayName("ne sont réécrits que s'ils changent")
-    void reecrire() throws IOException {
+    void unePageNEstReecriteQueSIlsChangent() throws IOException {
         Path page = dossier.resolve("page.md");
         Files.write(page, "<!--v:a-->0<!--/v-->\n".getBytes(StandardCharsets.UTF_8));
         Pages.reecrire(page, Collections.singletonMap("a", "1"));
@@ -50,8 +46,7 @@ class PagesTest {
     }
 
     @Test
-    @DisplayName("de ce projet sont ceux de mesures/resultats")
-    void ceuxDuProjet() throws IOException {
+    void ceuxDeCeProjetSontCeuxDeMesuresResultats() throws IOException {
         Map<String, String> valeurs = Stabilite.pages(RESULTATS);
         valeurs.putAll(new Chiffres(new Releves(new Journal(RESULTATS.resolve(Ouvrier.CSV)).lire()),
                 TableBesoins.lire(RESULTATS.resolve("besoins.csv"))).get());
@@ -64,15 +59,13 @@ class PagesTest {
     }
 
     @Test
-    @DisplayName("du tableau des besoins sont ceux de son CSV")
-    void leTableauDesBesoins() throws IOException {
+    void ceuxDuTableauDesBesoinsSontCeuxDeSonCsv() throws IOException {
         assertEquals(TableBesoins.markdown(TableBesoins.lire(RESULTATS.resolve("besoins.csv"))),
                 new String(Files.readAllBytes(RESULTATS.resolve("besoins.md")), StandardCharsets.UTF_8));
     }
 
     @Test
-    @DisplayName("montrent des courbes qui existent")
-    void lesCourbes() throws IOException {
+    void lesCourbesMontreesExistent() throws IOException {
         for (Path relative : Rapport.PAGES) {
             Path page = Faux.projet(relative.toString());
             java.util.regex.Matcher m = java.util.regex.Pattern.compile("[(\"]([^()\"\\s]*resultats/[^()\"\\s]*\\.png)[)\"]")

@@ -18,13 +18,12 @@ import java.util.List;
 import java.util.Set;
 import javax.imageio.ImageIO;
 import lancer.mesures.stabilite.Stabilite;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@DisplayName("make mesures")
+/** La commande {@code make mesures}. */
 class VitesseTest {
 
     private static final List<String> COURBES = Arrays.asList("scene1-rayons", "scene1-temps", "bowling-rayons", "bowling-temps",
@@ -43,15 +42,14 @@ class VitesseTest {
 
     @ParameterizedTest(name = "« {0} » est refusé d'une ligne")
     @ValueSource(strings = {"--vite", "--dossier", "--rapide=1", "scenes/scene1.ini"})
-    void uneDemandeFausse(String demande) throws IOException {
+    void uneDemandeFausseTientEnUneLigne(String demande) throws IOException {
         assertEquals(2, vitesse(demande));
         assertEquals("", sortie.toString("UTF-8"));
         assertTrue(erreurs.toString("UTF-8").matches("Vitesse : .+\\R"), erreurs.toString("UTF-8"));
     }
 
     @Test
-    @DisplayName("lancé hors du projet, le dit d'une ligne et n'écrit rien")
-    void horsDuProjet() throws IOException, InterruptedException {
+    void lanceeHorsDuProjetElleLeDitDUneLigneEtNEcritRien() throws IOException, InterruptedException {
         Path ailleurs = Files.createDirectories(dossier.resolve("ailleurs").resolve("loin"));
         Process processus = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
                 System.getProperty("java.class.path"), Vitesse.class.getName(), "--rapide").directory(ailleurs.toFile())
@@ -66,15 +64,13 @@ class VitesseTest {
     }
 
     @Test
-    @DisplayName("sans mesures à dessiner, le dit d'une ligne")
-    void rienADessiner() throws IOException {
+    void sansMesuresADessinerElleLeDitDUneLigne() throws IOException {
         assertEquals(1, vitesse("--dessiner", "--dossier", dossier.toString()));
         assertTrue(erreurs.toString("UTF-8").matches("Vitesse : .+\\R"), erreurs.toString("UTF-8"));
     }
 
     @Test
-    @DisplayName("redessine toutes les courbes des mesures notées, même si l'écran ne répond pas")
-    void toutesLesCourbes() throws IOException, InterruptedException {
+    void toutesLesCourbesSeRedessinentDesMesuresNoteesMemeSiLEcranNeRepondPas() throws IOException, InterruptedException {
         for (String nom : new String[] {Ouvrier.CSV, "besoins.csv", Stabilite.CSV}) {
             Files.copy(Faux.projet("mesures/resultats").resolve(nom), dossier.resolve(nom));
         }
@@ -97,8 +93,7 @@ class VitesseTest {
     }
 
     @Test
-    @DisplayName("rapide, n'écrit que dans son dossier et ne mesure qu'une partie du catalogue")
-    void rapide() {
+    void rapideElleNEcritQueDansSonDossierEtNeMesureQuUnePartieDuCatalogue() {
         OptionsVitesse rapide = OptionsVitesse.lire("--rapide");
         assertEquals(rapide.atelier, rapide.resultats);
         assertFalse(rapide.montres());
@@ -110,8 +105,7 @@ class VitesseTest {
     }
 
     @Test
-    @DisplayName("chaque réglage par défaut est mesuré, une fois par scène")
-    void lesDefauts() throws IOException {
+    void chaqueReglageParDefautEstMesureUneFoisParScene() throws IOException {
         Releves releves = new Releves(new Journal(Faux.projet("mesures/resultats").resolve(Ouvrier.CSV)).lire());
         assertEquals(new Catalogue(false).scenes(), releves.de(Famille.ECHANTILLONNAGE).scenes());
         for (String scene : new Catalogue(false).scenes()) {
@@ -121,8 +115,7 @@ class VitesseTest {
     }
 
     @Test
-    @DisplayName("la vérité est connue bien mieux que les erreurs qu'elle juge")
-    void laVerite() throws IOException {
+    void laVeriteEstConnueBienMieuxQueLesErreursQuElleJuge() throws IOException {
         Releves releves = new Releves(new Journal(Faux.projet("mesures/resultats").resolve(Ouvrier.CSV)).lire());
         for (String scene : releves.de(Famille.VERITE).scenes()) {
             double reste = releves.de(scene, Famille.VERITE).de("moyenne").get().get(0).erreurEnPas();

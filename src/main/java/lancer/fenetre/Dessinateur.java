@@ -1,0 +1,37 @@
+package lancer.fenetre;
+
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.SceneFautive;
+import lancer.commande.Echec;
+import lancer.sortie.ImageMemoire;
+
+/** Ce que la fenêtre demande au programme : lire une scène, la dessiner, et laisser voir où il en est. */
+public interface Dessinateur {
+
+    /**
+     * Lit une scène, qui devient celle à dessiner.
+     *
+     * @param fichier voir {@link Scene#Scene(String)}
+     * @return ce qu'elle a de laissé de côté, une ligne chacun
+     * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
+     * @throws CancellationException de même, si ce fil a été interrompu
+     */
+    List<String> lireScene(String fichier);
+
+    /**
+     * Dessine la scène lue, brouillon puis image.
+     *
+     * @throws CancellationException si le dessin a été arrêté
+     * @throws Echec si un pixel ne peut être calculé
+     */
+    void doTracerImage(int largeur, int hauteur);
+
+    /** L'image que dessine, ou qu'a dessinée, {@link #doTracerImage} ; {@code null} avant la première. */
+    ImageMemoire getImage();
+
+    /** Ce qui dessine cette image ; {@code null} tant que la scène se prépare. */
+    Lancer getLancer();
+}

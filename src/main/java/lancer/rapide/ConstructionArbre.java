@@ -1,0 +1,158 @@
+package lancer.rapide;
+
+import java.util.Arrays;
+import lancer.fils.Equipe;
+
+/**
+ * La construction d'un {@link Arbre} : à chaque nœud, la coupe qui coûtera le moins selon l'aire des deux boîtes
+ * (MacDonald et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007).
+ */
+final class ConstructionArbre {
+
+    private static final int TRANCHES = 16;
+
+    /** Feuilles larges : une sphère ne coûte pas plus à examiner qu'une boîte. */
+    private static final int FEUILLE_MIN = 4;
+    private static final int FEUILLE_MAX = 12;
+    private static final double COUT_NOEUD = 3;
+
+    private final Equipe equipe;
+    private final double[] g;
+    private final int[] ordre;
+    private double[] boites;
+    private int[] suite;
+    private byte[] compte;
+    private int noeuds;
+
+    ConstructionArbre(Spheres spheres, Equipe equipe) {
+        this.equipe = equipe;
+        g = spheres.geometrie;
+        ordre = spheres.toutes();
+        int places = Math.max(2, ordre.length / 2);
+        boites = new double[Arbre.PAS * places];
+        suite = new int[places];
+        compte = new byte[places];
+    }
+
+    /** @throws java.util.concurrent.CancellationException si l'équipe est arrêtée */
+    Arbre.Noeuds construire() {
+        if (ordre.length > 0) {
+            noeuds = 1;
+            diviser(0, 0, ordre.length, 0);
+        }
+        return new Arbre.Noeuds(Arrays.copyOf(boites, Arbre.PAS * noeuds), Arrays.copyOf(suite, noeuds),
+                Arrays.copyOf(compte, noeuds), ordre);
+    }
+
+    private void diviser(int noeud, int debut, int fin, int profondeur) {
+        equipe.verifier();
+        Boite centres = new Boite();
+        Boite boite = new Boite();
+        for (int i = debut; i < fin; i++) {
+            int s = Spheres.PAS * ordre[i];
+            boite.ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
+            centres.ajouter(g[s], g[s + 1], g[s + 2], 0);
+        }
+        int b = Arbre.PAS * noeud;
+        double marge = Arbre.MARGE * boite.portee();
+        boites[b] = boite.xMin - marge;
+        boites[b + 1] = boite.yMin - marge;
+        boites[b + 2] = boite.zMin - marge;
+        boites[b + 3] = boite.xMax + marge;
+        boites[b + 4] = boite.yMax + marge;
+        boites[b + 5] = boite.zMax + marge;
+        int n = fin - debut;
+        int coupe = n <= FEUILLE_MIN ? -1 : profondeur > Arbre.PROFONDEUR_MAX - Integer.SIZE ? moitie(debut, fin)
+                : couper(debut, fin, centres, boite);
+        if (coupe < 0) {
+            suite[noeud] = debut;
+            compte[noeud] = (byte) n;
+            return;
+        }
+        int enfants = noeuds;
+        noeuds += 2;
+        if (noeuds > suite.length) {
+            boites = Arrays.copyOf(boites, 2 * boites.length);
+            suite = Arrays.copyOf(suite, 2 * suite.length);
+            compte = Arrays.copyOf(compte, 2 * compte.length);
+        }
+        suite[noeud] = enfants;
+        diviser(enfants, debut, coupe, profondeur + 1);
+        diviser(enfants + 1, coupe, fin, profondeur + 1);
+    }
+
+    private static int moitie(int debut, int fin) {
+        return fin - debut <= FEUILLE_MAX ? -1 : (debut + fin) >>> 1;
+    }
+
+    /**
+     * Range les sphères de part et d'autre de la meilleure coupe, et rend son rang ; -1 s'il vaut mieux une feuille.
+     */
+    private int couper(int debut, int fin, Boite centres, Boite boite) {
+        int n = fin - debut;
+        double meilleur = Double.POSITIVE_INFINITY;
+        int axe = -1;
+        int tranche = 0;
+        double[] bas = {centres.xMin, centres.yMin, centres.zMin};
+        double[] pas = {(centres.xMax - centres.xMin) / TRANCHES, (centres.yMax - centres.yMin) / TRANCHES,
+            (centres.zMax - centres.zMin) / TRANCHES};
+        for (int a = 0; a < 3; a++) {
+            if (!(pas[a] > 0)) {
+                continue;
+            }
+            Boite[] parts = new Boite[TRANCHES];
+            int[] nombres = new int[TRANCHES];
+            for (int i = debut; i < fin; i++) {
+                int s = Spheres.PAS * ordre[i];
+                int t = tranche(g[s + a], bas[a], pas[a]);
+                if (parts[t] == null) {
+                    parts[t] = new Boite();
+                }
+                parts[t].ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
+                nombres[t]++;
+            }
+            double[] aDroite = new double[TRANCHES];
+            Boite e = new Boite();
+            int c = 0;
+            for (int t = TRANCHES - 1; t > 0; t--) {
+                c += nombres[t];
+                e.ajouter(parts[t]);
+                aDroite[t] = c == 0 ? Double.POSITIVE_INFINITY : e.aire() * c;
+            }
+            e = new Boite();
+            c = 0;
+            for (int t = 0; t < TRANCHES - 1; t++) {
+                c += nombres[t];
+                e.ajouter(parts[t]);
+                double cout = c == 0 ? Double.POSITIVE_INFINITY : e.aire() * c + aDroite[t + 1];
+                if (cout < meilleur) {
+                    meilleur = cout;
+                    axe = a;
+                    tranche = t;
+                }
+            }
+        }
+        if (axe < 0) {
+            return moitie(debut, fin);
+        }
+        if (n <= FEUILLE_MAX && COUT_NOEUD + meilleur / boite.aire() >= n) {
+            return -1;
+        }
+        int i = debut;
+        int j = fin;
+        while (i < j) {
+            if (tranche(g[Spheres.PAS * ordre[i] + axe], bas[axe], pas[axe]) <= tranche) {
+                i++;
+            } else {
+                int k = ordre[i];
+                ordre[i] = ordre[--j];
+                ordre[j] = k;
+            }
+        }
+        return i == debut || i == fin ? moitie(debut, fin) : i;
+    }
+
+    private static int tranche(double x, double bas, double pas) {
+        return Math.min(TRANCHES - 1, (int) ((x - bas) / pas));
+    }
+}

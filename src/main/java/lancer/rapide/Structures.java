@@ -1,0 +1,43 @@
+package lancer.rapide;
+
+import java.util.Arrays;
+import java.util.List;
+import lancer.Lampe;
+
+/** Ce qui répond à chaque sorte de rayon d'une scène. Partagé par tous les fils : sans état. */
+final class Structures {
+
+    final Spheres spheres;
+    /** Celle qui répond à tout, et d'abord aux rayons pour qui les autres ne sont pas faites. */
+    final Arbre arbre;
+    final Lampe[] lampes;
+
+    /** Pour les rayons qui ne quittent aucun objet, et pour les autres. */
+    Intersections premiers;
+    Intersections suivants;
+
+    /** Pour les rayons d'ombre de chaque lampe. */
+    final Occultations[] ombres;
+
+    /** L'arbre seul. */
+    Structures(Spheres spheres, Arbre arbre, List<Lampe> lampes) {
+        this.spheres = spheres;
+        this.arbre = arbre;
+        this.lampes = lampes.toArray(new Lampe[0]);
+        premiers = arbre;
+        suivants = arbre;
+        ombres = new Occultations[this.lampes.length];
+        Arrays.fill(ombres, arbre);
+    }
+
+    /** Leurs noms : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */
+    @Override
+    public String toString() {
+        StringBuilder noms = new StringBuilder(premiers.getClass().getSimpleName() + " "
+                + suivants.getClass().getSimpleName());
+        for (Occultations ombre : ombres) {
+            noms.append(' ').append(ombre.getClass().getSimpleName());
+        }
+        return noms.toString();
+    }
+}

@@ -1,0 +1,162 @@
+package lancer.sortie;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.CRC32;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import lancer.Couleur;
+import lancer.commande.CodeSortie;
+import lancer.commande.Echec;
+import lancer.texte.Texte;
+
+/**
+ * Lit une image à comparer, PNG ou PFM. D'un PNG viennent les échantillons tels quels, sans correction de gamma ni
+ * transparence.
+ */
+public final class LectureImage {
+
+    private static final long SIGNATURE_PNG = 0x89504E470D0A1A0AL;
+    private static final int FIN_PNG = 0x49454E44;
+
+    /** Un octet compressé n'en donne jamais plus : 258 octets pour deux bits. */
+    private static final int COMPRESSION_MAX = 1032;
+
+    /** Sorte, largeur, hauteur, échelle, et le seul blanc qui les sépare des nombres. */
+    private static final Pattern ENTETE_PFM =
+            Pattern.compile("P([Ff])\\s+(\\d{1,7})\\s+(\\d{1,7})\\s+([-+]?\\d+\\.?\\d*(?:[eE][-+]?\\d+)?)\\s");
+    private static final int ENTETE_PFM_MAX = 160;
+
+    private LectureImage() {
+    }
+
+    /** Vrai si ce nom est celui d'une image, et non d'une scène. */
+    public static boolean estImage(String nom) {
+        return estPng(nom) || nom.toLowerCase(Locale.ROOT).endsWith(".pfm");
+    }
+
+    private static boolean estPng(String nom) {
+        return nom.toLowerCase(Locale.ROOT).endsWith(".png");
+    }
+
+    /**
+     * @return l'image, sans couleurs non limitées si elle n'a que 8 bits par composante
+     * @throws Echec si le fichier n'est pas une image PNG ou PFM que l'on sache lire
+     */
+    public static ImageMemoire lire(String nom) {
+        try {
+            Path fichier = Paths.get(nom);
+            if (!Files.isRegularFile(fichier)) {
+                throw new IOException(Files.exists(fichier) ? "ce n'est pas un fichier" : "fichier introuvable");
+            }
+            byte[] octets = Files.readAllBytes(fichier);
+            return estPng(nom) ? lirePng(octets) : lirePfm(octets);
+        } catch (OutOfMemoryError e) {
+            throw illisible(nom, "trop grande pour la mémoire de Java");
+        } catch (IOException | InvalidPathException e) {
+            throw illisible(nom, e.getMessage());
+        }
+    }
+
+    private static Echec illisible(String nom, String raison) {
+        return new Echec(CodeSortie.DEMANDE,
+                Texte.echappe(nom) + " : image illisible : " + raison + " ; attendu : un PNG ou un PFM");
+    }
+
+    private static ImageMemoire lirePng(byte[] octets) throws IOException {
+        BufferedImage lue;
+        ImageReader lecteur = ImageIO.getImageReadersByFormatName("png").next();
+        try {
+            verifierPng(ByteBuffer.wrap(octets));
+            lecteur.setInput(new MemoryCacheImageInputStream(new ByteArrayInputStream(octets)), true, true);
+            lue = lecteur.read(0);
+        } catch (IOException | RuntimeException e) {
+            throw new IOException("ce n'est pas un PNG, ou il est coupé ou abîmé");
+        } finally {
+            lecteur.dispose();
+        }
+        Raster echantillons = lue.getColorModel() instanceof IndexColorModel
+                ? ((IndexColorModel) lue.getColorModel()).convertToIntDiscrete(lue.getRaster(), true).getRaster()
+                : lue.getRaster();
+        int max = (1 << echantillons.getSampleModel().getSampleSize(0)) - 1;
+        // un gris n'a qu'un échantillon, qui vaut pour les trois composantes
+        int pas = echantillons.getNumBands() < 3 ? 0 : 1;
+        ImageMemoire image = new ImageMemoire(lue.getWidth(), lue.getHeight(), max > 255);
+        for (int y = 0; y < lue.getHeight(); y++) {
+            for (int x = 0; x < lue.getWidth(); x++) {
+                Couleur couleur = new Couleur(echantillons.getSample(x, y, 0), echantillons.getSample(x, y, pas),
+                        echantillons.getSample(x, y, 2 * pas));
+                image.drawPixel(couleur.div(max), x, y);
+            }
+        }
+        return image;
+    }
+
+    /**
+     * Ce qu'ImageIO ne vérifie pas : chaque bloc est entier et juste, le dernier est là, et les données sont assez
+     * longues pour la taille annoncée, à laquelle l'image sera allouée.
+     */
+    private static void verifierPng(ByteBuffer png) throws IOException {
+        boolean juste = png.getLong() == SIGNATURE_PNG;
+        // la largeur, la hauteur, puis le nombre de bits d'un échantillon sont toujours là
+        long pixels = (long) png.getInt(16) * png.getInt(20);
+        juste &= pixels <= 8L * COMPRESSION_MAX * png.capacity() / png.get(24);
+        int type = 0;
+        while (juste && type != FIN_PNG) {
+            int longueur = png.getInt();
+            CRC32 controle = new CRC32();
+            controle.update(png.array(), png.position(), 4 + longueur);
+            type = png.getInt();
+            png.position(png.position() + longueur);
+            juste = png.getInt() == (int) controle.getValue();
+        }
+        if (!juste) {
+            throw new IOException();
+        }
+    }
+
+    private static ImageMemoire lirePfm(byte[] octets) throws IOException {
+        Matcher entete = ENTETE_PFM.matcher(
+                new String(octets, 0, Math.min(octets.length, ENTETE_PFM_MAX), StandardCharsets.ISO_8859_1));
+        if (!entete.lookingAt()) {
+            throw new IOException("l'en-tête n'est pas celui d'un PFM");
+        }
+        boolean gris = entete.group(1).equals("f");
+        int largeur = Integer.parseInt(entete.group(2));
+        int hauteur = Integer.parseInt(entete.group(3));
+        double echelle = Double.parseDouble(entete.group(4));
+        ByteBuffer donnees = ByteBuffer.wrap(octets, entete.end(), octets.length - entete.end())
+                .order(echelle < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        long pixels = (long) largeur * hauteur;
+        if (pixels == 0 || echelle == 0 || donnees.remaining() != pixels * (gris ? 1 : 3) * Float.BYTES) {
+            throw new IOException("le nombre d'octets n'est pas celui qu'annonce l'en-tête");
+        }
+        ImageMemoire image = new ImageMemoire(largeur, hauteur, true);
+        // la ligne du bas est la première
+        for (int y = hauteur - 1; y >= 0; y--) {
+            for (int x = 0; x < largeur; x++) {
+                float r = donnees.getFloat();
+                Couleur couleur = gris ? new Couleur(r) : new Couleur(r, donnees.getFloat(), donnees.getFloat());
+                if (Double.isNaN(couleur.r) || Double.isNaN(couleur.v) || Double.isNaN(couleur.b)) {
+                    throw new IOException("une couleur n'est pas un nombre (NaN)");
+                }
+                image.drawPixel(couleur, x, y);
+            }
+        }
+        return image;
+    }
+}

@@ -1,0 +1,99 @@
+package lancer.auto;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import lancer.essai.Essai;
+import lancer.essai.EssaiCommande;
+import org.junit.jupiter.api.Test;
+
+/** {@code --auto} sur la ligne de commande : ce qu'il choisit, ce qu'il dit, ce qu'il mesure. */
+class CommandeAutoTest extends EssaiCommande {
+
+    @Test
+    void leChoixSeDitEnTroisLignesEtLImageEstEcrite() {
+        Essai e = executer("--auto", "erreur=30", "--repeter=2", "--image=" + png, "--lineaire=" + pfm);
+        assertEquals(0, e.code, e.toString());
+        assertEquals("", e.sortie);
+        String[] lignes = e.erreur.split(System.lineSeparator());
+        assertEquals(3, lignes.length, e.erreur);
+        assertTrue(lignes[0].matches("lancer : auto, choisi : un rayon par pixel, --reflets \\d+( --seuil [0-9.]+)?"), lignes[0]);
+        assertTrue(lignes[1].matches("lancer : auto, attendu : erreur de [0-9.]+, au plus [0-9.]+ ; 1.00 rayons de l'écran par pixel, "
+                + "[0-9.]+ avec les ombres et les reflets ; le moins cher de \\d+ réglages pour une erreur de 30.00"), lignes[1]);
+        assertTrue(lignes[2].matches("lancer : auto, mesuré : erreur de [0-9.]+ ± [0-9.]+ sur \\d+ pixels de l'image, autres que les \\d+ "
+                + "du choix ; dessin en [0-9.]+ s, essais en [0-9.]+ s ; erreur voulue tenue"), lignes[2]);
+        verifierFichiers("image.png", "image.pfm");
+    }
+
+    @Test
+    void leChoixEstCeluiDUnDessinALaMain() throws IOException {
+        Essai e = executer("--auto", "erreur=12", "--lineaire=" + pfm);
+        String choisi = e.erreur.split(System.lineSeparator())[0].replaceAll(".*(--reflets .*)", "$1");
+        byte[] auto = Files.readAllBytes(pfm);
+        String[] options = choisi.split(" ");
+        String[] arguments = Arrays.copyOf(options, options.length + 1);
+        arguments[options.length] = "--lineaire=" + pfm;
+        dessiner(arguments);
+        assertArrayEquals(Files.readAllBytes(pfm), auto, choisi);
+    }
+
+    @Test
+    void leCheminLisibleChoisitDeMeme() {
+        String choisi = executer("--auto", "erreur=12", "--image=" + png).erreur.split(System.lineSeparator())[1];
+        assertEquals(choisi, executer("--auto", "erreur=12", "--simple", "--image=" + png).erreur.split(System.lineSeparator())[1]);
+    }
+
+    @Test
+    void uneErreurHorsDePorteeSeDitEtLImageEstLaPlusJuste() {
+        Essai e = executer("--auto", "erreur=0.01", "--image=" + png);
+        assertEquals(0, e.code, e.toString());
+        assertTrue(e.erreur.matches("(?s).* ; aucun de \\d+ réglages ne promet une erreur de 0.01, voici le plus juste\\R.* erreur voulue "
+                + "dépassée\\R"), e.erreur);
+        e = executer("--auto", "erreur=0.01", "--reflets=2", "--seuil=0", "--image=" + png);
+        assertTrue(e.erreur.contains("un rayon par pixel, --reflets 2 --seuil 0" + System.lineSeparator()), e.erreur);
+        assertTrue(e.erreur.contains(" ; seul réglage permis, qui ne promet pas une erreur de 0.01" + System.lineSeparator()), e.erreur);
+    }
+
+    @Test
+    void unTempsVouluSeDitAussi() {
+        Essai e = executer("--auto=temps=3600s", "--image=" + png);
+        assertTrue(e.erreur.matches("(?s).* s de dessin ; le plus juste de \\d+ réglages pour 3600.000 s de dessin\\R.* ; temps voulu "
+                + "tenu\\R"), e.erreur);
+    }
+
+    /** Une image d'un seul bloc d'essai n'a pas d'autres pixels que ceux du choix. */
+    @Test
+    void uneTresPetiteImageDitSurQuelsPixelsElleEstMesuree() {
+        String[][] attendus = {{"1x1", "le seul pixel de l'image, celui du choix"}, {"2x1", "les 2 pixels de l'image, ceux du choix"},
+            {"3x1", "1 pixel de l'image, autre que les 2 du choix|2 pixels de l'image, autres que celui du choix"},
+            {"4x4", "8 pixels de l'image, autres que les 8 du choix"}};
+        for (String[] attendu : attendus) {
+            Essai e = Essai.executer("--auto", "erreur=30", "--taille", attendu[0], "--image=" + png, SCENE);
+            assertTrue(e.erreur.matches("(?s).* sur (" + attendu[1] + ") ; dessin en .*"), e.erreur);
+        }
+    }
+
+    @Test
+    void unEchecApresLeChoixNeDitQueLui() throws IOException {
+        Path pleine = disquePlein("pleine.png");
+        verifierRefus(1, pleine + " : écriture impossible, disque plein", executer("--auto=erreur=30", "--image", pleine.toString()));
+    }
+
+    @Test
+    void lesStatistiquesDuChoixSAjoutentAuxAutres() {
+        Essai e = executer("--auto", "erreur=30", "--statistiques", "--image=" + png);
+        String[] lignes = e.sortie.split("\r?\n");
+        for (String ligne : lignes) {
+            assertTrue(ligne.matches("[a-z]+(\\.[a-z]+)+: [0-9]+(\\.[0-9]+)?"), ligne);
+        }
+        assertEquals("[auto.erreur.attendue, auto.erreur.mesuree, auto.essais.ms]",
+                Arrays.toString(Arrays.stream(lignes).filter(l -> l.startsWith("auto.")).map(l -> l.replaceAll(":.*", "")).toArray()));
+        // les rayons des essais n'en sont pas
+        assertEquals(1200, e.statistique("rayons.primaires"));
+    }
+}

@@ -1,0 +1,163 @@
+package lancer.commande;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.TreeSet;
+import javax.imageio.ImageIO;
+import lancer.essai.Essai;
+import lancer.essai.EssaiCommande;
+import lancer.essai.Ressources;
+import org.junit.jupiter.api.Test;
+
+/** Le programme sans fenêtre : de la ligne de commande à l'image, au statut et à la ligne d'erreur. */
+class CommandeTest extends EssaiCommande {
+
+    @Test
+    void lAideDitToutesLesOptions() {
+        for (String demande : new String[] {"--aide", "--help", "-h"}) {
+            Essai e = Essai.executer(demande);
+            assertEquals(0, e.code);
+            assertEquals("", e.erreur);
+            for (String option : ("--image --lineaire --taille --reflets --seuil --fils --repeter --statistiques --simple --pixel "
+                    + "--auto --aide --help -h --version")
+                    .split(" ")) {
+                assertTrue(e.sortie.contains(option), option);
+            }
+        }
+        Essai version = Essai.executer("--version");
+        assertEquals(0, version.code);
+        assertTrue(version.sortie.startsWith("lancer "), version.toString());
+    }
+
+    @Test
+    void uneOptionFausseDonneUneLigneEtLeStatut2() {
+        verifierRefus(2, "option inconnue : « --bidule » ; attendu : une de celles que montre --aide", Essai.executer("--bidule"));
+        verifierRefus(2, "aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini",
+                Essai.executer("--image", png.toString()));
+        verifierFichiers();
+    }
+
+    @Test
+    void uneSceneAbsenteOuUnDossierEstRefuse() {
+        Path absente = dossier.resolve("absente.ini");
+        verifierRefus(2, absente + " : fichier introuvable ; attendu : un fichier de scène",
+                Essai.executer("--image", png.toString(), absente.toString()));
+        verifierRefus(2, dossier + " : c'est un dossier ; attendu : un fichier de scène",
+                Essai.executer("--image", png.toString(), dossier.toString()));
+        Essai relative = Essai.executer("--image", png.toString(), "nulle-part/x.ini");
+        assertTrue(relative.erreur.startsWith("lancer : nulle-part/x.ini : fichier introuvable dans " + Paths.get("").toAbsolutePath()),
+                relative.toString());
+        assertEquals(2, relative.code);
+        verifierFichiers();
+    }
+
+    @Test
+    void uneSceneQuOnNePeutAtteindreDitPourquoi() throws IOException {
+        Path boucle = lien("boucle", Paths.get("boucle"));
+        for (Path scene : new Path[] {boucle, boucle.resolve("s.ini")}) {
+            verifierRefus(2, scene + " : trop de liens symboliques ; attendu : un fichier de scène",
+                    Essai.executer("--image", png.toString(), scene.toString()));
+        }
+        Path rompu = lien("rompu", Paths.get("parti.ini"));
+        verifierRefus(2, rompu + " : fichier introuvable ; attendu : un fichier de scène",
+                Essai.executer("--image", png.toString(), rompu.toString()));
+        Path dessous = Paths.get(SCENE, "s.ini");
+        verifierRefus(2, dessous + " : le dossier n'existe pas ; attendu : un fichier de scène",
+                Essai.executer("--image", png.toString(), dessous.toString()));
+    }
+
+    @Test
+    void laSortieNePeutEtreLaScene() throws IOException {
+        Path sous = Files.createDirectory(dossier.resolve("sous"));
+        Path ici = lien("ici", dossier);
+        byte[] avant = Files.readAllBytes(Paths.get(SCENE));
+        for (String option : new String[] {"--image", "--lineaire"}) {
+            String fin = option.equals("--image") ? ".png" : ".pfm";
+            Path scene = Files.write(dossier.resolve("s" + fin), avant);
+            String message = "la sortie est la scène elle-même : " + scene + " ; attendu : un autre fichier";
+            Path[] ecritures = {scene, dossier.resolve(".").resolve("s" + fin), sous.resolve("..").resolve("s" + fin),
+                lien("lien" + fin, scene), lien("lien-relatif" + fin, Paths.get("s" + fin)), ici.resolve("s" + fin),
+                Files.createLink(dossier.resolve("dur" + fin), scene)};
+            for (Path sortie : ecritures) {
+                verifierRefus(2, message, Essai.executer(option, sortie.toString(), scene.toString()));
+            }
+            assertArrayEquals(avant, Files.readAllBytes(scene));
+        }
+        verifierRefus(2, "la sortie est la scène elle-même : " + dossier.resolve("lien.png") + " ; attendu : un autre fichier",
+                Essai.executer("--image", dossier.resolve("s.png").toString(), dossier.resolve("lien.png").toString()));
+    }
+
+    @Test
+    void lesDeuxSortiesNePeuventEtreLeMemeFichier() throws IOException {
+        Path ici = lien("ici", dossier);
+        String nom = dossier.getFileName().toString();
+        lien("un.pfm", png);
+        lien("deux.pfm", Paths.get("un.pfm"));
+        Path[] ecritures = {dossier.resolve("un.pfm"), dossier.resolve("./un.pfm"), dossier.resolve("../" + nom + "/un.pfm"),
+            ici.resolve("un.pfm"), dossier.resolve("deux.pfm")};
+        for (Path autre : ecritures) {
+            String attendu = " ; attendu : deux fichiers";
+            Essai e = executer("--image", png.toString(), "--lineaire", autre.toString());
+            verifierRefus(2, "--image et --lineaire écrivent le même fichier : " + png + attendu, e);
+            e = executer("--lineaire=" + autre, "--image=" + ici.resolve("image.png"));
+            verifierRefus(2, "--image et --lineaire écrivent le même fichier : " + ici.resolve("image.png") + attendu, e);
+        }
+        verifierFichiers("ici", "un.pfm", "deux.pfm");
+    }
+
+    @Test
+    void unCheminParUnLienPuisPlusHautEstLeVraiChemin() throws IOException {
+        Path ailleurs = Files.createDirectories(dossier.resolve("a/b"));
+        Path scene = dossier.resolve("s.png");
+        Files.copy(Paths.get(SCENE), scene);
+        Files.copy(Paths.get(SCENE), dossier.resolve("a/s.png"));
+        // b est a/b : b/.. est a, et non ce dossier
+        Path autre = lien("b", ailleurs).resolve("../s.png");
+        Essai e = Essai.executer("--taille=4x4", "--image", scene.toString(), autre.toString());
+        assertEquals(0, e.code, e.toString());
+        assertEquals(4, ImageIO.read(scene.toFile()).getWidth());
+        assertArrayEquals(Files.readAllBytes(Paths.get(SCENE)), Files.readAllBytes(dossier.resolve("a/s.png")));
+    }
+
+    @Test
+    void lImageNeDependNiDesFilsNiDesRepetitions() throws IOException {
+        byte[] attendue = null;
+        for (String[] options : new String[][] {{}, {"--fils=1"}, {"--fils=2"}, {"--fils=7"}, {"--fils=1024"}, {"--repeter=3"},
+                {"--simple"}}) {
+            String[] arguments = Arrays.copyOf(options, options.length + 1);
+            arguments[options.length] = "--lineaire=" + pfm;
+            dessiner(arguments);
+            byte[] image = Files.readAllBytes(pfm);
+            attendue = attendue == null ? image : attendue;
+            assertArrayEquals(attendue, image, Arrays.toString(options));
+        }
+    }
+
+    @Test
+    void lesRefletsEtLeSeuilChangentLImage() throws IOException {
+        TreeSet<String> images = new TreeSet<>();
+        for (String option : new String[] {"--reflets=0", "--reflets=1", "--reflets=5", "--seuil=0.3", "--seuil=1e9"}) {
+            dessiner("--lineaire", pfm.toString(), option);
+            images.add(Arrays.toString(Files.readAllBytes(pfm)));
+        }
+        // un seuil que rien n'atteint vaut zéro reflet
+        assertEquals(4, images.size());
+    }
+
+    @Test
+    void uneSectionQuePersonneNeLitEstNommeeUneFoisEtLImageDessinee() {
+        String scene = Ressources.chemin("valides/avertie-brume.ini");
+        Essai e = Essai.executer("--taille=8x6", "--repeter=3", "--image=" + png, "--lineaire=" + pfm, scene);
+        assertEquals("lancer : " + scene + ", ligne 4, [Brume dense] : section laissée de côté ; attendu : la variante qui la lit, "
+                + "java -jar brume/target/brume.jar" + System.lineSeparator(), e.erreur);
+        assertEquals(0, e.code);
+        verifierFichiers("image.png", "image.pfm");
+    }
+}

@@ -1,0 +1,212 @@
+package lancer.commande;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import lancer.essai.Essai;
+import lancer.essai.EssaiProcessus;
+import lancer.essai.Ressources;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Le programme dans sa propre machine virtuelle : mémoire, langue, dossier de travail et flux. */
+@Timeout(60)
+class ProcessusTest extends EssaiProcessus {
+
+    @Test
+    void niAwtNiAutoNeSontChargesSurLeCheminDUnPng() throws Exception {
+        assertEquals(0, statut(preparer(java("-verbose:class", "--image", "a.png", "--lineaire", "a.pfm", "--taille=80x60",
+                "--statistiques", SCENE))),
+                erreur());
+        assertTrue(sortie().contains("lancer.Main "), "les classes chargées ne sont pas dites");
+        for (String ligne : sortie().split("\r?\n")) {
+            assertFalse(ligne.matches(
+                    ".*\\b(java\\.awt|javax\\.swing|sun\\.awt|javax\\.imageio|lancer\\.fenetre|lancer\\.auto)\\b.*"), ligne);
+        }
+    }
+
+    @Test
+    void uneSceneRelativeEstChercheeAussiDansLesQuatreDossiersAuDessus() throws Exception {
+        // celui que nommerait le message sans lien symbolique
+        Path ici = dossier.toRealPath();
+        Path variante = Files.createDirectories(ici.resolve("a/b/c/d"));
+        Path scenes = Files.createDirectories(ici.resolve("scenes"));
+        Files.write(scenes.resolve("s.ini"), Arrays.asList("[Sphere]", "centre=0 0 6", "rayon=1"));
+        assertEquals(0, statut(preparer(java("", "--image=a.png", "--taille=4x4", "scenes/s.ini")).directory(variante.toFile())), erreur());
+        assertTrue(Files.exists(variante.resolve("a.png")));
+
+        // elle est nommée par le chemin où elle est, et protégée comme les autres
+        Files.copy(scenes.resolve("s.ini"), scenes.resolve("s.png"));
+        assertEquals(2, statut(preparer(java("", "--image=../../../../scenes/s.png", "scenes/s.png")).directory(variante.toFile())));
+        assertTrue(erreur().contains(" : ../../../../scenes/s.png ; attendu : un autre fichier"), erreur());
+        Files.write(scenes.resolve("s.ini"), Arrays.asList("[Cube]"));
+        assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
+        assertTrue(erreur().startsWith("lancer : ../../../../scenes/s.ini, ligne 1, [Cube] : "), erreur());
+
+        // la plus proche passe avant
+        Files.createDirectories(ici.resolve("a/b/scenes"));
+        Files.write(ici.resolve("a/b/scenes/s.ini"), Arrays.asList("[Cube]"));
+        assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
+        assertTrue(erreur().startsWith("lancer : ../../scenes/s.ini, ligne 1, [Cube] : "), erreur());
+        Files.createDirectories(variante.resolve("scenes"));
+        Files.write(variante.resolve("scenes/s.ini"), Arrays.asList("[Cube]"));
+        assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
+        assertTrue(erreur().startsWith("lancer : scenes/s.ini, ligne 1, [Cube] : "), erreur());
+
+        // cinq dossiers plus haut, elle n'est pas vue
+        Path profond = Files.createDirectory(variante.resolve("e"));
+        Files.write(ici.resolve("haut.ini"), new byte[0]);
+        assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(profond.toFile())));
+        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + profond
+                + " et les 4 dossiers au-dessus ; attendu : "),
+                erreur());
+        assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(new File("/"))));
+        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " ; "),
+                erreur());
+    }
+
+    @Test
+    void milleRefletsEntreDeuxMiroirsParfaitsTiennentDansLaPile() throws Exception {
+        Path scene = dossier.resolve("miroirs.ini");
+        Files.write(scene, Arrays.asList(
+                "[Sphere devant]", "centre=0 0 1010", "rayon=1000", "Ks=1 1 1",
+                "[Sphere derriere]", "centre=0 0 -1000", "rayon=1000", "Ks=1 1 1",
+                "[Lampe]", "position=0 3 5", "couleur=1 1 1"));
+        assertEquals(0, statut(preparer(java("", "--reflets=1000", "--seuil=0", "--taille=1x1", "--lineaire=a.pfm", "--statistiques",
+                scene.toString()))), erreur());
+        assertEquals("", erreur());
+        for (float composante : Essai.pfm(Files.readAllBytes(dossier.resolve("a.pfm")))) {
+            assertTrue(Math.abs(composante) <= Float.MAX_VALUE);
+        }
+        assertTrue(sortie().contains("rayons.reflechis: 1000\n"), sortie());
+    }
+
+    @Test
+    void uneImageDuCoursTientDans64Megaoctets() throws Exception {
+        List<String> lignes = new ArrayList<>();
+        for (int k = 0; k < 10; k++) {
+            lignes.addAll(Arrays.asList("[Sphere " + k + "]", "centre=" + (k - 4.5) / 2 + " 0 " + (5 + k % 3), "rayon=0.4",
+                    "Kd=0.5 0.5 0.9", "Ks=0.4 0.4 0.4", "ns=30"));
+        }
+        lignes.addAll(Arrays.asList("[Lampe a]", "position=-4 6 -3", "couleur=1 1 1", "[Lampe b]", "position=4 6 0", "couleur=1 1 1"));
+        Path scene = dossier.resolve("dix.ini");
+        Files.write(scene, lignes);
+        assertEquals(0, statut(preparer(java("-Xmx64m", "--image=a.png", "--lineaire=a.pfm", scene.toString()))), erreur());
+        assertEquals("", erreur());
+    }
+
+    @Test
+    void laMemoireEpuiseeSeDitEnUneLigne() throws Exception {
+        assertEquals(1, statut(preparer(java("-Xmx16m", "--image=a.png", "--taille=10000x10000", SCENE))));
+        // un terminal sans accents les remplace
+        assertTrue(erreur().matches("lancer : m.moire .puis.e ; donner plus . Java, par exemple java -Xmx2g -jar .+\r?\n"), erreur());
+        assertFalse(Files.exists(dossier.resolve("a.png")));
+    }
+
+    @Test
+    void uneGrandeSceneEstLueAuFilAvecPeuDeMemoire() throws Exception {
+        supposerUnix();
+        byte[] bloc = new byte[1 << 16];
+        Arrays.fill(bloc, (byte) 'c');
+        for (int k = 0; k < bloc.length; k += 64) {
+            bloc[k] = '\n';
+            bloc[k + 1] = ';';
+        }
+        ProcessBuilder p = preparer(java("-Xmx12m", "--image=a.png", "--taille=4x4", "/dev/stdin"));
+        processus = p.start();
+        try (OutputStream vers = processus.getOutputStream()) {
+            vers.write("[Sphere]\ncentre=0 0 6\n".getBytes(StandardCharsets.UTF_8));
+            for (int k = 0; k < 640; k++) {
+                vers.write(bloc);
+            }
+            vers.write("\nrayon=1\n".getBytes(StandardCharsets.UTF_8));
+        }
+        assertEquals(0, processus.waitFor(), erreur());
+        assertEquals("", erreur());
+    }
+
+    @Test
+    void sansLangueLeProgrammeMarcheEtRefuseEnUneLigne() throws Exception {
+        Path scene = dossier.resolve("s.ini");
+        Files.write(scene, "[Sphère]\n".getBytes(StandardCharsets.UTF_8));
+        ProcessBuilder p = preparer(java("", "--image=a.png", scene.toString()));
+        Map<String, String> environnement = p.environment();
+        environnement.keySet().removeIf(nom -> nom.startsWith("LC_"));
+        environnement.put("LANG", "C");
+        assertEquals(2, statut(p));
+        assertEquals(1, erreur().split("\n").length, erreur());
+        assertTrue(erreur().contains("s.ini, ligne 1, [Sph"), erreur());
+
+        Files.write(scene, "[Sphere née à Œx]\ncentre=0 0 6\nrayon=1\n".getBytes(StandardCharsets.UTF_8));
+        assertEquals(0, statut(p), erreur());
+        assertEquals("", erreur());
+
+    }
+
+    /** Le nom demandé, ou celui du dossier d'où il l'est : les octets viennent de printf, que ce test ne saurait peut-être pas passer. */
+    @Test
+    void unNomQueLaLangueDuSystemeNeSaitPasLireDitPourquoiEtLeRemede() throws Exception {
+        supposerUnix();
+        Files.copy(Paths.get(SCENE), dossier.resolve("s.ini"));
+        String accent = "$(printf '\\303\\251')";
+        String[][] demandes = {{"2", "exec \"$@\" --image=a.png " + accent + ".ini"}, {"1", "exec \"$@\" --image=" + accent + ".png s.ini"},
+            {"2", "mkdir " + accent + "; cp s.ini " + accent + "; cd " + accent + "; exec \"$@\" --image=a.png s.ini"},
+            {"1", "cd " + accent + "; exec \"$@\" --image=a.png \"$OLDPWD/s.ini\""}};
+        for (String[] demande : demandes) {
+            List<String> commande = java("", "--taille=4x4");
+            commande.addAll(0, Arrays.asList("/bin/sh", "-c", "export LC_ALL=C; " + demande[1], "sh"));
+            assertEquals(demande[0], String.valueOf(statut(preparer(commande))), erreur());
+            assertTrue(erreur().matches("lancer : .+ : .+ \\(la langue du syst.me, r.gl.e sur ANSI_X3.4-1968, ne permet pas de lire "
+                    + "ce nom : mettre LC_ALL=C.UTF-8 devant la commande\\)( ; attendu : .+)?\n"), erreur());
+        }
+        assertEquals(3, dossier.toFile().list().length, "la scène, le dossier accentué, les flux");
+    }
+
+    @Test
+    void unTubeAuBoutDUnLienEstUneSortiePermise() throws Exception {
+        supposerUnix();
+        assertEquals(0, statut(preparer(java("", "--image=a.png", "--lineaire=a.pfm", "--taille=20x15", SCENE))), erreur());
+        for (String fin : new String[] {"png", "pfm"}) {
+            Files.createSymbolicLink(dossier.resolve("tube." + fin), Paths.get("/dev/stdout"));
+            String option = fin.equals("png") ? "--image" : "--lineaire";
+            ProcessBuilder p = preparer(java("", option, "tube." + fin, "--taille=20x15", SCENE));
+            processus = p.redirectOutput(ProcessBuilder.Redirect.PIPE).start();
+            assertArrayEquals(Files.readAllBytes(dossier.resolve("a." + fin)), toutLire(processus.getInputStream()), fin);
+            assertEquals(0, processus.waitFor(), erreur());
+            Files.delete(dossier.resolve("tube." + fin));
+        }
+    }
+
+    /** Douze millions d'octets par million de pixels, et non seize : cette image ne tiendrait pas avec les codes d'un PNG. */
+    @Test
+    void lesCouleursNonLimiteesSeulesNeCoutentQueLeurPlace() throws Exception {
+        String vide = Ressources.chemin("valides/vide.ini");
+        assertEquals(0, statut(preparer(java("-XX:+UseG1GC -Xmx88m", "--lineaire=a.pfm", "--taille=3000x2000", vide))), erreur());
+        assertEquals("", erreur());
+        assertEquals("PF\n3000 2000\n-1.0\n".length() + 12L * 3000 * 2000, Files.size(dossier.resolve("a.pfm")));
+    }
+
+    private static byte[] toutLire(InputStream entree) throws IOException {
+        ByteArrayOutputStream tout = new ByteArrayOutputStream();
+        byte[] tampon = new byte[1 << 16];
+        for (int n = entree.read(tampon); n >= 0; n = entree.read(tampon)) {
+            tout.write(tampon, 0, n);
+        }
+        return tout.toByteArray();
+    }
+}

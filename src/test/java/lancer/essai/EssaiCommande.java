@@ -1,0 +1,94 @@
+package lancer.essai;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.TreeSet;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.io.TempDir;
+
+/** De quoi donner une ligne de commande au programme, et voir ce qu'il écrit, dit et rend. */
+public abstract class EssaiCommande {
+
+    protected static final String SCENE = Ressources.chemin("reference/p3-miroirs.ini");
+
+    @TempDir
+    protected Path dossier;
+    protected Path png;
+    protected Path pfm;
+
+    @BeforeEach
+    protected void nommerLesSorties() throws IOException {
+        dossier = dossier.toRealPath();
+        png = dossier.resolve("image.png");
+        pfm = dossier.resolve("image.pfm");
+    }
+
+    /** JUnit s'inquiéterait, en vidant le dossier, de ceux qui mènent ailleurs. */
+    @AfterEach
+    protected void effacerLesLiens() throws IOException {
+        for (File fichier : dossier.toFile().listFiles()) {
+            if (Files.isSymbolicLink(fichier.toPath())) {
+                Files.delete(fichier.toPath());
+            }
+        }
+    }
+
+    /** Dessine la scène en petit ; la demande doit aboutir, sans rien dire. */
+    protected static String dessiner(String... arguments) {
+        Essai e = executer(arguments);
+        assertEquals(0, e.code, e.toString());
+        assertEquals("", e.erreur);
+        return e.sortie;
+    }
+
+    protected static Essai executer(String... arguments) {
+        String[] tous = Arrays.copyOf(arguments, arguments.length + 3);
+        tous[arguments.length] = "--taille";
+        tous[arguments.length + 1] = "40x30";
+        tous[arguments.length + 2] = SCENE;
+        return Essai.executer(tous);
+    }
+
+    protected static void verifierRefus(int statut, String message, Essai e) {
+        assertEquals("lancer : " + message + System.lineSeparator(), e.erreur);
+        assertEquals(statut, e.code);
+        assertEquals("", e.sortie);
+    }
+
+    protected void verifierFichiers(String... noms) {
+        assertEquals(new TreeSet<>(Arrays.asList(noms)), new TreeSet<>(Arrays.asList(dossier.toFile().list())));
+    }
+
+    protected static void ecrireTexte(Path fichier, String texte) throws IOException {
+        Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
+    }
+
+    protected static String lireTexte(Path fichier) throws IOException {
+        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+    }
+
+    /** Une sortie de ce nom qui ne prend rien, comme un disque plein ; le test est passé là où le système n'en a pas. */
+    protected Path disquePlein(String nom) throws IOException {
+        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
+        return lien(nom, Paths.get("/dev/full"));
+    }
+
+    /** Un lien symbolique ; le test est passé là où le système n'en permet pas. */
+    protected Path lien(String nom, Path vers) throws IOException {
+        try {
+            return Files.createSymbolicLink(dossier.resolve(nom), vers);
+        } catch (UnsupportedOperationException e) {
+            assumeTrue(false, "pas de liens symboliques ici");
+            return null;
+        }
+    }
+}

@@ -1,0 +1,141 @@
+package lancer.essai;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import lancer.Main;
+import org.ini4j.spi.IniParser;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.io.TempDir;
+
+/** De quoi lancer le programme dans sa propre machine virtuelle, et voir ce qu'il en reste. */
+public abstract class EssaiProcessus {
+
+    protected static final String SCENE = Ressources.chemin("reference/p3-miroirs.ini");
+
+    /** Compiler moins fait gagner du temps sur des programmes d'une demi-seconde. */
+    private static final String[] RAPIDE = {"-XX:TieredStopAtLevel=1", "-Xshare:auto"};
+
+    @TempDir
+    protected Path dossier;
+    private Path erreur;
+    protected Path sortie;
+    protected Process processus;
+
+    @BeforeEach
+    protected void nommerLesFlux() throws IOException {
+        Path flux = Files.createDirectory(dossier.resolve("flux"));
+        erreur = flux.resolve("erreur");
+        sortie = flux.resolve("sortie");
+    }
+
+    @AfterEach
+    protected void neLaisserAucunProcessus() {
+        if (processus != null) {
+            processus.destroyForcibly();
+        }
+    }
+
+    /** La commande qui lance le programme, avec ces options de Java. */
+    protected static List<String> java(String options, String... arguments) {
+        List<String> commande = new ArrayList<>();
+        commande.add(Paths.get(System.getProperty("java.home"), "bin", "java").toString());
+        commande.addAll(Arrays.asList(RAPIDE));
+        commande.addAll(Arrays.asList(options.trim().isEmpty() ? new String[0] : options.trim().split(" +")));
+        commande.add("-cp");
+        commande.add(Essai.origine(Main.class) + File.pathSeparator + Essai.origine(IniParser.class));
+        commande.add("lancer.Main");
+        commande.addAll(Arrays.asList(arguments));
+        return commande;
+    }
+
+    /** Cette commande, dans le dossier du test, ses flux dans des fichiers. */
+    protected ProcessBuilder preparer(List<String> commande) {
+        ProcessBuilder p = new ProcessBuilder(commande).directory(dossier.toFile());
+        // ces variables font écrire à la machine virtuelle une ligne de plus
+        p.environment().keySet().removeAll(Arrays.asList("JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS", "JDK_JAVA_OPTIONS"));
+        return p.redirectError(erreur.toFile()).redirectOutput(sortie.toFile());
+    }
+
+    protected int statut(ProcessBuilder p) throws IOException, InterruptedException {
+        processus = p.start();
+        return processus.waitFor();
+    }
+
+    protected String erreur() throws IOException {
+        return new String(Files.readAllBytes(erreur), StandardCharsets.UTF_8);
+    }
+
+    protected String sortie() throws IOException {
+        return new String(Files.readAllBytes(sortie), StandardCharsets.UTF_8);
+    }
+
+    protected static void supposerUnix() {
+        assumeTrue(Files.exists(Paths.get("/proc/self/status")) && Files.exists(Paths.get("/bin/sh")), "pas un Linux");
+    }
+
+    /** Ce qui est dans le dossier, les flux mis à part. */
+    protected void verifierDossier(String... noms) {
+        List<String> presents = new ArrayList<>(Arrays.asList(dossier.toFile().list()));
+        presents.remove("flux");
+        assertEquals(Arrays.asList(noms), presents);
+    }
+
+    protected int demarrerInterruptible(String... arguments) throws Exception {
+        List<String> commande = new ArrayList<>(Arrays.asList("/bin/sh", "-c", "echo $$ && exec \"$@\"", "sh"));
+        commande.addAll(java("", arguments));
+        processus = preparer(commande).start();
+        attendre(() -> sortie().endsWith("\n"));
+        int pid = Integer.parseInt(sortie().trim());
+        for (String ligne : Files.readAllLines(Paths.get("/proc/" + pid + "/status"))) {
+            if (ligne.startsWith("SigIgn:")) {
+                // un programme lancé en arrière-plan par un script ignore Ctrl+C, et ses enfants aussi
+                assumeTrue((Long.parseLong(ligne.substring(7).trim(), 16) & 2) == 0, "Ctrl+C est ignoré ici");
+            }
+        }
+        return pid;
+    }
+
+    /** Vrai quand le dessin a commencé : alors seulement, la machine virtuelle a des fils de ce nom. */
+    protected static boolean tientLesFils(int pid) throws IOException {
+        File[] fils = new File("/proc/" + pid + "/task").listFiles();
+        for (File un : fils == null ? new File[0] : fils) {
+            try {
+                if (Files.readAllLines(un.toPath().resolve("comm")).get(0).startsWith("lancer-1")) {
+                    return true;
+                }
+            } catch (IOException e) {
+                // ce fil vient de finir
+            }
+        }
+        return false;
+    }
+
+    protected static void interrompre(int pid) throws Exception {
+        new ProcessBuilder("/bin/sh", "-c", "kill -INT " + pid).start().waitFor();
+    }
+
+    protected interface Condition {
+        boolean vraie() throws IOException;
+    }
+
+    protected static void attendre(Condition condition) throws Exception {
+        long fin = System.nanoTime() + TimeUnit.SECONDS.toNanos(100);
+        while (!condition.vraie()) {
+            assertTrue(System.nanoTime() < fin, "attente trop longue");
+            Thread.sleep(2);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+package lancer.essai;
+
+import java.io.InputStream;
+import java.net.URISyntaxException;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.List;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.contrat.Toile;
+import lancer.rapide.Preparation;
+
+/** Les fichiers des tests, de quoi composer une scène, et une image dessinée en couleurs non limitées. */
+public final class Ressources {
+
+    private Ressources() {
+    }
+
+    /** Le chemin d'un fichier de {@code src/test/resources}. */
+    public static String chemin(String nom) {
+        try {
+            return Paths.get(Ressources.class.getResource("/" + nom).toURI()).toString();
+        } catch (URISyntaxException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    public static InputStream ouvrir(String nom) {
+        return Ressources.class.getResourceAsStream("/" + nom);
+    }
+
+    /** Une image en couleurs non limitées : trois flottants par pixel, ligne par ligne depuis le haut. */
+    public static final class Image implements Toile {
+
+        public final int largeur;
+        public final int hauteur;
+        public final float[] composantes;
+
+        public Image(int largeur, int hauteur) {
+            this.largeur = largeur;
+            this.hauteur = hauteur;
+            this.composantes = new float[3 * largeur * hauteur];
+        }
+
+        @Override
+        public void drawPixel(Couleur coul, int xe, int ye) {
+            int k = 3 * (ye * largeur + xe);
+            composantes[k] = (float) coul.r;
+            composantes[k + 1] = (float) coul.v;
+            composantes[k + 2] = (float) coul.b;
+        }
+
+        /** La plus grande différence avec une autre image, composante par composante ; +∞ si un nombre n'est pas fini. */
+        public double ecart(Image autre) {
+            double pire = largeur == autre.largeur && hauteur == autre.hauteur ? 0 : Double.POSITIVE_INFINITY;
+            for (int k = 0; k < composantes.length; k++) {
+                double d = Math.abs(composantes[k] - autre.composantes[k]);
+                pire = d <= pire ? pire : Double.isNaN(d) ? Double.POSITIVE_INFINITY : d;
+            }
+            return pire;
+        }
+    }
+
+    public static Sphere boule(double x, double y, double z, double rayon, double kd, double ks, double ns) {
+        Sphere boule = new Sphere(new Point(x, y, z), rayon);
+        boule.setKd(new Couleur(kd));
+        boule.setKs(new Couleur(ks));
+        boule.setNs(ns);
+        return boule;
+    }
+
+    public static Scene scene(List<? extends Objet3D> objets, Lampe... lampes) {
+        Scene scene = new Scene(objets, Arrays.asList(lampes));
+        scene.setSeuil(0);
+        return scene;
+    }
+
+    public static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {
+        Image image = new Image(largeur, hauteur);
+        new Lancer(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
+        return image;
+    }
+
+    /** La même, par la recherche rapide : celle que montre le programme sans {@code --simple}. */
+    public static Image imageRapide(Scene scene, Camera camera, int reflets) {
+        scene.setRecherche(Preparation.pour(scene, camera));
+        Image image = new Image(camera.getLargeur(), camera.getHauteur());
+        new Lancer(scene, camera).TracerPixels(image, reflets, 2);
+        return image;
+    }
+
+    public static boolean memesBits(Image a, Image b) {
+        return Arrays.equals(a.composantes, b.composantes);
+    }
+}

@@ -1,0 +1,329 @@
+package lancer.fenetre;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.awt.AWTError;
+import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowEvent;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.UnsupportedEncodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import javax.imageio.ImageIO;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JTextArea;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.Main;
+import lancer.commande.Options;
+import lancer.essai.Essai;
+import lancer.sortie.ImageMemoire;
+
+/** Une fenêtre à l'essai, sur un vrai écran : on y frappe des touches, on y regarde, et on attend sans dormir pour rien. */
+final class BancFenetre {
+
+    /** Bien plus que ce qu'il faut à une machine chargée : au-delà, cela n'arrivera plus. */
+    private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(40);
+
+    final ByteArrayOutputStream sortie;
+    final ByteArrayOutputStream erreur;
+    final CountDownLatch fin = new CountDownLatch(1);
+    final Robot robot;
+    final MainLent main;
+    final Fenetre fenetre;
+    final JFrame cadre;
+    final JComponent panneau;
+
+    BancFenetre(String... args) throws Exception {
+        this(new MainLent(args));
+    }
+
+    BancFenetre(MainLent main) throws Exception {
+        exigerEcran();
+        this.main = main;
+        sortie = main.sortie;
+        erreur = main.erreur;
+        robot = new Robot();
+        fenetre = Fenetre.ouvrir(main, main.options, flux(erreur), fin::countDown);
+        cadre = fenetre.getCadre();
+        panneau = composant("image", JComponent.class);
+    }
+
+    /** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
+    static class MainLent extends Main {
+
+        private static final long PAUSE_NS = 1_000_000;
+        final Options options;
+        final ByteArrayOutputStream sortie;
+        final ByteArrayOutputStream erreur;
+        volatile boolean lent;
+
+        MainLent(String... args) {
+            this(Options.lire(args), new ByteArrayOutputStream(), new ByteArrayOutputStream());
+        }
+
+        private MainLent(Options options, ByteArrayOutputStream sortie, ByteArrayOutputStream erreur) {
+            super(options, flux(sortie), flux(erreur));
+            this.options = options;
+            this.sortie = sortie;
+            this.erreur = erreur;
+        }
+
+        MainLent lent() {
+            lent = true;
+            return this;
+        }
+
+        @Override
+        public void drawPixel(Couleur coul, int xe, int ye) {
+            super.drawPixel(coul, xe, ye);
+            Lancer lancer = getLancer();
+            if (lent && lancer != null && lancer.isBrouillonFait()) {
+                LockSupport.parkNanos(PAUSE_NS);
+            }
+        }
+    }
+
+    static PrintStream flux(ByteArrayOutputStream octets) {
+        try {
+            return new PrintStream(octets, true, "UTF-8");
+        } catch (UnsupportedEncodingException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    static String texte(ByteArrayOutputStream octets) {
+        return new String(octets.toByteArray(), StandardCharsets.UTF_8);
+    }
+
+    /** Une fenêtre ne s'ouvre que si on l'exige : sans cela, le test est sauté, même devant un écran ; avec, il lui en faut un. */
+    static void exigerEcran() {
+        assumeTrue(Boolean.getBoolean("fenetre.exigee"), "ouvre une fenêtre, et -Dfenetre.exigee=true n'est pas donné");
+        boolean ecran;
+        try {
+            ecran = !GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+        } catch (HeadlessException | AWTError | LinkageError e) {
+            ecran = false;
+        }
+        assertTrue(ecran, "-Dfenetre.exigee=true, et pas d'écran, ou un Java sans fenêtres");
+    }
+
+    static void attendre(String quoi, Callable<Boolean> condition) throws Exception {
+        long limite = System.nanoTime() + PATIENCE_NS;
+        while (!surFilEvenements(condition)) {
+            if (System.nanoTime() > limite) {
+                fail("toujours pas : " + quoi);
+            }
+            Thread.sleep(10);
+        }
+    }
+
+    static <T> T surFilEvenements(Callable<T> question) throws Exception {
+        FutureTask<T> tache = new FutureTask<>(question);
+        EventQueue.invokeLater(tache);
+        return tache.get(PATIENCE_NS, TimeUnit.NANOSECONDS);
+    }
+
+    /** Le composant visible de ce nom (ou de cette classe si {@code nom} est nul), dans n'importe quelle fenêtre ; ou {@code null}. */
+    static <T extends Component> T chercher(String nom, Class<T> classe) throws Exception {
+        return surFilEvenements(() -> {
+            for (Window w : Window.getWindows()) {
+                T trouve = w.isShowing() ? dans(w, nom, classe) : null;
+                if (trouve != null) {
+                    return trouve;
+                }
+            }
+            return null;
+        });
+    }
+
+    private static <T extends Component> T dans(Component c, String nom, Class<T> classe) {
+        if (classe.isInstance(c) && (nom == null || nom.equals(c.getName()))) {
+            return classe.cast(c);
+        }
+        if (c instanceof Container) {
+            for (Component enfant : ((Container) c).getComponents()) {
+                T trouve = dans(enfant, nom, classe);
+                if (trouve != null) {
+                    return trouve;
+                }
+            }
+        }
+        return null;
+    }
+
+    /** Le composant de ce nom, quand il sera là. */
+    static <T extends Component> T composant(String nom, Class<T> classe) throws Exception {
+        long limite = System.nanoTime() + PATIENCE_NS;
+        while (true) {
+            T trouve = chercher(nom, classe);
+            if (trouve != null && surFilEvenements(trouve::isShowing)) {
+                return trouve;
+            }
+            if (System.nanoTime() > limite) {
+                return fail("toujours pas de " + classe.getSimpleName() + " " + nom);
+            }
+            Thread.sleep(10);
+        }
+    }
+
+    /** Frappe des touches ensemble, comme Ctrl+S, quand la fenêtre les reçoit. */
+    void frapper(int... touches) throws Exception {
+        attendre("le clavier est à la fenêtre", () -> {
+            if (!cadre.isFocused()) {
+                cadre.toFront();
+                cadre.requestFocus();
+            }
+            return cadre.isFocused();
+        });
+        for (int touche : touches) {
+            robot.keyPress(touche);
+        }
+        for (int k = touches.length - 1; k >= 0; k--) {
+            robot.keyRelease(touches[k]);
+        }
+    }
+
+    void frapperCtrl(char lettre) throws Exception {
+        frapper(KeyEvent.VK_CONTROL, KeyEvent.getExtendedKeyCodeForChar(lettre));
+    }
+
+    /** L'image, une fois achevée. */
+    ImageMemoire imageAchevee() throws Exception {
+        attendre("l'image est achevée", () -> fenetre.getImageComplete() != null);
+        return surFilEvenements(fenetre::getImageComplete);
+    }
+
+    /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
+    void attendreImage(String quoi, int[] codes) throws Exception {
+        attendre(quoi, () -> fenetre.getImageComplete() != null && Arrays.equals(fenetre.getImageComplete().getCodes(), codes));
+        attendre(quoi + ", à l'écran", () -> trouver(codes, fenetre.getImageComplete().getLargeur()) != null);
+    }
+
+    static int[] codes(BufferedImage image) {
+        int[] codes = image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+        for (int k = 0; k < codes.length; k++) {
+            codes[k] |= 0xFF000000;
+        }
+        return codes;
+    }
+
+    /** Le message du bandeau, vide s'il n'y en a pas. */
+    String message() throws Exception {
+        JTextArea bandeau = chercher("message", JTextArea.class);
+        return surFilEvenements(() -> bandeau.isVisible() ? bandeau.getText() : "");
+    }
+
+    void attendreMessage(String debut) throws Exception {
+        JTextArea bandeau = chercher("message", JTextArea.class);
+        attendre("le message « " + debut + " »", () -> debut.isEmpty() ? !bandeau.isVisible()
+                : bandeau.isVisible() && bandeau.getText().startsWith(debut));
+    }
+
+    /** Ferme la fenêtre comme le fait son bouton, et attend que le programme se dise fini. */
+    void fermer() throws Exception {
+        surFilEvenements(() -> {
+            for (Window w : Window.getWindows()) {
+                if (w != cadre) {
+                    w.dispose();
+                }
+            }
+            cadre.dispatchEvent(new WindowEvent(cadre, WindowEvent.WINDOW_CLOSING));
+            return null;
+        });
+        if (!fin.await(PATIENCE_NS, TimeUnit.NANOSECONDS)) {
+            fail("la fenêtre est fermée, et le programme ne finit pas");
+        }
+    }
+
+    /** Le programme dans un processus à lui, sur le même écran. */
+    static ProcessBuilder processus(Path erreur, String... options) {
+        List<String> commande = new ArrayList<>();
+        commande.add(Paths.get(System.getProperty("java.home"), "bin", "java").toString());
+        commande.add("-Dfile.encoding=UTF-8");
+        commande.add("-cp");
+        commande.add(Essai.origine(Main.class) + File.pathSeparator + Essai.origine(org.ini4j.Config.class));
+        commande.addAll(Arrays.asList(options));
+        return new ProcessBuilder(commande).redirectOutput(erreur.toFile()).redirectErrorStream(true);
+    }
+
+    /**
+     * L'endroit de l'écran où se voit cette image, au pixel près, ou {@code null}. L'écran entier est fouillé : sans
+     * gestionnaire de fenêtres, il arrive que Java se trompe sur l'endroit où est la sienne.
+     */
+    static Point trouver(int[] image, int largeur) throws AWTException {
+        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        int[] vu = codes(new Robot().createScreenCapture(ecran));
+        int hauteur = image.length / largeur;
+        for (int y = 0; y + hauteur <= ecran.height; y++) {
+            for (int x = 0; x + largeur <= ecran.width; x++) {
+                if (estLa(vu, y * ecran.width + x, ecran.width, image, largeur)) {
+                    return new Point(x, y);
+                }
+            }
+        }
+        return null;
+    }
+
+    private static boolean estLa(int[] vu, int debut, int pas, int[] image, int largeur) {
+        for (int k = 0; k < image.length; k++) {
+            if (vu[debut + k / largeur * pas + k % largeur] != image[k]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Les fils du programme qui vivent encore et dont le nom commence ainsi. */
+    static boolean vivent(String debut) {
+        for (Thread fil : Thread.getAllStackTraces().keySet()) {
+            if (fil.getName().startsWith(debut) && fil.isAlive()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Les pixels que le même programme écrit avec {@code --image}. */
+    static int[] pixelsSansFenetre(Path dossier, Path scene, int largeur, int hauteur) throws IOException {
+        return codes(ImageIO.read(pngSansFenetre(dossier, scene, largeur, hauteur).toFile()));
+    }
+
+    static Path pngSansFenetre(Path dossier, Path scene, int largeur, int hauteur) throws IOException {
+        Path png = Files.createTempFile(dossier, "attendu", ".png");
+        ByteArrayOutputStream dit = new ByteArrayOutputStream();
+        if (Essai.executer(flux(dit), flux(dit), "--image", png.toString(), "--taille", largeur + "x" + hauteur, scene.toString()) != 0) {
+            fail(texte(dit));
+        }
+        return png;
+    }
+}

@@ -1,0 +1,64 @@
+package lancer.fenetre;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.Frame;
+import java.awt.event.WindowEvent;
+import java.io.File;
+import java.util.List;
+import lancer.Main;
+import lancer.essai.Essai;
+import lancer.essai.EssaiProcessus;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** Un programme dont la fenêtre est ouverte, arrêté pendant qu'il dessine : il finit sans rien dire ni rien laisser. */
+@Tag("fenetre")
+@ExtendWith(UnSeulEcran.class)
+@Timeout(120)
+class FenetreFermeeTest extends EssaiProcessus {
+
+    @Test
+    void ctrlCFenetreOuverteRend130() throws Exception {
+        supposerUnix();
+        BancFenetre.exigerEcran();
+        int pid = demarrerInterruptible("--taille=400x300", SCENE);
+        attendre(() -> tientLesFils(pid));
+        interrompre(pid);
+        assertEquals(130, processus.waitFor());
+        assertEquals("", erreur());
+        verifierDossier();
+    }
+
+    @Test
+    void fermerLaFenetrePendantLeDessinFinitLeProgrammeSansRienDire() throws Exception {
+        BancFenetre.exigerEcran();
+        List<String> commande = java("", "--taille=1200x700", "--reflets=1000", "--seuil=0", SCENE);
+        int classe = commande.indexOf("lancer.Main");
+        commande.set(classe, FermerEnDessinant.class.getName());
+        commande.set(classe - 1, commande.get(classe - 1) + File.pathSeparator + Essai.origine(FenetreFermeeTest.class));
+        assertEquals(0, statut(preparer(commande)), erreur());
+        assertEquals("", erreur());
+        assertEquals("fermée en dessinant", sortie().trim().replace("ferm?e", "fermée"));
+        verifierDossier();
+    }
+
+    /** Le programme, dont la fenêtre est fermée comme par la croix dès que l'image s'y dessine. */
+    static final class FermerEnDessinant {
+
+        private FermerEnDessinant() {
+        }
+
+        public static void main(String[] args) throws Exception {
+            Main.main(args);
+            while (!BancFenetre.vivent("lancer-1")) {
+                Thread.sleep(1);
+            }
+            Frame fenetre = Frame.getFrames()[0];
+            fenetre.dispatchEvent(new WindowEvent(fenetre, WindowEvent.WINDOW_CLOSING));
+            System.out.println("fermée en dessinant");
+        }
+    }
+}

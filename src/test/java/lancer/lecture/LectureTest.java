@@ -1,0 +1,236 @@
+package lancer.lecture;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.SceneFautive;
+import lancer.Sphere;
+import lancer.essai.Essai;
+import lancer.essai.Ressources;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * La lecture des scènes, par le programme entier. Ajouter un cas, c'est ajouter un fichier : {@code fautives/x.ini} et, à
+ * côté, {@code x.message}, la ligne attendue sur l'erreur standard, où {@code {fichier}} remplace le chemin de la scène.
+ */
+class LectureTest {
+
+    @TempDir
+    Path dossier;
+
+    static Stream<Path> fautives() throws IOException {
+        return scenes("fautives");
+    }
+
+    static Stream<Path> valides() throws IOException {
+        return scenes("valides");
+    }
+
+    private static Stream<Path> scenes(String dossier) throws IOException {
+        List<Path> scenes = new ArrayList<>();
+        try (DirectoryStream<Path> fichiers = Files.newDirectoryStream(Paths.get(Ressources.chemin(dossier)), "*.ini")) {
+            for (Path fichier : fichiers) {
+                scenes.add(fichier);
+            }
+        }
+        return scenes.stream().sorted();
+    }
+
+    /** Ce que le programme doit dire de cette scène, rien si aucun message n'est à côté d'elle. */
+    private static String attendu(Path scene) throws IOException {
+        Path message = scene.resolveSibling(scene.getFileName().toString().replace(".ini", ".message"));
+        if (!Files.exists(message)) {
+            return "";
+        }
+        return new String(Files.readAllBytes(message), StandardCharsets.UTF_8).replace("{fichier}", scene.toString())
+                .replace("\n", System.lineSeparator());
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("fautives")
+    void uneSceneFautiveEstRefuseeEnUneLigne(Path scene) throws IOException {
+        Path png = dossier.resolve("image.png");
+        Path pfm = dossier.resolve("image.pfm");
+        Essai e = Essai.executer("--image", png.toString(), "--lineaire", pfm.toString(), "--statistiques", scene.toString());
+        assertEquals(attendu(scene), e.sansAutresFormes(""));
+        assertEquals(1, e.erreur.split("\r?\n").length, e.erreur);
+        assertEquals(2, e.code);
+        assertEquals("", e.sortie);
+        assertEquals(0, dossier.toFile().list().length, "des fichiers sont restés");
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("valides")
+    void uneSceneInhabituelleMaisJusteEstDessinee(Path scene) throws IOException {
+        Path pfm = dossier.resolve("image.pfm");
+        Essai e = Essai.executer("--lineaire", pfm.toString(), "--taille", "20x15", scene.toString());
+        assertEquals(attendu(scene), e.erreur);
+        assertEquals(0, e.code);
+        for (float composante : Essai.pfm(Files.readAllBytes(pfm))) {
+            assertTrue(Math.abs(composante) <= Float.MAX_VALUE, "un nombre de l'image n'est pas fini");
+        }
+    }
+
+    @Test
+    void toutMessageAttenduASaScene() throws IOException {
+        for (String nom : Arrays.asList("fautives", "valides")) {
+            try (DirectoryStream<Path> messages = Files.newDirectoryStream(Paths.get(Ressources.chemin(nom)), "*.message")) {
+                for (Path message : messages) {
+                    Path scene = message.resolveSibling(message.getFileName().toString().replace(".message", ".ini"));
+                    assertTrue(Files.exists(scene), message + " n'a pas de scène");
+                }
+            }
+        }
+        assertTrue(fautives().count() > 100);
+    }
+
+    @Test
+    void lesScenesEgalesSontToutesLaMeme() throws IOException {
+        Scene simple = new Scene(Ressources.chemin("valides/egale-simple.ini"));
+        float[] attendue = dessin(simple).composantes;
+        for (Path chemin : (Iterable<Path>) valides().filter(f -> f.getFileName().toString().startsWith("egale-"))::iterator) {
+            Scene scene = new Scene(chemin.toString());
+            assertEquals(1, scene.getObjets().size(), chemin.toString());
+            assertEquals(1, scene.getLampes().size(), chemin.toString());
+            assertArrayEquals(attendue, dessin(scene).composantes, chemin.toString());
+        }
+    }
+
+    private static Ressources.Image dessin(Scene scene) {
+        Ressources.Image image = new Ressources.Image(40, 30);
+        new Lancer(scene, new Camera(40, 30)).TracerPixels(image, 5, 1);
+        return image;
+    }
+
+    @Test
+    void lesValeursSontCellesDuFichier() {
+        Scene scene = new Scene(Ressources.chemin("valides/egale-simple.ini"));
+        Sphere sphere = (Sphere) scene.getObjets().get(0);
+        assertEquals(new Point(0, 0.5, 6), sphere.getCentre());
+        assertEquals(1, sphere.getRayon());
+        assertEquals(new Couleur(0.9, 0.15, 0.1), sphere.getKd());
+        assertEquals(new Couleur(0.25), sphere.getKs());
+        assertEquals(40, sphere.getNs());
+        Lampe lampe = scene.getLampes().get(0);
+        assertEquals(new Point(-4, 6, -3), lampe.getPosition());
+        assertEquals(new Couleur(0.8, 0.8, 0.75), lampe.getCouleur());
+    }
+
+    @Test
+    void unMateriauNonDitEstNoirEtMat() {
+        Objet3D objet = new Scene(Ressources.chemin("valides/materiau-par-defaut.ini")).getObjets().get(0);
+        assertEquals(new Couleur(), objet.getKd());
+        assertEquals(new Couleur(), objet.getKs());
+        assertEquals(1, objet.getNs());
+    }
+
+    @Test
+    void lesSectionsGardentLOrdreDuFichier() {
+        List<Objet3D> objets = new Scene(Ressources.chemin("valides/noms-voisins.ini")).getObjets();
+        assertEquals(13, objets.size());
+        for (int k = 0; k < objets.size(); k++) {
+            assertEquals(k, ((Sphere) objets.get(k)).getCentre().x);
+        }
+    }
+
+    @Test
+    void unNombreTropPetitVautZero() {
+        Sphere sphere = (Sphere) new Scene(Ressources.chemin("valides/nombres-minuscules.ini")).getObjets().get(0);
+        assertEquals(Double.MIN_VALUE, sphere.getCentre().x);
+        assertEquals(-1e-310, sphere.getCentre().y);
+        assertEquals(new Couleur(0, 0, Double.MIN_VALUE), sphere.getKd());
+        assertEquals(0, sphere.getNs());
+    }
+
+    @Test
+    void laPremiereDesJumellesResteSeule() throws IOException {
+        Path fichier = dossier.resolve("jumelles.ini");
+        Files.write(fichier, Arrays.asList(
+                "[Sphere a]", "centre=0 -0.0 6", "rayon=1", "Kd=1 0 0",
+                "[Sphere b]", "centre=-0 0 6", "rayon=1.000", "Kd=0 1 0",
+                "[Sphere c]", "centre=0 0 6", "rayon=1.0000000000000002"));
+        List<Objet3D> objets = new Scene(fichier.toString()).getObjets();
+        assertEquals(2, objets.size());
+        assertEquals(new Couleur(1, 0, 0), objets.get(0).getKd());
+        assertEquals(1.0000000000000002, ((Sphere) objets.get(1)).getRayon());
+    }
+
+    @Test
+    void laSceneSeLitAussiParSonConstructeur() throws IOException {
+        Path fichier = dossier.resolve("fautive.ini");
+        Files.write(fichier, Arrays.asList("[Sphere 1]", "centre=0 0 6", "rayon=0"));
+        SceneFautive e = assertThrows(SceneFautive.class, () -> new Scene(fichier.toString()));
+        assertEquals(fichier + ", ligne 3, [Sphere 1], rayon : hors limites : « 0 » ; attendu : un nombre de 1e-100 à 1e100",
+                e.getMessage());
+        assertThrows(SceneFautive.class, () -> new Scene(dossier.resolve("absente.ini").toString()));
+        assertThrows(SceneFautive.class, () -> new Scene(dossier.toString()));
+    }
+
+    @Test
+    void leNomDuFichierEstDitEnEntierEtSansCaractereDeControle() throws IOException {
+        assumeTrue(File.separatorChar == '/', "Windows n'a pas de tels noms");
+        StringBuilder nom = new StringBuilder("scene \u001b[31m\t");
+        for (int k = 0; k < 20; k++) {
+            nom.append("longue ");
+        }
+        Path fichier = dossier.resolve(nom + ".ini");
+        Files.write(fichier, Arrays.asList("[Cube]"));
+        String message = assertThrows(SceneFautive.class, () -> new Scene(fichier.toString())).getMessage();
+        assertTrue(message.contains("scene \\u001b[31m\\tlongue longue"), message);
+        assertTrue(message.contains("longue .ini, ligne 1, [Cube] : type de section inconnu"), message);
+        assertFalse(message.contains("\u001b"), message);
+    }
+
+    @Test
+    void leGrandNombreDeClesOuDeSectionsNeRalentitPas() throws IOException {
+        List<String> lignes = new ArrayList<>();
+        for (int k = 0; k < 50_000; k++) {
+            lignes.add("[Sphere " + k + "]");
+            lignes.add("centre=" + k + " 0 6");
+            lignes.add("rayon=1");
+        }
+        lignes.add("[Sphere 0]");
+        Path fichier = dossier.resolve("beaucoup.ini");
+        Files.write(fichier, lignes);
+        String message = assertThrows(SceneFautive.class, () -> new Scene(fichier.toString())).getMessage();
+        assertTrue(message.contains("ligne 150001, [Sphere 0] : deux sections de ce nom, la première ligne 1 ;"), message);
+    }
+
+    @Test
+    void uneValeurDeCinqMegaoctetsDonneUnMessageCourt() throws IOException {
+        byte[] ligne = new byte[5_000_000];
+        Arrays.fill(ligne, (byte) '7');
+        Path fichier = dossier.resolve("longue.ini");
+        Files.write(fichier, "[Sphere 1]\ncentre=0 0 6\nrayon=x".getBytes(StandardCharsets.UTF_8));
+        Files.write(fichier, ligne, StandardOpenOption.APPEND);
+        String message = assertThrows(SceneFautive.class, () -> new Scene(fichier.toString())).getMessage();
+        assertTrue(message.length() < fichier.toString().length() + 200, message.length() + " caractères");
+        assertTrue(message.contains("rayon : n'est pas un nombre : « x7777"), message);
+    }
+}

@@ -1,0 +1,101 @@
+package lancer.lecture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicBoolean;
+import lancer.Objet3D;
+import lancer.Scene;
+import lancer.SceneFautive;
+import lancer.Sphere;
+import lancer.essai.Essai;
+import lancer.essai.EssaiProcessus;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Une scène que la machine ne sait pas lire jusqu'au bout, ou qui change pendant qu'on la lit : une ligne, et pas d'image. */
+@Timeout(120)
+class PannesLectureTest extends EssaiProcessus {
+
+    @Test
+    void uneLectureQuiEchoueSeDitEnUneLigne() {
+        Path memoire = Paths.get("/proc/self/mem");
+        assumeTrue(Files.exists(memoire), "il faut un fichier qu'on ouvre et qui ne se lit pas");
+        Essai e = Essai.executer("--image=" + dossier.resolve("a.png"), memoire.toString());
+        assertEquals(2, e.code, e.toString());
+        assertTrue(e.erreur.matches("lancer : /proc/self/mem : lecture (impossible \\(.+\\)|interdite) ; attendu : un fichier de scène\n"),
+                e.toString());
+        verifierDossier();
+    }
+
+    @Test
+    void unTubeFermeAMiCheminDonneUneSceneTronqueeQuiEstRefusee() throws Exception {
+        supposerUnix();
+        Path tube = dossier.resolve("flux/tube");
+        assumeTrue(new ProcessBuilder("mkfifo", tube.toString()).start().waitFor() == 0, "pas de tubes ici");
+        Process ecrivain = new ProcessBuilder("/bin/sh", "-c", "printf '[Sphere 1]\\ncentre=0 0 6\\nray' > " + tube).start();
+        Essai e = Essai.executer("--image=" + dossier.resolve("a.png"), tube.toString());
+        ecrivain.waitFor();
+        assertEquals("lancer : " + tube + ", ligne 3, [Sphere 1] : ligne illisible : « ray » ; attendu : clé=valeur, [Section], ou un "
+                + "commentaire seul sur sa ligne, après ; ou #" + System.lineSeparator(), e.erreur);
+        assertEquals(2, e.code);
+        verifierDossier();
+    }
+
+    /** Réécrite en place, effacée et remise pendant qu'on la lit : une scène entière ou tronquée, ou une ligne ; rien d'autre. */
+    @Test
+    void uneSceneQuiChangeOuDisparaitPendantQuOnLaLitNeDonnePasAutreChose() throws Exception {
+        // un rayon d'un seul chiffre : coupé, il ne se lit plus, au lieu de se lire autre
+        StringBuilder texte = new StringBuilder();
+        for (int k = 0; k < 3000; k++) {
+            texte.append("[Sphere ").append(k).append("]\ncentre=").append(k).append(" 0 6\nrayon=5\n");
+        }
+        byte[] scene = texte.toString().getBytes(StandardCharsets.UTF_8);
+        Path fichier = dossier.resolve("s.ini");
+        Files.write(fichier, scene);
+        AtomicBoolean fini = new AtomicBoolean();
+        Thread editeur = new Thread(() -> {
+            try {
+                for (int k = 0; !fini.get(); k++) {
+                    if (k % 3 == 0) {
+                        Files.deleteIfExists(fichier);
+                    }
+                    Files.write(fichier, k % 2 == 0 ? scene : Arrays.copyOf(scene, scene.length - 12 * (k % 1000)));
+                }
+            } catch (IOException e) {
+                throw new IllegalStateException(e);
+            }
+        });
+        editeur.start();
+        try {
+            for (int k = 0; k < 300; k++) {
+                try {
+                    for (Objet3D objet : new Scene(fichier.toString()).getObjets()) {
+                        assertEquals(5, ((Sphere) objet).getRayon());
+                    }
+                } catch (SceneFautive e) {
+                    assertTrue(e.getMessage().matches("\\Q" + fichier + "\\E(, ligne .+)? : [^\\p{Cntrl}]+ ; attendu : [^\\p{Cntrl}]+"),
+                            e.getMessage());
+                }
+            }
+        } finally {
+            fini.set(true);
+            editeur.join();
+        }
+    }
+
+    @Test
+    void unFichierSansFinEstRefuseAvecPeuDeMemoire() throws Exception {
+        assumeTrue(Files.exists(Paths.get("/dev/zero")), "pas de /dev/zero ici");
+        assertEquals(2, statut(preparer(java("-Xmx48m", "--image=a.png", "/dev/zero"))), erreur());
+        assertTrue(erreur().matches("lancer : /dev/zero, ligne 1 : ligne trop longue ; attendu : .+\n"), erreur());
+        verifierDossier();
+    }
+}

@@ -1,0 +1,320 @@
+package lancer.precision;
+
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.math.BigDecimal;
+import java.util.Random;
+import lancer.Constantes;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.essai.Exact;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/**
+ * L'intersection contre la réponse exacte, là où elle est difficile : au-dessus d'un sol immense, à quelques unités du dernier chiffre de
+ * la surface, en rasant, de loin. Tirages à graine fixe.
+ */
+class PrecisionTest {
+
+    private static final double U = 0x1p-53;
+    private static final long GRAINE = 20261122;
+    private static final int TIRAGES = 1_500;
+
+    private final Random hasard = new Random(GRAINE);
+
+    private double signe() {
+        return 2 * hasard.nextDouble() - 1;
+    }
+
+    /** Un nombre dont le logarithme est au hasard entre ceux de 10^a et de 10^b. */
+    private double puissance(double a, double b) {
+        return Math.pow(10, a + (b - a) * hasard.nextDouble());
+    }
+
+    private Point point(double echelle) {
+        return new Point(signe() * echelle, signe() * echelle, signe() * echelle);
+    }
+
+    private Vecteur direction() {
+        return new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
+    }
+
+    /** Un rayon de {@code p} vers {@code p2} et une sphère. */
+    private static final class Cas {
+        final Point p;
+        final Point p2;
+        final Point c;
+        final double r;
+
+        Cas(Point p, Point p2, Point c, double r) {
+            this.p = p;
+            this.p2 = p2;
+            this.c = c;
+            this.r = r;
+        }
+
+        double distance() {
+            return new Sphere(c, r).getIntersectionDistance(new Rayon(p, p2));
+        }
+
+        @Override
+        public String toString() {
+            return "de " + p + " vers " + p2 + ", " + new Sphere(c, r);
+        }
+    }
+
+    /** Les familles de tirages. */
+    enum Famille { SOL, SURFACE, PROCHE, DEDANS, LOIN, RASANT, HORIZON }
+
+    private Cas tirer(Famille famille) {
+        double r = puissance(-2, famille == Famille.SOL || famille == Famille.HORIZON ? 8 : 2);
+        Point c = point(puissance(-2, 2));
+        Vecteur n = direction();
+        switch (famille) {
+            case SOL:
+                return new Cas(new Point(signe(), signe(), 0), new Point(signe(), -2 + signe(), 4), new Point(signe(), -r - 1, 6), r);
+            case SURFACE:
+                Point x = c.add(n.mul(r));
+                Point p = new Point(x.x + (hasard.nextInt(129) - 64) * Math.ulp(x.x), x.y, x.z);
+                return new Cas(p, p.add(direction().mul(r)), c, r);
+            case PROCHE:
+                return new Cas(c.add(n.mul(r * (0.7 + 0.9 * hasard.nextDouble()))), c.add(direction().mul(r * hasard.nextDouble())), c, r);
+            case DEDANS:
+                Point q = c.add(n.mul(r * hasard.nextDouble()));
+                return new Cas(q, q.add(direction().mul(r)), c, r);
+            case LOIN:
+                return new Cas(c.add(n.mul(r * puissance(0, 12))), c.add(direction().mul(r * hasard.nextDouble())), c, r);
+            case RASANT:
+                return viser(c, r, n, r * puissance(0.05, 3), 1 - puissance(-10, -1));
+            default:
+                return viser(c, r, n, r * (1 + puissance(-10, -1)), Math.min(1, 1 - puissance(-14, -1)));
+        }
+    }
+
+    /** De la distance f du centre, un rayon qui passe à {@code part} de r de celui-ci. */
+    private Cas viser(Point c, double r, Vecteur n, double f, double part) {
+        Vecteur w = direction();
+        w = w.sub(n.mul(w.dot(n))).normalized();
+        double sinus = Math.min(1, r / f * part);
+        double cosinus = Math.sqrt(1 - sinus * sinus);
+        Point p = c.add(n.mul(f));
+        return new Cas(p, p.add(n.mul(-cosinus * f).add(w.mul(sinus * f))), c, r);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void laDistanceNAPasPlusDErreurQueLArrondiDeLaDirectionNEnPermet(Famille famille) {
+        int touches = 0;
+        for (int k = 0; k < TIRAGES; k++) {
+            Cas cas = tirer(famille);
+            Exact exacte = new Exact(cas.p, cas.p2, cas.c, cas.r);
+            if (!exacte.ambigu) {
+                double ecart = exacte.ecart(cas.distance());
+                assertTrue(ecart <= 1, "graine " + GRAINE + ", tirage " + k + ", " + cas + " : " + cas.distance() + ", exacte "
+                        + exacte.distance + ", " + ecart + " tolérances");
+                touches += exacte.distance == Constantes.INFINI ? 0 : 1;
+            }
+        }
+        assertTrue(touches > TIRAGES / 4, touches + " touchées");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void leContactEstSurSaSphereEtSaNormaleEstDeLongueurUn(Famille famille) {
+        for (int k = 0; k < TIRAGES; k++) {
+            Cas cas = tirer(famille);
+            Sphere sphere = new Sphere(cas.c, cas.r);
+            Rayon rayon = new Rayon(cas.p, cas.p2);
+            if (sphere.getIntersectionDistance(rayon) < Constantes.INFINI) {
+                PointContact contact = rayon.calcContact();
+                double ecart = Exact.ecartALaSurface(contact, cas.c, cas.r);
+                double permis = 4 * U * (cas.r + new Vecteur(new Point(), cas.c).norme());
+                double longueur = Exact.ecartALUnite(sphere.getNormale(contact));
+                assertTrue(ecart <= permis, "graine " + GRAINE + ", tirage " + k + ", " + cas + " : à " + ecart + ", permis " + permis);
+                assertTrue(Math.abs(longueur) <= 4 * U, "graine " + GRAINE + ", tirage " + k + ", " + cas + " : 1 + " + longueur);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void uneDistanceEnDouteNEstPasInferieureACeQuElleAnnonce(Famille famille) {
+        int doutes = 0;
+        for (int k = 0; k < TIRAGES; k++) {
+            Cas cas = tirer(famille);
+            Vecteur V = new Rayon(cas.p, cas.p2).getV();
+            double d = Sphere.distanceOuDoute(cas.p.x, cas.p.y, cas.p.z, V.x, V.y, V.z, cas.c.x, cas.c.y, cas.c.z, cas.r);
+            assertTrue(d >= 0 ? d == cas.distance() : cas.distance() >= Doute.auMoins(d), "graine " + GRAINE + ", tirage " + k + ", "
+                    + cas);
+            doutes += d < 0 ? 1 : 0;
+        }
+        boolean prise = famille == Famille.SOL || famille == Famille.SURFACE || famille == Famille.HORIZON;
+        assertTrue(!prise || doutes > TIRAGES / 4, doutes + " doutes");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void enDouteAussiToutMultiplierParUnePuissanceDeDeuxMultiplieLaDistanceAuBit(Famille famille) {
+        for (int k = 0; k < TIRAGES; k++) {
+            Cas cas = tirer(famille);
+            double d = cas.distance();
+            // 2^±700 : les carrés débordent, et la réponse est la même
+            double f = Math.scalb(1.0, hasard.nextInt(1400) - 700);
+            Cas autre = new Cas(fois(cas.p, f), fois(cas.p2, f), fois(cas.c, f), cas.r * f);
+            assertEquals(d * f, autre.distance(), 0, "graine " + GRAINE + ", tirage " + k + ", facteur " + f + ", " + cas);
+        }
+    }
+
+    private static Point fois(Point p, double f) {
+        return new Point(p.x * f, p.y * f, p.z * f);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void enDouteAussiLeMiroirDeLaSceneEstAuBitPres(Famille famille) {
+        for (int k = 0; k < TIRAGES; k++) {
+            Cas cas = tirer(famille);
+            Cas miroir = new Cas(miroir(cas.p), miroir(cas.p2), miroir(cas.c), cas.r);
+            assertEquals(cas.distance(), miroir.distance(), 0, "graine " + GRAINE + ", tirage " + k + ", " + cas);
+        }
+    }
+
+    private static Point miroir(Point p) {
+        return new Point(-p.x, p.y, p.z);
+    }
+
+    private static double distance(Point p, Vecteur v, Point c, double r) {
+        return new Sphere(c, r).getIntersectionDistance(new Rayon(p, v));
+    }
+
+    @Test
+    void uneTangenteExacteEstUnContactDeLoinCommeDePres() {
+        Vecteur z = new Vecteur(0, 0, 1);
+        for (double pas : new double[] {0.001, 0.1, 1, 3, 1e3, 1e9}) {
+            assertEquals(pas, distance(new Point(5, 0, -pas), z, new Point(), 5), 4 * U * pas, "à " + pas);
+            assertEquals(Constantes.INFINI, distance(new Point(5 + Math.ulp(5.0), 0, -pas), z, new Point(), 5), "au-delà, à " + pas);
+            assertTrue(distance(new Point(5 - Math.ulp(5.0), 0, -pas), z, new Point(), 5) < pas, "en deçà, à " + pas);
+        }
+        assertEquals(Constantes.INFINI, distance(new Point(5, 0, 0), z, new Point(), 5), "sur la surface, distance nulle");
+    }
+
+    @Test
+    void lesLongueursQuiSortentDesCarresOrdinairesOntLesMemesReponses() {
+        Vecteur z = new Vecteur(0, 0, 1);
+        assertAll(() -> assertEquals(1e-200, distance(new Point(5, 5, 5), z, new Point(5, 5, 5), 1e-200), 0, "au centre"),
+                () -> assertEquals(Constantes.INFINI, distance(new Point(0, 2e-160, -1), z, new Point(), 1e-160), "à côté, de loin"),
+                () -> assertEquals(1, distance(new Point(0, 1e-160, -1), z, new Point(), 1e-160), 0, "tangente, de loin"),
+                () -> assertEquals(1e290, distance(new Point(0, 0, -1e290), z, new Point(), 1e-100), 0, "immensément loin"),
+                () -> assertEquals(Constantes.INFINI, distance(new Point(0, 2e-100, -1e290), z, new Point(), 1e-100),
+                "à côté, immensément loin"),
+                () -> assertEquals(1e300, distance(new Point(0, 0, -2e300), z, new Point(), 1e300), 1e285, "immense"),
+                () -> assertEquals(Constantes.INFINI, distance(new Point(0, 0, 2e300), z, new Point(), 1e300), "immense, derrière"));
+    }
+
+    @Test
+    void ceQuiNEstPasUnNombreNeToucheRien() {
+        double nan = Double.NaN;
+        for (double p : new double[] {0, 0.99999, 1, 1.00001, 3}) {
+            assertEquals(Constantes.INFINI, Sphere.distance(p, 0, 0, nan, 0, 0, 0, 0, 0, 1), "direction, en " + p);
+            assertEquals(Constantes.INFINI, Sphere.distance(nan, p, 0, 0, 0, 1, 0, 0, 0, 1), "départ, en " + p);
+            assertEquals(Constantes.INFINI, Sphere.distance(p, 0, 0, 0, 0, 1, 0, nan, 0, 1), "centre, en " + p);
+            assertEquals(Constantes.INFINI, Sphere.distance(p, 0, 0, 0, 0, 1, 0, Constantes.INFINI, 0, 1), "centre infini, en " + p);
+        }
+    }
+
+    private static BigDecimal exact(double x) {
+        return new BigDecimal(x);
+    }
+
+    /** |f + e|² − r², sans arrondi. */
+    private static BigDecimal puissanceExacte(double[] f, double[] e, double r) {
+        BigDecimal somme = exact(r).multiply(exact(r)).negate();
+        for (int k = 0; k < 3; k++) {
+            BigDecimal x = exact(f[k]).add(exact(e[k]));
+            somme = somme.add(x.multiply(x));
+        }
+        return somme;
+    }
+
+    @Test
+    void laPuissanceDUnPointEstJusteADeuxPuissanceMoins53OuA2PuissanceMoins127R2Pres() {
+        int presque = 0;
+        for (int k = 0; k < 15_000; k++) {
+            double r = Math.scalb(1 + hasard.nextDouble(), hasard.nextInt(40) - 20);
+            Vecteur n = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian() * Math.pow(10, -hasard.nextInt(8)))
+                    .normalized();
+            // de un millième du rayon à son dernier chiffre
+            double ecart = hasard.nextInt(3) == 0 ? 0 : Math.pow(10, -3 - 13 * hasard.nextDouble()) * (hasard.nextBoolean() ? 1 : -1);
+            double[] f = {n.x * r * (1 + ecart), n.y * r * (1 + ecart), n.z * r * (1 + ecart)};
+            double[] e = new double[3];
+            double reste = puissanceExacte(f, e, r).doubleValue();
+            boolean annule = hasard.nextBoolean();
+            for (int i = 0; i < 3; i++) {
+                double demi = Math.ulp(f[i]) / 2;
+                // le second terme au hasard, ou celui qui annule presque tout
+                double voulu = annule ? -reste * f[i] / (2 * r * r) : demi * (2 * hasard.nextDouble() - 1);
+                e[i] = Math.max(-demi, Math.min(demi, voulu));
+            }
+            BigDecimal juste = puissanceExacte(f, e, r);
+            double c = IntersectionCompensee.puissance(f[0], f[1], f[2], e[0], e[1], e[2], r);
+            double erreur = exact(c).subtract(juste).abs().doubleValue();
+            double permise = U * Math.abs(juste.doubleValue()) + 0x1p-127 * r * r;
+            assertTrue(erreur <= permise, "graine " + GRAINE + ", tirage " + k + " : " + juste.doubleValue() / (r * r) + " r², erreur "
+                    + erreur / permise);
+            presque += Math.abs(juste.doubleValue()) < 1e-24 * r * r ? 1 : 0;
+        }
+        assertTrue(presque > 100, presque + " puissances presque nulles");
+    }
+
+    @Test
+    void lEcartALaSurfaceSeMesureAussiDeLoin() {
+        for (double r : new double[] {1e-30, 1e-10, 0.5, 1, 2, 1e10, 1e30}) {
+            for (double norme : new double[] {0.25, 0.5, 0.999, 1, 1.001, 2, 4}) {
+                double carre = (norme * r) * (norme * r);
+                assertEquals(1 - 1 / norme, Norme.ecart(carre, r), 4 * U * Math.max(1, 1 / norme), "r = " + r + ", à " + norme + " r");
+            }
+            double colle = r * (1 + 1e-12);
+            assertEquals(1e-12, Norme.ecart(colle * colle, r), 8 * U);
+        }
+        assertEquals(-1, Norme.ecart(1, 2));
+    }
+
+    /** C'est ce qui permet d'écarter une sphère sans reprendre le calcul : une borne de zéro serait juste, et ne servirait à rien. */
+    @Test
+    void uneDistanceEnDouteSAnnonceAUnDixMilliemePres() {
+        int annoncees = 0;
+        for (int k = 0; k < 20_000; k++) {
+            double r = Math.pow(10, 4 * hasard.nextDouble());
+            Vecteur n = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
+            Vecteur p = n.mul(r * (1 + Math.pow(10, -5 * hasard.nextDouble())));
+            Vecteur v = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).sub(n).normalized();
+            double d = Sphere.distanceOuDoute(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
+            double t = Sphere.distance(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
+            if (d < -Double.MIN_VALUE) {
+                annoncees++;
+                assertTrue(Doute.auMoins(d) <= t && Doute.auMoins(d) >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
+                        + Doute.auMoins(d) + " pour " + t);
+            }
+        }
+        assertTrue(annoncees > 5000, annoncees + " doutes");
+    }
+
+    @Test
+    void deLInterieurDosAuCentreLaSortieEstJusteAToutesLesTailles() {
+        for (int k = 0; k < 20_000; k++) {
+            double r = Math.pow(10, 20 * hasard.nextDouble() - 10);
+            double part = hasard.nextDouble();
+            // P est en (part r, 0, 0) et s'éloigne du centre : la sortie est à r − part r
+            double attendue = exact(r).subtract(exact(part * r)).doubleValue();
+            assertEquals(attendue, Sphere.distance(part * r, 0, 0, 1, 0, 0, 0, 0, 0, r), 8 * U * 2 * attendue,
+                    "graine " + GRAINE + ", tirage " + k);
+        }
+    }
+}

@@ -1,0 +1,107 @@
+package lancer.rapide;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.Collections;
+import javax.tools.ToolProvider;
+import lancer.Main;
+import lancer.essai.Essai;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Aucune modification sans effet : une ligne d'une classe du cours est changée, la classe recompilée, et l'image par défaut est au bit
+ * près celle des boucles du cours, qui n'est plus celle d'avant.
+ */
+class ModificationsTest {
+
+    private static final Path SOURCES = Paths.get("src/main/java/lancer");
+    private static final String[] DEMANDE = {"--taille", "64x48", "--fils", "2"};
+
+    /** L'image du programme tel qu'il est. */
+    private static byte[] avant;
+
+    @TempDir
+    Path dossier;
+
+    @BeforeAll
+    static void dessinerSansRienChanger(@TempDir Path commun) throws IOException {
+        try (Essai.Isole programme = new Essai.Isole(Collections.<Path>emptyList())) {
+            avant = dessiner(programme, commun, "avant");
+        }
+    }
+
+    private static byte[] dessiner(Essai.Isole programme, Path dossier, String nom, String... options) throws IOException {
+        Path image = dossier.resolve(nom + ".pfm");
+        String[] tout = Arrays.copyOf(DEMANDE, DEMANDE.length + options.length + 3);
+        System.arraycopy(options, 0, tout, DEMANDE.length, options.length);
+        tout[tout.length - 3] = "--lineaire";
+        tout[tout.length - 2] = image.toString();
+        tout[tout.length - 1] = "scenes/scene1.ini";
+        Essai essai = programme.executer(tout);
+        assertEquals(0, essai.code, essai.toString());
+        return Files.readAllBytes(image);
+    }
+
+    @ParameterizedTest(name = "{0} : {2}")
+    @CsvSource(delimiter = '|', value = {
+        "Objet3D | new Lumiere(); | new Lumiere(); lumiere.ajouter(Kd.mul(0.1));",
+        "Objet3D | && !scene.estCachee(lampe, contact, L, versLampe.norme(), this) | ",
+        "Objet3D | Math.min(1, N.dot(L)) | 1",
+        "Objet3D | V.add(-2 * V.dot(N), N) | V.add(-1.9 * V.dot(N), N)",
+        "Objet3D | new Rayon(contact, R, produitKs) | new Rayon(contact.add(0.01, N), R, produitKs)",
+        "Objet3D | Vecteur L = versLampe.normalized() | Vecteur L = versLampe.add(new Vecteur(1, 0, 0)).normalized()",
+        "Objet3D | Vecteur L = versLampe.normalized() | Vecteur L = versLampe",
+        "Objet3D | V.add(-2 * V.dot(N), N).normalized() | V.add(-2 * V.dot(N), N).mul(1.2)",
+        "Sphere | double d = distance( | double d = 1.01 * distance(",
+        "Sphere | ? n.normalized() | ? n.add(new Vecteur(0, 0.3, 0)).normalized()",
+        "Sphere | return contact.add(-ecart(carre, rayon), n) | return contact.add(-ecart(carre, 1.01 * rayon), n)",
+        "Rayon | P.add(distance, V) | P.add(0.99 * distance, V)",
+        "Rayon | new Couleur(0.7 * bas, 0.7 * bas, bas + V.y) | new Couleur(0.7 * bas, 0.7 * bas, bas)",
+        "Rayon | 0.4 + 0.2 * V.y | 0.4 - 0.2 * V.y",
+        "Scene | recherche.plusProche(incident, saufLui) | recherche.plusProche(incident, null)",
+        "Scene | atmosphere.traverser(couleur, contact.distance) | atmosphere.traverser(couleur.mul(0.5), contact.distance)",
+        "Scene | return recherche.estCachee( | return !recherche.estCachee(",
+        "Lancer | camera.getRayon(xe, ye) | camera.getRayon(xe + 0.3, ye)",
+        "Camera | new Point(getX(xe), getY(ye), 0) | new Point(getX(xe), getY(ye), 0.1)",
+        "Camera | new Vecteur(OEIL, ecran) | new Vecteur(0, 0, 1)",
+        "Camera | new Point(0, 0, -FOCALE) | new Point(0.5, 0.2, -FOCALE)",
+        "Camera | (hauteur / 2.0 - ye) * | (ye - hauteur / 2.0) *",
+        "Vecteur | return new Vecteur(-x, -y, -z) | return new Vecteur(-x, y > 0.5 ? -1.2 * y : -y, -z)",
+        "Objet3D | Vecteur L = versLampe.normalized() | Vecteur L = versLampe.normalized().mul(N.y > 0.8 ? 1.3 : 1)",
+        "Rayon | return P; | return P.y > 1 ? P.add(new Vecteur(0, 0.1, 0)) : P;",
+        "Vecteur | x * v.x + y * v.y + z * v.z | x * v.x + y * v.y + 0.9 * z * v.z",
+        "Vecteur | new Vecteur(x + k * v.x, y + k * v.y, z + k * v.z) | new Vecteur(x + k * v.x, y + k * v.y, z)",
+        "Vecteur | 1.5 - 0.5 * carre | 1.4 - 0.5 * carre",
+        "Point | new Point(x + k * v.x, y + k * v.y, z + k * v.z) | new Point(x + k * v.x, y + k * v.y, z + 0.99 * k * v.z)",
+        "Couleur | new Couleur(r * c.r, v * c.v, b * c.b) | new Couleur(r * c.r, v * c.v, 0)",
+        "Couleur | new Couleur(r + c.r, v + c.v, b + c.b) | new Couleur(r + c.r, v, b + c.b)",
+        "Lumiere | r += c.r | r += 0.5 * c.r",
+        "Lampe | return couleur; | return couleur.mul(0.5);",
+        "Rayon | new Rayon(lampe.getPosition(), L.neg(), BLANC) | new Rayon(lampe.getPosition(), L, BLANC)"})
+    void uneLigneChangeeDUneClasseDuCoursSeVoit(String classe, String ancienne, String nouvelle) throws IOException {
+        String source = new String(Files.readAllBytes(SOURCES.resolve(classe + ".java")), StandardCharsets.UTF_8);
+        assertTrue(source.contains(ancienne), classe + " n'a plus « " + ancienne + " »");
+        Path changee = Files.createDirectories(dossier.resolve("src")).resolve(classe + ".java");
+        Files.write(changee, source.replace(ancienne, nouvelle == null ? "" : nouvelle).getBytes(StandardCharsets.UTF_8));
+        Path classes = Files.createDirectories(dossier.resolve("classes"));
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-nowarn", "-encoding", "UTF-8", "-d",
+                classes.toString(), "-cp", Essai.origine(Main.class).toString(), changee.toString()));
+        try (Essai.Isole programme = new Essai.Isole(Collections.singletonList(classes), Collections.<Path>emptyList())) {
+            byte[] simple = dessiner(programme, dossier, "simple", "--simple");
+            assertArrayEquals(simple, dessiner(programme, dossier, "defaut"), "l'image par défaut n'est pas celle de --simple");
+            assertFalse(Arrays.equals(avant, simple), "l'image n'a pas changé");
+        }
+    }
+}

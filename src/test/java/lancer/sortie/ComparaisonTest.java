@@ -1,0 +1,192 @@
+package lancer.sortie;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.zip.CRC32;
+import javax.imageio.ImageIO;
+import lancer.essai.Essai;
+import lancer.essai.EssaiCommande;
+import org.junit.jupiter.api.Test;
+
+/** {@code --comparer} : deux images, ou une image et une scène dessinée à l'instant. */
+class ComparaisonTest extends EssaiCommande {
+
+    private Essai comparer(Object reference, Object autre, String... options) {
+        String[] arguments = new String[options.length + 3];
+        arguments[0] = "--comparer";
+        arguments[1] = reference.toString();
+        System.arraycopy(options, 0, arguments, 2, options.length);
+        arguments[options.length + 2] = autre.toString();
+        return Essai.executer(arguments);
+    }
+
+    private void verifierPareilles(Essai e) {
+        assertEquals("", e.erreur);
+        assertEquals(0, e.code, e.toString());
+        assertTrue(e.sortie.startsWith("images: pareilles"), e.sortie);
+    }
+
+    private void verifierDifferentes(Essai e) {
+        assertEquals("", e.erreur);
+        assertEquals(1, e.code, e.toString());
+        assertTrue(e.sortie.startsWith("images: différentes"), e.sortie);
+    }
+
+    @Test
+    void uneSceneEstPareilleAuxImagesQuElleADonnees() {
+        dessiner("--image", png.toString(), "--lineaire", pfm.toString());
+        verifierPareilles(comparer(png, SCENE));
+        verifierPareilles(comparer(pfm, SCENE));
+        verifierPareilles(comparer(pfm, SCENE, "--simple"));
+        verifierPareilles(comparer(png, pfm));
+        verifierPareilles(comparer(pfm, png));
+    }
+
+    @Test
+    void desCentainesDeMilliersDePixelsSArrondissentCommeDansLePng() {
+        assertEquals(0, Essai.executer("--image", png.toString(), "scenes/scene1.ini").code);
+        verifierPareilles(comparer(png, "scenes/scene1.ini"));
+    }
+
+    @Test
+    void uneReflexionDeMoinsSeVoitDansLeStatutEtDansLesNombres() {
+        dessiner("--image", png.toString());
+        Essai e = comparer(png, SCENE, "--reflets", "0");
+        verifierDifferentes(e);
+        assertTrue(e.sortie.matches("(?s).*écart quadratique moyen: \\d+\\.\\d{4}\\R.*"
+                + "plus grand écart: \\d+\\.\\d{4} en \\d+,\\d+\\R.*sur 1200.*"), e.sortie);
+    }
+
+    @Test
+    void unNiveauDeDifferenceEstPermisSiOnLeDemande() throws IOException {
+        ecrire("a.png", 10, 20, 30);
+        ecrire("b.png", 10, 21, 30);
+        verifierDifferentes(comparer(dossier.resolve("a.png"), dossier.resolve("b.png")));
+        verifierPareilles(comparer(dossier.resolve("a.png"), dossier.resolve("b.png"), "--tolerance", "1"));
+        assertTrue(comparer(dossier.resolve("a.png"), dossier.resolve("b.png")).sortie.contains("plus grand écart: 1.0000 en 3,2"));
+    }
+
+    private void ecrire(String nom, int r, int v, int b) throws IOException {
+        BufferedImage image = new BufferedImage(7, 5, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(3, 2, r << 16 | v << 8 | b);
+        ImageIO.write(image, "png", dossier.resolve(nom).toFile());
+    }
+
+    @Test
+    void lesSortesDePngDesAutresLogicielsSeLisent() throws IOException {
+        BufferedImage modele = new BufferedImage(61, 47, BufferedImage.TYPE_INT_ARGB);
+        for (int y = 0; y < 47; y++) {
+            for (int x = 0; x < 61; x++) {
+                int g = x * y % 2 * 255;
+                modele.setRGB(x, y, 0xFF000000 | g << 16 | g << 8 | g);
+            }
+        }
+        ImageIO.write(modele, "png", png.toFile());
+        for (int sorte : new int[] {BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_BYTE_BINARY,
+            BufferedImage.TYPE_BYTE_INDEXED, BufferedImage.TYPE_USHORT_GRAY, BufferedImage.TYPE_4BYTE_ABGR}) {
+            BufferedImage copie = new BufferedImage(61, 47, sorte);
+            for (int k = 0; k < 61 * 47; k++) {
+                copie.setRGB(k % 61, k / 61, modele.getRGB(k % 61, k / 61));
+            }
+            Path autre = dossier.resolve("sorte" + sorte + ".png");
+            ImageIO.write(copie, "png", autre.toFile());
+            verifierPareilles(comparer(png, autre));
+        }
+    }
+
+    @Test
+    void lesFiltresDUnDegradeSeDefont() throws IOException {
+        BufferedImage degrade = new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB);
+        for (int k = 0; k < 64 * 64; k++) {
+            degrade.setRGB(k % 64, k / 64, (k % 64 * 4) << 16 | (k / 64 * 4) << 8 | (k * 7 & 255));
+        }
+        ImageIO.write(degrade, "png", png.toFile());
+        Path differences = dossier.resolve("d.png");
+        verifierPareilles(comparer(png, png, "--image", differences.toString()));
+        BufferedImage noire = ImageIO.read(differences.toFile());
+        assertEquals(0xFF000000, noire.getRGB(63, 63));
+    }
+
+    @Test
+    void lImageDesDifferencesEstClaireLaOuEllesSont() throws IOException {
+        ecrire("a.png", 0, 0, 0);
+        ecrire("b.png", 8, 0, 4);
+        Path differences = dossier.resolve("d.png");
+        verifierDifferentes(comparer(dossier.resolve("a.png"), dossier.resolve("b.png"), "--image", differences.toString()));
+        BufferedImage image = ImageIO.read(differences.toFile());
+        assertEquals(0xFFFF0080, image.getRGB(3, 2));
+        assertEquals(0xFF000000, image.getRGB(0, 0));
+    }
+
+    @Test
+    void ceQuiNeSeComparePasEstUneDemandeFausse() throws IOException {
+        ecrire("a.png", 0, 0, 0);
+        Path a = dossier.resolve("a.png");
+        dessiner("--image", png.toString());
+        verifierDemandeFausse("tailles différentes", comparer(a, png));
+        verifierDemandeFausse("--taille ne va pas avec --comparer", comparer(a, SCENE, "--taille", "7x5"));
+        verifierDemandeFausse("fichier introuvable", comparer(dossier.resolve("absent.png"), SCENE));
+        verifierDemandeFausse("--comparer", comparer(SCENE, a));
+        verifierDemandeFausse("--tolerance", comparer(a, a, "--tolerance", "-1"));
+        verifierDemandeFausse("--tolerance", Essai.executer("--tolerance", "1", SCENE));
+        verifierDemandeFausse("rien à comparer", Essai.executer("--comparer", a.toString()));
+        verifierDemandeFausse("une des images comparées", comparer(a, a, "--image", a.toString()));
+        byte[] octets = Files.readAllBytes(a);
+        Path coupe = dossier.resolve("coupe.png");
+        for (int n = 0; n < octets.length; n++) {
+            Files.write(coupe, Arrays.copyOf(octets, n));
+            verifierDemandeFausse("image illisible", comparer(coupe, a));
+        }
+    }
+
+    /** Une image entière et juste, mais de quelques octets : sa taille n'est pas allouée pour le voir. */
+    @Test
+    void uneTailleQueLesDonneesNePeuventRemplirEstRefuseeAvantDEtreAllouee() throws IOException {
+        ecrire("a.png", 0, 0, 0);
+        byte[] octets = Files.readAllBytes(dossier.resolve("a.png"));
+        for (int[] taille : new int[][] {{16384, 6000}, {Integer.MAX_VALUE, Integer.MAX_VALUE}, {-7, -5}, {0, 5}}) {
+            ByteBuffer png = ByteBuffer.wrap(octets);
+            png.putInt(16, taille[0]).putInt(20, taille[1]);
+            CRC32 controle = new CRC32();
+            controle.update(octets, 12, 17);
+            png.putInt(29, (int) controle.getValue());
+            Files.write(dossier.resolve("b.png"), octets);
+            verifierDemandeFausse("coupé ou abîmé", comparer(dossier.resolve("b.png"), dossier.resolve("a.png")));
+        }
+    }
+
+    @Test
+    void unOctetChangeDansUnPngSeVoit() throws IOException {
+        ecrire("a.png", 10, 20, 30);
+        byte[] octets = Files.readAllBytes(dossier.resolve("a.png"));
+        for (int k = 0; k < octets.length; k++) {
+            octets[k] ^= 4;
+            Files.write(dossier.resolve("b.png"), octets);
+            octets[k] ^= 4;
+            verifierDemandeFausse("image illisible", comparer(dossier.resolve("b.png"), dossier.resolve("a.png")));
+        }
+    }
+
+    @Test
+    void unNombreQuiNEnEstPasUnNeSeComparePas() throws IOException {
+        byte[] entete = "PF\n1 1\n-1.0\n".getBytes("US-ASCII");
+        byte[] image = Arrays.copyOf(entete, entete.length + 12);
+        image[image.length - 1] = 0x7F;
+        image[image.length - 2] = (byte) 0xC0;
+        Files.write(pfm, image);
+        verifierDemandeFausse("NaN", comparer(pfm, pfm));
+    }
+
+    private static void verifierDemandeFausse(String mot, Essai e) {
+        assertEquals(2, e.code, e.toString());
+        assertEquals("", e.sortie);
+        assertTrue(e.erreur.startsWith("lancer : ") && e.erreur.contains(mot) && e.erreur.trim().indexOf('\n') < 0, e.erreur);
+    }
+}

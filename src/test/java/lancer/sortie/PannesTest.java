@@ -1,0 +1,273 @@
+package lancer.sortie;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import javax.imageio.ImageIO;
+import lancer.commande.Echec;
+import lancer.essai.Essai;
+import lancer.essai.EssaiProcessus;
+import lancer.essai.Ressources;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/**
+ * Ce qui arrive quand la machine fait défaut : rien d'à moitié écrit, aucun fichier provisoire, une ligne, et le statut dit. Les
+ * écritures qui échouent d'elles-mêmes, sans toucher à la machine, sont dans {@link SortiesTest}.
+ */
+@Timeout(120)
+class PannesTest extends EssaiProcessus {
+
+    private static final byte[] AVANT = {1, 2, 3};
+
+    // le disque
+
+    @Test
+    void uneSortieStandardFermeeOuPleineEstUnePanne() throws Exception {
+        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
+        ProcessBuilder p = preparer(java("-Dfile.encoding=UTF-8", "--image=a.png", "--taille=4x4", "--statistiques", SCENE));
+        assertEquals(1, statut(p.redirectOutput(new File("/dev/full"))));
+        assertEquals(1, erreur().split("\n").length, erreur());
+        assertTrue(erreur().startsWith("lancer : sortie standard : "), erreur());
+    }
+
+    /** La limite d'un fichier, {@code ulimit -f}, fait comme un disque qui se remplit pendant l'écriture. */
+    @Test
+    void unDisqueQuiSeRemplitLaisseLAncienneImage() throws Exception {
+        supposerUnix();
+        Path pfm = dossier.resolve("a.pfm");
+        Files.write(pfm, new byte[] {1, 2, 3});
+        List<String> commande = new ArrayList<>(Arrays.asList("/bin/sh", "-c", "ulimit -f 64 && exec \"$@\"", "sh"));
+        commande.addAll(java("-XX:-UsePerfData -Xshare:off", "--lineaire=a.pfm", "--taille=400x300", SCENE));
+        assertEquals(1, statut(preparer(commande)), erreur());
+        assertEquals(1, erreur().split("\n").length, erreur());
+        assertTrue(erreur().startsWith("lancer : a.pfm : "), erreur());
+        assertArrayEquals(new byte[] {1, 2, 3}, Files.readAllBytes(pfm));
+        verifierDossier("a.pfm");
+    }
+
+    /**
+     * La commande, dans un dossier « disque » qui est un vrai disque à lui, avec une ancienne image « a.pfm » ; il n'est vu que d'elle
+     * et disparaît avec elle. Ce qui reste dessus est ensuite copié dans « flux/reste ».
+     */
+    private int surUnDisque(String options, String... arguments) throws Exception {
+        supposerUnix();
+        Files.createDirectories(dossier.resolve("disque"));
+        Files.createDirectories(dossier.resolve("flux/reste"));
+        String[] unshare = {"unshare", "-m", "/bin/sh", "-c", "mount -t tmpfs tmpfs disque"};
+        assumeTrue(new File("/usr/bin/unshare").canExecute() && statut(preparer(Arrays.asList(unshare))) == 0,
+                "il faut pouvoir monter un disque");
+        String script = "mount -t tmpfs tmpfs disque && cp avant disque/a.pfm && mount -o remount," + options + " tmpfs disque && \"$@\"; "
+                + "statut=$?; cp -a disque/. flux/reste && exit $statut";
+        Files.write(dossier.resolve("avant"), AVANT);
+        List<String> commande = new ArrayList<>(Arrays.asList(unshare).subList(0, 4));
+        commande.addAll(Arrays.asList(script, "sh"));
+        commande.addAll(java("", arguments));
+        return statut(preparer(commande));
+    }
+
+    private void verifierReste(String... noms) throws IOException {
+        String[] reste = dossier.resolve("flux/reste").toFile().list();
+        Arrays.sort(reste);
+        assertArrayEquals(noms, reste);
+        assertArrayEquals(AVANT, Files.readAllBytes(dossier.resolve("flux/reste/a.pfm")));
+    }
+
+    @Test
+    void unVraiDisquePleinLaisseLAncienneImage() throws Exception {
+        assertEquals(1, surUnDisque("size=64k", "--lineaire=disque/a.pfm", "--taille=400x300", SCENE), erreur());
+        assertTrue(erreur().matches("lancer : disque/a.pfm : .+, disque plein\n"), erreur());
+        verifierReste("a.pfm");
+    }
+
+    @Test
+    void unDisqueQuiNePrendPlusUnFichierLaisseLAncienneImage() throws Exception {
+        assertEquals(1, surUnDisque("nr_inodes=2", "--lineaire=disque/a.pfm", "--taille=4x4", SCENE), erreur());
+        assertTrue(erreur().matches("lancer : disque/a.pfm : .+, disque plein\n"), erreur());
+        verifierReste("a.pfm");
+    }
+
+    @Test
+    void deDeuxImagesCelleQuiTientSurLeDisqueEstEntiere() throws Exception {
+        assertEquals(1, surUnDisque("size=128k", "--lineaire=disque/a.pfm", "--image=disque/a.png", "--taille=400x300", SCENE), erreur());
+        assertTrue(erreur().matches("lancer : disque/a.pfm : .+, disque plein\n"), erreur());
+        verifierReste("a.pfm", "a.png");
+        byte[] png = Files.readAllBytes(dossier.resolve("flux/reste/a.png"));
+        assertEquals(400, ImageIO.read(new ByteArrayInputStream(png)).getWidth());
+        assertEquals("IEND", new String(png, png.length - 8, 4, StandardCharsets.US_ASCII));
+    }
+
+    @Test
+    void unDisqueEnLectureSeuleEstRefuseAvantDeDessiner() throws Exception {
+        // un dessin si long que le test n'en verrait pas la fin
+        assertEquals(1, surUnDisque("ro", "--lineaire=disque/a.pfm", "--repeter=100000", "--taille=4000x3000", SCENE), erreur());
+        assertTrue(erreur().matches("lancer : disque/a.pfm : .+ interdite dans le dossier " + dossier.toRealPath() + "/disque\n"),
+                erreur());
+        verifierReste("a.pfm");
+    }
+
+    /** Là où le test est lancé par root, qui passe outre aux permissions, le programme l'est sans ce pouvoir. */
+    @Test
+    void unDossierOuUneSceneInterditsSeDisentEnUneLigne() throws Exception {
+        supposerUnix();
+        Path protege = Files.createDirectory(dossier.resolve("protege"));
+        Path scene = Files.copy(Paths.get(SCENE), dossier.resolve("s.ini"));
+        List<String> sansPouvoir = new ArrayList<>();
+        if (Files.isWritable(Paths.get("/"))) {
+            assumeTrue(new File("/usr/bin/setpriv").canExecute(), "il faut setpriv pour ne plus pouvoir tout écrire");
+            sansPouvoir.addAll(Arrays.asList("/usr/bin/setpriv", "--bounding-set=-dac_override,-dac_read_search",
+                    "--inh-caps=-dac_override,-dac_read_search"));
+        }
+        assertTrue(protege.toFile().setWritable(false, false));
+        List<String> commande = new ArrayList<>(sansPouvoir);
+        commande.addAll(java("", "--image=protege/a.png", "--taille=4x4", "s.ini"));
+        assertEquals(1, statut(preparer(commande)), erreur());
+        assertTrue(erreur().matches("lancer : protege/a.png : .+ interdite dans le dossier " + protege.toRealPath() + "\n"), erreur());
+
+        assertTrue(scene.toFile().setReadable(false, false));
+        commande = new ArrayList<>(sansPouvoir);
+        commande.addAll(java("", "--image=a.png", "--taille=4x4", "s.ini"));
+        assertEquals(2, statut(preparer(commande)), erreur());
+        assertTrue(erreur().matches("lancer : s.ini : lecture interdite ; attendu : .+\n"), erreur());
+        assertTrue(protege.toFile().setWritable(true));
+        assertArrayEquals(new String[0], protege.toFile().list());
+        assertFalse(Files.exists(dossier.resolve("a.png")));
+    }
+
+    @Test
+    void unDossierEffaceOuUnDossierMisALaPlacePendantLeDessinEstUnePanne() throws IOException {
+        Path sous = Files.createDirectory(dossier.resolve("sous"));
+        Ecriture ecriture = new Ecriture(sous.resolve("a.png").toString());
+        Files.delete(sous);
+        ImageMemoire image = new ImageMemoire(3, 2, false);
+        Echec e = assertThrows(Echec.class, () -> ecriture.ecrire(image, new FichierPng()));
+        assertEquals(sous.resolve("a.png") + " : écriture impossible, le dossier n'existe pas", e.getMessage());
+        assertEquals(1, e.getCode());
+
+        Files.createDirectories(sous.resolve("a.png/plein"));
+        e = assertThrows(Echec.class, () -> ecriture.ecrire(image, new FichierPng()));
+        assertTrue(e.getMessage().startsWith(sous.resolve("a.png") + " : écriture impossible, "), e.getMessage());
+        assertEquals(1, e.getCode());
+        assertArrayEquals(new String[] {"a.png"}, sous.toFile().list());
+    }
+
+    @Test
+    void unLecteurQuiSEnVaEstUnePanne() throws Exception {
+        supposerUnix();
+        Files.createSymbolicLink(dossier.resolve("flux/tube.pfm"), Paths.get("/dev/stdout"));
+        List<String> commande = new ArrayList<>(Arrays.asList("/bin/sh", "-c", "{ \"$@\"; echo $? > flux/statut; } | head -c 1", "sh"));
+        commande.addAll(java("", "--lineaire=flux/tube.pfm", "--taille=400x300", SCENE));
+        statut(preparer(commande));
+        attendre(() -> new String(Files.readAllBytes(dossier.resolve("flux/statut")), StandardCharsets.US_ASCII).equals("1\n"));
+        Files.delete(dossier.resolve("flux/tube.pfm"));
+        assertTrue(erreur().matches("lancer : flux/tube.pfm : .+, plus personne ne lit\n"), erreur());
+    }
+
+    // Ctrl+C
+
+    @Test
+    void ctrlCPendantLeDessinRend130EtNeLaisseRien() throws Exception {
+        supposerUnix();
+        int pid = demarrerInterruptible(SCENE, "--image=a.png", "--lineaire=a.pfm", "--repeter=100000", "--taille=400x300");
+        attendre(() -> tientLesFils(pid));
+        interrompre(pid);
+        assertEquals(130, processus.waitFor());
+        assertEquals("", erreur());
+        verifierDossier();
+    }
+
+    @Test
+    void ctrlCPendantLEcritureNeLaisseRienDInacheve() throws Exception {
+        supposerUnix();
+        int pid = demarrerInterruptible(Ressources.chemin("valides/vide.ini"), "--lineaire=a.pfm", "--taille=2500x2000");
+        attendre(() -> dossier.toFile().list().length > 1 || !processus.isAlive());
+        interrompre(pid);
+        int statut = processus.waitFor();
+        if (statut == 0 || Files.exists(dossier.resolve("a.pfm"))) {
+            // l'image était déjà finie
+            verifierDossier("a.pfm");
+            assertEquals("PF\n2500 2000\n-1.0\n".length() + 12L * 2500 * 2000, Files.size(dossier.resolve("a.pfm")));
+        } else {
+            assertEquals(130, statut);
+            verifierDossier();
+        }
+    }
+
+    @Test
+    void ctrlCPendantLEcritureLaisseLAncienneImage() throws Exception {
+        supposerUnix();
+        Path pfm = dossier.resolve("a.pfm");
+        Files.write(pfm, AVANT);
+        int pid = demarrerInterruptible(Ressources.chemin("valides/vide.ini"), "--lineaire=a.pfm", "--taille=2500x2000");
+        attendre(() -> dossier.toFile().list().length > 2 || !processus.isAlive());
+        interrompre(pid);
+        int statut = processus.waitFor();
+        verifierDossier("a.pfm");
+        if (statut == 130 && Files.size(pfm) == AVANT.length) {
+            assertArrayEquals(AVANT, Files.readAllBytes(pfm));
+        } else {
+            // l'image était déjà finie
+            assertEquals("PF\n2500 2000\n-1.0\n".length() + 12L * 2500 * 2000, Files.size(pfm));
+        }
+    }
+
+    // un programme tué
+
+    /** Une image assez grande pour être arrêtée pendant qu'elle s'écrit ; {@code null} si elle était déjà finie. */
+    private File arreterPendantLEcriture() throws Exception {
+        int pid = demarrerInterruptible(Ressources.chemin("valides/vide.ini"), "--lineaire=a.pfm", "--taille=4000x3000");
+        attendre(() -> provisoire() != null && provisoire().length() > 0 || !processus.isAlive());
+        new ProcessBuilder("/bin/sh", "-c", "kill -STOP " + pid).start().waitFor();
+        return provisoire();
+    }
+
+    private File provisoire() {
+        File[] provisoires = dossier.toFile().listFiles((d, nom) -> nom.startsWith(".lancer-"));
+        return provisoires.length == 0 ? null : provisoires[0];
+    }
+
+    private void dessinerAussi() {
+        Essai e = Essai.executer("--image=" + dossier.resolve("b.png"), "--taille=4x4", SCENE);
+        assertEquals(0, e.code, e.toString());
+    }
+
+    @Test
+    void ceQuALaisseUnProgrammeTueEstEffaceParLeSuivantEtPasAvant() throws Exception {
+        supposerUnix();
+        File provisoire = arreterPendantLEcriture();
+        assumeTrue(provisoire != null, "l'image était déjà finie");
+        dessinerAussi();
+        assertTrue(provisoire.exists(), "son processus vit encore");
+        processus.destroyForcibly().waitFor();
+        assertTrue(provisoire.exists(), "personne n'a pu l'effacer");
+        dessinerAussi();
+        verifierDossier("b.png");
+    }
+
+    @Test
+    void uneEcritureInterrompueParUneAutreVaAuBout() throws Exception {
+        supposerUnix();
+        File provisoire = arreterPendantLEcriture();
+        assumeTrue(provisoire != null, "l'image était déjà finie");
+        // comme le ferait le balayage d'un programme qui ne voit pas ce processus
+        assertTrue(provisoire.delete());
+        new ProcessBuilder("/bin/sh", "-c", "kill -CONT $(cat flux/sortie)").directory(dossier.toFile()).start().waitFor();
+        assertEquals(0, processus.waitFor(), erreur());
+        assertEquals("PF\n4000 3000\n-1.0\n".length() + 12L * 4000 * 3000, Files.size(dossier.resolve("a.pfm")));
+        verifierDossier("a.pfm");
+    }
+}

@@ -1,0 +1,142 @@
+package lancer.sortie;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Collections;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
+import lancer.essai.Essai;
+import lancer.essai.EssaiCommande;
+import lancer.essai.EssaiPixel;
+import lancer.essai.Ressources;
+import lancer.rapide.Preparation;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** {@code --pixel} : un pixel dessiné seul est celui de l'image, et se dit en une ligne. */
+class PixelTest extends EssaiCommande {
+
+    @ParameterizedTest
+    @CsvSource({"p1-quatre, 61, 47, --reflets=5", "p2-sol, 70, 33, --seuil=0", "p3-miroirs, 40, 30, --reflets=40",
+        "p4-foule, 33, 65, --reflets=0", "p4-foule, 1, 1, --seuil=0.2", "p1-quatre, 100, 3, --simple"})
+    void lePixelDemandeEstCeluiDeLImage(String scene, int largeur, int hauteur, String option) throws IOException {
+        EssaiPixel.verifier(Collections.emptyList(), dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")), largeur, hauteur,
+                option);
+    }
+
+    @Test
+    void saCouleurEstDiteToutEntiere() {
+        Scene scene = new Scene(SCENE);
+        Camera camera = new Camera(20, 15);
+        scene.setRecherche(Preparation.pour(scene, camera));
+        String[] attendus = new String[20 * 15];
+        new Lancer(scene, camera).TracerPixels((c, i, j) -> attendus[20 * j + i] = "somme " + c.r + " " + c.v + " " + c.b + " = #"
+                + Integer.toHexString(c.getCode()).substring(2).toUpperCase(), 3, 2);
+        for (int k = 0; k < attendus.length; k++) {
+            Essai e = Essai.executer("--taille=20x15", "--reflets=3", "--pixel", k % 20 + "," + k / 20, SCENE);
+            assertEquals(attendus[k] + System.lineSeparator(), e.sortie);
+            assertEquals("", e.erreur);
+        }
+    }
+
+    @Test
+    void ilNeCouteQueSonRayon() {
+        int[] rayons = new int[1];
+        Modele modele = new Modele();
+        modele.setAtmosphere((vue, distance) -> {
+            rayons[0]++;
+            return vue;
+        });
+        UnPixel.dessiner(new Scene(Collections.emptyList(), Collections.emptyList(), modele), new Camera(40, 70), 5, 31, 31);
+        assertEquals(1, rayons[0]);
+    }
+
+    @Test
+    void unEchantillonnageQuiPartageDesPointsRecoitToutLePave() {
+        // chaque pixel vaut le nombre de pixels du pavé
+        Echantillonnage voisins = (pave, vue, toile) -> {
+            for (int j = pave.j0; j < pave.j1; j++) {
+                for (int i = pave.i0; i < pave.i1; i++) {
+                    toile.drawPixel(new Couleur((pave.i1 - pave.i0) * (pave.j1 - pave.j0)), i, j);
+                }
+            }
+            return 0;
+        };
+        Scene scene = new Scene(SCENE).avec(voisins, 0);
+        Camera camera = new Camera(40, 70);
+        assertEquals("somme 1024.0 1024.0 1024.0 = #FFFFFF", UnPixel.dessiner(scene, camera, 5, 31, 31).toString());
+        assertEquals("somme 48.0 48.0 48.0 = #FFFFFF", UnPixel.dessiner(scene, camera, 5, 32, 69).toString());
+    }
+
+    @Test
+    void milleReflexionsNeDebordentPasLaPileDeCeluiQuiDemande() throws Exception {
+        // deux miroirs l'un dans l'autre
+        Path scene = Essai.scene(dossier.resolve("s.ini"), "[Sphere 1]", "centre=0.1 0.2 0", "rayon=50", "Ks=1 1 1", "[Sphere 2]",
+                "centre=0 0 0", "rayon=60", "Ks=1 1 1", "[Lampe 1]", "position=0 55 0", "couleur=1 1 1");
+        Essai image = Essai.executer("--reflets=1000", "--seuil=0", "--taille=1x1", "--statistiques", "--image=" + png, scene.toString());
+        assertEquals(1000, image.statistique("rayons.reflechis"));
+        String[] options = {"--reflets=1000", "--seuil=0", "--taille=9x7", scene.toString(), "--pixel=2,3"};
+        Essai[] essai = new Essai[1];
+        Thread petite = new Thread(null, () -> essai[0] = Essai.executer(options), "petite pile", 1 << 17);
+        petite.start();
+        petite.join();
+        assertEquals(0, essai[0].code, essai[0].toString());
+        EssaiPixel.verifier(Collections.emptyList(), dossier, scene, 9, 7, "--reflets=1000", "--seuil=0");
+    }
+
+    @Test
+    void laLigneEstEnUtf8QuelleQueSoitLaConsole() throws IOException {
+        ByteArrayOutputStream sortie = new ByteArrayOutputStream();
+        PrintStream console = new PrintStream(sortie, true, "UTF-16");
+        assertEquals(0, Essai.executer(console, System.err, "--pixel=1,1", SCENE));
+        String ligne = new String(sortie.toByteArray(), StandardCharsets.UTF_8);
+        assertTrue(ligne.matches("somme [0-9.E-]+ [0-9.E-]+ [0-9.E-]+ = #[0-9A-F]{6}\\R"), ligne);
+    }
+
+    @Test
+    void unAvertissementResteSurLErreurStandard() {
+        String scene = Ressources.chemin("valides/avertie-brume.ini");
+        Essai e = Essai.executer("--pixel=1,1", scene);
+        assertEquals("lancer : " + scene + ", ligne 4, [Brume dense] : section laissée de côté ; attendu : la variante qui la lit, "
+                + "java -jar brume/target/brume.jar" + System.lineSeparator(), e.erreur);
+        assertEquals(0, e.code);
+        assertTrue(e.sortie.startsWith("somme "), e.toString());
+    }
+
+    @Test
+    void unRefusNEcritQueSaLigne() throws IOException {
+        verifierRefus(2, "valeur impossible pour --pixel : « 40,0 » ; attendu : un pixel de l'image, de 0,0 à 39,29",
+                executer("--pixel", "40,0"));
+        verifierRefus(2, "--pixel ne va pas avec --image ; attendu : l'une ou l'autre", executer("--pixel=1,1", "--image=" + png));
+        Path scene = Essai.scene(dossier.resolve("s.ini"), "[Cube]");
+        Essai e = Essai.executer("--pixel=1,1", scene.toString());
+        assertTrue(e.erreur.startsWith("lancer : " + scene + ", ligne 1, [Cube] : type de section inconnu"), e.toString());
+        assertEquals(2, e.code);
+        assertEquals("", e.sortie);
+        verifierFichiers("s.ini");
+    }
+
+    @Test
+    void uneSortieStandardPleineEstUnePanne() throws IOException {
+        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
+        ByteArrayOutputStream erreur = new ByteArrayOutputStream();
+        try (PrintStream pleine = new PrintStream("/dev/full", "UTF-8"); PrintStream e = new PrintStream(erreur, true, "UTF-8")) {
+            assertEquals(1, Essai.executer(pleine, e, "--pixel=1,1", SCENE));
+        }
+        assertEquals("lancer : sortie standard : écriture impossible" + System.lineSeparator(), erreur.toString("UTF-8"));
+    }
+}

@@ -1,0 +1,257 @@
+package lancer.sortie;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Random;
+import javax.imageio.ImageIO;
+import lancer.Couleur;
+import lancer.commande.Echec;
+import lancer.commande.Pannes;
+import lancer.essai.Essai;
+import lancer.essai.EssaiCommande;
+import lancer.essai.Ressources;
+import org.junit.jupiter.api.Test;
+
+/** Les fichiers que le programme écrit, ce qu'ils contiennent, et ce qu'il dit quand il ne le peut pas. */
+class SortiesTest extends EssaiCommande {
+
+    @Test
+    void unDossierAbsentOuUnDossierEnSortieEstUnePanne() throws IOException {
+        Path absent = dossier.resolve("absent").resolve("image.png");
+        verifierRefus(1, absent + " : écriture impossible, le dossier n'existe pas", executer("--image", absent.toString()));
+        Path plein = Files.createDirectory(dossier.resolve("plein.pfm"));
+        verifierRefus(1, plein + " : écriture impossible, c'est un dossier", executer("--lineaire", plein.toString()));
+        ecrireTexte(png, "pas un dossier");
+        Path dessous = png.resolve("image.png");
+        verifierRefus(1, dessous + " : écriture impossible, le dossier n'existe pas", executer("--image", dessous.toString()));
+        verifierFichiers("image.png", "plein.pfm");
+    }
+
+    @Test
+    void unDisquePleinSeDit() throws IOException {
+        Path image = disquePlein("plein.png");
+        verifierRefus(1, image + " : écriture impossible, disque plein", executer("--image", image.toString()));
+        Path lineaire = disquePlein("plein.pfm");
+        verifierRefus(1, lineaire + " : écriture impossible, disque plein", executer("--statistiques", "--lineaire", lineaire.toString()));
+    }
+
+    @Test
+    void unEchecNeDitQueLui() throws IOException {
+        Path pleine = disquePlein("pleine.png");
+        String scene = Ressources.chemin("valides/avertie-brume.ini");
+        verifierRefus(1, pleine + " : écriture impossible, disque plein", Essai.executer("--taille=4x4", "--image=" + pleine, scene));
+    }
+
+    @Test
+    void unDossierOuUnFichierProtegeEstUnePanne() throws IOException {
+        Path protege = Files.createDirectory(dossier.resolve("protege"));
+        Path sortie = protege.resolve("image.png");
+        ecrireTexte(png, "avant");
+        assumeTrue(protege.toFile().setWritable(false) && png.toFile().setWritable(false));
+        try {
+            assumeFalse(Files.isWritable(protege), "cet utilisateur peut tout écrire");
+            String interdite = " : écriture impossible, écriture interdite dans le dossier " + protege;
+            verifierRefus(1, sortie + interdite, executer("--image", sortie.toString()));
+            verifierRefus(1, png + " : écriture impossible, écriture interdite", executer("--image", png.toString()));
+            assertEquals("avant", lireTexte(png));
+        } finally {
+            assertTrue(protege.toFile().setWritable(true));
+        }
+    }
+
+    @Test
+    void desLiensSansFinSontUnePanne() throws IOException {
+        Path boucle = lien("boucle.png", Paths.get("boucle.png"));
+        verifierRefus(1, boucle + " : écriture impossible, trop de liens symboliques", executer("--image", boucle.toString()));
+    }
+
+    @Test
+    void unePanneDeLaMachineDitQuoiFaire() {
+        assertEquals("trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2",
+                Pannes.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
+        assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Pannes.message(new OutOfMemoryError()));
+        assertEquals("échec du programme : java.lang.IllegalStateException: a\\nb",
+                Pannes.message(new IllegalStateException("a\nb")));
+    }
+
+    @Test
+    void uneSortieStandardPleineEstUnePanne() throws IOException {
+        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
+        ByteArrayOutputStream erreur = new ByteArrayOutputStream();
+        try (PrintStream pleine = new PrintStream("/dev/full", "UTF-8"); PrintStream e = new PrintStream(erreur, true, "UTF-8")) {
+            assertEquals(1, Essai.executer(pleine, e, "--aide"));
+        }
+        assertEquals("lancer : sortie standard : écriture impossible" + System.lineSeparator(), erreur.toString("UTF-8"));
+    }
+
+    @Test
+    void uneImageRemplaceLAncienneEnEntierEtRienNeTraine() throws IOException {
+        ecrireTexte(png, String.join("", Collections.nCopies(100_000, "vieux")));
+        dessiner("--image", png.toString(), "--lineaire", pfm.toString());
+        assertTrue(Files.size(png) < 10_000);
+        assertEquals(40, ImageIO.read(png.toFile()).getWidth());
+        verifierFichiers("image.png", "image.pfm");
+    }
+
+    @Test
+    void uneEcritureQuiEchoueLaisseLeFichierCommeAvant() throws IOException {
+        ecrireTexte(png, "avant");
+        ImageMemoire image = new ImageMemoire(3, 2, true);
+        Map<String, Ecriture.Format> pannes = new LinkedHashMap<>();
+        pannes.put("disque plein", (i, sortie) -> {
+            new FichierPng().ecrire(i, sortie);
+            throw new IOException("No space left on device");
+        });
+        pannes.put("la prise est débranchée", (i, sortie) -> {
+            sortie.write(new byte[1 << 20]);
+            throw new IOException("la prise est débranchée");
+        });
+        for (Map.Entry<String, Ecriture.Format> panne : pannes.entrySet()) {
+            for (Path sortie : new Path[] {png, pfm}) {
+                Echec e = assertThrows(Echec.class, () -> new Ecriture(sortie.toString()).ecrire(image, panne.getValue()));
+                assertEquals(sortie + " : écriture impossible, " + panne.getKey(), e.getMessage());
+                assertEquals(1, e.getCode());
+            }
+        }
+        assertThrows(OutOfMemoryError.class, () -> new Ecriture(png.toString()).ecrire(image, (i, sortie) -> {
+            throw new OutOfMemoryError();
+        }));
+        assertEquals("avant", lireTexte(png));
+        verifierFichiers("image.png");
+    }
+
+    @Test
+    void unLienSymboliqueEstSuivi() throws IOException {
+        Path ailleurs = Files.createDirectory(dossier.resolve("ailleurs"));
+        Path vraie = ailleurs.resolve("vraie.png");
+        Path lien = lien("lien.png", Paths.get("ailleurs/vraie.png"));
+        for (int fois = 0; fois < 2; fois++) {
+            // la première fois, il ne mène encore à rien
+            dessiner("--image", lien.toString());
+            assertTrue(Files.isSymbolicLink(lien));
+            assertTrue(Files.isRegularFile(vraie));
+            assertEquals(40, ImageIO.read(vraie.toFile()).getWidth());
+        }
+        assertArrayEquals(new String[] {"vraie.png"}, ailleurs.toFile().list());
+    }
+
+    @Test
+    void unNomAussiLongQueLeSystemeLePermetConvient() {
+        StringBuilder nom = new StringBuilder();
+        while (nom.length() < 251) {
+            nom.append('n');
+        }
+        dessiner("--image", dossier.resolve(nom + ".png").toString());
+        verifierFichiers(nom + ".png");
+    }
+
+    @Test
+    void leNeantEstUneSortiePermise() throws IOException {
+        assumeTrue(Files.exists(Paths.get("/dev/null")), "pas de /dev/null ici");
+        dessiner("--image", lien("neant.png", Paths.get("/dev/null")).toString());
+        dessiner("--lineaire", lien("neant.pfm", Paths.get("/dev/null")).toString(), "--image", png.toString());
+        assertFalse(Files.isRegularFile(Paths.get("/dev/null")));
+        verifierFichiers("image.png", "neant.pfm", "neant.png");
+    }
+
+    @Test
+    void uneImageGardeLesPermissionsDeCelleQuElleRemplace() throws IOException {
+        assumeTrue(dossier.getFileSystem().supportedFileAttributeViews().contains("posix"), "pas de permissions ici");
+        for (String permissions : new String[] {"rw-r-----", "rw-------", "rwxrw-rw-"}) {
+            ecrireTexte(png, "avant");
+            Files.setPosixFilePermissions(png, PosixFilePermissions.fromString(permissions));
+            dessiner("--image", png.toString());
+            assertEquals(40, ImageIO.read(png.toFile()).getWidth());
+            assertEquals(permissions, PosixFilePermissions.toString(Files.getPosixFilePermissions(png)));
+        }
+        // une image neuve a celles de tout fichier neuf
+        Files.createFile(dossier.resolve("neuf"));
+        dessiner("--lineaire", pfm.toString());
+        assertEquals(Files.getPosixFilePermissions(dossier.resolve("neuf")), Files.getPosixFilePermissions(pfm));
+    }
+
+    /** L'ancien fichier était caché : le nouveau l'est avant même d'avoir un contenu. */
+    @Test
+    void uneImageCacheeLEstDejaPendantQuElleSEcrit() throws IOException {
+        assumeTrue(dossier.getFileSystem().supportedFileAttributeViews().contains("posix"), "pas de permissions ici");
+        ecrireTexte(png, "avant");
+        Files.setPosixFilePermissions(png, PosixFilePermissions.fromString("rw-------"));
+        new Ecriture(png.toString()).ecrire(new ImageMemoire(3, 2, true), (image, sortie) -> {
+            for (File fichier : dossier.toFile().listFiles()) {
+                assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(fichier.toPath())),
+                        fichier.getName());
+            }
+            assertEquals(2, dossier.toFile().list().length);
+        });
+    }
+
+    @Test
+    void lePngEtLePfmDisentLaMemeImage() throws IOException {
+        dessiner("--image", png.toString(), "--lineaire", pfm.toString());
+        BufferedImage image = ImageIO.read(png.toFile());
+        float[] c = Essai.pfm(Files.readAllBytes(pfm));
+        assertEquals(40, image.getWidth());
+        assertEquals(30, image.getHeight());
+        for (int j = 0; j < 30; j++) {
+            for (int i = 0; i < 40; i++) {
+                // la ligne du bas est la première du PFM
+                int k = 3 * (40 * (29 - j) + i);
+                assertEquals(new Couleur(c[k], c[k + 1], c[k + 2]).getCode(), image.getRGB(i, j), "pixel " + i + ", " + j);
+            }
+        }
+    }
+
+    @Test
+    void lePngEstJusteAToutesLesTailles() throws IOException {
+        for (int[] taille : new int[][] {{1, 1}, {1, 100}, {100, 1}, {3, 2}, {257, 255}, {16384, 3}, {3, 16384}}) {
+            ImageMemoire memoire = new ImageMemoire(taille[0], taille[1], false);
+            Random hasard = new Random(taille[0]);
+            for (int k = 0; k < memoire.getCodes().length; k++) {
+                memoire.getCodes()[k] = 0xFF000000 | hasard.nextInt();
+            }
+            new Ecriture(png.toString()).ecrire(memoire, new FichierPng());
+            BufferedImage lue = ImageIO.read(png.toFile());
+            assertArrayEquals(memoire.getCodes(), lue.getRGB(0, 0, taille[0], taille[1], null, 0, taille[0]), Arrays.toString(taille));
+        }
+    }
+
+    @Test
+    void lePfmCommenceParLeBasEtEstPetitBoutiste() throws IOException {
+        ImageMemoire memoire = new ImageMemoire(2, 2, true);
+        memoire.drawPixel(new Couleur(1, 2, 3), 0, 0);
+        memoire.drawPixel(new Couleur(4, 5, 6), 1, 0);
+        memoire.drawPixel(new Couleur(-7, 1e6, 0.1), 0, 1);
+        memoire.drawPixel(new Couleur(0), 1, 1);
+        new Ecriture(pfm.toString()).ecrire(memoire, new FichierPfm());
+        ByteBuffer octets = ByteBuffer.wrap(Files.readAllBytes(pfm)).order(ByteOrder.LITTLE_ENDIAN);
+        byte[] entete = new byte["PF\n2 2\n-1.0\n".length()];
+        octets.get(entete);
+        assertEquals("PF\n2 2\n-1.0\n", new String(entete, StandardCharsets.US_ASCII));
+        for (float attendu : new float[] {-7, 1e6f, 0.1f, 0, 0, 0, 1, 2, 3, 4, 5, 6}) {
+            assertEquals(attendu, octets.getFloat());
+        }
+        assertFalse(octets.hasRemaining());
+    }
+}
