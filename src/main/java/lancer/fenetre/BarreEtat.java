@@ -82,14 +82,15 @@ final class BarreEtat extends JPanel {
      * Dit ce qu'a coûté l'image montrée.
      *
      * @param reduction le rapport de la taille à laquelle elle est montrée à la sienne
+     * @param reglages avec quoi elle est dessinée
      */
-    void resumer(Lancer lancer, double reduction) {
+    void resumer(Lancer lancer, double reduction, String reglages) {
         // l'espace fine des nombres français manque à bien des polices
         String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
                 .replace('\u202F', '\u00A0');
         String reduite = reduction < 1 ? " montrés à " + Math.round(100 * reduction) + " %" : "";
         resume.setText(lancer.getCamera().getLargeur() + " × " + lancer.getCamera().getHauteur() + " pixels" + reduite
-                + ", " + rayons + " rayons, " + String.format(Locale.FRANCE, "%.2f s", lancer.getDureeNs() / 1e9));
+                + ", " + reglages + ", " + rayons + " rayons, " + String.format(Locale.FRANCE, "%.2f s", lancer.getDureeNs() / 1e9));
     }
 
     /**

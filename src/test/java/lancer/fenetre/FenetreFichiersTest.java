@@ -24,9 +24,11 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
+import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import lancer.Scene;
@@ -170,6 +172,32 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 est à la scène montrée", attendue(L, H));
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+    }
+
+    @Test
+    void leTexteDUneFauteSeCopie() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        ecrire(FAUTIVE);
+        banc.attendreMessage(scene.toString());
+        JTextArea bandeau = chercher("message", JTextArea.class);
+        String copie = surFilEvenements(() -> {
+            ((AbstractButton) bandeau.getComponentPopupMenu().getComponent(0)).doClick();
+            return (String) bandeau.getToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+        });
+        assertEquals(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage(), copie);
+    }
+
+    @Test
+    void unNomDeSceneSansIniEstComplete() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        scene = dossier.resolve("autre.ini");
+        ecrire(BLEUE);
+        banc.frapperCtrl('O');
+        choisir(dossier.resolve("autre"));
+        banc.attendreImage("l'autre scène", attendue(L, H));
+        assertEquals("lancer — autre.ini", banc.cadre.getTitle());
     }
 
     @Test
