@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Source;
 import lancer.correction.isolement.Arret;
@@ -245,10 +246,18 @@ final class Juge implements AutoCloseable {
             return new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe));
         }
         if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
-            return new Verdict(Etat.RATE, verdict.message + causes(v.classe));
+            return new Verdict(Etat.RATE, verdict.message + (verdict.message.contains(" : ") ? "" : causes(v.classe)));
         }
-        return verdict.message.equals(reference.messageDuSquelette(v)) ? new Verdict(Etat.NON_COMMENCE,
+        return verdict.message.equals(reference.messageDuSquelette(v)) && !commencee(v) ? new Verdict(Etat.NON_COMMENCE,
                 "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
+    }
+
+    /** Faux si la méthode dont parle cette vérification, ou à défaut une de sa classe, est celle du projet à compléter. */
+    private boolean commencee(Verification v) {
+        Map<String, Boolean> methodes = Source.commencees(projet.texte(v.classe), Modele.squelette(v.classe));
+        List<String> nommees = methodes.keySet().stream()
+                .filter(m -> Pattern.compile("\\b" + m + "\\b").matcher(v.titre).find()).collect(Collectors.toList());
+        return (nommees.isEmpty() ? methodes.keySet() : nommees).stream().allMatch(methodes::get);
     }
 
     private String causes(String classe) {
@@ -263,10 +272,9 @@ final class Juge implements AutoCloseable {
         try {
             Image image = image(ensemble, 0);
             resultat.image = image;
-            Ecart coins = new Ecart(reference.getImage(false), image);
-            Ecart centres = new Ecart(reference.getImage(true), image);
-            resultat.centre = centres.rmse < coins.rmse;
-            resultat.ecart = resultat.centre ? centres : coins;
+            // là où le rendu a raison, au ciel au moins, il l'a à une moitié de pixel près : c'est là qu'on voit laquelle
+            resultat.centre = image.pareils(reference.getImage(true)) > image.pareils(reference.getImage(false));
+            resultat.ecart = new Ecart(reference.getImage(resultat.centre), image);
             boolean meme = resultat.ecart.memeImage();
             resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "")
                     : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,

@@ -85,6 +85,20 @@ class FautesTest extends JuryEssai {
     }
 
     @Test
+    void uneNormaleALEnversEstUneFauteDeLambertQuelQueSoitLePointVisePourChaquePixel() {
+        verifier("normale-a-l-envers", "lambert");
+        assertTrue(resultats.get("normale-a-l-envers").centre, "getCouleurPixel vise le centre du pixel");
+        assertEquals(List.of("Sphere"), resultats.get("normale-a-l-envers").classesFautives);
+    }
+
+    @Test
+    void unDoubleAuLieuDUnDoubleNeCouteRienEtSeDit() {
+        assertTrue(resultats.get("normale-a-l-envers").remarques.contains("signature : public Double Sphere."
+                + "getIntersectionDistance au lieu de public double ; jugée comme si elle avait celle du cours"),
+                resultats.get("normale-a-l-envers").remarques.toString());
+    }
+
+    @Test
     void uneRecursionSansFinEstUneFauteDeReflets() {
         verifier("sans-fin", "reflets");
     }
