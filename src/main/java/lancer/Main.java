@@ -12,10 +12,11 @@ import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
-import lancer.sortie.Dessinateur;
+import lancer.contrat.Verification;
 import lancer.fenetre.Fenetre;
 import lancer.lecture.LecteurScene;
 import lancer.rapide.Preparation;
+import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
 import lancer.sortie.Statistiques;
@@ -145,7 +146,8 @@ public class Main implements Toile, Dessinateur {
     private Echec nommer(PixelFautif panne) {
         int largeur = image == null ? options.largeur : image.getLargeur();
         int hauteur = image == null ? options.hauteur : image.getHauteur();
-        return new Echec(CodeSortie.PANNE, Pannes.duPixel(panne, options, fichier, largeur, hauteur));
+        PixelFautif precise = Verification.preciser(panne, scene, new Camera(largeur, hauteur), options.reflets);
+        return new Echec(CodeSortie.PANNE, Pannes.duPixel(precise, options, fichier, largeur, hauteur));
     }
 
     /** Prépare la scène lue pour l'image à dessiner. */

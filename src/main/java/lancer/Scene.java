@@ -171,6 +171,10 @@ public final class Scene {
         this.recherche = recherche;
     }
 
+    public Atmosphere getAtmosphere() {
+        return atmosphere;
+    }
+
     public Specularite getSpecularite() {
         return specularite;
     }

@@ -11,9 +11,15 @@ public final class PixelFautif extends RuntimeException {
     public final int x;
     public final int y;
 
+    /** Le point de l'écran, en pixels : celui de ce pixel qui n'a pu être vu. */
+    public final double xe;
+    public final double ye;
+
     /** @param xe en pixels depuis la gauche */
     public PixelFautif(double xe, double ye, Throwable cause) {
         super("pixel " + (int) xe + ", " + (int) ye, cause);
+        this.xe = xe;
+        this.ye = ye;
         x = (int) xe;
         y = (int) ye;
     }
