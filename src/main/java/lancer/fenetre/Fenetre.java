@@ -76,6 +76,7 @@ public final class Fenetre {
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
     private ImageMemoire complete;
+    private String cout;
     private boolean fermee;
 
     private Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
@@ -390,6 +391,7 @@ public final class Fenetre {
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
             complete = dessinateur.getImage();
+            cout = reglages + ignorees + ", " + BarreEtat.cout(courant.getLancer());
             bandeau.effacerErreur();
             String ecart = courant.getLancer().getTemoignage().ecart;
             if (ecart != null) {
@@ -420,11 +422,8 @@ public final class Fenetre {
 
     /** Dit ce qu'a coûté l'image montrée, si elle est achevée. */
     private void resumer() {
-        if (getImageComplete() == null) {
-            barre.oublier();
-        } else {
-            barre.resumer(dessinateur.getLancer(), panneau.getReduction(), reglages + ignorees);
-        }
+        ImageMemoire image = getImageComplete();
+        barre.resumer(image, image == null ? 1 : panneau.getReduction(), cout);
     }
 
     private void montrerPixel() {
