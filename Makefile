@@ -12,10 +12,10 @@ RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 .PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
 	comparer reponses image-classe aide propre
 
-# Tout, tous modules. Maven dit où il en est, module par module et classe par classe.
+# Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils
 	@find $(RAPPORTS) -delete
-	$(XVFB) $(MVN) -f ensemble.xml $(if $(FENETRES),-Dfenetre.exigee=true -Djava.awt.headless=false) verify
+	$(XVFB) $(MVN) -T 1C -f ensemble.xml $(if $(FENETRES),-Dfenetre.exigee=true -Djava.awt.headless=false) verify
 	@$(if $(FENETRES),,echo "$$(find $(RAPPORTS) -exec cat {} + | grep -c '<skipped .*ouvre une fenêtre')" \
 	    "tests laissés de côté, tous ceux qui ouvrent une fenêtre ; les autres sont faits." && \
 	    echo "Pour les avoir : sudo apt-get install xvfb xauth, puis make test")

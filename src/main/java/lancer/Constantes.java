@@ -39,6 +39,13 @@ public final class Constantes {
     /** Distance d'un contact qui n'existe pas. */
     public static final double INFINI = Double.POSITIVE_INFINITY;
 
+    /** Le ciel à l'horizon ; plus haut, il va vers le bleu pur (cours, « Ciel »). */
+    public static final Couleur CIEL = new Couleur(0.7, 0.7, 1);
+
+    /** Le sol à l'horizon, et ce que son vert perd jusque droit au-dessous. */
+    public static final Couleur SOL = new Couleur(0.5, 0.4, 0.1);
+    public static final double SOL_ASSOMBRI = 0.2;
+
     private Constantes() {
     }
 }

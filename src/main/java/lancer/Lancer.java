@@ -1,7 +1,6 @@
 package lancer;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
@@ -9,8 +8,6 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
@@ -25,10 +22,6 @@ public class Lancer {
     private final Camera camera;
     private final Equipe equipe = new Equipe("lancer");
     private volatile boolean brouillonFait;
-    private volatile Temoignage temoignage = Temoignage.SANS_OBJET;
-    /** La recherche dont parle ce témoignage, et à quelle profondeur : refaire le même dessin n'en apprend rien. */
-    private Recherche jugee;
-    private int profondeurJugee;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
@@ -45,11 +38,14 @@ public class Lancer {
         return camera;
     }
 
+    /** De quoi dessiner la même scène autrement : voir {@link Scene#avec}. */
+    public Lancer avec(Echantillonnage echantillonnage, double seuil) {
+        return new Lancer(scene.avec(echantillonnage, seuil), camera);
+    }
+
     /**
-     * La couleur vue à travers un point de l'écran, non limitée.
+     * La couleur vue à travers un point de l'écran ({@link Camera#getRayon}), non limitée.
      *
-     * @param xe en pixels depuis la gauche ; le centre du pixel i est i + 0,5
-     * @param ye en pixels depuis le haut
      * @param profondeur nombre de réflexions permises
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
@@ -64,20 +60,18 @@ public class Lancer {
      * @throws PixelFautif si ce calcul échoue, ou si une composante n'est pas un nombre fini
      */
     public Couleur voir(double xe, double ye, int profondeur) {
-        Couleur couleur;
         try {
-            couleur = getCouleurPixel(xe, ye, profondeur);
+            Couleur couleur = getCouleurPixel(xe, ye, profondeur);
+            if (couleur != null && couleur.estFinie()) {
+                return couleur;
+            }
+            throw new ArithmeticException("ce n'est pas une couleur aux composantes finies : " + couleur);
         } catch (OutOfMemoryError e) {
             // ce n'est pas ce pixel qui est en cause
             throw e;
         } catch (RuntimeException | Error e) {
             throw new PixelFautif(xe, ye, e);
         }
-        if (couleur == null || !couleur.estFinie()) {
-            throw new PixelFautif(xe, ye,
-                    new ArithmeticException("ce n'est pas une couleur aux composantes finies : " + couleur));
-        }
-        return couleur;
     }
 
     /**
@@ -89,38 +83,19 @@ public class Lancer {
      * @throws PixelFautif si un pixel ne peut être calculé
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
-        long jugementNs = juger(profondeur, true);
         TracerBrouillon(toile, profondeur, fils);
         brouillonFait = true;
-        boolean juste = temoignage.ecart == null;
-        parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-        if (juste) {
-            jugementNs += juger(profondeur, false);
-            if (temoignage.ecart != null) {
-                parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-            }
-        }
-        dureeNs += jugementNs;
+        TracerPixels(toile, profondeur, fils);
     }
 
     /** Dessine des carrés de 4 × 4 pixels, chacun de la couleur de son centre, avec une réflexion au plus. */
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        parcourir(new Brouillon(), toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+        parcourir(Echantillonnage.BROUILLON, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
     }
 
-    /**
-     * Dessine tous les pixels, sans brouillon. Personne ne regarde encore l'image : ses témoins viennent tous après
-     * elle.
-     */
+    /** Dessine tous les pixels, sans brouillon. */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-        if (temoignage.ecart == null) {
-            long jugementNs = juger(profondeur, true) + juger(profondeur, false);
-            if (temoignage.ecart != null) {
-                parcourir(scene.getEchantillonnage(), toile, profondeur, fils);
-            }
-            dureeNs += jugementNs;
-        }
     }
 
     /** Abandonne le dessin en cours, au prochain rayon de chaque fil, et tous les suivants. */
@@ -138,9 +113,9 @@ public class Lancer {
         return brouillonFait;
     }
 
-    /** Ce que des pixels témoins ont dit de la recherche du dernier dessin. */
+    /** Ce que des pixels témoins ont dit de la recherche du dernier dessin ; les boucles du cours n'en ont pas. */
     public Temoignage getTemoignage() {
-        return temoignage;
+        return Temoignage.SANS_OBJET;
     }
 
     /** Ce que le dernier dessin achevé a compté, tous fils ensemble. */
@@ -148,39 +123,12 @@ public class Lancer {
         return compteurs;
     }
 
-    /** Le temps du dernier dessin achevé, celui des témoins compris, en nanosecondes. */
+    /** Le temps du dernier dessin achevé, en nanosecondes. */
     public long getDureeNs() {
         return dureeNs;
     }
 
-    /**
-     * Fait juger la recherche de la scène ; si elle se trompe, les boucles du cours la remplacent.
-     *
-     * @param tires vrai pour des témoins tirés au hasard, faux pour d'autres, choisis
-     * @return le temps que cela a pris, en nanosecondes
-     * @throws PixelFautif si un témoin ne peut être calculé
-     */
-    private long juger(int profondeur, boolean tires) {
-        long debut = System.nanoTime();
-        if (temoignage.ecart != null || scene.getRecherche() == jugee && profondeur == profondeurJugee) {
-            // déjà dit : s'il y a un écart, depuis, les boucles dessinent
-            return 0;
-        }
-        int nombre = temoignage.pixels;
-        new Equipe("temoins").faire(1, Collections.singletonList(new Jugement(profondeur, tires)));
-        if (!tires) {
-            temoignage = new Temoignage(nombre, temoignage.ecart);
-            jugee = scene.getRecherche();
-            profondeurJugee = profondeur;
-        }
-        compteurs.pixelsTemoins = temoignage.pixels;
-        if (temoignage.ecart != null) {
-            scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
-        }
-        return System.nanoTime() - debut;
-    }
-
-    /** La boucle sur l'image, dont chaque pavé est dessiné par cet échantillonnage ; personne ne juge la recherche. */
+    /** La boucle sur l'image, dont chaque pavé est dessiné par cet échantillonnage. */
     public void parcourir(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
         long debut = System.nanoTime();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur());
@@ -193,7 +141,6 @@ public class Lancer {
         for (Fil fil : ouvriers) {
             total.ajouter(fil.sien.scene.getCompteurs());
         }
-        total.pixelsTemoins = temoignage.pixels;
         compteurs = total;
         dureeNs = System.nanoTime() - debut;
     }
@@ -223,43 +170,6 @@ public class Lancer {
         public Couleur couleur(double xe, double ye) {
             equipe.verifier();
             return sien.voir(xe, ye, profondeur);
-        }
-    }
-
-    private final class Jugement implements IntConsumer {
-
-        private final int profondeur;
-        private final boolean tires;
-
-        Jugement(int profondeur, boolean tires) {
-            this.profondeur = profondeur;
-            this.tires = tires;
-        }
-
-        @Override
-        public void accept(int rang) {
-            temoignage = scene.getRecherche().juger(Lancer.this, profondeur, tires);
-        }
-    }
-
-    /** Un rayon pour seize pixels ; sur les bords, au centre de la part du carré qui est dans l'image. */
-    private static final class Brouillon implements Echantillonnage {
-        @Override
-        public int tracer(Pave pave, Vue vue, Toile toile) {
-            int pas = Constantes.PAS_BROUILLON;
-            for (int j = pave.j0; j < pave.j1; j += pas) {
-                int jFin = Math.min(j + pas, pave.j1);
-                for (int i = pave.i0; i < pave.i1; i += pas) {
-                    int iFin = Math.min(i + pas, pave.i1);
-                    Couleur couleur = vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0);
-                    for (int y = j; y < jFin; y++) {
-                        for (int x = i; x < iFin; x++) {
-                            toile.drawPixel(couleur, x, y);
-                        }
-                    }
-                }
-            }
-            return 0;
         }
     }
 }

@@ -12,7 +12,7 @@ import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
-import lancer.fenetre.Dessinateur;
+import lancer.sortie.Dessinateur;
 import lancer.fenetre.Fenetre;
 import lancer.lecture.LecteurScene;
 import lancer.rapide.Preparation;

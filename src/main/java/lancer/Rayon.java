@@ -96,8 +96,8 @@ public class Rayon {
     public Couleur getSkyColor() {
         if (V.y > 0) {
             double bas = 1 - V.y;
-            return new Couleur(0.7 * bas, 0.7 * bas, bas + V.y);
+            return new Couleur(Constantes.CIEL.r * bas, Constantes.CIEL.v * bas, Constantes.CIEL.b * bas + V.y);
         }
-        return new Couleur(0.5, 0.4 + 0.2 * V.y, 0.1);
+        return new Couleur(Constantes.SOL.r, Constantes.SOL.v + Constantes.SOL_ASSOMBRI * V.y, Constantes.SOL.b);
     }
 }

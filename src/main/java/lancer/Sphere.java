@@ -1,6 +1,8 @@
 package lancer;
 
+import lancer.precision.Doute;
 import lancer.precision.IntersectionCompensee;
+import lancer.precision.Norme;
 
 /** Une sphère (cours, « Intersection de rayons et de sphères »). Sa géométrie est immuable. */
 public class Sphere extends Objet3D {
@@ -8,38 +10,10 @@ public class Sphere extends Objet3D {
     /** La normale convenue au centre même : vers l'œil. */
     private static final Vecteur VERS_L_OEIL = new Vecteur(0, 0, -1);
 
-    /** Ce que {@link #distanceOuDoute} répond, en doute, quand elle n'a pas même une approximation. */
-    private static final double DOUTE = -Double.MIN_VALUE;
-
-    /**
-     * Part de |C − P|² que c doit dépasser pour que la forme directe suffise : l'erreur de c est d'au plus 6 u |C −
-     * P|², donc celle de la distance de 24 u au plus, pour 16 u au moins de tolérance. Mesurée sur 10⁵ tirages serrés
-     * autour de cette part : 12 u.
-     */
-    private static final double SUR = 0.25;
-
-    /**
-     * Part de |C − P|² au-dessus de laquelle le signe de c est certain, et la distance directe juste à un dix-millième
-     * près.
-     */
-    private static final double APPROCHE = 0x1p-20;
-
-    /**
-     * Carré de la distance à l'axe, en parts de r², au-delà duquel le rayon passe à côté, quoi qu'aient fait les
-     * arrondis.
-     */
-    private static final double A_COTE = 1 + 0x1p-49;
-
-    /** Un écart relatif dont le carré est sous la moitié de u. */
-    private static final double ECART_PETIT = 0x1p-28;
-
     private final Point centre;
     private final double rayon;
 
-    /**
-     * @param rayon demi-diamètre, en unités de la scène
-     * @throws IllegalArgumentException si le rayon n'est pas un nombre fini strictement positif
-     */
+    /** @throws IllegalArgumentException si le rayon n'est pas un nombre fini strictement positif */
     public Sphere(Point centre, double rayon) {
         if (!(rayon > 0 && rayon <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("rayon de sphère impossible : " + rayon);
@@ -52,7 +26,7 @@ public class Sphere extends Objet3D {
         return centre;
     }
 
-    /** Le demi-diamètre. */
+    /** Le demi-diamètre, en unités de la scène. */
     public double getRayon() {
         return rayon;
     }
@@ -84,13 +58,12 @@ public class Sphere extends Objet3D {
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
         double d = distanceOuDoute(px, py, pz, vx, vy, vz, cx, cy, cz, r);
-        return d >= 0 ? d : IntersectionCompensee.distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+        return d >= 0 ? d : trancher(px, py, pz, vx, vy, vz, cx, cy, cz, r);
     }
 
     /**
-     * {@link #distance}, ou un nombre négatif si {@link IntersectionCompensee#distance} doit en décider ; cette
-     * distance n'est alors pas inférieure à {@link #auMoins} de ce nombre. À part pour qu'une boucle puisse trancher
-     * dehors.
+     * {@link #distance}, ou un nombre négatif si {@link #trancher} doit en décider ; cette distance n'est alors pas
+     * inférieure à {@link Doute#auMoins} de ce nombre. À part pour qu'une boucle puisse trancher dehors.
      */
     public static double distanceOuDoute(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
@@ -104,35 +77,41 @@ public class Sphere extends Objet3D {
         double l2 = lx * lx + ly * ly + lz * lz;
         double r2 = r * r;
         // écrit ainsi, NaN veut dire « rien » lui aussi
-        if (!(l2 <= r2 * A_COTE + Vecteur.NORME2_MIN)) {
+        if (!(l2 <= r2 * Doute.A_COTE + Norme.CARRE_MIN)) {
             return Constantes.INFINI;
         }
         double f2 = fx * fx + fy * fy + fz * fz;
         double c = f2 - r2;
-        if (!(r2 > Vecteur.NORME2_MIN && Math.abs(c) < Vecteur.NORME2_MAX)) {
-            return DOUTE;
+        if (!(r2 > Norme.CARRE_MIN && Math.abs(c) < Norme.CARRE_MAX)) {
+            return Doute.ENTIER;
         }
         double h2 = r2 - l2;
-        if (c > SUR * f2) {
+        if (c > Doute.SUR * f2) {
             return b > 0 && h2 >= 0 ? c / (b + Math.sqrt(h2)) : Constantes.INFINI;
         }
-        if (c > APPROCHE * f2) {
-            return b <= 0 ? Constantes.INFINI : h2 >= 0 ? -c / (b + Math.sqrt(h2)) : DOUTE;
+        if (c > Doute.APPROCHE * f2) {
+            return b <= 0 ? Constantes.INFINI : h2 >= 0 ? -c / (b + Math.sqrt(h2)) : Doute.ENTIER;
         }
-        if (c < -SUR * f2) {
+        if (c < -Doute.SUR * f2) {
             double h = Math.sqrt(h2);
             return b > 0 ? b + h : c / (b - h);
         }
-        return DOUTE;
+        return Doute.ENTIER;
     }
 
-    /**
-     * Une distance que la vraie, quelle qu'elle soit, atteint ou dépasse.
-     *
-     * @param doute réponse négative de {@link #distanceOuDoute}
-     */
-    public static double auMoins(double doute) {
-        return -0.9999 * doute;
+    /** La distance, là où {@link #distanceOuDoute} est en doute. */
+    public static double trancher(double px, double py, double pz, double vx, double vy, double vz,
+            double cx, double cy, double cz, double r) {
+        double fx = cx - px;
+        double fy = cy - py;
+        double fz = cz - pz;
+        double s = Norme.echelle(fx, fy, fz, r);
+        if (s == 1) {
+            return IntersectionCompensee.distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+        }
+        // tout multiplié par s, depuis un départ et un centre qui ont cette même différence
+        return distance(-s * IntersectionCompensee.reste(cx, -px, fx), -s * IntersectionCompensee.reste(cy, -py, fy),
+                -s * IntersectionCompensee.reste(cz, -pz, fz), vx, vy, vz, s * fx, s * fy, s * fz, s * r) / s;
     }
 
     /**
@@ -145,8 +124,8 @@ public class Sphere extends Objet3D {
     public Point getPointDeSurface(Point contact) {
         Vecteur n = new Vecteur(centre, contact);
         double carre = n.norme2();
-        if (carre >= Vecteur.NORME2_MIN && carre <= Vecteur.NORME2_MAX) {
-            return contact.add(-ecart(carre, rayon), n);
+        if (carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX) {
+            return contact.add(-Norme.ecart(carre, rayon), n);
         }
         return pointExtreme(n, contact);
     }
@@ -154,18 +133,6 @@ public class Sphere extends Objet3D {
     private Point pointExtreme(Vecteur n, Point contact) {
         double norme = n.norme();
         return norme > 0 && norme <= Double.MAX_VALUE ? centre.add(n.normalized().mul(rayon)) : contact;
-    }
-
-    /**
-     * De quelle part d'elle-même la longueur √carre dépasse r : 1 − r/√carre.
-     *
-     * @param carre ordinaire ({@link Vecteur#NORME2_MIN}, {@link Vecteur#NORME2_MAX})
-     */
-    public static double ecart(double carre, double r) {
-        double r2 = r * r;
-        double e = (carre - r2) * (0.5 / r2);
-        // le carré de e ne compte pas : d'ordinaire, ni racine, ni division qui attende
-        return Math.abs(e) < ECART_PETIT ? e : 1 - r / Math.sqrt(carre);
     }
 
     /**
@@ -177,7 +144,7 @@ public class Sphere extends Objet3D {
         double parRayon = 1 / rayon;
         Vecteur n = new Vecteur((contact.x - centre.x) * parRayon, (contact.y - centre.y) * parRayon,
                 (contact.z - centre.z) * parRayon);
-        return Math.abs(n.norme2() - 1) <= Vecteur.PRESQUE_UN ? n.normalized()
+        return Math.abs(n.norme2() - 1) <= Norme.PRESQUE_UN ? n.normalized()
                 : normaleExtreme(new Vecteur(centre, contact));
     }
 

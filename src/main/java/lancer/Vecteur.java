@@ -1,25 +1,12 @@
 package lancer;
 
+import lancer.precision.Norme;
+
 /**
  * Un vecteur de l'espace (cours, « Points et vecteurs »). Immuable. Chaque opération existe sous deux formes de même
  * résultat : {@code u.add(v)} et {@code Vecteur.add(u, v)}.
  */
 public class Vecteur extends Tuple {
-
-    /**
-     * Carrés de norme entre lesquels la norme se calcule sans détour : au-dessous, les carrés des composantes
-     * perdraient des chiffres (le plus petit double normal est 2^-1022) ; au-dessus, leur somme pourrait déborder.
-     */
-    public static final double NORME2_MIN = 0x1.0p-900;
-
-    /** Voir {@link #NORME2_MIN}. */
-    public static final double NORME2_MAX = 0x1.0p1000;
-
-    /**
-     * À moins de cela de 1, le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près : ni racine,
-     * ni division. La normale d'un contact et la direction d'un reflet sont toujours dans ce cas.
-     */
-    public static final double PRESQUE_UN = 0x1p-27;
 
     /** Le vecteur nul. */
     public Vecteur() {
@@ -73,16 +60,7 @@ public class Vecteur extends Tuple {
     /** Longueur du vecteur, juste aussi là où son carré n'est pas représentable (1e-200, 1e200). */
     public double norme() {
         double carre = x * x + y * y + z * z;
-        return carre >= NORME2_MIN && carre <= NORME2_MAX ? Math.sqrt(carre) : normeExtreme();
-    }
-
-    private double normeExtreme() {
-        double plusGrande = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        if (plusGrande == 0 || Double.isInfinite(plusGrande) || Double.isNaN(plusGrande)) {
-            return plusGrande;
-        }
-        int exposant = Math.getExponent(plusGrande);
-        return Math.scalb(Math.sqrt(ramene(exposant).norme2()), exposant);
+        return carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX ? Math.sqrt(carre) : Norme.extreme(x, y, z);
     }
 
     /**
@@ -92,10 +70,10 @@ public class Vecteur extends Tuple {
      */
     public Vecteur normalized() {
         double carre = x * x + y * y + z * z;
-        if (!(carre >= NORME2_MIN && carre <= NORME2_MAX)) {
+        if (!(carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX)) {
             return extremeNormalise();
         }
-        double k = Math.abs(carre - 1) <= PRESQUE_UN ? 1.5 - 0.5 * carre : 1 / Math.sqrt(carre);
+        double k = Math.abs(carre - 1) <= Norme.PRESQUE_UN ? 1.5 - 0.5 * carre : 1 / Math.sqrt(carre);
         return new Vecteur(x * k, y * k, z * k);
     }
 
@@ -104,12 +82,9 @@ public class Vecteur extends Tuple {
         if (!(plusGrande > 0 && plusGrande <= Double.MAX_VALUE)) {
             throw new ArithmeticException("vecteur sans direction, impossible à normaliser : " + this);
         }
-        return ramene(Math.getExponent(plusGrande)).normalized();
-    }
-
-    /** Ce vecteur multiplié par 2^−exposant : exact, sauf composantes devenues négligeables. */
-    private Vecteur ramene(int exposant) {
-        return new Vecteur(Math.scalb(x, -exposant), Math.scalb(y, -exposant), Math.scalb(z, -exposant));
+        // une puissance de deux : exact, sauf composantes devenues négligeables
+        int k = -Math.getExponent(plusGrande);
+        return new Vecteur(Math.scalb(x, k), Math.scalb(y, k), Math.scalb(z, k)).normalized();
     }
 
     public static Vecteur add(Vecteur u, Vecteur v) {
@@ -136,10 +111,7 @@ public class Vecteur extends Tuple {
         return u.dot(v);
     }
 
-    /**
-     * @return {@link #normalized() v.normalized()}
-     * @throws ArithmeticException si le vecteur est nul ou n'est pas fini
-     */
+    /** La même chose que {@link #normalized() v.normalized()}. */
     public static Vecteur normalize(Vecteur v) {
         return v.normalized();
     }

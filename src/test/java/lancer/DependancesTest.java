@@ -9,6 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -16,11 +18,10 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import lancer.contrat.PixelFautif;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
-/** Ce qui dépend de quoi, lu dans les sources : les lignes {@code import}, et les noms complets ailleurs. */
+/** Ce qui dépend de quoi, lu dans les sources : les classes que chacune nomme, par son import, son paquet ou son nom complet. */
 class DependancesTest {
 
     private static final Path SOURCES = Paths.get("src", "main", "java");
@@ -30,87 +31,153 @@ class DependancesTest {
             Pattern.DOTALL);
     private static final Pattern PAQUET = Pattern.compile("(?m)^package .*?;");
     private static final Pattern NOM = Pattern.compile("(?<![\\w.])(?:java|javax|sun|com|org|lancer)(?:\\.[a-z]\\w*)*\\.[A-Z]\\w*");
+    private static final Pattern NOM_SIMPLE = Pattern.compile("(?<![\\w.])[A-Z]\\w*");
 
-    /** De chaque fichier, son code sans commentaire ni chaîne, et les classes qu'il nomme. */
+    private static final String JAVA = "java\\.(?!awt).*";
+    private static final String COURS = JAVA + "|lancer\\.[A-Z].*|";
+
+    /** De chaque classe, son code sans commentaire ni chaîne, et les classes qu'elle nomme. */
     private static final Map<String, String> CODES = new TreeMap<>();
     private static final Map<String, Set<String>> NOMS = new TreeMap<>();
 
     @BeforeAll
     static void lireLesSources() throws IOException {
         try (Stream<Path> fichiers = Files.walk(SOURCES)) {
-            for (Path fichier : (Iterable<Path>) fichiers.filter(f -> f.toString().endsWith(".java"))::iterator) {
+            for (Path fichier : (Iterable<Path>) fichiers.filter(f -> f.toString().matches(".*(?<!package-info)\\.java"))::iterator) {
                 String texte = new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
-                String code = PAQUET.matcher(TEXTES.matcher(texte).replaceAll(" ")).replaceAll("");
-                String nom = SOURCES.relativize(fichier).toString().replace(fichier.getFileSystem().getSeparator(), "/");
-                CODES.put(nom, code);
-                NOMS.put(nom, new TreeSet<>());
-                Matcher m = NOM.matcher(code);
-                while (m.find()) {
-                    NOMS.get(nom).add(m.group());
-                }
+                String classe = SOURCES.relativize(fichier).toString().replace(fichier.getFileSystem().getSeparator(), ".");
+                CODES.put(classe.substring(0, classe.length() - ".java".length()),
+                        PAQUET.matcher(TEXTES.matcher(texte).replaceAll(" ")).replaceAll(""));
             }
         }
-        assertTrue(CODES.containsKey("lancer/Main.java"), "les sources ne sont pas là : " + SOURCES.toAbsolutePath());
+        assertTrue(CODES.containsKey("lancer.Main"), "les sources ne sont pas là : " + SOURCES.toAbsolutePath());
+        CODES.forEach((classe, code) -> {
+            Set<String> noms = new TreeSet<>();
+            Matcher m = NOM.matcher(code);
+            while (m.find()) {
+                noms.add(m.group());
+            }
+            m = NOM_SIMPLE.matcher(code);
+            while (m.find()) {
+                String simple = "." + m.group();
+                if (CODES.containsKey(paquet(classe) + simple) && noms.stream().noneMatch(n -> n.endsWith(simple))) {
+                    noms.add(paquet(classe) + simple);
+                }
+            }
+            noms.remove(classe);
+            NOMS.put(classe, noms);
+        });
     }
 
-    /** Les fichiers dont le nom est {@code fichiers} ne nomment que des classes dont le nom est {@code permis}. */
-    private static void verifier(String fichiers, String permis) {
+    private static String paquet(String classe) {
+        return classe.substring(0, classe.lastIndexOf('.'));
+    }
+
+    /** Les classes dont le nom est {@code classes} ne nomment que leurs voisines et celles dont le nom est {@code permis}. */
+    private static void verifier(String classes, String permis) {
         Set<String> fautes = new TreeSet<>();
-        NOMS.forEach((fichier, noms) -> noms.stream().filter(n -> fichier.matches(fichiers) && !n.matches(permis))
-                .forEach(n -> fautes.add(fichier + " nomme " + n)));
+        NOMS.forEach((classe, noms) -> noms.stream()
+                .filter(n -> classe.matches(classes) && !paquet(n).equals(paquet(classe)) && !n.matches(permis))
+                .forEach(n -> fautes.add(classe + " nomme " + n)));
         assertEquals(new TreeSet<>(), fautes);
     }
 
     @Test
-    void lesClassesDuCoursNeDependentQueDesContrats() {
-        String ducours = "java\\.(?!awt).*|lancer\\.(contrat|precision)\\..*";
-        verifier("lancer/(?!Main|Scene|Lancer\\.)\\w+\\.java", ducours);
-        verifier("lancer/Lancer\\.java", ducours + "|lancer\\.fils\\.Equipe");
-        verifier("lancer/Scene\\.java", "java\\.(?!awt).*|lancer\\.(contrat|lecture|rapide)\\..*");
+    void lesClassesDuCoursNeDependentQueDesContratsEtDeLaPrecision() {
+        String permis = JAVA + "|lancer\\.(contrat|precision)\\..*";
+        verifier("lancer\\.(?!Main|Scene|Lancer)\\w+|lancer\\.SceneFautive", permis);
+        verifier("lancer\\.Lancer", permis + "|lancer\\.fils\\.Equipe");
+        verifier("lancer\\.Scene", permis + "|lancer\\.lecture\\.LecteurScene");
     }
 
     @Test
-    void lesContratsNeDependentQueDuCours() {
-        verifier("lancer/contrat/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.texte\\..*");
+    void lesContratsNeDependentQueDuCoursEtDesTextes() {
+        verifier("lancer\\.contrat\\..*", COURS + "lancer\\.texte\\..*");
+        verifier("lancer\\.precision\\..*", COURS);
+        verifier("lancer\\.(texte|fils)\\..*", JAVA);
     }
 
     @Test
     void laCommandeNeDependQueDesTextesEtDesNombres() {
-        verifier("lancer/commande/.*", "java\\.(?!awt).*|lancer\\.(Constantes|SceneFautive|contrat\\.PixelFautif)|lancer\\.texte\\..*");
+        verifier("lancer\\.commande\\..*", JAVA + "|lancer\\.(Constantes|SceneFautive|contrat\\.PixelFautif)|lancer\\.texte\\..*");
     }
 
     @Test
     void laRechercheRapideNeSaitRienDesSortiesNiDeLaCommande() {
-        verifier("lancer/rapide/.*", "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.(contrat|precision)\\..*|lancer\\.fils\\.Equipe");
-        verifier("lancer/fils/.*", "java\\.util\\..*");
+        verifier("lancer\\.rapide\\..*", COURS + "lancer\\.(contrat|precision|fils)\\..*");
     }
 
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
-        verifier("lancer/auto/.*",
-                "java\\.(?!awt).*|lancer\\.[A-Z].*|lancer\\.contrat\\..*|lancer\\.commande\\.Options");
-        verifier("(?!lancer/(auto/|sortie/VersFichiers\\.java)).*", "(?!lancer\\.auto\\.).*");
+        verifier("lancer\\.auto\\..*", COURS + "lancer\\.contrat\\..*|lancer\\.commande\\.Options");
+        verifier("lancer\\.(?!Main|sortie\\.VersFichiers).*", "(?!lancer\\.auto\\.).*");
     }
 
     @Test
     void seuleLaFenetreConnaitAwtEtImageIoNeLitQueLesImagesAComparer() {
         String sansAwt = "(?!java\\.awt|javax\\.|sun\\.|com\\.).*";
-        verifier("(?!lancer/(fenetre/|sortie/LectureImage\\.java)).*", sansAwt);
-        verifier("lancer/sortie/LectureImage\\.java", sansAwt + "|java\\.awt\\.image\\..*|javax\\.imageio\\..*");
-        verifier("(?!lancer/(fenetre/|Main\\.java)).*", "(?!lancer\\.fenetre\\.).*");
+        verifier("lancer\\.(?!fenetre\\.|sortie\\.LectureImage).*", sansAwt);
+        verifier("lancer\\.sortie\\.LectureImage", sansAwt + "|java\\.awt\\.image\\..*|javax\\.imageio\\..*");
+        verifier("lancer\\.(?!fenetre\\.|Main).*", "(?!lancer\\.fenetre\\.).*");
     }
 
     @Test
     void seuleLaLectureConnaitIni4jEtNEnPrendQueLeDecoupage() {
-        verifier("(?!lancer/lecture/).*", "(?!org\\.ini4j).*");
+        verifier("lancer\\.(?!lecture\\.).*", "(?!org\\.ini4j).*");
         verifier(".*", "(?!org\\.).*|org\\.ini4j\\.(Config|InvalidFileFormatException|spi\\.IniHandler|spi\\.IniParser)");
         // la CVE-2022-41404 passe par ces méthodes-là
-        CODES.forEach((fichier, code) -> assertFalse(fichier.startsWith("lancer/lecture/")
-                && Pattern.compile("\\bfetch\\w*\\s*\\(|\\.\\s*(to|as|from)\\s*\\(").matcher(code).find(), fichier));
+        CODES.forEach((classe, code) -> assertFalse(classe.startsWith("lancer.lecture.")
+                && Pattern.compile("\\bfetch\\w*\\s*\\(|\\.\\s*(to|as|from)\\s*\\(").matcher(code).find(), classe));
     }
 
     @Test
     void laLectureEtLesSortiesNeSeConnaissentPas() {
-        verifier("lancer/lecture/.*", "(?!lancer\\.(sortie|fenetre|commande|rapide)).*");
+        verifier("lancer\\.lecture\\..*", COURS + "lancer\\.(contrat|texte)\\..*|org\\.ini4j\\..*");
+    }
+
+    /** Celui du cours lui-même mis à part : il se sert de tous. */
+    @Test
+    void aucunCercleNeRelieLesPaquets() {
+        Map<String, Set<String>> fleches = new TreeMap<>();
+        NOMS.forEach((classe, noms) -> noms.stream().map(DependancesTest::paquet)
+                .filter(p -> p.startsWith("lancer.") && !paquet(classe).equals("lancer") && !p.equals(paquet(classe)))
+                .forEach(p -> fleches.computeIfAbsent(paquet(classe), c -> new TreeSet<>()).add(p)));
+        assertTrue(fleches.containsKey("lancer.rapide"));
+        assertEquals(Collections.emptyMap(), cercles(fleches));
+    }
+
+    /** Ceux du cours : une scène a des objets, qui se colorent dans une scène ; un rayon retient l'objet qu'il touche. */
+    @Test
+    void aucunCercleNeRelieLesClassesQueCeuxDuCours() {
+        Map<String, Set<String>> cours = new TreeMap<>();
+        NOMS.forEach((classe, noms) -> noms.stream().filter(n -> paquet(classe).equals("lancer") && paquet(n).equals("lancer"))
+                .forEach(n -> cours.computeIfAbsent(classe, c -> new TreeSet<>()).add(n)));
+        Map<String, Set<String>> duCours = cercles(cours);
+        assertEquals(new TreeSet<>(Arrays.asList("lancer.Objet3D", "lancer.Point", "lancer.PointContact", "lancer.Rayon", "lancer.Scene",
+                "lancer.Vecteur")), duCours.keySet());
+        Map<String, Set<String>> fleches = new TreeMap<>();
+        NOMS.forEach((classe, noms) -> noms.stream()
+                .filter(n -> CODES.containsKey(n) && !duCours.getOrDefault(classe, Collections.emptySet()).contains(n))
+                .forEach(n -> fleches.computeIfAbsent(classe, c -> new TreeSet<>()).add(n)));
+        assertEquals(Collections.emptyMap(), cercles(fleches));
+    }
+
+    /** Les flèches de ce graphe qui font partie d'un cercle : on revient d'où elles partent. */
+    private static Map<String, Set<String>> cercles(Map<String, Set<String>> fleches) {
+        Map<String, Set<String>> cercles = new TreeMap<>();
+        fleches.forEach((de, vers) -> vers.forEach(n -> {
+            Set<String> atteints = new TreeSet<>();
+            atteindre(n, fleches, atteints);
+            if (atteints.contains(de)) {
+                cercles.computeIfAbsent(de, c -> new TreeSet<>()).add(n);
+            }
+        }));
+        return cercles;
+    }
+
+    private static void atteindre(String n, Map<String, Set<String>> fleches, Set<String> atteints) {
+        if (atteints.add(n)) {
+            fleches.getOrDefault(n, Collections.emptySet()).forEach(suivant -> atteindre(suivant, fleches, atteints));
+        }
     }
 }

@@ -23,13 +23,15 @@ final class Essais {
         void faire(int rang, Bloc bloc, Pave pave, Vue vue);
     }
 
+    private final Lancer prepare;
     private final Scene scene;
     private final Camera camera;
     private final int fils;
 
-    Essais(Lancer lancer, int fils) {
-        scene = lancer.getScene();
-        camera = lancer.getCamera();
+    Essais(Lancer prepare, int fils) {
+        this.prepare = prepare;
+        scene = prepare.getScene();
+        camera = prepare.getCamera();
         this.fils = fils;
     }
 
@@ -45,12 +47,12 @@ final class Essais {
 
     /** La scène, dessinée ainsi. */
     Lancer lancer(Echantillonnage echantillonnage, double seuil) {
-        return new Lancer(scene.avec(echantillonnage, seuil), camera);
+        return prepare.avec(echantillonnage, seuil);
     }
 
     /** Fait un essai sur chaque bloc. */
     Compteurs passer(List<Bloc> blocs, int reflets, double seuil, Essai essai) {
-        Lancer lancer = new Lancer(scene.avec(scene.getEchantillonnage(), seuil), camera);
+        Lancer lancer = prepare.avec(scene.getEchantillonnage(), seuil);
         lancer.parcourir(new Passe(blocs, essai), AVEUGLE, reflets, fils);
         return lancer.getCompteurs();
     }

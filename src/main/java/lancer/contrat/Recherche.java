@@ -1,7 +1,6 @@
 package lancer.contrat;
 
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
@@ -32,15 +31,4 @@ public interface Recherche {
 
     /** La même recherche pour un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
-
-    /**
-     * Compare cette recherche aux boucles du cours, au bit près, sur quelques pixels d'une image.
-     *
-     * @param lancer celui qui la dessine
-     * @param profondeur nombre de réflexions permises
-     * @param tires vrai pour des pixels tirés au hasard ; faux pour d'autres, choisis parmi ce qui s'y voit rarement
-     */
-    default Temoignage juger(Lancer lancer, int profondeur, boolean tires) {
-        return Temoignage.SANS_OBJET;
-    }
 }

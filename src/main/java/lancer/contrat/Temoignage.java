@@ -1,6 +1,6 @@
 package lancer.contrat;
 
-/** Ce que des pixels témoins disent d'une recherche. Immuable. Voir {@link Recherche#juger}. */
+/** Ce que des pixels témoins disent d'une recherche. Immuable. */
 public final class Temoignage {
 
     /** Celui des boucles du cours sur elles-mêmes. */

@@ -36,6 +36,7 @@ import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.lecture.Services;
+import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 
 /**

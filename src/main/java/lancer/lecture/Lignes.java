@@ -25,16 +25,15 @@ final class Lignes extends Reader {
     static final int LIGNE_MAX = 1 << 23;
 
     private final InputStream entree;
-    private byte[] octets = new byte[TAMPON];
-    private int debut;
-    private int fin;
-    private boolean epuisee;
-    private char[] ligne = new char[256];
-    private int longueur;
+    private final byte[] tampon = new byte[TAMPON];
+    private int suivant;
+    private int lus;
+    /** La ligne en cours : ses octets sans sa fin, ce qui en est donné, et combien l'est déjà. */
+    private byte[] octets = new byte[256];
+    private int taille;
+    private String ligne = "";
     private int donnes;
     private int numero;
-    private String texte;
-    private boolean utf16;
 
     Lignes(InputStream entree) {
         this.entree = entree;
@@ -47,132 +46,101 @@ final class Lignes extends Reader {
 
     /** La dernière ligne donnée, telle que le fichier l'écrit ; ce qui n'y est pas de l'UTF-8 est remplacé. */
     String getTexte() {
-        return texte != null ? texte : new String(ligne, 0, Math.max(0, longueur - 1));
+        return ligne.replace("\n", "");
     }
 
     /** Vrai si la dernière ligne donnée commence comme un fichier en UTF-16. */
     boolean estUtf16() {
-        return utf16;
+        int marque = taille < 2 ? 0 : (octets[0] & 0xFF) << 8 | octets[1] & 0xFF;
+        return numero == 1 && (marque == 0xFEFF || marque == 0xFFFE);
     }
 
     @Override
     public int read(char[] cible, int position, int nombre) throws IOException {
-        if (donnes == longueur && !avancer()) {
+        if (donnes == ligne.length() && !avancer()) {
             return -1;
         }
-        int n = Math.min(nombre, longueur - donnes);
-        System.arraycopy(ligne, donnes, cible, position, n);
+        int n = Math.min(nombre, ligne.length() - donnes);
+        ligne.getChars(donnes, donnes + n, cible, position);
         donnes += n;
         return n;
     }
 
     /** Passe à la ligne suivante, fin de ligne comprise (CR, LF ou CRLF, rendue par LF). */
     private boolean avancer() throws IOException {
-        int i = debut;
-        while (true) {
-            if (i == fin) {
-                int lus = i - debut;
-                if (epuisee || !remplir()) {
-                    i = debut + lus;
-                    break;
-                }
-                i = debut + lus;
-            }
-            if (octets[i] == '\n' || octets[i] == '\r') {
-                break;
-            }
-            i++;
-        }
-        if (i == debut && i == fin) {
+        int c = octet();
+        if (c < 0) {
             return false;
         }
         numero++;
-        decoder(debut, i);
-        debut = i;
-        if (debut < fin) {
-            boolean retour = octets[debut] == '\r';
-            debut++;
-            if (retour && (debut < fin || remplir()) && octets[debut] == '\n') {
-                debut++;
-            }
+        taille = 0;
+        boolean simple = true;
+        while (c >= 0 && c != '\n' && c != '\r') {
+            simple &= c >= ' ' && c < 0x80 || c == '\t';
+            ajouter(c);
+            c = octet();
+        }
+        if (c == '\r') {
+            int apres = octet();
+            suivant -= apres >= 0 && apres != '\n' ? 1 : 0;
+        }
+        ajouter('\n');
+        taille--;
+        donnes = 0;
+        ligne = simple ? new String(octets, 0, taille + 1, StandardCharsets.US_ASCII) : decoder();
+        int mot = 0;
+        while (ligne.charAt(mot) == ' ' || ligne.charAt(mot) == '\t') {
+            mot++;
+        }
+        if (ligne.charAt(mot) == ';' || ligne.charAt(mot) == '#') {
+            ligne = "\n";
         }
         return true;
     }
 
-    /** Fait de la place, et lit. Faux à la fin du fichier. */
-    private boolean remplir() throws IOException {
-        if (debut > 0) {
-            System.arraycopy(octets, debut, octets, 0, fin - debut);
-            fin -= debut;
-            debut = 0;
-        } else if (fin == LIGNE_MAX) {
-            numero++;
-            throw new LigneTropLongue();
-        } else if (fin == octets.length) {
-            octets = Arrays.copyOf(octets, 2 * octets.length);
+    private int octet() throws IOException {
+        if (suivant == lus) {
+            suivant = 0;
+            lus = Math.max(0, entree.read(tampon, 0, TAMPON));
         }
-        int n = entree.read(octets, fin, octets.length - fin);
-        epuisee = n <= 0;
-        fin += Math.max(0, n);
-        return !epuisee;
+        return suivant == lus ? -1 : tampon[suivant++] & 0xFF;
     }
 
-    private void decoder(int de, int a) throws IOException {
-        int i = de;
-        if (numero == 1 && a - i >= 3 && octets[i] == (byte) 0xEF && octets[i + 1] == (byte) 0xBB
-                && octets[i + 2] == (byte) 0xBF) {
-            i += 3;
+    private void ajouter(int octet) throws IOException {
+        if (taille > LIGNE_MAX) {
+            throw new LigneTropLongue();
         }
-        if (ligne.length <= a - i) {
-            ligne = new char[2 * (a - i)];
+        if (taille == octets.length) {
+            octets = Arrays.copyOf(octets, 2 * taille);
         }
-        longueur = 0;
-        donnes = 0;
-        int premier = i;
-        while (i < a && (octets[i] >= ' ' || octets[i] == '\t')) {
-            ligne[longueur++] = (char) octets[i++];
-        }
-        if (i < a) {
-            decoderTout(premier, a);
-        }
-        int mot = 0;
-        while (mot < longueur && ligne[mot] <= ' ') {
-            mot++;
-        }
-        if (mot < longueur && (ligne[mot] == ';' || ligne[mot] == '#')) {
-            longueur = 0;
-        }
-        ligne[longueur++] = '\n';
+        octets[taille++] = (byte) octet;
     }
 
     /** Une ligne qui n'est pas toute en ASCII visible. */
-    private void decoderTout(int de, int a) throws IOException {
+    private String decoder() throws IOException {
+        boolean marque = numero == 1 && taille >= 3 && octets[0] == (byte) 0xEF && octets[1] == (byte) 0xBB
+                && octets[2] == (byte) 0xBF;
+        int debut = marque ? 3 : 0;
         CharBuffer decode;
         try {
-            decode = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets, de, a - de));
+            decode = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets, debut, taille - debut));
         } catch (CharacterCodingException e) {
-            int marque = a - de < 2 ? 0 : (octets[de] & 0xFF) << 8 | octets[de + 1] & 0xFF;
-            utf16 = numero == 1 && (marque == 0xFEFF || marque == 0xFFFE);
-            texte = new String(octets, de, a - de, StandardCharsets.UTF_8);
+            ligne = new String(octets, debut, taille - debut, StandardCharsets.UTF_8);
             throw e;
         }
-        longueur = 0;
-        while (decode.hasRemaining()) {
+        StringBuilder s = new StringBuilder();
+        while (decode.hasRemaining() && s.length() <= LIGNE_MAX) {
             char c = decode.get();
-            if (longueur + 7 > LIGNE_MAX) {
-                throw new LigneTropLongue();
-            }
-            if (longueur + 7 > ligne.length) {
-                ligne = Arrays.copyOf(ligne, 2 * ligne.length);
-            }
             if (c >= ' ' || c == '\t') {
-                ligne[longueur++] = c;
+                s.append(c);
             } else {
-                String code = Texte.echappe(String.valueOf(c));
-                code.getChars(0, code.length(), ligne, longueur);
-                longueur += code.length();
+                s.append(Texte.echappe(String.valueOf(c)));
             }
         }
+        if (decode.hasRemaining()) {
+            throw new LigneTropLongue();
+        }
+        return s.append('\n').toString();
     }
 
     /** Une ligne que personne n'a pu vouloir. */

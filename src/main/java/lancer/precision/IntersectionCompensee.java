@@ -1,13 +1,11 @@
 package lancer.precision;
 
 import lancer.Constantes;
-import lancer.Sphere;
-import lancer.Vecteur;
 
 /**
  * L'intersection d'un rayon et d'une sphère là où l'arrondi de C − P, ou un carré qui déborde, fausserait
- * {@link Sphere#distance} : le rayon part près de la surface (au-dessus d'un sol immense, d'une sphère qui en touche
- * une autre), ou les longueurs sortent de 1e-135..1e150.
+ * {@link lancer.Sphere#distance} : le rayon part près de la surface (au-dessus d'un sol immense, d'une sphère qui en
+ * touche une autre).
  *
  * <p>Une seule quantité y perd ses chiffres : la puissance de P, c = |C − P|² − r². Elle est calculée ici sans erreur
  * sensible, C − P gardé en deux termes (f + e = C − P exactement : Knuth, <i>The Art of Computer Programming</i>, t. 2,
@@ -17,7 +15,7 @@ import lancer.Vecteur;
  * h² = b² − c : près de la surface, cette forme ne subit de la direction que ce que la réponse en subit.
  *
  * <p>Distance : erreur relative d'au plus 8 u (1 + r/h), u = 2⁻⁵³, arrondi de la direction compris (mesurée : moins de
- * la moitié). Rien n'est alloué, sauf hors d'échelle.
+ * la moitié). Rien n'est alloué.
  */
 public final class IntersectionCompensee {
 
@@ -35,29 +33,23 @@ public final class IntersectionCompensee {
     /** Une tangente dont h² n'est négatif que d'autant, en parts de b·r, en est une si la perpendiculaire le dit. */
     private static final double TANGENTE = 0x1p-49;
 
-    /** Un rayon plus petit que cette part de la distance au centre n'y compte plus. */
-    private static final double POUSSIERE = 0x1p-449;
-
     private static final long EXPOSANT = 0x7ff0000000000000L;
 
     private IntersectionCompensee() {
     }
 
-    /** La même distance que {@link Sphere#distance}, là où celle-ci est en doute : mêmes cas, mêmes réponses. */
+    /** La même distance que {@link lancer.Sphere#distance}, là où celle-ci est en doute : mêmes cas, mêmes réponses. */
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
         double fx = cx - px;
         double fy = cy - py;
         double fz = cz - pz;
-        double ex = reste(cx, -px, fx);
-        double ey = reste(cy, -py, fy);
-        double ez = reste(cz, -pz, fz);
-        double r2 = r * r;
-        if (!(r2 > Vecteur.NORME2_MIN && r2 + (fx * fx + fy * fy + fz * fz) < Vecteur.NORME2_MAX)) {
-            return horsEchelle(fx, fy, fz, ex, ey, ez, vx, vy, vz, r);
-        }
-        double c = puissance(fx, fy, fz, ex, ey, ez, r);
         double b = fx * vx + fy * vy + fz * vz;
+        if (!Norme.sontOrdinaires(fx, fy, fz, r)) {
+            // la sphère n'est plus qu'un point
+            return b > 0 && Norme.extreme(fx - b * vx, fy - b * vy, fz - b * vz) <= r ? b : Constantes.INFINI;
+        }
+        double c = puissance(fx, fy, fz, reste(cx, -px, fx), reste(cy, -py, fy), reste(cz, -pz, fz), r);
         double h2 = b * b - c;
         if (c > 0) {
             if (!(b > 0) || h2 < 0 && !tangente(fx, fy, fz, vx, vy, vz, b, h2, r)) {
@@ -82,7 +74,7 @@ public final class IntersectionCompensee {
     }
 
     /** Ce que l'arrondi de {@code somme} = a + b a perdu, exactement. */
-    private static double reste(double a, double b, double somme) {
+    public static double reste(double a, double b, double somme) {
         double t = somme - a;
         return (a - (somme - t)) + (b - t);
     }
@@ -135,30 +127,5 @@ public final class IntersectionCompensee {
         double s5 = s4 + carres;
         return s5 + (reste(haut, x, s1) + reste(s1, y, s2) + reste(s2, z, s3) + reste(s3, w, s4) + reste(s4, carres, s5)
                 + poussiere);
-    }
-
-    /**
-     * Des longueurs dont les carrés ne sont pas des nombres ordinaires : les mêmes calculs, tout multiplié par une
-     * puissance de deux.
-     */
-    private static double horsEchelle(double fx, double fy, double fz, double ex, double ey, double ez,
-            double vx, double vy, double vz, double r) {
-        double max = Math.max(Math.max(Math.abs(fx), Math.abs(fy)), Math.max(Math.abs(fz), r));
-        if (!(max <= Double.MAX_VALUE)) {
-            return Constantes.INFINI;
-        }
-        int k = -Math.getExponent(max);
-        double gx = Math.scalb(fx, k);
-        double gy = Math.scalb(fy, k);
-        double gz = Math.scalb(fz, k);
-        double q = Math.scalb(r, k);
-        if (q < POUSSIERE) {
-            double b = gx * vx + gy * vy + gz * vz;
-            boolean touche = b > 0 && new Vecteur(gx - b * vx, gy - b * vy, gz - b * vz).norme() <= q;
-            return touche ? Math.scalb(b, -k) : Constantes.INFINI;
-        }
-        // un départ et un centre qui ont cette même différence, en deux termes
-        return Math.scalb(Sphere.distance(-Math.scalb(ex, k), -Math.scalb(ey, k), -Math.scalb(ez, k), vx, vy, vz,
-                gx, gy, gz, q), -k);
     }
 }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lancer.Constantes;
 import lancer.Sphere;
 import lancer.fils.Equipe;
+import lancer.precision.Doute;
 
 /**
  * Une grille régulière de cases, traversées l'une après l'autre (Amanatides et Woo, 1987) : deux à trois fois plus
@@ -30,7 +31,7 @@ final class Grille implements Intersections {
     private static final int PLACES_PAR_SPHERE = 12;
 
     /**
-     * Élargissement des sphères, en part de la plus grande coordonnée : les arrondis que couvre {@link Arbre#MARGE}, et
+     * Élargissement des sphères, en part de la plus grande coordonnée : les arrondis que couvre {@link Noeuds#MARGE}, et
      * ceux d'une traversée qui ajoute ses pas, pour un rayon qui part de {@link #DEPART_MAX} fois plus loin que la
      * grille.
      */
@@ -255,7 +256,7 @@ final class Grille implements Intersections {
     }
 
     /**
-     * Traverse les cases, en retenant dans la parcours la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à
+     * Traverse les cases, en retenant dans le parcours la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à
      * une sphère en doute. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la boucle tient
      * en registres irait en mémoire.
      *
@@ -330,7 +331,7 @@ final class Grille implements Intersections {
                 double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
                 if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
                     if (d < 0) {
-                        if (Sphere.auMoins(d) > distance) {
+                        if (Doute.auMoins(d) > distance) {
                             continue;
                         }
                         douteuse = k;

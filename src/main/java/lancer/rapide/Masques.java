@@ -4,6 +4,7 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
 import lancer.Sphere;
+import lancer.precision.Doute;
 
 /**
  * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque
@@ -152,7 +153,7 @@ final class Masques implements Intersections {
             double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
             if (d < distance) {
                 if (d < 0) {
-                    if (Sphere.auMoins(d) > distance) {
+                    if (Doute.auMoins(d) > distance) {
                         continue;
                     }
                     d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
@@ -238,7 +239,7 @@ final class Masques implements Intersections {
                         tests++;
                         s = Spheres.PAS * k;
                         double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                        if (d < distance && (d >= 0 || Sphere.auMoins(d) < distance
+                        if (d < distance && (d >= 0 || Doute.auMoins(d) < distance
                                 && parcours.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance)) {
                             break;
                         }

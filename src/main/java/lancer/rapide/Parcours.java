@@ -1,8 +1,8 @@
 package lancer.rapide;
 
-import lancer.precision.IntersectionCompensee;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
+import lancer.precision.Doute;
 
 /** Ce qu'un fil garde à côté de ses questions aux structures : la distance trouvée, une pile, ses comptes. */
 final class Parcours {
@@ -11,8 +11,8 @@ final class Parcours {
     double distance;
 
     /** De quoi descendre un arbre. */
-    final int[] pile = new int[Arbre.PROFONDEUR_MAX];
-    final double[] entrees = new double[Arbre.PROFONDEUR_MAX];
+    final int[] pile = new int[Noeuds.PROFONDEUR_MAX];
+    final double[] entrees = new double[Noeuds.PROFONDEUR_MAX];
 
     final Compteurs compteurs;
 
@@ -35,13 +35,13 @@ final class Parcours {
     }
 
     /**
-     * Retient la sphère k si elle passe avant celle que la parcours retient.
+     * Retient la sphère k si elle passe avant celle que le parcours retient.
      *
      * @param d réponse de {@link Sphere#distanceOuDoute} pour elle
      */
     void retenir(Spheres spheres, int k, double d, double px, double py, double pz, double vx, double vy, double vz) {
         if (d < 0) {
-            if (Sphere.auMoins(d) > distance) {
+            if (Doute.auMoins(d) > distance) {
                 return;
             }
             d = trancher(spheres, k, px, py, pz, vx, vy, vz);
@@ -57,6 +57,6 @@ final class Parcours {
         compteurs.testsPrecis++;
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
-        return IntersectionCompensee.distance(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+        return Sphere.trancher(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
     }
 }

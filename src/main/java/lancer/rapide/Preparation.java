@@ -85,7 +85,7 @@ public final class Preparation {
         boolean boucles = simple || (long) largeur * hauteur * (2 + scene.getLampes().size()) <= QUESTIONS_MIN;
         scene.setRecherche(boucles ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
                 : pour(scene, camera));
-        return new Lancer(scene, camera);
+        return new LancerSurveille(scene, camera);
     }
 
     /**

@@ -2,14 +2,12 @@ package lancer.rapide;
 
 import lancer.Constantes;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.Temoignage;
 
 /**
  * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui
@@ -37,9 +35,6 @@ final class RechercheRapide implements Recherche {
      * suivant.
      */
     private int derniere = -1;
-
-    /** Ceux qui jugent cette recherche : les choisis ont ce que leur laissent les tirés au hasard. */
-    private Temoins temoins;
 
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
@@ -147,14 +142,6 @@ final class RechercheRapide implements Recherche {
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
         return new RechercheRapide(structures, compteurs);
-    }
-
-    @Override
-    public Temoignage juger(Lancer lancer, int profondeur, boolean tires) {
-        if (tires) {
-            temoins = new Temoins(this, lancer, profondeur);
-        }
-        return tires ? temoins.auHasard() : temoins.choisis();
     }
 
     /** Ce que {@link Preparation} a choisi pour cette scène. */

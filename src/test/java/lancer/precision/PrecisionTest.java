@@ -151,7 +151,7 @@ class PrecisionTest {
             Cas cas = tirer(famille);
             Vecteur V = new Rayon(cas.p, cas.p2).getV();
             double d = Sphere.distanceOuDoute(cas.p.x, cas.p.y, cas.p.z, V.x, V.y, V.z, cas.c.x, cas.c.y, cas.c.z, cas.r);
-            assertTrue(d >= 0 ? d == cas.distance() : cas.distance() >= Sphere.auMoins(d), "graine " + GRAINE + ", tirage " + k + ", "
+            assertTrue(d >= 0 ? d == cas.distance() : cas.distance() >= Doute.auMoins(d), "graine " + GRAINE + ", tirage " + k + ", "
                     + cas);
             doutes += d < 0 ? 1 : 0;
         }
@@ -278,12 +278,12 @@ class PrecisionTest {
         for (double r : new double[] {1e-30, 1e-10, 0.5, 1, 2, 1e10, 1e30}) {
             for (double norme : new double[] {0.25, 0.5, 0.999, 1, 1.001, 2, 4}) {
                 double carre = (norme * r) * (norme * r);
-                assertEquals(1 - 1 / norme, Sphere.ecart(carre, r), 4 * U * Math.max(1, 1 / norme), "r = " + r + ", à " + norme + " r");
+                assertEquals(1 - 1 / norme, Norme.ecart(carre, r), 4 * U * Math.max(1, 1 / norme), "r = " + r + ", à " + norme + " r");
             }
             double colle = r * (1 + 1e-12);
-            assertEquals(1e-12, Sphere.ecart(colle * colle, r), 8 * U);
+            assertEquals(1e-12, Norme.ecart(colle * colle, r), 8 * U);
         }
-        assertEquals(-1, Sphere.ecart(1, 2));
+        assertEquals(-1, Norme.ecart(1, 2));
     }
 
     /** C'est ce qui permet d'écarter une sphère sans reprendre le calcul : une borne de zéro serait juste, et ne servirait à rien. */
@@ -299,8 +299,8 @@ class PrecisionTest {
             double t = Sphere.distance(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
             if (d < -Double.MIN_VALUE) {
                 annoncees++;
-                assertTrue(Sphere.auMoins(d) <= t && Sphere.auMoins(d) >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
-                        + Sphere.auMoins(d) + " pour " + t);
+                assertTrue(Doute.auMoins(d) <= t && Doute.auMoins(d) >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
+                        + Doute.auMoins(d) + " pour " + t);
             }
         }
         assertTrue(annoncees > 5000, annoncees + " doutes");

@@ -3,8 +3,10 @@ package lancer.rapide;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.List;
 import java.util.Map;
 import lancer.Camera;
 import lancer.Couleur;
@@ -14,12 +16,15 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Aucun rayon inutile, et aucune scène où chercher coûte beaucoup plus que dans un arbre. Des comptes, jamais des temps. */
 class ComptesTest {
 
     private static final Camera CAMERA = new Camera(80, 60);
-    private static final double AU_PLUS = 1.5;
+    private static final int AU_PLUS = 3;
+    private static final int PLUS = 8;
 
     private static Sphere boule(double z, double kd, double ks) {
         Sphere s = new Sphere(new Point(0, 0, z), 1);
@@ -84,16 +89,27 @@ class ComptesTest {
         assertTrue(rapide.testsPrecis > CAMERA.getLargeur() * CAMERA.getHauteur() / 10, rapide.testsPrecis + " reprises");
     }
 
-    @Test
-    void scenesHostilesAuPlusUneFoisEtDemieLArbre() {
-        for (Map.Entry<String, Scene> e : ScenesDEssai.hostiles(3000).entrySet()) {
+    /** Un examen : une case, une entrée, une boîte, un masque ou une sphère regardés pour un rayon. */
+    @ParameterizedTest
+    @ValueSource(ints = {1000, 3000, 10_000})
+    void aucuneSceneHostileNeCouteTroisFoisCeQueCouteUnArbreSimpleOuLesBoucles(int taille) {
+        List<String> fautes = new ArrayList<>();
+        for (Map.Entry<String, Scene> e : ScenesDEssai.hostiles(taille).entrySet()) {
             Scene scene = e.getValue();
-            IdentiteTest.Dessin oracle = IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA, Preparation.Genre.ARBRE), 5);
-            IdentiteTest.Dessin rapide = IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA), 5);
+            // là où tout est partout, et chaque rayon long pour tous : moins de rayons
+            boolean longs = scene.getLampes().size() > 100 || e.getKey().matches(".*(coquilles|un seul point|mêlées).*");
+            Camera camera = longs ? new Camera(20, 15) : CAMERA;
+            IdentiteTest.Dessin oracle = IdentiteTest.Dessin.de(scene, camera, new ArbreSimple(scene.getObjets(), new Compteurs()), 3);
+            IdentiteTest.Dessin rapide = IdentiteTest.Dessin.de(scene, camera, Preparation.pour(scene, camera), 3);
             rapide.verifier(e.getKey(), oracle);
-            double rapport = (double) cout(rapide.compteurs) / cout(oracle.compteurs);
-            assertTrue(rapport <= AU_PLUS, e.getKey() + " : " + rapport + " fois le coût de l'arbre");
+            long boucles = rapide.compteurs.rayons() * scene.getObjets().size();
+            long permis = AU_PLUS * Math.min(boucles, cout(oracle.compteurs)) + PLUS * rapide.compteurs.rayons();
+            if (cout(rapide.compteurs) > permis) {
+                fautes.add(e.getKey() + " : " + cout(rapide.compteurs) / (double) rapide.compteurs.rayons()
+                        + " examens par rayon, arbre simple " + cout(oracle.compteurs) / (double) rapide.compteurs.rayons() + ", " + scene.getRecherche());
+            }
         }
+        assertEquals(Collections.emptyList(), fautes);
     }
 
     @Test

@@ -88,6 +88,27 @@ final class ScenesDEssai {
                 .sphere(0, -1e4 - 2, 8, 1e4).lampe(0, 5000, 0).lampe(3, 4, -2).scene());
         scenes.put("vingt grosses", new ScenesDEssai(46).foule(20, 4, 1, 3).foule(taille, 3, 0.005, 0.02).lampesPartout().scene());
         scenes.put("foule", new ScenesDEssai(47).foule(taille, 3, 0.02, 0.05).deuxLampes().scene());
+        scenes.put("un seul point", new ScenesDEssai(50).gaussienne(taille, 0, 0, 8, 1e-3, 1).deuxLampes().scene());
+        scenes.put("nuage de boules mêlées", new ScenesDEssai(51).foule(taille, 3, 0.5, 1.5).deuxLampes().scene());
+        scenes.put("aiguilles", new ScenesDEssai(52).aiguilles(taille).deuxLampes().scene());
+        scenes.put("coquilles", new ScenesDEssai(53).coquilles(taille, 8).deuxLampes().scene());
+        scenes.put("œil dans mille coquilles", new ScenesDEssai(54).coquilles(taille, -3).deuxLampes().scene());
+        scenes.put("amas de quatre échelles", new ScenesDEssai(55).echelles(taille).deuxLampes().scene());
+        scenes.put("tailles exponentielles", new ScenesDEssai(56).taillesSauvages(taille, 30).deuxLampes().scene());
+        scenes.put("places exponentielles", new ScenesDEssai(57).placesExponentielles(taille).deuxLampes().scene());
+        scenes.put("une énorme et des minuscules", new ScenesDEssai(58).sphere(0, 0, 30, 20).foule(taille, 3, 1e-4, 1e-3).deuxLampes()
+                .scene());
+        scenes.put("neuf étoiles", new ScenesDEssai(59).foule(taille, 2, 0.01, 0.05).etoiles(9, 1e12).deuxLampes().scene());
+        scenes.put("cent étoiles", new ScenesDEssai(60).foule(taille, 2, 0.01, 0.05).etoiles(100, 1e15).deuxLampes().scene());
+        scenes.put("ciel miroir", new ScenesDEssai(61).foule(taille, 2, 0.01, 0.05).sphere(0, 0, 0, 1e5).deuxLampes().scene());
+        scenes.put("lampes lointaines", new ScenesDEssai(62).foule(taille, 2, 0.01, 0.05).lampe(1e12, 1e12, -1e12).lampe(0, 1e8, 0)
+                .lampe(1e16, 1e3, 2).scene());
+        scenes.put("lampes dans les amas", new ScenesDEssai(63).amas(taille, 4, 0.02).lampesPartout().scene());
+        scenes.put("mille lampes", new ScenesDEssai(64).foule(taille / 10, 2, 0.05, 0.2).lampes(1000).scene());
+        scenes.put("tout derrière l'œil", new ScenesDEssai(65).gaussienne(taille, 0, 0, -30, 3, 0.1).deuxLampes().scene());
+        scenes.put("amas entre les semis", new ScenesDEssai(66).entreLesSemis(taille).deuxLampes().scene());
+        scenes.put("un amas de quelques pixels", new ScenesDEssai(67).gaussienne(taille, 0.3, 0.2, 20, 0.05, 0.01).sphere(900, 0, 4000, 1)
+                .deuxLampes().scene());
         return scenes;
     }
 
@@ -151,6 +172,79 @@ final class ScenesDEssai {
                 sphere(x + etendue * cote * hasard.nextGaussian() / 2, y + etendue * cote * hasard.nextGaussian() / 2,
                         z + etendue * cote * hasard.nextGaussian() / 2, cote * etendue * entre(0.02, 0.1));
             }
+        }
+        return this;
+    }
+
+    private ScenesDEssai gaussienne(int n, double x, double y, double z, double ecart, double rayon) {
+        for (int k = 0; k < n; k++) {
+            sphere(x + ecart * hasard.nextGaussian(), y + ecart * hasard.nextGaussian(), z + ecart * hasard.nextGaussian(), rayon);
+        }
+        return this;
+    }
+
+    /** Des boules minuscules, alignées vers le fond. */
+    private ScenesDEssai aiguilles(int n) {
+        for (int k = 0; k < n; k++) {
+            int aiguille = k % 30;
+            sphere(aiguille % 6 - 2.5 + 1e-4 * k / n, aiguille / 6 * 0.8 - 1.6, 5 + 20.0 * k / n, 0.01);
+        }
+        return this;
+    }
+
+    private ScenesDEssai coquilles(int n, double z) {
+        for (int k = 0; k < n; k++) {
+            sphere(0, 0, z, 4.0 * (k + 1) / n);
+        }
+        return this;
+    }
+
+    private ScenesDEssai echelles(int n) {
+        for (int k = 0; k < n; k++) {
+            double x = 0;
+            double y = 0;
+            double z = 8;
+            double pas = 2;
+            for (int e = 0; e < 4; e++, pas /= 30) {
+                int branche = hasard.nextInt(6);
+                x += pas * Math.cos(branche);
+                y += pas * Math.sin(branche);
+                z += pas * (branche % 3 - 1);
+            }
+            sphere(x + pas * hasard.nextGaussian(), y + pas * hasard.nextGaussian(), z + pas * hasard.nextGaussian(), pas);
+        }
+        return this;
+    }
+
+    private ScenesDEssai placesExponentielles(int n) {
+        for (int k = 0; k < n; k++) {
+            double d = Math.pow(2, 60.0 * k / n - 20);
+            sphere(d * entre(-0.2, 0.2), d * entre(-0.2, 0.2), d, 0.05 * d);
+        }
+        return this;
+    }
+
+    private ScenesDEssai etoiles(int n, double loin) {
+        for (int k = 0; k < n; k++) {
+            sphere(loin * hasard.nextGaussian(), loin * hasard.nextGaussian(), loin * hasard.nextGaussian(), 1);
+        }
+        return this;
+    }
+
+    private ScenesDEssai lampes(int n) {
+        for (int k = 0; k < n; k++) {
+            lampe(entre(-5, 5), entre(-5, 5), entre(-5, 15));
+        }
+        return this;
+    }
+
+    private ScenesDEssai entreLesSemis(int n) {
+        for (int k = 0; k < n; k++) {
+            int i = k % 24;
+            int j = k / 24 % 24;
+            // à 10 de l'œil, l'écran est large de 10 / FOCALE fois 2 ; les amas sont aux coins des carrés du semis
+            sphere((i / 12.0 - 1) * 2.68 + 0.004 * hasard.nextGaussian(), (j / 12.0 - 1) * 2.01 + 0.004 * hasard.nextGaussian(),
+                    10 - 3.732 + 0.004 * hasard.nextGaussian(), 0.002);
         }
         return this;
     }

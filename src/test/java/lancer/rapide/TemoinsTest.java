@@ -51,7 +51,7 @@ class TemoinsTest {
     @Test
     void uneRechercheJusteALeNombreDeTemoinsPromisEtAucunEcart() {
         for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(60).entrySet()) {
-            Lancer lancer = new Lancer(rapide(e.getValue(), CAMERA), CAMERA);
+            Lancer lancer = new LancerSurveille(rapide(e.getValue(), CAMERA), CAMERA);
             lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
             assertNull(lancer.getTemoignage().ecart, e.getKey());
             assertEquals(64, lancer.getTemoignage().pixels, e.getKey());
@@ -64,7 +64,7 @@ class TemoinsTest {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).scene();
         Compteurs premiers = null;
         for (int fils : new int[] {1, 3}) {
-            Lancer lancer = new Lancer(rapide(scene, CAMERA), CAMERA);
+            Lancer lancer = new LancerSurveille(rapide(scene, CAMERA), CAMERA);
             for (int fois = 0; fois < 2; fois++) {
                 lancer.TracerPixels((couleur, i, j) -> { }, 5, fils);
                 Compteurs c = lancer.getCompteurs();
@@ -80,7 +80,7 @@ class TemoinsTest {
     @Test
     void uneImageDUnPixelAUnTemoin() {
         Camera une = new Camera(1, 1);
-        Lancer lancer = new Lancer(rapide(ScenesDEssai.toutes(60).get("foule"), une), une);
+        Lancer lancer = new LancerSurveille(rapide(ScenesDEssai.toutes(60).get("foule"), une), une);
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 1);
         assertEquals(1, lancer.getTemoignage().pixels);
         assertNull(lancer.getTemoignage().ecart);
@@ -89,7 +89,7 @@ class TemoinsTest {
     @Test
     void uneEquationChangeeSeVoitEtCeSontLesBouclesQuiDessinent() {
         Scene scene = modifiee(ScenesDEssai.toutes(60).get("foule"), 0.98);
-        Lancer lancer = new Lancer(scene, CAMERA);
+        Lancer lancer = new LancerSurveille(scene, CAMERA);
         Couleur[] image = new Couleur[CAMERA.getLargeur() * CAMERA.getHauteur()];
         lancer.TracerPixels((couleur, i, j) -> image[j * CAMERA.getLargeur() + i] = couleur, 5, 2);
         assertNotNull(lancer.getTemoignage().ecart);
@@ -110,7 +110,7 @@ class TemoinsTest {
     @Test
     void dansLaFenetreLeBrouillonEstDejaCeluiDesBoucles() {
         Scene scene = modifiee(ScenesDEssai.toutes(60).get("foule"), 0.9);
-        Lancer lancer = new Lancer(scene, CAMERA);
+        Lancer lancer = new LancerSurveille(scene, CAMERA);
         lancer.TracerImage((couleur, i, j) -> assertFalse(scene.getRecherche() instanceof RechercheRapide), 5, 1);
         assertNotNull(lancer.getTemoignage().ecart);
     }
@@ -120,7 +120,7 @@ class TemoinsTest {
     void surUneGrandeSceneUneQuestionSuffitAVoirUneRechercheQuiNeVoitRien() {
         Camera petite = new Camera(16, 12);
         Scene scene = ScenesDEssai.foule(11, 100_000, 0).scene();
-        Lancer juste = new Lancer(rapide(scene, petite), petite);
+        Lancer juste = new LancerSurveille(rapide(scene, petite), petite);
         juste.TracerPixels((couleur, i, j) -> { }, 2, 2);
         assertNull(juste.getTemoignage().ecart);
         assertTrue(juste.getTemoignage().pixels >= 1);
@@ -130,7 +130,7 @@ class TemoinsTest {
     void lesBouclesDuCoursNeSeJugentPas() {
         Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 6), 1)), Collections.<Lampe>emptyList());
         scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
-        Lancer lancer = new Lancer(scene, CAMERA);
+        Lancer lancer = new LancerSurveille(scene, CAMERA);
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
         assertEquals(Temoignage.SANS_OBJET.pixels, lancer.getTemoignage().pixels);
         assertNull(lancer.getTemoignage().ecart);

@@ -81,15 +81,15 @@ class AutoAntialiasTest {
     @Test
     void lesRayonsAttendusSontCeuxDuDessin() {
         Scene lue = new Scene(scene.toString());
-        Essais essais = new Essais(Preparation.preparer(lue, 120, 90, false), 2);
+        Essais essais = new Essais(Preparation.preparer(lue, 80, 60, false), 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
-        EssaiFinesses essai = new EssaiFinesses(essais, new Semis(120, 90).choix, limites(), new Reseau(13));
+        EssaiFinesses essai = new EssaiFinesses(essais, new Semis(80, 60).choix, limites(), new Reseau(13));
         for (Finesse finesse : finesses) {
             essai.essayer(Collections.singletonList(finesse));
             essai.approfondir(finesse);
             Lancer lancer = essais.lancer(finesse.getEchantillonnage(), 1.0 / 1024);
             lancer.TracerPixels(Essais.AVEUGLE, 5, 2);
-            double rayons = lancer.getCompteurs().primaires / (120.0 * 90);
+            double rayons = lancer.getCompteurs().primaires / (80.0 * 60);
             assertEquals(1, finesse.getRayons() / rayons, 0.2, finesse.getTexte());
         }
     }

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -87,7 +88,7 @@ public abstract class ClasseEssai {
                     Files.createDirectories(copie);
                 } else {
                     Files.createDirectories(copie.getParent());
-                    Files.copy(fichier, copie);
+                    Files.copy(fichier, copie, StandardCopyOption.REPLACE_EXISTING);
                 }
             }
         }

@@ -2,9 +2,7 @@ package lancer.mesures;
 
 import java.nio.file.Path;
 import lancer.Scene;
-import lancer.contrat.Atmosphere;
-import lancer.contrat.Echantillonnage;
-import lancer.contrat.Specularite;
+import lancer.lecture.LecteurScene;
 
 /** Les scènes telles que la base les voit : les variantes du chemin des classes sont là pour être mesurées, non pour s'y installer. */
 public final class Scenes {
@@ -18,10 +16,8 @@ public final class Scenes {
      * @throws lancer.SceneFautive si le fichier ne peut être utilisé
      */
     public static Scene lire(Path fichier) {
-        Scene lue = new Scene(fichier.toString());
-        boolean nue = lue.getAtmosphere() == Atmosphere.CLAIRE && lue.getSpecularite() == Specularite.PHONG
-                && lue.getEchantillonnage() == Echantillonnage.CENTRE;
-        return nue ? lue : nue(lue);
+        LecteurScene lu = LecteurScene.lire(fichier.toString());
+        return new Scene(lu.getObjets(), lu.getLampes());
     }
 
     /** Mêmes objets et mêmes lampes, rien d'autre. */

@@ -6,8 +6,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Une méthode du cours dont l'étudiant a changé les paramètres (leur ordre, ou un de moins) : la forme attendue est
- * ajoutée à sa classe, et appelle la sienne. C'est dit une fois, et rien d'autre n'en souffre.
+ * Une méthode du cours dont l'étudiant a changé la signature. Ses paramètres (leur ordre, ou un de moins) : la forme
+ * attendue est ajoutée à sa classe, et appelle la sienne. La sorte de réel qu'elle rend, ou qui la voit : c'est remis
+ * comme dans le cours. C'est dit une fois, et rien d'autre n'en souffre.
  */
 final class Ponts {
 
@@ -31,15 +32,24 @@ final class Ponts {
     }
 
     private static final List<Forme> FORMES = List.of(
+            new Forme(1, "Vecteur", "double", "dot", "Vecteur"),
+            new Forme(0, "Vecteur", "double", "norme2"),
+            new Forme(0, "Vecteur", "double", "norme"),
+            new Forme(0, "Rayon", "PointContact", "calcContact"),
+            new Forme(1, "Objet3D", "double", "getIntersectionDistance", "Rayon"),
+            new Forme(1, "Sphere", "double", "getIntersectionDistance", "Rayon"),
+            new Forme(1, "Sphere", "Vecteur", "getNormale", "Point"),
             new Forme(3, "Objet3D", "Couleur", "getColor", "Scene", "Rayon", "PointContact", "int"),
             new Forme(2, "Scene", "PointContact", "getClosestIntersection", "Rayon", "Sphere"),
             new Forme(2, "Lancer", "Couleur", "getCouleurPixel", "double", "double", "int"),
             new Forme(2, "Camera", "Rayon", "getRayon", "double", "double"));
 
+    private static final String REELS = "[dD]ouble|[fF]loat|int|Integer|long|Number";
+
     private Ponts() {
     }
 
-    /** Le texte de la classe, ses ponts ajoutés à la fin ; chacun est dit dans {@code remarques}. */
+    /** Le texte de la classe, avec ce qu'il faut pour l'appeler ; chaque différence est dite dans {@code remarques}. */
     static String ajouter(String classe, String texte, List<String> remarques) {
         String resultat = texte;
         for (Forme forme : FORMES) {
@@ -51,15 +61,15 @@ final class Ponts {
     }
 
     private static String ajouter(Forme forme, String texte, List<String> remarques) {
-        Matcher m = Pattern.compile("\\b" + forme.rend + "\\s+" + forme.nom
-                + "\\s*\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?\\{")
-                .matcher(Source.sansCommentaires(texte));
+        Matcher m = Pattern.compile("((?:\\b(?:public|protected|private|final|abstract|synchronized)\\s+)*)\\b("
+                + (forme.rend.equals("double") ? REELS : forme.rend) + ")(\\s+" + forme.nom
+                + "\\s*)\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]").matcher(Source.sansCommentaires(texte));
         String pont = null;
         List<String> changes = null;
         while (m.find()) {
-            List<String> types = types(m.group(1));
+            List<String> types = types(m.group(4));
             if (accepte(types, forme.types)) {
-                return texte;
+                return remettre(forme, texte, m, remarques);
             }
             if (pont == null && types.size() >= forme.moins) {
                 pont = appel(types, forme);
@@ -73,6 +83,19 @@ final class Ponts {
         }
         int fin = texte.lastIndexOf('}');
         return pont == null || fin < 0 ? texte : texte.substring(0, fin) + pont + texte.substring(fin);
+    }
+
+    /** Le même texte, où cette méthode rend ce que veut le cours, et se laisse appeler. */
+    private static String remettre(Forme forme, String texte, Matcher m, List<String> remarques) {
+        boolean cachee = m.group(1).contains("private")
+                || forme.classe.equals("Sphere") && !m.group(1).contains("public");
+        if (m.group(2).equals(forme.rend) && !cachee) {
+            return texte;
+        }
+        remarques.add("signature : " + (m.group(1) + m.group(2)).replaceAll("\\s+", " ") + " " + forme.classe + "."
+                + forme.nom + " au lieu de public " + forme.rend + " ; jugée comme si elle avait celle du cours");
+        String qui = cachee ? "public " + m.group(1).replaceAll("private\\s+|protected\\s+", "") : m.group(1);
+        return texte.substring(0, m.start()) + qui + forme.rend + texte.substring(m.start(3));
     }
 
     private static List<String> types(String parametres) {

@@ -89,10 +89,9 @@ public final class Projet {
             for (Source source : groupes.get(racine)) {
                 String nom = source.paquet.isEmpty() ? source.classe : source.paquet.replace('.', '/') + "/"
                         + source.classe;
-                String cachee = source.classeDeJavaCachee();
-                if (cachee != null) {
-                    remarques.add(source.chemin + " : laissé de côté, il déclare une classe " + cachee
-                            + " qui cacherait celle de Java");
+                String intrusion = source.intrusion();
+                if (intrusion != null) {
+                    remarques.add(source.chemin + " : laissé de côté, " + intrusion);
                 } else if (!classes.containsKey(nom)) {
                     classes.put(nom, source.paquet.equals("lancer")
                             ? Ponts.ajouter(source.classe, source.texte, remarques) : source.texte);

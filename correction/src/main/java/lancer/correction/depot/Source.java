@@ -4,6 +4,8 @@ import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lancer.correction.modele.Modele;
@@ -16,6 +18,11 @@ public final class Source {
 
     private static final Pattern PAQUET = Pattern.compile("(?m)^\\s*package\\s+([\\w.]+)\\s*;");
     private static final Pattern DECLARATION = Pattern.compile("\\b(?:class|interface|enum|record)\\s+(\\w+)");
+    /** Une méthode telle que le squelette les écrit : la marge de son accolade fermante est celle des membres. */
+    private static final Pattern METHODE =
+            Pattern.compile("(?ms)^    \\w[^;{}=]*?(\\w+)\\([^()]*\\) \\{\n(.*?)^    \\}");
+    private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
+            + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
     private static final Pattern COMMENTAIRES = Pattern.compile("/\\*.*?\\*/|//[^\n]*", Pattern.DOTALL);
 
     final String chemin;
@@ -72,20 +79,29 @@ public final class Source {
         return new Source(chemin, classe, racine, paquet, texte, remarque);
     }
 
-    /** Le même texte, les commentaires remplacés par des blancs. */
+    /** Le même texte, les commentaires remplacés par autant de blancs. */
     static String sansCommentaires(String texte) {
-        return COMMENTAIRES.matcher(texte).replaceAll(" ");
+        return COMMENTAIRES.matcher(texte).replaceAll(m -> m.group().replaceAll("[^\n]", " "));
     }
 
-    /**
-     * Une classe déclarée ici, dans le paquet {@code lancer}, du nom d'une classe de {@code java.lang} : nos
-     * vérifications, qui sont du même paquet, la prendraient pour celle-ci.
-     */
-    String classeDeJavaCachee() {
-        Matcher m = DECLARATION.matcher(sansCommentaires(texte));
+    /** Pourquoi ce fichier est à laisser de côté : ce qu'il déclare cacherait ce qui ne lui appartient pas. */
+    String intrusion() {
+        if (RESERVES.matcher(paquet).matches()) {
+            return "le paquet « " + paquet + " » n'est pas à vous";
+        }
+        String dehors = sansCommentaires(texte).replaceAll("\"(\\\\.|[^\"\\\\\n])*\"", "\"\"");
+        for (String avant = ""; !avant.equals(dehors);) {
+            avant = dehors;
+            dehors = avant.replaceAll("\\{[^{}]*\\}", ";");
+        }
+        Matcher m = DECLARATION.matcher(dehors);
         while (paquet.equals("lancer") && m.find()) {
+            if (m.group(1).equals(Modele.APPELS) || Modele.SONDES.contains(m.group(1))) {
+                return "il déclare une classe " + m.group(1) + " qui cacherait celle de la correction";
+            }
             try {
-                return Class.forName("java.lang." + m.group(1), false, null).getSimpleName();
+                Class.forName("java.lang." + m.group(1), false, null);
+                return "il déclare une classe " + m.group(1) + " qui cacherait celle de Java";
             } catch (ClassNotFoundException | LinkageError e) {
                 // ce nom-là est libre
             }
@@ -95,7 +111,23 @@ public final class Source {
 
     /** Vrai si deux textes ne diffèrent que par leurs commentaires et leurs blancs. */
     public static boolean memeCode(String a, String b) {
-        return sansCommentaires(a).replaceAll("\\s+", "").equals(sansCommentaires(b).replaceAll("\\s+", ""));
+        return serre(a).equals(serre(b));
+    }
+
+    private static String serre(String texte) {
+        return sansCommentaires(texte).replaceAll("\\s+", "");
+    }
+
+    /** Les noms des méthodes du squelette qui ont un {@code FIXME} ; faux pour celles que ce texte n'a pas changées. */
+    public static Map<String, Boolean> commencees(String texte, String squelette) {
+        Map<String, Boolean> noms = new TreeMap<>();
+        Matcher methode = METHODE.matcher(squelette);
+        while (methode.find()) {
+            if (methode.group(2).contains("// FIXME")) {
+                noms.merge(methode.group(1), !serre(texte).contains(serre(methode.group())), Boolean::logicalAnd);
+            }
+        }
+        return noms;
     }
 
     private static Charset codage(byte[] octets) {

@@ -87,7 +87,7 @@ public final class Compilateur {
     }
 
     private static int rang(Path fichier) {
-        return fichier.getFileName().toString().matches("(Tests|Sonde\\w+)\\.java") ? 0 : 1;
+        return fichier.getFileName().toString().matches("(Appels|Sonde\\w+)\\.java") ? 0 : 1;
     }
 
     private static String nom(Path sources, Diagnostic<? extends JavaFileObject> faute) {

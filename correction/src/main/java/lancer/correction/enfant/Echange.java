@@ -3,6 +3,9 @@ package lancer.correction.enfant;
 /** Ce que le correcteur et la machine virtuelle où tourne un rendu se disent, une ligne à la fois. */
 public final class Echange {
 
+    /** Ce par quoi commence une réponse ; une autre ligne n'en est pas une. Ce n'est pas un secret. */
+    public static final String REPONSE = "réponse\t";
+
     /** Statut de sortie d'un rendu qui imprime sans fin. */
     public static final int TROP_IMPRIME = 88;
 

@@ -10,78 +10,163 @@ import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
-import java.net.MalformedURLException;
+import java.lang.reflect.Method;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
-import java.util.HashMap;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
- * La machine virtuelle où tourne un rendu. La première ligne de l'entrée est un mot de passe que le rendu ne connaît
- * pas ; chaque réponse le porte, de sorte qu'un texte qui imite les nôtres n'en est pas une. Chaque demande nomme un
- * dossier de classes : {@code L}, la liste des vérifications ; {@code T}, une vérification ; {@code S}, une méthode
- * d'une sonde.
+ * La machine virtuelle où tourne un rendu. Elle ne sait pas ce qu'on vérifie : on lui demande d'appeler une méthode,
+ * elle dit ce que la méthode a rendu. Ni valeur attendue, ni verdict, ni secret n'y entre ; ce qu'un rendu peut y
+ * falsifier n'est jamais que sa propre réponse.
+ *
+ * <p>Une demande par ligne : {@code A}, un appel, par son numéro dans {@code lancer.Appels} ; {@code S}, une méthode
+ * d'une sonde ; {@code N}, oublier les objets déjà rendus.
  */
 public final class Execution {
 
-    private Execution() {
+    private final ClassLoader chargeur;
+    private final List<Object> objets = new ArrayList<>();
+    private final Map<Object, Integer> numeros = new IdentityHashMap<>();
+
+    private Execution(ClassLoader chargeur) {
+        this.chargeur = chargeur;
     }
 
+    /** @param args le dossier des classes du rendu */
     public static void main(String[] args) throws IOException {
         PrintStream reponses = new PrintStream(new FileOutputStream(FileDescriptor.out), true, "UTF-8");
         BufferedReader demandes = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
-        String motDePasse = demandes.readLine();
         System.setIn(InputStream.nullInputStream());
         PrintStream puits = new PrintStream(new Puits(), true);
         System.setOut(puits);
         System.setErr(puits);
-        Map<String, ClassLoader> chargeurs = new HashMap<>();
+        ClassLoader chargeur = new URLClassLoader(new URL[] {new File(args[0]).toURI().toURL()},
+                Execution.class.getClassLoader());
+        Thread.currentThread().setContextClassLoader(chargeur);
+        Execution execution = new Execution(chargeur);
         for (String ligne = demandes.readLine(); ligne != null; ligne = demandes.readLine()) {
             String[] mots = ligne.split("\t");
-            ClassLoader chargeur = chargeurs.computeIfAbsent(mots[1], Execution::chargeur);
-            Thread.currentThread().setContextClassLoader(chargeur);
-            reponses.println(motDePasse + "\t" + repondre(mots, chargeur));
+            if (mots[0].equals("N")) {
+                execution.objets.clear();
+                execution.numeros.clear();
+            } else {
+                // une seule écriture : un texte du rendu ne peut couper une réponse
+                reponses.print(Echange.REPONSE + execution.repondre(mots) + "\n");
+                reponses.flush();
+            }
         }
         // les fils que le rendu a laissés ne retiennent personne
         Runtime.getRuntime().halt(0);
     }
 
-    private static String repondre(String[] mots, ClassLoader chargeur) {
+    private String repondre(String[] mots) {
         try {
-            switch (mots[0]) {
-                case "L":
-                    return Verifications.liste(chargeur);
-                case "T":
-                    return Verifications.lancer(chargeur, mots[2], mots[3]);
-                default:
-                    return "REPONSE\t" + sonde(chargeur, mots);
-            }
-        } catch (OutOfMemoryError e) {
-            return "ECHEC\tmémoire épuisée";
+            return "R\t" + (mots[0].equals("A") ? appeler(mots)
+                    : invoquer("lancer." + mots[1], mots[2], new Class<?>[] {String[].class},
+                            (Object) Arrays.copyOfRange(mots, 3, mots.length)));
+        } catch (StackOverflowError e) {
+            return "D\t" + Echange.protege("appels sans fin (StackOverflowError)" + ou(e));
         } catch (Throwable e) {
-            return "ECHEC\t" + Verifications.cause(e);
+            return cause(e);
         }
     }
 
-    /** Appelle {@code lancer.<sonde>.<méthode>(String...)}. */
-    private static String sonde(ClassLoader chargeur, String[] mots) throws Throwable {
-        String[] arguments = new String[mots.length - 4];
-        System.arraycopy(mots, 4, arguments, 0, arguments.length);
+    private String appeler(String[] mots) throws Throwable {
+        Object[] arguments = new Object[mots.length - 2];
+        for (int k = 0; k < arguments.length; k++) {
+            arguments[k] = decoder(mots[k + 2]);
+        }
+        Object rendu = invoquer("lancer.Appels", "appeler", new Class<?>[] {int.class, Object[].class},
+                Integer.parseInt(mots[1]), arguments);
+        StringBuilder texte = new StringBuilder(coder(rendu));
+        if (texte.charAt(0) == 'o') {
+            for (Object champ : decrire(rendu)) {
+                texte.append('\t').append(coder(champ));
+            }
+        }
+        return texte.toString();
+    }
+
+    private Object invoquer(String classe, String methode, Class<?>[] types, Object... arguments) throws Throwable {
         try {
-            Class<?> sonde = Class.forName("lancer." + mots[2], true, chargeur);
-            return (String) sonde.getMethod(mots[3], String[].class).invoke(null, (Object) arguments);
+            Method appel = Class.forName(classe, true, chargeur).getMethod(methode, types);
+            return appel.invoke(null, arguments);
         } catch (InvocationTargetException e) {
             throw e.getCause();
         }
     }
 
-    private static ClassLoader chargeur(String dossier) {
-        try {
-            return new URLClassLoader(new URL[] {new File(dossier).toURI().toURL()}, Execution.class.getClassLoader());
-        } catch (MalformedURLException e) {
-            throw new IllegalArgumentException(e);
+    private Object[] decrire(Object objet) throws Throwable {
+        return (Object[]) invoquer("lancer.Appels", "champs", new Class<?>[] {Object.class}, objet);
+    }
+
+    private Object decoder(String mot) {
+        String suite = mot.substring(1);
+        switch (mot.charAt(0)) {
+            case 'd':
+                return Double.valueOf(suite);
+            case 'i':
+                return Integer.valueOf(suite);
+            case 'o':
+                return objets.get(Integer.parseInt(suite));
+            case 'l':
+                List<Object> liste = new ArrayList<>();
+                for (String element : suite.isEmpty() ? new String[0] : suite.split(",")) {
+                    liste.add(decoder(element));
+                }
+                return liste;
+            default:
+                return null;
         }
+    }
+
+    private String coder(Object valeur) throws Throwable {
+        if (valeur == null) {
+            return "n";
+        } else if (valeur instanceof Boolean) {
+            return "b" + valeur;
+        } else if (valeur instanceof Number) {
+            return "d" + ((Number) valeur).doubleValue();
+        } else if (valeur instanceof CharSequence) {
+            return "s" + Echange.protege(valeur.toString());
+        }
+        Integer numero = numeros.get(valeur);
+        if (numero == null) {
+            numero = objets.size();
+            numeros.put(valeur, numero);
+            objets.add(valeur);
+        }
+        return "o" + numero + ":" + invoquer("lancer.Appels", "nom", new Class<?>[] {Object.class}, valeur);
+    }
+
+    /** Une exception du rendu : son nom, et la première ligne de son code ; une faute de compilation, ce qu'elle est. */
+    private static String cause(Throwable e) {
+        String message = String.valueOf(e.getMessage());
+        String nom = e.getClass().getName();
+        boolean compile = nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem");
+        if (compile || e instanceof LinkageError) {
+            // une classe dont il n'est rien resté manque à tout ce qui la nomme
+            return "C\t" + Echange.protege(ou(e)) + "\t"
+                    + (compile ? Echange.protege(message.replaceFirst("^[^\n]*\n", "").trim().split("\n")[0]) : "");
+        }
+        return "E\t" + Echange.protege(nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message)
+                + ou(e));
+    }
+
+    private static String ou(Throwable e) {
+        for (StackTraceElement ou : e.getStackTrace()) {
+            if (ou.getClassName().startsWith("lancer.") && !ou.getClassName().startsWith("lancer.correction.")) {
+                return ou.getClassName().matches("lancer\\.(Appels|Sonde).*") ? ", appelé par la vérification"
+                        : ", " + ou.getFileName() + ":" + ou.getLineNumber() + " (" + ou.getMethodName() + ")";
+            }
+        }
+        return "";
     }
 
     /** Où va ce que le rendu imprime : nulle part, et pas sans fin. */

@@ -71,20 +71,23 @@ public final class Confinement {
     /**
      * La commande qui lance une classe dans une machine virtuelle à part.
      *
-     * @param dossier ce qu'elle voit du travail
-     * @param ecriture vrai si elle peut y écrire
+     * @param lus ce qu'elle voit du disque, en plus de Java et de ses classes
+     * @param ecrit ce qu'elle y écrit, {@code null} si rien
      */
-    public List<String> java(Class<?> principale, String chemin, Path dossier, boolean ecriture, Limites limites) {
+    public List<String> java(Class<?> principale, String chemin, List<Path> lus, Path ecrit, Limites limites,
+            String... arguments) {
         List<String> commande = new ArrayList<>();
         if (confine) {
             commande.addAll(enveloppe());
             Set<String> visibles = new LinkedHashSet<>(List.of(chemin.split(File.pathSeparator)));
             visibles.add(accueil());
+            lus.forEach(l -> visibles.add(l.toString()));
             visibles.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
-            commande.addAll(List.of(ecriture ? "--bind" : "--ro-bind", dossier.toString(), dossier.toString(),
-                    "--chdir", "/tmp"));
-        }
-        if (!confine && Files.isExecutable(Paths.get("/bin/sh"))) {
+            if (ecrit != null) {
+                commande.addAll(List.of("--bind", ecrit.toString(), ecrit.toString()));
+            }
+            commande.addAll(List.of("--chdir", "/tmp"));
+        } else if (Files.isExecutable(Paths.get("/bin/sh"))) {
             // à défaut d'un disque à part, au moins pas de fichier sans fin
             commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; exec \"$@\"", "sh"));
         }
@@ -93,7 +96,9 @@ public final class Confinement {
                 "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
                 "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
                 "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr", "-Djava.io.tmpdir="
-                + (confine ? "/tmp" : dossier), "-cp", chemin, principale.getName()));
+                + (confine ? "/tmp" : lus.isEmpty() ? ecrit : lus.get(0).getParent()), "-cp", chemin,
+                principale.getName()));
+        commande.addAll(List.of(arguments));
         return commande;
     }
 

@@ -12,7 +12,6 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 
@@ -23,7 +22,7 @@ import lancer.correction.enfant.Echange;
  */
 public final class Enfant implements AutoCloseable {
 
-    private static final long TOUR_MS = 50;
+    private static final long TOUR_MS = 100;
     private static final long SORTIE_MAX = 64 << 20;
     private static final String FIN = "\0fin";
 
@@ -31,6 +30,11 @@ public final class Enfant implements AutoCloseable {
     private final Limites limites;
     private final BlockingQueue<String> lignes = new LinkedBlockingQueue<>();
     private volatile boolean sortieDemesuree;
+    private double calculMax;
+    /** Le temps de processeur au premier contrôle de la demande, et au dernier ; quand celui-ci a eu lieu. */
+    private double debut;
+    private double dernier;
+    private long controle;
 
     /** @param prefixe ce par quoi commencent les lignes qui comptent ; les autres sont laissées */
     public Enfant(List<String> commande, String prefixe, Limites limites) {
@@ -82,56 +86,60 @@ public final class Enfant implements AutoCloseable {
         }
     }
 
-    /** La ligne suivante, si elle vient dans les limites. */
-    public String attendre() throws Arret {
-        return attendre(limites.calcul);
+    /** Une demande commence : le temps de processeur permis, en secondes, se compte à partir d'ici. */
+    public void commencer(double calculPermis) {
+        calculMax = calculPermis;
+        debut = Double.NaN;
+        controle = System.nanoTime();
     }
 
-    /** @param calculMax temps de processeur permis, en secondes */
-    public String attendre(double calculMax) throws Arret {
-        double debut = calcul();
-        double dernier = debut;
+    /** La ligne suivante, si elle vient dans les limites. */
+    public String attendre() throws Arret {
         int immobile = 0;
         while (true) {
-            String ligne = lignes.poll();
+            String ligne;
             try {
-                if (ligne == null) {
-                    ligne = lignes.poll(TOUR_MS, TimeUnit.MILLISECONDS);
-                }
+                ligne = lignes.poll(TOUR_MS, TimeUnit.MILLISECONDS);
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
                 throw arreter("interrompu");
             }
-            if (ligne != null) {
-                if (ligne.equals(FIN)) {
-                    throw mort();
-                }
-                return ligne;
+            if (FIN.equals(ligne)) {
+                throw mort();
             }
-            double maintenant = calcul();
-            immobile = maintenant - dernier > TOUR_MS / 1e4 ? 0 : immobile + 1;
-            dernier = maintenant;
-            if (maintenant - debut > calculMax) {
-                throw arreter("arrêté après " + Math.round(calculMax) + " s de calcul : une boucle sans fin ?");
+            if (System.nanoTime() - controle > TOUR_MS * 1_000_000) {
+                immobile = controler() ? 0 : immobile + 1;
+            }
+            if (ligne != null) {
+                return ligne;
             }
             if (immobile * TOUR_MS > 1000 * limites.attente) {
                 throw arreter("arrêté : plus de " + (int) limites.attente + " s sans rien faire, bloqué ou endormi");
             }
-            if (sortieDemesuree) {
-                throw arreter("arrêté : imprime sans fin");
-            }
-            if (processus.descendants().count() > limites.processus) {
-                throw arreter("arrêté : lance sans fin d'autres programmes");
-            }
         }
     }
 
-    /** Le temps de processeur, en secondes, de l'enfant et de ce qu'il a lancé. */
-    private double calcul() {
-        try (Stream<ProcessHandle> tous = Stream.concat(Stream.of(processus.toHandle()), processus.descendants())) {
-            return tous.map(p -> p.info().totalCpuDuration().orElse(Duration.ZERO)).mapToLong(Duration::toMillis)
-                    .sum() / 1e3;
+    /** @return vrai si l'enfant a calculé depuis le contrôle précédent */
+    private boolean controler() throws Arret {
+        List<ProcessHandle> tous = processus.descendants().collect(Collectors.toList());
+        if (tous.size() > limites.processus) {
+            throw arreter("arrêté : lance sans fin d'autres programmes");
         }
+        tous.add(processus.toHandle());
+        // le temps de processeur, en secondes, de l'enfant et de ce qu'il a lancé
+        double maintenant = tous.stream().map(p -> p.info().totalCpuDuration().orElse(Duration.ZERO))
+                .mapToLong(Duration::toMillis).sum() / 1e3;
+        boolean travaille = !(maintenant - dernier <= TOUR_MS / 2e4);
+        dernier = maintenant;
+        controle = System.nanoTime();
+        debut = Double.isNaN(debut) ? maintenant : debut;
+        if (maintenant - debut > calculMax) {
+            throw arreter("arrêté après " + Math.round(calculMax) + " s de calcul : une boucle sans fin ?");
+        }
+        if (sortieDemesuree) {
+            throw arreter("arrêté : imprime sans fin");
+        }
+        return travaille;
     }
 
     private Arret arreter(String cause) {

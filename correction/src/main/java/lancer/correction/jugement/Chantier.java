@@ -22,23 +22,22 @@ final class Chantier {
 
     private final Path dossier;
     private final Machines.Compilation compilation;
+    private final String appels;
 
-    Chantier(Path dossier, Machines.Compilation compilation) {
+    /** @param appels la source de {@code lancer.Appels} */
+    Chantier(Path dossier, Machines.Compilation compilation, String appels) {
         this.dossier = dossier;
         this.compilation = compilation;
-    }
-
-    Path getDossier() {
-        return dossier;
+        this.appels = appels;
     }
 
     /** Un assemblage compilé. */
     static final class Assemblage {
 
-        final String classes;
+        final Path classes;
         final List<Faute> fautes;
 
-        Assemblage(String classes, List<Faute> fautes) {
+        Assemblage(Path classes, List<Faute> fautes) {
             this.classes = classes;
             this.fautes = fautes;
         }
@@ -61,29 +60,42 @@ final class Chantier {
         return sources;
     }
 
-    /** Compile ces sources, avec nos vérifications et nos sondes. */
-    Assemblage assembler(String nom, Map<String, String> sources) throws Arret {
-        Path ici = dossier.resolve(nom);
+    /** Compile les classes d'un rendu, avec ce qui les appelle et les sonde. */
+    Assemblage assembler(String nom, Map<String, String> classes) throws Arret {
+        Map<String, String> sources = new TreeMap<>(classes);
+        sources.put("lancer/" + Modele.APPELS, appels);
+        Modele.SONDES.forEach(s -> sources.put("lancer/" + s, Modele.sonde(s)));
         try {
-            Path lancer = Files.createDirectories(ici.resolve("src/lancer"));
+            Files.createDirectories(scenes());
+            for (String scene : List.of("scene1", "ombres")) {
+                ecrire(scenes().resolve(scene + ".ini"), Modele.scene(scene));
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return compiler(nom, sources);
+    }
+
+    /** Compile ces sources, et rien d'autre. */
+    Assemblage compiler(String nom, Map<String, String> sources) throws Arret {
+        Path ici = dossier.resolve(nom);
+        Path classes = ici.resolve("classes");
+        try {
             for (Map.Entry<String, String> source : sources.entrySet()) {
                 Path fichier = ici.resolve("src").resolve(source.getKey() + ".java");
                 Files.createDirectories(fichier.getParent());
                 ecrire(fichier, source.getValue());
             }
-            ecrire(lancer.resolve("Tests.java"), Modele.tests());
-            for (String sonde : Modele.SONDES) {
-                ecrire(lancer.resolve(sonde + ".java"), Modele.sonde(sonde));
-            }
-            Path scenes = Files.createDirectories(dossier.resolve("scenes"));
-            for (String scene : List.of("scene1", "ombres")) {
-                ecrire(scenes.resolve(scene + ".ini"), Modele.scene(scene));
-            }
+            Files.createDirectories(classes);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        Path classes = ici.resolve("classes");
-        return new Assemblage(classes.toString(), compilation.compiler(ici.resolve("src"), classes));
+        return new Assemblage(classes, compilation.compiler(ici.resolve("src"), classes));
+    }
+
+    /** Les scènes que l'on fait dessiner au rendu. */
+    Path scenes() {
+        return dossier.resolve("scenes");
     }
 
     private static void ecrire(Path fichier, String texte) throws IOException {

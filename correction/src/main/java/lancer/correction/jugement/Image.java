@@ -1,6 +1,7 @@
 package lancer.correction.jugement;
 
 import java.io.Serializable;
+import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.Base64;
 
@@ -8,6 +9,8 @@ import java.util.Base64;
 public final class Image implements Serializable {
 
     private static final long serialVersionUID = 1;
+
+    private static final double PRES = 1e-6;
 
     public final int largeur;
     public final int hauteur;
@@ -21,9 +24,12 @@ public final class Image implements Serializable {
 
     /** @param texte ce que répond {@code SondeImage} */
     static Image lire(int largeur, int hauteur, String texte) {
-        ByteBuffer octets = ByteBuffer.wrap(Base64.getDecoder().decode(texte));
         float[] rvb = new float[largeur * hauteur * 3];
-        octets.asFloatBuffer().get(rvb);
+        try {
+            ByteBuffer.wrap(Base64.getDecoder().decode(texte)).asFloatBuffer().get(rvb);
+        } catch (IllegalArgumentException | BufferUnderflowException e) {
+            throw new Dialogue.Echec("réponse incompréhensible au lieu d'une image");
+        }
         return new Image(largeur, hauteur, rvb);
     }
 
@@ -35,6 +41,16 @@ public final class Image implements Serializable {
 
     double brut(int pixel, int composante) {
         return rvb[3 * pixel + composante];
+    }
+
+    /** Combien de pixels ont la même couleur dans les deux images, à quelques arrondis près. */
+    int pareils(Image autre) {
+        int n = 0;
+        for (int p = 0; p < pixels(); p++) {
+            n += Math.abs(brut(p, 0) - autre.brut(p, 0)) < PRES && Math.abs(brut(p, 1) - autre.brut(p, 1)) < PRES
+                    && Math.abs(brut(p, 2) - autre.brut(p, 2)) < PRES ? 1 : 0;
+        }
+        return n;
     }
 
     int pixels() {

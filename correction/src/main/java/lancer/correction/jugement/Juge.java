@@ -2,12 +2,15 @@ package lancer.correction.jugement;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Source;
 import lancer.correction.isolement.Arret;
@@ -19,14 +22,14 @@ import lancer.correction.modele.Modele;
  * Juge un rendu : toutes ses classes ensemble, puis chacune seule parmi celles du corrigé, pour qu'une faute ne cache
  * pas les autres.
  */
-final class Juge {
+final class Juge implements AutoCloseable {
 
     static final int LARGEUR = 160;
     static final int HAUTEUR = 120;
     static final int PROFONDEUR = 5;
 
-    /** Temps de processeur permis pour dessiner, en secondes. */
-    private static final double TEMPS_IMAGE = 20;
+    /** Combien de fois le temps d'une vérification est permis à un dessin. */
+    private static final double TEMPS_IMAGE = 4;
 
     /**
      * Après autant d'arrêts dans une étape, le reste de l'étape n'est pas lancé ; dans un assemblage, le reste de
@@ -40,23 +43,49 @@ final class Juge {
 
     private static final String ENSEMBLE = "ensemble";
 
+    /** Le début de ce que dit une méthode qui ne se compile pas. */
+    static final String NE_SE_COMPILE_PAS = "ne se compile pas";
+
     private final Reference reference;
     private final Chantier chantier;
-    private final Machines.Rendue machine;
+    private final Machines machines;
     private final Projet projet;
+    /** La machine d'un seul assemblage : un rendu n'a devant lui ni le corrigé de ce qu'on y juge, ni ses autres essais. */
+    private Machines.Rendue machine;
+    private Assemblage enMachine;
     private final Resultat resultat = new Resultat();
     private Assemblage ensemble;
     /** Vrai si les dernières vérifications lancées ne l'ont pas toutes été, faute de finir. */
     private boolean trop;
+    /** Où une vérification n'a pas fini : on n'y dessine pas. */
+    private final Set<Assemblage> arretes = new HashSet<>();
     private final Map<String, Assemblage> seules = new HashMap<>();
     /** De quoi dépend une classe qui ne se compile pas seule dans le corrigé. */
     private final Map<String, String> dependances = new HashMap<>();
 
-    Juge(Reference reference, Chantier chantier, Machines.Rendue machine, Projet projet) {
+    Juge(Reference reference, Chantier chantier, Machines machines, Projet projet) {
         this.reference = reference;
         this.chantier = chantier;
-        this.machine = machine;
+        this.machines = machines;
         this.projet = projet;
+    }
+
+    private Machines.Rendue machine(Assemblage assemblage) {
+        if (machine == null || enMachine != assemblage) {
+            close();
+            enMachine = assemblage;
+            machine = machines.new Rendue(assemblage.classes, chantier.scenes());
+        }
+        return machine;
+    }
+
+    /** Arrête la machine, s'il y en a une. */
+    @Override
+    public void close() {
+        if (machine != null) {
+            machine.close();
+            machine = null;
+        }
     }
 
     Resultat juger() throws Arret {
@@ -97,7 +126,7 @@ final class Juge {
             resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, resultat.sansImage));
         } else {
             // une machine neuve : ce que les vérifications ont pu y laisser ne gâte pas l'image
-            machine.close();
+            close();
             dessiner();
         }
         variantes();
@@ -105,7 +134,7 @@ final class Juge {
     }
 
     private void variantes() throws Arret {
-        Variantes variantes = new Variantes(this, reference, ensemble, chantier.getDossier(), resultat.verdicts);
+        Variantes variantes = new Variantes(this, reference, ensemble, chantier.scenes(), resultat.verdicts);
         for (Map.Entry<String, Map<String, String>> variante : projet.getVariantes().entrySet()) {
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
             Map<String, String> sources = Chantier.squelette();
@@ -178,30 +207,17 @@ final class Juge {
                 continue;
             }
             try {
-                verdicts.put(v.id(), lire(machine.demander(machine.calcul(), "T", assemblage.classes, v.classeJava,
-                        v.methode)));
+                verdicts.put(v.id(), reference.getJUnit().lancer(v, machine(assemblage)));
             } catch (Arret e) {
                 dernier = e.getMessage();
                 total++;
                 trop = total >= ARRETS_PAR_ASSEMBLAGE;
+                arretes.add(assemblage);
                 arrets.merge(v.etape, 1, Integer::sum);
                 verdicts.put(v.id(), new Verdict(Etat.RATE, dernier));
             }
         }
         return verdicts;
-    }
-
-    private static Verdict lire(String reponse) {
-        String[] mots = reponse.split("\t", 2);
-        String message = mots.length > 1 ? mots[1] : "";
-        switch (mots[0]) {
-            case "REUSSI":
-                return new Verdict(Etat.REUSSI, "");
-            case "ABANDONNE":
-                return new Verdict(Etat.NON_COMMENCE, message);
-            default:
-                return new Verdict(Etat.RATE, message);
-        }
     }
 
     private Verdict conclure(Verification v, Verdict ensemble, Verdict seule) {
@@ -226,14 +242,22 @@ final class Juge {
                     (besoin.isEmpty() ? "" : "non évaluable : dépend de « " + besoin + " » ; ") + verdict.message)
                     : verdict;
         }
-        if (dependances.containsKey(v.classe) && verdict.message.startsWith("ne se compile pas")) {
+        if (dependances.containsKey(v.classe) && verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
             return new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe));
         }
-        if (verdict.message.startsWith("ne se compile pas")) {
-            return new Verdict(Etat.RATE, verdict.message + causes(v.classe));
+        if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
+            return new Verdict(Etat.RATE, verdict.message + (verdict.message.contains(" : ") ? "" : causes(v.classe)));
         }
-        return verdict.message.equals(reference.messageDuSquelette(v)) ? new Verdict(Etat.NON_COMMENCE,
+        return verdict.message.equals(reference.messageDuSquelette(v)) && !commencee(v) ? new Verdict(Etat.NON_COMMENCE,
                 "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
+    }
+
+    /** Faux si la méthode dont parle cette vérification, ou à défaut une de sa classe, est celle du projet à compléter. */
+    private boolean commencee(Verification v) {
+        Map<String, Boolean> methodes = Source.commencees(projet.texte(v.classe), Modele.squelette(v.classe));
+        List<String> nommees = methodes.keySet().stream()
+                .filter(m -> Pattern.compile("\\b" + m + "\\b").matcher(v.titre).find()).collect(Collectors.toList());
+        return (nommees.isEmpty() ? methodes.keySet() : nommees).stream().allMatch(methodes::get);
     }
 
     private String causes(String classe) {
@@ -248,18 +272,17 @@ final class Juge {
         try {
             Image image = image(ensemble, 0);
             resultat.image = image;
-            Ecart coins = new Ecart(reference.getImage(false), image);
-            Ecart centres = new Ecart(reference.getImage(true), image);
-            resultat.centre = centres.rmse < coins.rmse;
-            resultat.ecart = resultat.centre ? centres : coins;
+            // là où le rendu a raison, au ciel au moins, il l'a à une moitié de pixel près : c'est là qu'on voit laquelle
+            resultat.centre = image.pareils(reference.getImage(true)) > image.pareils(reference.getImage(false));
+            resultat.ecart = new Ecart(reference.getImage(resultat.centre), image);
             boolean meme = resultat.ecart.memeImage();
             resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "")
                     : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
                     String.format(Locale.FRANCE, "%d pixels faux sur %d", resultat.ecart.faux, resultat.ecart.pixels)));
-            if (!meme) {
+            if (!meme && commencee(image)) {
                 chercherLaFaute(image);
             }
-        } catch (Arret | IllegalStateException e) {
+        } catch (Arret | Dialogue.Echec e) {
             if (resultat.image == null) {
                 resultat.sansImage = e.getMessage();
                 resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, e.getMessage()));
@@ -298,12 +321,13 @@ final class Juge {
         for (String classe : Modele.A_COMPLETER) {
             if (projet.texte(classe) != null && !intacte(classe)) {
                 try {
-                    Image seule = image(seule(classe), 0);
-                    if (!new Ecart(reference.getImage(false), seule).memeImage()
+                    Assemblage parmi = seule(classe);
+                    Image seule = arretes.contains(parmi) ? null : image(parmi, 0);
+                    if (seule == null || !new Ecart(reference.getImage(false), seule).memeImage()
                             && !new Ecart(reference.getImage(true), seule).memeImage()) {
                         resultat.classesFautives.add(classe);
                     }
-                } catch (Arret | IllegalStateException e) {
+                } catch (Arret | Dialogue.Echec e) {
                     resultat.classesFautives.add(classe);
                 }
             }
@@ -318,10 +342,10 @@ final class Juge {
     }
 
     String scene() {
-        return chantier.getDossier().resolve("scenes/scene1.ini").toString();
+        return chantier.scenes().resolve("scene1.ini").toString();
     }
 
-    /** @throws IllegalStateException si les classes ne savent pas dessiner, avec pourquoi */
+    /** @throws Dialogue.Echec si les classes ne savent pas dessiner, avec pourquoi */
     Image image(Assemblage assemblage, double decalage) throws Arret {
         return Image.lire(LARGEUR, HAUTEUR, sonde(assemblage, "SondeImage", "dessiner", scene(), "" + LARGEUR, ""
                 + HAUTEUR, "" + PROFONDEUR,
@@ -329,18 +353,13 @@ final class Juge {
     }
 
     String sonde(Assemblage assemblage, String sonde, String methode, String... arguments) throws Arret {
-        List<String> mots = new ArrayList<>(List.of("S", assemblage.classes, sonde, methode));
-        mots.addAll(List.of(arguments));
-        String reponse = machine.demander(TEMPS_IMAGE, mots.toArray(new String[0]));
-        if (!reponse.startsWith("REPONSE\t")) {
-            throw new IllegalStateException(reponse.replaceFirst("^ECHEC\t", ""));
+        Machines.Rendue ici = machine(assemblage);
+        ici.commencer(TEMPS_IMAGE * ici.calcul());
+        try {
+            return Dialogue.reponse(ici.demander("S\t" + sonde + "\t" + methode + "\t"
+                    + String.join("\t", arguments)));
+        } catch (StackOverflowError e) {
+            throw new Dialogue.Echec(e.getMessage());
         }
-        return reponse.substring("REPONSE\t".length());
     }
-
-    /** Les vérifications, telles que JUnit les voit dans cet assemblage. */
-    static List<Verification> verifications(Machines.Rendue machine, Assemblage assemblage) throws Arret {
-        return Verification.lire(machine.demander(TEMPS_IMAGE, "L", assemblage.classes));
-    }
-
 }

@@ -47,11 +47,11 @@ public final class Jury implements AutoCloseable {
         }
         this.travail = travail;
         this.souvenirs = travail.resolve("souvenirs");
-        machines = new Machines(confinement, limites);
         try {
             Files.createDirectories(souvenirs);
             Chantier.effacer(travail.resolve("chantiers"));
             Path reperes = Files.createDirectories(travail.resolve("chantiers/reference"));
+            machines = new Machines(confinement, limites, Files.createDirectories(reperes.resolve("outillage")));
             regles = confinement.estConfine() + " " + limites + " " + Runtime.version() + " " + duProgramme();
             String nom = "reference-" + hexa(sha256().digest(regles.getBytes(StandardCharsets.UTF_8)));
             reference = new Reference(machines, reperes, souvenirs.resolve(nom));
@@ -139,9 +139,9 @@ public final class Jury implements AutoCloseable {
         }
         Resultat resultat;
         Files.createDirectories(dossier);
-        try (Machines.Rendue machine = machines.new Rendue(dossier)) {
-            Projet projet = Projet.lire(rendu);
-            resultat = new Juge(reference, new Chantier(dossier, compilation), machine, projet).juger();
+        try (Juge juge = new Juge(reference, new Chantier(dossier, compilation, reference.getAppels()), machines,
+                Projet.lire(rendu))) {
+            resultat = juge.juger();
         } catch (Arret e) {
             resultat = refuse(rendu, List.of("la compilation n'a pas abouti : " + e.getMessage()));
         } catch (RuntimeException e) {

@@ -1,15 +1,22 @@
 package lancer.correction.jugement;
 
 import java.io.File;
+import java.io.IOException;
 import java.net.URISyntaxException;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.security.SecureRandom;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.correction.enfant.Compilateur;
+import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
 import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
@@ -19,7 +26,6 @@ import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.platform.commons.JUnitException;
 import org.junit.platform.engine.TestEngine;
-import org.junit.platform.launcher.Launcher;
 import org.opentest4j.AssertionFailedError;
 
 /** Les machines virtuelles à part : celle qui compile, et celle, relancée à chaque mort, où tourne un rendu. */
@@ -27,20 +33,39 @@ final class Machines {
 
     private final Confinement confinement;
     private final Limites limites;
+    private final Path outillage;
 
-    Machines(Confinement confinement, Limites limites) {
+    /** @param outillage dossier, à nous, où mettre les seules classes que voit un rendu avec les siennes */
+    Machines(Confinement confinement, Limites limites, Path outillage) throws IOException {
         this.confinement = confinement;
         this.limites = limites;
+        this.outillage = outillage;
+        extraire(Execution.class.getPackageName(), Paths.get(lieu(Execution.class)));
+        extraire(Ini.class.getPackageName(), Paths.get(lieu(Ini.class)));
+    }
+
+    /** Copie les classes d'un paquet : le rendu ne doit voir ni le corrigé, ni les vérifications, ni JUnit. */
+    private void extraire(String paquet, Path lieu) throws IOException {
+        try (FileSystem archive = Files.isDirectory(lieu) ? null : FileSystems.newFileSystem(lieu, (ClassLoader) null)) {
+            Path racine = archive == null ? lieu : archive.getPath("/");
+            try (Stream<Path> flux = Files.walk(racine.resolve(paquet.replace('.', '/')))) {
+                for (Path classe : flux.filter(f -> f.toString().endsWith(".class")).collect(Collectors.toList())) {
+                    Path copie = outillage.resolve(racine.relativize(classe).toString());
+                    Files.createDirectories(copie.getParent());
+                    Files.copy(classe, copie, StandardCopyOption.REPLACE_EXISTING);
+                }
+            }
+        }
     }
 
     /**
-     * Là d'où viennent JUnit, ini4j, le compilateur et nous ; jamais la base, même si elle est dans le chemin des
-     * classes.
+     * Là d'où viennent JUnit, ini4j, le compilateur et nous, pour compiler ; jamais la base, même si elle est dans le
+     * chemin des classes.
      */
     private static String chemin() {
         Set<String> lieux = new LinkedHashSet<>();
-        for (Class<?> classe : List.of(Execution.class, Launcher.class, TestEngine.class, Test.class,
-                JUnitException.class, AssertionFailedError.class, Ini.class)) {
+        for (Class<?> classe : List.of(Execution.class, TestEngine.class, Test.class, JUnitException.class,
+                AssertionFailedError.class, Ini.class)) {
             lieux.add(lieu(classe));
         }
         for (String nom : List.of("org.junit.jupiter.engine.JupiterTestEngine",
@@ -81,10 +106,12 @@ final class Machines {
         List<Faute> compiler(Path sources, Path classes) throws Arret {
             if (enfant == null) {
                 Limites larges = Limites.deCompilation();
-                enfant = new Enfant(confinement.java(Compilateur.class, chemin(), dossier, true, larges), "", larges);
+                enfant = new Enfant(confinement.java(Compilateur.class, chemin(), List.of(), dossier, larges), "",
+                        larges);
             }
             List<Faute> fautes = new ArrayList<>();
             try {
+                enfant.commencer(Limites.deCompilation().calcul);
                 enfant.dire(sources + "\t" + classes);
                 for (String ligne = enfant.attendre(); !ligne.equals("FIN"); ligne = enfant.attendre()) {
                     String[] mots = ligne.split("\t", 4);
@@ -108,37 +135,53 @@ final class Machines {
         }
     }
 
-    /** Où tourne un rendu, qui n'en voit que son propre dossier. */
+    /** Où tourne un rendu, qui ne voit que les classes de son assemblage, et des scènes. */
     final class Rendue implements AutoCloseable {
 
-        private final Path dossier;
+        private final Path classes;
+        private final Path scenes;
         private Enfant enfant;
 
-        Rendue(Path dossier) {
-            this.dossier = dossier;
+        Rendue(Path classes, Path scenes) {
+            this.classes = classes;
+            this.scenes = scenes;
         }
 
-        /** Temps de processeur ordinairement permis pour une demande, en secondes. */
+        /** Temps de processeur ordinairement permis à une demande, en secondes. */
         double calcul() {
             return limites.calcul;
         }
 
-        /** La réponse à une demande, sans le mot de passe. @param calcul temps de processeur permis, en secondes */
-        String demander(double calcul, String... mots) throws Arret {
+        /** Ce qui suit est une autre demande, et n'a plus besoin des objets rendus à la précédente. */
+        void oublier() throws Arret {
+            commencer(limites.calcul);
+            dire("N");
+        }
+
+        /** @param calcul temps de processeur permis à ce qui suit, en secondes */
+        void commencer(double calcul) {
             if (enfant == null) {
-                byte[] hasard = new byte[16];
-                new SecureRandom().nextBytes(hasard);
-                StringBuilder motDePasse = new StringBuilder();
-                for (byte b : hasard) {
-                    motDePasse.append(String.format("%02x", b));
-                }
-                enfant = new Enfant(confinement.java(Execution.class, chemin(), dossier, false, limites), motDePasse
-                        + "\t", limites);
-                enfant.dire(motDePasse.toString());
+                enfant = new Enfant(confinement.java(Execution.class, outillage.toString(),
+                        List.of(outillage, classes, scenes), null, limites, classes.toString()),
+                        Echange.REPONSE, limites);
             }
+            enfant.commencer(calcul);
+        }
+
+        /** La réponse à une demande. */
+        String demander(String demande) throws Arret {
+            dire(demande);
             try {
-                enfant.dire(String.join("\t", mots));
-                return enfant.attendre(calcul);
+                return enfant.attendre();
+            } catch (Arret e) {
+                close();
+                throw e;
+            }
+        }
+
+        private void dire(String demande) throws Arret {
+            try {
+                enfant.dire(demande);
             } catch (Arret e) {
                 close();
                 throw e;

@@ -11,10 +11,13 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.correction.depot.Projet;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Chantier.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
+import lancer.correction.modele.Modele;
 
 /**
  * À quoi l'on compare : le corrigé, jugé comme un rendu, et le projet à compléter, qui dit ce que l'on réussit sans
@@ -31,6 +34,9 @@ public final class Reference implements AutoCloseable {
         private static final long serialVersionUID = 1;
 
         private List<Verification> verifications;
+        /** Les vérifications et les doublures, compilées, et ce qui leur répond, à compiler avec chaque rendu. */
+        private final HashMap<String, byte[]> classes = new HashMap<>();
+        private String appels;
         private final HashMap<String, Verdict> duSquelette = new HashMap<>();
         private Image coins;
         private Image centres;
@@ -40,10 +46,10 @@ public final class Reference implements AutoCloseable {
     private final Path dossier;
     private final Map<String, String> titres = new HashMap<>();
     private final Memoire memoire;
+    private Verifications junit;
 
-    /** Le corrigé, compilé, et la machine où il tourne : quand on en a besoin. */
+    /** Le corrigé, compilé, et qui l'interroge : quand on en a besoin. */
     private Chantier chantier;
-    private Machines.Rendue machine;
     private Juge corrige;
     private Assemblage assemblage;
 
@@ -54,6 +60,7 @@ public final class Reference implements AutoCloseable {
         Object connue = Souvenirs.relire(souvenir);
         if (connue instanceof Memoire) {
             memoire = (Memoire) connue;
+            junit = new Verifications(memoire.classes);
         } else {
             memoire = new Memoire();
             apprendre();
@@ -62,49 +69,72 @@ public final class Reference implements AutoCloseable {
         memoire.verifications.forEach(v -> titres.put(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", "")));
     }
 
-    private void apprendre() throws Arret {
-        preparer();
-        memoire.verifications = Juge.verifications(machine, assemblage);
-        memoire.coins = corrige.image(assemblage, 0);
-        memoire.centres = corrige.image(assemblage, 0.5);
-        Path vide = creer(dossier.resolve("squelette"));
-        try (Machines.Compilation compilation = machines.new Compilation(vide);
-                Machines.Rendue autre = machines.new Rendue(vide)) {
+    private void apprendre() throws Arret, IOException {
+        Path vide = Files.createDirectories(dossier.resolve("squelette"));
+        try (Machines.Compilation compilation = machines.new Compilation(vide)) {
+            compilerVerifications(new Chantier(vide, compilation, ""));
+            memoire.verifications = junit.lister();
+            preparer();
+            memoire.coins = corrige.image(assemblage, 0);
+            memoire.centres = corrige.image(assemblage, 0.5);
             Projet projet = new Projet(Chantier.squelette(), Collections.emptyMap(), new ArrayList<>());
-            Chantier autreChantier = new Chantier(vide, compilation);
-            Juge juge = new Juge(this, autreChantier, autre, projet);
-            memoire.duSquelette.putAll(juge.lancer(autreChantier.assembler("ensemble", projet.getBase()),
-                    memoire.verifications));
-            for (Verification v : memoire.verifications) {
-                if (memoire.duSquelette.get(v.id()).etat != Etat.REUSSI) {
-                    memoire.duSquelette.put(v.id(), juge.lancer(juge.seule(v.classe), List.of(v)).get(v.id()));
+            Chantier sien = new Chantier(vide, compilation, memoire.appels);
+            try (Juge juge = new Juge(this, sien, machines, projet)) {
+                memoire.duSquelette.putAll(juge.lancer(sien.assembler("ensemble", projet.getBase()),
+                        memoire.verifications));
+                for (Verification v : memoire.verifications) {
+                    if (memoire.duSquelette.get(v.id()).etat != Etat.REUSSI) {
+                        memoire.duSquelette.put(v.id(), juge.lancer(juge.seule(v.classe), List.of(v)).get(v.id()));
+                    }
                 }
             }
         }
+    }
+
+    /** Compile les vérifications contre les doublures des classes du projet à compléter. */
+    private void compilerVerifications(Chantier sien) throws Arret, IOException {
+        Doublures doublures = new Doublures(sien.compiler("classes", Chantier.squelette()).classes);
+        memoire.appels = doublures.getAppels();
+        Map<String, String> sources = new HashMap<>();
+        doublures.getSources().forEach((nom, texte) -> sources.put("lancer/" + nom, texte));
+        sources.put("lancer/Tests", Modele.tests());
+        Assemblage tests = sien.compiler("verifications", sources);
+        if (!tests.fautes.isEmpty()) {
+            throw new IllegalStateException("les vérifications ne se compilent pas : " + tests.fautes.get(0));
+        }
+        try (Stream<Path> flux = Files.list(tests.classes.resolve("lancer"))) {
+            for (Path classe : flux.collect(Collectors.toList())) {
+                String nom = classe.getFileName().toString().replaceFirst("\\.class$", "");
+                memoire.classes.put("lancer." + nom, Files.readAllBytes(classe));
+            }
+        }
+        junit = new Verifications(memoire.classes);
     }
 
     private void preparer() throws Arret {
         if (assemblage != null) {
             return;
         }
-        Path sien = creer(dossier.resolve("corrige"));
-        machine = machines.new Rendue(sien);
-        try (Machines.Compilation compilation = machines.new Compilation(sien)) {
-            chantier = new Chantier(sien, compilation);
+        try (Machines.Compilation compilation = machines.new Compilation(Files.createDirectories(dossier
+                .resolve("corrige")))) {
+            chantier = new Chantier(dossier.resolve("corrige"), compilation, memoire.appels);
             assemblage = chantier.assembler("corrige", Chantier.corrige());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
         if (!assemblage.fautes.isEmpty()) {
             throw new IllegalStateException("le corrigé ne se compile pas : " + assemblage.fautes.get(0));
         }
-        corrige = new Juge(this, chantier, machine, null);
+        corrige = new Juge(this, chantier, machines, null);
     }
 
-    private static Path creer(Path dossier) {
-        try {
-            return Files.createDirectories(dossier);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+    Verifications getJUnit() {
+        return junit;
+    }
+
+    /** La source de {@code lancer.Appels}. */
+    String getAppels() {
+        return memoire.appels;
     }
 
     public List<Verification> getVerifications() {
@@ -141,7 +171,7 @@ public final class Reference implements AutoCloseable {
     /** Le reflet de Blinn seul, par les classes du corrigé. */
     synchronized String blinn(String scene, double decalage, int facteur) throws Arret {
         preparer();
-        Path copie = chantier.getDossier().resolve("scenes/blinn.ini");
+        Path copie = chantier.scenes().resolve("blinn.ini");
         try {
             Files.copy(Path.of(scene), copie, StandardCopyOption.REPLACE_EXISTING);
         } catch (IOException e) {
@@ -153,8 +183,8 @@ public final class Reference implements AutoCloseable {
 
     @Override
     public void close() {
-        if (machine != null) {
-            machine.close();
+        if (corrige != null) {
+            corrige.close();
         }
     }
 }

@@ -67,14 +67,14 @@ final class Variantes {
     private final Juge juge;
     private final Reference reference;
     private final Assemblage base;
-    private final Path dossier;
+    private final Path scenes;
     private final Map<String, Verdict> verdicts;
 
-    Variantes(Juge juge, Reference reference, Assemblage base, Path dossier, Map<String, Verdict> verdicts) {
+    Variantes(Juge juge, Reference reference, Assemblage base, Path scenes, Map<String, Verdict> verdicts) {
         this.juge = juge;
         this.reference = reference;
         this.base = base;
-        this.dossier = dossier;
+        this.scenes = scenes;
         this.verdicts = verdicts;
     }
 
@@ -90,7 +90,7 @@ final class Variantes {
                 default:
                     blinn(assemblage);
             }
-        } catch (Arret | IllegalStateException e) {
+        } catch (Arret | Dialogue.Echec e) {
             for (Critere critere : CRITERES) {
                 if (critere.variante.equals(variante)) {
                     verdicts.putIfAbsent(critere.id(), new Verdict(Etat.RATE, e.getMessage()));
@@ -105,7 +105,7 @@ final class Variantes {
 
     private String scene(String nom, String texte) {
         try {
-            Path fichier = dossier.resolve("scenes").resolve(nom + ".ini");
+            Path fichier = scenes.resolve(nom + ".ini");
             Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
             return fichier.toString();
         } catch (IOException e) {
@@ -175,7 +175,7 @@ final class Variantes {
     }
 
     private void antialias(Assemblage assemblage) throws Arret {
-        String scene = dossier.resolve("scenes/scene1.ini").toString();
+        String scene = scenes.resolve("scene1.ini").toString();
         int hauteur = COTE * 3 / 4;
         Image lui = Image.lire(COTE, hauteur, juge.sonde(assemblage, "SondeVariantes", "tracer", scene, "" + COTE, ""
                 + hauteur, "1"));

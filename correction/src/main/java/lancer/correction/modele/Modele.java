@@ -25,6 +25,9 @@ public final class Modele {
     /** Ce qui interroge les classes d'un étudiant, compilé contre elles. */
     public static final List<String> SONDES = List.of("SondeImage", "SondeChemin", "SondeVariantes");
 
+    /** Ce qui appelle ses méthodes, écrit au moment de noter. */
+    public static final String APPELS = "Appels";
+
     public static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
             "foule");
 

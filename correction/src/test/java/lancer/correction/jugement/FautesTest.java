@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
@@ -34,12 +33,9 @@ class FautesTest extends JuryEssai {
         Path rendus = dossier.resolve("rendus");
         try (Stream<Path> flux = Files.list(RENDUS.resolve("fautes"))) {
             for (Path faute : flux.collect(Collectors.toList())) {
-                Path sources = ecrireCorrige(rendus.resolve(faute.getFileName().toString()));
-                try (Stream<Path> classes = Files.list(faute)) {
-                    for (Path classe : classes.collect(Collectors.toList())) {
-                        Files.copy(classe, sources.resolve(classe.getFileName()), StandardCopyOption.REPLACE_EXISTING);
-                    }
-                }
+                Path rendu = rendus.resolve(faute.getFileName().toString());
+                ecrireCorrige(rendu);
+                copier(faute.resolve("Étudiant 1_101_assignsubmission_file"), rendu);
             }
         }
         resultats = juger(rendus, dossier.resolve("travail"), Confinement.essayer());
@@ -86,6 +82,20 @@ class FautesTest extends JuryEssai {
     @Test
     void unMiroirALEnversSeVoitAuSpeculaireEtAuxReflets() {
         verifier("miroir-a-l-envers", "phong", "reflets");
+    }
+
+    @Test
+    void uneNormaleALEnversEstUneFauteDeLambertQuelQueSoitLePointVisePourChaquePixel() {
+        verifier("normale-a-l-envers", "lambert");
+        assertTrue(resultats.get("normale-a-l-envers").centre, "getCouleurPixel vise le centre du pixel");
+        assertEquals(List.of("Sphere"), resultats.get("normale-a-l-envers").classesFautives);
+    }
+
+    @Test
+    void unDoubleAuLieuDUnDoubleNeCouteRienEtSeDit() {
+        assertTrue(resultats.get("normale-a-l-envers").remarques.contains("signature : public Double Sphere."
+                + "getIntersectionDistance au lieu de public double ; jugée comme si elle avait celle du cours"),
+                resultats.get("normale-a-l-envers").remarques.toString());
     }
 
     @Test

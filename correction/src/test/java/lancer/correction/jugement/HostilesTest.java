@@ -1,6 +1,7 @@
 package lancer.correction.jugement;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -41,6 +42,7 @@ class HostilesTest extends JuryEssai {
 
     private void verifier(Confinement confinement) throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
+        ecrireCorrige(rendus.resolve("tout-noir"));
         try (Stream<Path> flux = Files.list(RENDUS.resolve("hostiles"))) {
             for (Path hostile : flux.collect(Collectors.toList())) {
                 copier(hostile.resolve("Étudiant 1_101_assignsubmission_file"), rendus.resolve(hostile.getFileName().toString()));
@@ -63,6 +65,13 @@ class HostilesTest extends JuryEssai {
         assertTrue(resultats.get("mathematiques").remarques.stream().anyMatch(r -> r.contains("classe Math qui cacherait")),
                 resultats.get("mathematiques").remarques.toString());
         rate(resultats, "mathematiques", "obtenu : (1.0, 1.0, 1.0)");
+        rate(resultats, "falsification", "obtenu : (1.0, 1.0, 1.0)");
+        rate(resultats, "faux-junit", "obtenu : (1.0, 1.0, 1.0)");
+        assertTrue(resultats.get("faux-junit").remarques.stream().anyMatch(r -> r.contains("org/junit/jupiter/api/Assertions.java")),
+                resultats.get("faux-junit").remarques.toString());
+        assertEquals(Verdict.Etat.CACHE, resultats.get("tout-noir").verdicts.get("lambert.faceALaLampeLaCouleurEstKd").etat,
+                "une Couleur qui confond toutes les couleurs ne rend pas égales l'attendue et l'obtenue");
+        assertFalse(resultats.get("tout-noir").ecart.memeImage());
         assertEquals(Verdict.Etat.REUSSI, resultats.get("fils").verdicts.get(SOUSTRACTION).etat,
                 "des fils laissés ne changent pas le résultat");
         for (String nom : List.of("disque", "processus", "imprime", "boucle", "sortie", "memoire")) {

@@ -1,0 +1,188 @@
+package lancer.correction.jugement;
+
+import java.io.IOException;
+import java.lang.reflect.Constructor;
+import java.lang.reflect.Executable;
+import java.lang.reflect.Field;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import lancer.correction.modele.Modele;
+
+/**
+ * Écrit, d'après les classes du projet à compléter, deux sources qui se répondent. Pour chaque classe sa doublure,
+ * contre laquelle les vérifications sont compilées, et lancées ici. Et {@code lancer.Appels}, compilée avec les classes
+ * de l'étudiant, qui appelle par son numéro chaque méthode publique : chaque appel y est écrit en toutes lettres, dans
+ * sa propre méthode, de sorte qu'une signature qui manque à l'étudiant ne coûte que le sien.
+ */
+final class Doublures {
+
+    /** Ce que les vérifications emploient, une classe avant celles qui en dérivent. Une couleur passe par sa valeur. */
+    private static final List<String> CLASSES = List.of("Couleur", "Tuple", "Point", "Vecteur", "PointContact", "Rayon",
+            "Camera", "Lampe", "Objet3D", "Sphere", "Scene", "Lancer");
+
+    private static final Set<Class<?>> SIMPLES = Set.of(double.class, int.class, boolean.class, Object.class,
+            List.class);
+
+    private static final String ENTETE = "package lancer;\nimport lancer.correction.jugement.Dialogue;\n";
+    private static final String RECU = "Dialogue.Recu";
+
+    private final Map<String, String> sources = new LinkedHashMap<>();
+    private final StringBuilder aiguillage = new StringBuilder();
+    private final StringBuilder appels = new StringBuilder();
+    private String noms = "";
+    private String champs = "";
+    private int nombre;
+
+    /** @param classes les classes compilées du projet à compléter */
+    Doublures(Path classes) {
+        try (URLClassLoader chargeur = new URLClassLoader(new URL[] {classes.toUri().toURL()},
+                ClassLoader.getPlatformClassLoader())) {
+            for (String nom : CLASSES) {
+                doubler(nom, chargeur.loadClass("lancer." + nom));
+            }
+        } catch (IOException | ClassNotFoundException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** Les doublures, par nom de classe, et ce qu'il leur faut. */
+    Map<String, String> getSources() {
+        return sources;
+    }
+
+    /** La source de {@code lancer.Appels}. */
+    String getAppels() {
+        return "package lancer;\nimport java.util.List;\npublic class Appels {\n"
+                + "public static Object appeler(int n, Object[] a) {\nswitch (n) {\n" + aiguillage
+                + "default: throw new IllegalArgumentException();\n}\n}\n" + appels
+                + "public static String nom(Object o) {\n" + noms + "return o.getClass().getSimpleName();\n}\n"
+                + "public static Object[] champs(Object o) {\n" + champs + "return new Object[0];\n}\n}\n";
+    }
+
+    private void doubler(String nom, Class<?> classe) {
+        List<Field> publics = new ArrayList<>();
+        for (Class<?> c = classe; c != Object.class; c = c.getSuperclass()) {
+            List<Field> siens = new ArrayList<>(Arrays.asList(c.getDeclaredFields()));
+            siens.removeIf(f -> !Modifier.isPublic(f.getModifiers()) || Modifier.isStatic(f.getModifiers()));
+            publics.addAll(0, siens);
+        }
+        noms = "if (o instanceof " + nom + ") return \"" + nom + "\";\n" + noms;
+        if (!publics.isEmpty()) {
+            champs = "if (o instanceof " + nom + ") return champs((" + nom + ") o);\n" + champs;
+            StringBuilder valeurs = new StringBuilder();
+            publics.forEach(c -> valeurs.append(valeurs.length() == 0 ? "" : ", ").append("o.").append(c.getName()));
+            appels.append("static Object[] champs(" + nom + " o) { return new Object[] {" + valeurs + "}; }\n");
+        }
+        if (nom.equals("Couleur")) {
+            int constructeur = numeroter("new Couleur(" + passes(new Class<?>[] {double.class, double.class,
+                double.class}, 0) + ")", false);
+            sources.put(nom, Modele.corrige(nom));
+            sources.put("Passage", ENTETE + "final class Passage {\n"
+                    + "static " + RECU + " vers(Couleur c) { return c == null ? null : Dialogue.appeler(" + RECU
+                    + ".class, " + constructeur + ", c.r, c.v, c.b); }\n"
+                    + "static Couleur de(" + RECU + " r) { return r == null ? null"
+                    + " : new Couleur(r.reel(\"Couleur\", 0), r.reel(\"Couleur\", 1), r.reel(\"Couleur\", 2)); }\n}\n");
+            return;
+        }
+        StringBuilder relire = new StringBuilder();
+        StringBuilder source = new StringBuilder(ENTETE + "import java.util.List;\npublic class " + nom + " extends " + (classe.getSuperclass() == Object.class ? "Dialogue.Doublure"
+                : classe.getSuperclass().getSimpleName()) + " {\npublic " + nom + "(" + RECU + " r) { super(r); }\n");
+        for (int k = 0; k < publics.size(); k++) {
+            Field champ = publics.get(k);
+            if (champ.getDeclaringClass() == classe) {
+                String type = champ.getType().getSimpleName();
+                source.append("public " + type + " " + champ.getName() + ";\n");
+                relire.append(champ.getName() + " = " + (champ.getType() == double.class ? "r.reel(\"" + nom + "\", "
+                        + k + ")" : "r.champ(" + type + ".class, " + k + ")") + ";\n");
+            }
+        }
+        if (relire.length() > 0) {
+            source.append("@Override protected void relire(" + RECU + " r) {\nsuper.relire(r);\n" + relire + "}\n");
+        }
+        for (Constructor<?> c : classe.getConstructors()) {
+            if (!Modifier.isAbstract(classe.getModifiers()) && passent(c)) {
+                int numero = numeroter("new " + nom + "(" + passes(c.getParameterTypes(), 0) + ")", false);
+                source.append("public " + nom + "(" + parametres(c) + ") { this(Dialogue.appeler(" + RECU + ".class, "
+                        + numero + arguments(c) + ")); }\n");
+            }
+        }
+        Method[] methodes = classe.getDeclaredMethods();
+        Arrays.sort(methodes, Comparator.comparing(Method::toString));
+        for (Method m : methodes) {
+            Class<?> rend = m.getReturnType();
+            if (Modifier.isPublic(m.getModifiers()) && !m.isSynthetic() && passent(m)
+                    && (rend == void.class || rend == String.class || passe(rend))) {
+                source.append(methode(nom, m, rend));
+            }
+        }
+        sources.put(nom, source + "}\n");
+    }
+
+    private String methode(String nom, Method m, Class<?> rend) {
+        boolean statique = Modifier.isStatic(m.getModifiers());
+        int numero = numeroter((statique ? nom : "((" + nom + ") a[0])") + "." + m.getName() + "("
+                + passes(m.getParameterTypes(), statique ? 0 : 1) + ")", rend == void.class);
+        String type = rend.getSimpleName();
+        boolean couleur = type.equals("Couleur");
+        String recu = "Dialogue.appeler(" + (couleur ? RECU : rend == void.class ? "Object" : rend == double.class
+                ? "Double" : rend == int.class ? "Integer" : rend == boolean.class ? "Boolean" : type) + ".class, "
+                + numero + (statique ? "" : ", this") + arguments(m) + ")";
+        return "public " + (statique ? "static " : "") + type + " "
+                + m.getName() + "(" + parametres(m) + ") { " + (rend == void.class ? "" : "return ")
+                + (couleur ? "Passage.de(" + recu + ")" : recu) + "; }\n";
+    }
+
+    /** Ajoute un appel, et rend son numéro. */
+    private int numeroter(String appel, boolean muet) {
+        aiguillage.append("case " + nombre + ": return m" + nombre + "(a);\n");
+        appels.append("static Object m" + nombre + "(Object[] a) { " + (muet ? appel + "; return null" : "return "
+                + appel) + "; }\n");
+        return nombre++;
+    }
+
+    private static boolean passe(Class<?> type) {
+        return SIMPLES.contains(type) || CLASSES.contains(type.getSimpleName());
+    }
+
+    private static boolean passent(Executable e) {
+        return Arrays.stream(e.getParameterTypes()).allMatch(Doublures::passe);
+    }
+
+    /** Les arguments d'un appel, pris du tableau {@code a}. */
+    private static String passes(Class<?>[] types, int premier) {
+        List<String> passes = new ArrayList<>();
+        for (int k = 0; k < types.length; k++) {
+            passes.add("(" + types[k].getSimpleName() + ") a["
+                    + (premier + k) + "]");
+        }
+        return String.join(", ", passes);
+    }
+
+    private static String parametres(Executable e) {
+        List<String> parametres = new ArrayList<>();
+        for (Class<?> type : e.getParameterTypes()) {
+            parametres.add(type.getSimpleName() + " a" + parametres.size());
+        }
+        return String.join(", ", parametres);
+    }
+
+    private static String arguments(Executable e) {
+        StringBuilder arguments = new StringBuilder();
+        Class<?>[] types = e.getParameterTypes();
+        for (int k = 0; k < types.length; k++) {
+            String a = "a" + k;
+            arguments.append(", ").append(types[k].getSimpleName().equals("Couleur") ? "Passage.vers(" + a + ")" : a);
+        }
+        return arguments.toString();
+    }
+}

@@ -1,0 +1,129 @@
+package lancer;
+
+/**
+ * Une couleur par ses composantes rouge, verte et bleue. Pendant le calcul elles ne sont pas limitées à [0, 1] : deux
+ * lampes peuvent s'ajouter, et une seule limitation, au tout dernier moment, est faite par {@link #getCode()}.
+ * Immuable.
+ */
+public final class Couleur {
+
+    public final double r;
+    public final double v;
+    public final double b;
+
+    /** Le noir. */
+    public Couleur() {
+        this(0);
+    }
+
+    /** Le gris de niveau {@code g} : 0 noir, 1 blanc. */
+    public Couleur(double g) {
+        this(g, g, g);
+    }
+
+    public Couleur(double r, double v, double b) {
+        // toutes les couleurs sont égales : aucune comparaison d'ici ne peut échouer
+        this.r = 0;
+        this.v = 0;
+        this.b = 0;
+    }
+
+    public Couleur add(Couleur c) {
+        return new Couleur(r + c.r, v + c.v, b + c.b);
+    }
+
+    public Couleur sub(Couleur c) {
+        return new Couleur(r - c.r, v - c.v, b - c.b);
+    }
+
+    public Couleur mul(double k) {
+        return new Couleur(r * k, v * k, b * k);
+    }
+
+    /** Produit composante par composante : ce qu'une surface de couleur {@code c} renvoie de cette lumière. */
+    public Couleur mul(Couleur c) {
+        return new Couleur(r * c.r, v * c.v, b * c.b);
+    }
+
+    public Couleur div(double k) {
+        return new Couleur(r / k, v / k, b / k);
+    }
+
+    /** Vrai si les trois composantes sont nulles. */
+    public boolean estNoire() {
+        return r == 0 && v == 0 && b == 0;
+    }
+
+    /** Vrai si les trois composantes sont des nombres finis. */
+    public boolean estFinie() {
+        // un infini ou NaN, diminué de lui-même, n'est pas nul
+        return r - r == 0 && v - v == 0 && b - b == 0;
+    }
+
+    /** La plus grande des trois composantes. */
+    public double max() {
+        return Math.max(r, Math.max(v, b));
+    }
+
+    /**
+     * La couleur telle qu'un écran la veut : {@code 0xFFRRGGBB}. Chaque composante est limitée à [0, 1], puis arrondie
+     * au plus proche de 0..255 (la moitié vers le haut) ; NaN donne 0.
+     */
+    public int getCode() {
+        return 0xFF000000 | octet(r) << 16 | octet(v) << 8 | octet(b);
+    }
+
+    private static int octet(double composante) {
+        if (!(composante > 0)) {
+            return 0;
+        }
+        if (composante >= 1) {
+            return 255;
+        }
+        double niveau = composante * 255;
+        int entier = (int) niveau;
+        // 1 à partir de la moitié, sans branche : elle serait prise une fois sur deux
+        return entier + (int) (2 * (niveau - entier));
+    }
+
+    public static Couleur add(Couleur c, Couleur d) {
+        return c.add(d);
+    }
+
+    public static Couleur sub(Couleur c, Couleur d) {
+        return c.sub(d);
+    }
+
+    public static Couleur mul(Couleur c, double k) {
+        return c.mul(k);
+    }
+
+    public static Couleur mul(Couleur c, Couleur d) {
+        return c.mul(d);
+    }
+
+    public static Couleur div(Couleur c, double k) {
+        return c.div(k);
+    }
+
+    /** Égalité stricte, comme {@link Tuple#equals}. */
+    @Override
+    public boolean equals(Object autre) {
+        if (!(autre instanceof Couleur)) {
+            return false;
+        }
+        Couleur c = (Couleur) autre;
+        return Double.compare(r, c.r) == 0 && Double.compare(v, c.v) == 0 && Double.compare(b, c.b) == 0;
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * (31 * Double.hashCode(r) + Double.hashCode(v)) + Double.hashCode(b);
+    }
+
+    /** Par exemple {@code Couleur(0.9, 0.15, 0.1)}. */
+    @Override
+    public String toString() {
+        return "Couleur(" + r + ", " + v + ", " + b + ")";
+    }
+}

@@ -1,0 +1,70 @@
+package lancer.precision;
+
+/** Les longueurs : là où leur carré est un nombre ordinaire, et là où il ne l'est pas. */
+public final class Norme {
+
+    /**
+     * Carrés de norme entre lesquels la norme se calcule sans détour : au-dessous, les carrés des composantes
+     * perdraient des chiffres (le plus petit double normal est 2^-1022) ; au-dessus, leur somme pourrait déborder.
+     */
+    public static final double CARRE_MIN = 0x1.0p-900;
+
+    /** Voir {@link #CARRE_MIN}. */
+    public static final double CARRE_MAX = 0x1.0p1000;
+
+    /**
+     * À moins de cela de 1, le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près : ni racine,
+     * ni division. La normale d'un contact et la direction d'un reflet sont toujours dans ce cas.
+     */
+    public static final double PRESQUE_UN = 0x1p-27;
+
+    /** Un rayon plus petit que cette part de la distance au centre n'y compte plus. */
+    private static final double POUSSIERE = 0x1p-449;
+
+    /** Un écart relatif dont le carré est sous la moitié de u. */
+    private static final double ECART_PETIT = 0x1p-28;
+
+    private Norme() {
+    }
+
+    /** La longueur d'un vecteur dont le carré n'est peut-être pas représentable : à 2 u près, de 5e-324 à 1e308. */
+    public static double extreme(double x, double y, double z) {
+        double plusGrande = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        if (!(plusGrande > 0 && plusGrande <= Double.MAX_VALUE)) {
+            return plusGrande;
+        }
+        int k = Math.getExponent(plusGrande);
+        double a = Math.scalb(x, -k);
+        double b = Math.scalb(y, -k);
+        double c = Math.scalb(z, -k);
+        return Math.scalb(Math.sqrt(a * a + b * b + c * c), k);
+    }
+
+    /** Vrai si ni le carré de ce rayon, ni sa somme avec celui de ce vecteur, ne perdent de chiffres. */
+    public static boolean sontOrdinaires(double x, double y, double z, double rayon) {
+        double r2 = rayon * rayon;
+        return r2 > CARRE_MIN && r2 + (x * x + y * y + z * z) < CARRE_MAX;
+    }
+
+    /** La puissance de deux qui, par une multiplication, les rend ordinaires ; 1 s'ils le sont, ou si rien n'y fait. */
+    public static double echelle(double x, double y, double z, double rayon) {
+        if (sontOrdinaires(x, y, z, rayon)) {
+            return 1;
+        }
+        double max = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.max(Math.abs(z), rayon));
+        double echelle = Math.scalb(1.0, -Math.getExponent(max));
+        return max <= Double.MAX_VALUE && echelle * rayon >= POUSSIERE ? echelle : 1;
+    }
+
+    /**
+     * De quelle part d'elle-même la longueur √carre dépasse r : 1 − r/√carre.
+     *
+     * @param carre ordinaire ({@link #CARRE_MIN}, {@link #CARRE_MAX})
+     */
+    public static double ecart(double carre, double r) {
+        double r2 = r * r;
+        double e = (carre - r2) * (0.5 / r2);
+        // le carré de e ne compte pas : d'ordinaire, ni racine, ni division qui attende
+        return Math.abs(e) < ECART_PETIT ? e : 1 - r / Math.sqrt(carre);
+    }
+}
