@@ -77,6 +77,7 @@ public final class Fenetre {
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
     private ImageMemoire complete;
+    private String cout;
     private boolean fermee;
 
     private Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
@@ -391,6 +392,7 @@ public final class Fenetre {
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
             complete = dessinateur.getImage();
+            cout = reglages + ignorees + ", " + BarreEtat.cout(courant.getLancer());
             bandeau.effacerErreur();
             String ecart = courant.getLancer().getTemoignage().ecart;
             if (ecart != null) {
@@ -421,11 +423,8 @@ public final class Fenetre {
 
     /** Dit ce qu'a coûté l'image montrée, si elle est achevée. */
     private void resumer() {
-        if (getImageComplete() == null) {
-            barre.oublier();
-        } else {
-            barre.resumer(dessinateur.getLancer(), panneau.getReduction(), reglages + ignorees);
-        }
+        ImageMemoire image = getImageComplete();
+        barre.resumer(image, image == null ? 1 : panneau.getReduction(), cout);
     }
 
     private void montrerPixel() {

@@ -283,7 +283,8 @@ class FenetreTest extends EssaiFenetre {
             return pixel.getText().startsWith(debut);
         });
         JLabel resume = chercher("resume", JLabel.class);
-        attendre("le coût se dit", () -> resume.getText().matches("320 × 240 pixels, 5 réflexions, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s"));
+        String cout = "320 × 240 pixels, 5 réflexions, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s";
+        attendre("le coût se dit", () -> resume.getText().matches(cout));
         banc.frapper(KeyEvent.VK_F5);
         attendre("la seconde image se compte aussi", () -> texte(banc.sortie).split("\n").length == 24);
         String dit = texte(banc.sortie);
