@@ -61,13 +61,9 @@ public class Lancer {
      */
     public Couleur voir(double xe, double ye, int profondeur) {
         try {
-            Couleur couleur = getCouleurPixel(xe, ye, profondeur);
-            if (couleur != null && couleur.estFinie()) {
-                return couleur;
-            }
-            throw new ArithmeticException("ce n'est pas une couleur aux composantes finies : " + couleur);
-        } catch (OutOfMemoryError e) {
-            // ce n'est pas ce pixel qui est en cause
+            return PixelFautif.verifier(getCouleurPixel(xe, ye, profondeur), xe, ye);
+        } catch (OutOfMemoryError | PixelFautif e) {
+            // le premier n'est pas la faute de ce pixel
             throw e;
         } catch (RuntimeException | Error e) {
             throw new PixelFautif(xe, ye, e);

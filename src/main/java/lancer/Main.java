@@ -191,6 +191,6 @@ public class Main implements Toile, Dessinateur {
     /** Dessine un pixel de l'image en cours. */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
-        image.drawPixel(coul, xe, ye);
+        image.drawPixel(PixelFautif.verifier(coul, xe + 0.5, ye + 0.5), xe, ye);
     }
 }

@@ -75,15 +75,8 @@ public class Rayon {
         return produitKs;
     }
 
-    /**
-     * Retient ce contact à la place du précédent ; une distance +∞ veut dire « rien ».
-     *
-     * @throws ArithmeticException si la distance est NaN
-     */
+    /** Retient ce contact à la place du précédent ; une distance +∞ veut dire « rien ». */
     public void setContact(Objet3D objet, double distance) {
-        if (distance != distance) {
-            throw new ArithmeticException("la distance d'un contact n'est pas un nombre");
-        }
         this.objet = distance == Constantes.INFINI ? null : objet;
         this.distance = distance;
     }

@@ -50,16 +50,19 @@ public final class Verification implements Recherche {
         Scene verifiee = new Scene(scene.getObjets(), scene.getLampes(), modele);
         verifiee.setSeuil(scene.getSeuil());
         verifiee.setRecherche(verification);
+        Set<String> classes = new HashSet<>();
+        classes.add(Modele.nom(air));
+        classes.add(Modele.nom(reflet));
+        classes.add(Modele.nom(scene.getEchantillonnage()));
+        scene.getObjets().forEach(o -> classes.add(Modele.nom(o)));
         try {
             for (Lampe lampe : scene.getLampes()) {
                 verifier(lampe.getPosition() != null, lampe, "getPosition", null);
                 verifier(lampe.getCouleur() != null, lampe, "getCouleur", null);
             }
             new Lancer(verifiee, camera).getCouleurPixel(panne.xe, panne.ye, profondeur);
-            return panne;
+            return new PixelFautif(panne.xe, panne.ye, depuis(classes, panne));
         } catch (RuntimeException e) {
-            Set<String> classes = new HashSet<>(Arrays.asList(air.getClass().getName(), reflet.getClass().getName()));
-            scene.getObjets().forEach(o -> classes.add(o.getClass().getName()));
             return new PixelFautif(panne.xe, panne.ye, depuis(classes, e));
         } catch (StackOverflowError e) {
             return panne;
@@ -68,7 +71,7 @@ public final class Verification implements Recherche {
 
     private static void verifier(boolean tenue, Object auteur, String methode, Object reponse) {
         if (!tenue) {
-            RuntimeException faute = new IllegalStateException(auteur.getClass().getName() + "." + methode
+            RuntimeException faute = new IllegalStateException(Modele.nom(auteur) + "." + methode
                     + " a rendu " + reponse);
             // elle n'est pas née ici
             faute.setStackTrace(new StackTraceElement[0]);

@@ -3,6 +3,7 @@ package lancer.contrat;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Collections;
 import java.util.function.Consumer;
@@ -10,12 +11,14 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
+import lancer.Main;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
+import lancer.commande.Options;
 import lancer.texte.Texte;
 import org.junit.jupiter.api.Test;
 
@@ -90,10 +93,9 @@ class VerificationTest {
         }
     }
 
-    private static final class DistanceFausse extends Mur {
+    private static final class SansDistance extends Mur {
         @Override
         public double getIntersectionDistance(Rayon incident) {
-            incident.setContact(this, Double.NaN);
             return Double.NaN;
         }
     }
@@ -131,6 +133,7 @@ class VerificationTest {
         assertEquals(faute + "SansNormale.getNormale a rendu null", dit(new SansNormale()));
         assertEquals(faute + "SansSurface.getPointDeSurface a rendu null", dit(new SansSurface()));
         assertEquals(faute + "SansCouleur.getColor a rendu null", dit(new SansCouleur()));
+        assertEquals(faute + "SansDistance.getIntersectionDistance a rendu NaN", dit(new SansDistance()));
         assertEquals(faute + "Tordu.getNormale a rendu Vecteur(0.0, 0.0, NaN)", dit(new Tordu()));
         Mur incolore = new Mur();
         incolore.setKd(null);
@@ -149,14 +152,29 @@ class VerificationTest {
     void unePanneEstSitueeDansLaClasseDeLaScene() {
         assertEquals("java.lang.ArithmeticException: vecteur sans direction, impossible à normaliser : Vecteur(0.0, 0.0, 0.0) "
                 + "(Distrait.getNormale, VerificationTest.java)", dit(new Distrait()));
-        assertEquals("java.lang.ArithmeticException: la distance d'un contact n'est pas un nombre "
-                + "(DistanceFausse.getIntersectionDistance, VerificationTest.java)", dit(new DistanceFausse()));
+    }
+
+    @Test
+    void uneCouleurFausseDUnEchantillonnageNArrivePasALImageEtSaLigneEstDite() {
+        for (Couleur fausse : new Couleur[] {null, new Couleur(1, Double.NaN, 1), new Couleur(1 / 0.0)}) {
+            Scene scene = new Scene(Collections.singletonList(new Mur()), Collections.singletonList(LAMPE))
+                    .avec((pave, vue, toile) -> {
+                        toile.drawPixel(fausse, 2, 1);
+                        return 0;
+                    }, 0);
+            Main main = new Main(Options.lire(), System.out, System.err);
+            PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels(main, 2, 1));
+            assertEquals("pixel 2, 1", panne.getMessage());
+            String dit = Texte.cause(Verification.preciser(panne, scene, CAMERA, 2), "(?!java\\.).*");
+            assertTrue(dit.startsWith("java.lang.ArithmeticException: ce n'est pas une couleur aux composantes finies : " + fausse
+                    + " (" + VerificationTest.class.getName() + ".lambda$"), dit);
+        }
     }
 
     @Test
     void unEchecQuiNeSeReproduitPasResteCeluiQuiAEteVu() {
         Scene scene = new Scene(Collections.singletonList(new Mur()), Collections.singletonList(LAMPE));
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        assertSame(panne, Verification.preciser(panne, scene, CAMERA, 2));
+        assertSame(panne.getCause(), Verification.preciser(panne, scene, CAMERA, 2).getCause());
     }
 }
