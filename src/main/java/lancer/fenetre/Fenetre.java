@@ -55,7 +55,6 @@ public final class Fenetre {
     private final Dimension taille;
     private final String programme;
     private final String reglages;
-    private String ignorees = "";
     private final Runnable fin;
     private final ExecutorService dessins;
     private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
@@ -74,6 +73,8 @@ public final class Fenetre {
     private String lu;
     private Tracage courant;
     private Tracage adopte;
+    /** Les sections que la scène montrée a de laissées de côté, pour le résumé. */
+    private String ignorees = "";
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
     private ImageMemoire complete;
@@ -381,7 +382,7 @@ public final class Fenetre {
         bandeau.avis(String.join("\n", tracage.getAvertissements()));
         ignorees = "";
         for (String avertissement : tracage.getAvertissements()) {
-            ignorees += avertissement.replaceFirst(".*?(\\[[^]]*]).*", ", $1 ignorée");
+            ignorees += avertissement.replaceFirst(".*, ligne \\d+, (\\[[^]]*]).*", ", $1 ignorée");
         }
     }
 
@@ -415,7 +416,7 @@ public final class Fenetre {
             surveillance.suivre(fichier, fautif.getVersion());
             titrer();
         }
-        if (fichier.equals(lu) && complete != panneau.getImage()) {
+        if (fichier.equals(lu) && getImageComplete() == null) {
             // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
             dessiner(null);
         }
