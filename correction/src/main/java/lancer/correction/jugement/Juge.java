@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -134,13 +135,30 @@ final class Juge implements AutoCloseable {
     }
 
     private void variantes() throws Arret {
-        Variantes variantes = new Variantes(this, reference, ensemble, chantier.scenes(), resultat.verdicts);
         for (Map.Entry<String, Map<String, String>> variante : projet.getVariantes().entrySet()) {
+            String nom = variante.getKey();
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
             Map<String, String> sources = Chantier.squelette();
             sources.putAll(projet.getBase());
             sources.putAll(variante.getValue());
-            variantes.juger(variante.getKey(), chantier.assembler(variante.getKey(), sources));
+            Map<String, Verdict> verdicts = new Variantes(this, reference, ensemble, chantier.scenes())
+                    .juger(nom, chantier.assembler(nom, sources));
+            resultat.verdicts.putAll(verdicts);
+            // ce que la variante change, parmi les classes du corrigé : une faute de la base ne la cache pas
+            Map<String, String> change = new TreeMap<>(sources);
+            change.entrySet().removeIf(c -> Modele.classes().contains(c.getKey().replace("lancer/", ""))
+                    && (projet.getBase().get(c.getKey()) == null ? !variante.getValue().containsKey(c.getKey())
+                    : Source.memeCode(c.getValue(), projet.getBase().get(c.getKey()))));
+            if (!change.isEmpty() && verdicts.values().stream().anyMatch(v -> !v.compte())) {
+                Map<String, String> parmi = Chantier.corrige();
+                parmi.putAll(change);
+                new Variantes(this, reference, reference.getCorrige(), chantier.scenes())
+                        .juger(nom, chantier.assembler("seule-" + nom, parmi)).forEach((id, seule) -> {
+                    if (seule.compte() && !verdicts.get(id).compte()) {
+                        resultat.verdicts.put(id, new Verdict(Etat.CACHE, verdicts.get(id).message));
+                    }
+                });
+            }
         }
     }
 

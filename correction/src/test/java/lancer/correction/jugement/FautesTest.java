@@ -38,6 +38,7 @@ class FautesTest extends JuryEssai {
                 copier(faute.resolve("Étudiant 1_101_assignsubmission_file"), rendu);
             }
         }
+        copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume"), rendus.resolve("image-renversee/brume"));
         resultats = juger(rendus, dossier.resolve("travail"), Confinement.essayer());
     }
 
@@ -72,6 +73,12 @@ class FautesTest extends JuryEssai {
         verifier("image-renversee", "rayons");
         assertEquals(List.of("Camera"), resultats.get("image-renversee").classesFautives);
         assertEquals("rayon, départ P", resultats.get("image-renversee").chemin.getPremierEcart().nom);
+    }
+
+    @Test
+    void uneFauteDeLaBaseNeCachePasSesVariantes() {
+        Verdict verdict = resultats.get("image-renversee").verdicts.get("brume.croissante");
+        assertEquals(Verdict.Etat.CACHE, verdict.etat, verdict.message);
     }
 
     @Test
