@@ -18,7 +18,7 @@ final class CarteLampe implements Occultations {
     private final double x;
     private final double y;
     private final double z;
-    private final Carte carte;
+    final Carte carte;
     /** Pour les rares questions auxquelles la carte ne sait pas répondre. */
     private final Arbre secours;
 

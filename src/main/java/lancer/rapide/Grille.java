@@ -55,7 +55,7 @@ final class Grille implements Intersections {
     private final double marge;
     /** La première place de chaque case dans {@link #entrees}. */
     private int[] debut;
-    private int[] entrees;
+    int[] entrees;
     /** Pour un rayon qui part de trop loin. */
     private final Arbre secours;
 
