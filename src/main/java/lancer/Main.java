@@ -9,10 +9,10 @@ import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
-import lancer.contrat.Verification;
 import lancer.fenetre.Fenetre;
 import lancer.lecture.LecteurScene;
 import lancer.rapide.Preparation;
@@ -146,7 +146,7 @@ public class Main implements Toile, Dessinateur {
     private Echec nommer(PixelFautif panne) {
         int largeur = image == null ? options.largeur : image.getLargeur();
         int hauteur = image == null ? options.hauteur : image.getHauteur();
-        PixelFautif precise = Verification.preciser(panne, scene, new Camera(largeur, hauteur), options.reflets);
+        PixelFautif precise = Diagnostic.preciser(panne, scene, new Camera(largeur, hauteur), options.reflets);
         return new Echec(CodeSortie.PANNE, Pannes.duPixel(precise, options, fichier, largeur, hauteur));
     }
 

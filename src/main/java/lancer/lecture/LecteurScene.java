@@ -48,7 +48,7 @@ public final class LecteurScene {
 
     /** La scène comme on l'a nommée, ou le chemin où elle a été trouvée s'il est autre. */
     private String fichier;
-    private final Services services = new Services();
+    private final Services services = Services.cherches();
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
     private final List<String> avertissements = new ArrayList<>();

@@ -29,10 +29,16 @@ public final class Services implements Runnable {
     private Map<String, TypeObjet> formes;
     private Map<String, Variante> variantes;
 
-    Services() {
-        Thread avance = new Thread(this, "lancer-services");
+    private Services() {
+    }
+
+    /** Des services que cherche déjà un fil. */
+    static Services cherches() {
+        Services services = new Services();
+        Thread avance = new Thread(services, "lancer-services");
         avance.setDaemon(true);
         avance.start();
+        return services;
     }
 
     /** Les noms des variantes présentes. */

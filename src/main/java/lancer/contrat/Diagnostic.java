@@ -19,25 +19,25 @@ import lancer.Vecteur;
  * Un pixel qui a échoué, redessiné en vérifiant chaque réponse des classes de la scène : de quoi nommer celle qui ne
  * tient pas ce qu'elle promet. Lente, et appelée une seule fois.
  */
-public final class Verification implements Recherche {
+public final class Diagnostic implements Recherche {
 
     private final List<Objet3D> objets;
     private final Recherche boucles;
     private Objet3D touche;
 
-    private Verification(Scene scene) {
+    private Diagnostic(Scene scene) {
         objets = scene.getObjets();
         boucles = new RechercheSimple(objets, new Compteurs());
     }
 
     /** Le même échec, avec pour cause la réponse fautive s'il y en a une, ou la ligne d'une classe de la scène. */
     public static PixelFautif preciser(PixelFautif panne, Scene scene, Camera camera, int profondeur) {
-        Verification verification = new Verification(scene);
+        Diagnostic diagnostic = new Diagnostic(scene);
         Atmosphere air = scene.getAtmosphere();
         Specularite reflet = scene.getSpecularite();
         Modele modele = new Modele();
         modele.setAtmosphere((vue, distance) -> {
-            verifier(vue != null && vue.estFinie(), verification.touche, "getColor", vue);
+            verifier(vue != null && vue.estFinie(), diagnostic.touche, "getColor", vue);
             Couleur couleur = air.traverser(vue, distance);
             verifier(couleur != null && couleur.estFinie(), air, "traverser", couleur);
             return couleur;
@@ -49,7 +49,7 @@ public final class Verification implements Recherche {
         });
         Scene verifiee = new Scene(scene.getObjets(), scene.getLampes(), modele);
         verifiee.setSeuil(scene.getSeuil());
-        verifiee.setRecherche(verification);
+        verifiee.setRecherche(diagnostic);
         Set<String> classes = new HashSet<>();
         classes.add(Modele.nom(air));
         classes.add(Modele.nom(reflet));

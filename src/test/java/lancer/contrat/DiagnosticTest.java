@@ -23,7 +23,7 @@ import lancer.texte.Texte;
 import org.junit.jupiter.api.Test;
 
 /** La classe de la scène qui ne tient pas ce qu'elle promet est nommée. */
-class VerificationTest {
+class DiagnosticTest {
 
     private static final Camera CAMERA = new Camera(4, 3);
 
@@ -56,9 +56,9 @@ class VerificationTest {
         variante.accept(modele);
         Scene scene = new Scene(Collections.singletonList(objet), Collections.singletonList(lampe), modele);
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        PixelFautif precise = Verification.preciser(panne, scene, CAMERA, 2);
+        PixelFautif precise = Diagnostic.preciser(panne, scene, CAMERA, 2);
         assertEquals(panne.getMessage(), precise.getMessage());
-        return Texte.cause(precise, "(?!java\\.).*").replace(VerificationTest.class.getName() + "$", "").replaceAll("java:\\d+", "java");
+        return Texte.cause(precise, "(?!java\\.).*").replace(DiagnosticTest.class.getName() + "$", "").replaceAll("java:\\d+", "java");
     }
 
     private static String dit(Objet3D objet) {
@@ -151,7 +151,7 @@ class VerificationTest {
     @Test
     void unePanneEstSitueeDansLaClasseDeLaScene() {
         assertEquals("java.lang.ArithmeticException: vecteur sans direction, impossible à normaliser : Vecteur(0.0, 0.0, 0.0) "
-                + "(Distrait.getNormale, VerificationTest.java)", dit(new Distrait()));
+                + "(Distrait.getNormale, DiagnosticTest.java)", dit(new Distrait()));
     }
 
     @Test
@@ -165,9 +165,9 @@ class VerificationTest {
             Main main = new Main(Options.lire(), System.out, System.err);
             PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels(main, 2, 1));
             assertEquals("pixel 2, 1", panne.getMessage());
-            String dit = Texte.cause(Verification.preciser(panne, scene, CAMERA, 2), "(?!java\\.).*");
+            String dit = Texte.cause(Diagnostic.preciser(panne, scene, CAMERA, 2), "(?!java\\.).*");
             assertTrue(dit.startsWith("java.lang.ArithmeticException: ce n'est pas une couleur aux composantes finies : " + fausse
-                    + " (" + VerificationTest.class.getName() + ".lambda$"), dit);
+                    + " (" + DiagnosticTest.class.getName() + ".lambda$"), dit);
         }
     }
 
@@ -175,6 +175,6 @@ class VerificationTest {
     void unEchecQuiNeSeReproduitPasResteCeluiQuiAEteVu() {
         Scene scene = new Scene(Collections.singletonList(new Mur()), Collections.singletonList(LAMPE));
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        assertSame(panne.getCause(), Verification.preciser(panne, scene, CAMERA, 2).getCause());
+        assertSame(panne.getCause(), Diagnostic.preciser(panne, scene, CAMERA, 2).getCause());
     }
 }
