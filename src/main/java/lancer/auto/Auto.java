@@ -101,7 +101,7 @@ public final class Auto {
         EssaiTemps temps = new EssaiTemps(essais);
         essai.essayer(finesses);
         Reglage juste = temps.choisir(getEssayes(), souhait.temps);
-        tempsAttendu = temps.getAttendu();
+        tempsAttendu = temps.attendu;
         return juste;
     }
 

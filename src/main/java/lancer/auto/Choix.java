@@ -1,7 +1,8 @@
 package lancer.auto;
 
-import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** Entre des réglages essayés : le moins cher qui tienne une erreur, le plus juste qui tienne un prix. */
 final class Choix {
@@ -13,32 +14,16 @@ final class Choix {
     private Choix() {
     }
 
-    static Reglage moinsCher(List<Reglage> reglages) {
-        return moinsCher(reglages, Double.POSITIVE_INFINITY);
-    }
-
     /** @return {@code null} si aucun ne tient cette erreur, en niveaux */
     static Reglage moinsCher(List<Reglage> reglages, double erreur) {
-        Reglage choisi = null;
-        for (Reglage r : reglages) {
-            if (r.getErreurRetenue() <= erreur && (choisi == null || r.getPrix() < choisi.getPrix()
-                    || r.getPrix() == choisi.getPrix() && r.getErreur() < choisi.getErreur())) {
-                choisi = r;
-            }
-        }
-        return choisi;
+        return reglages.stream().filter(r -> r.getErreurRetenue() <= erreur)
+                .min(Comparator.comparingDouble(Reglage::getPrix).thenComparingDouble(Reglage::getErreur)).orElse(null);
     }
 
     /** @return {@code null} si aucun n'est à ce prix */
     static Reglage plusJuste(List<Reglage> reglages, double prix) {
-        List<Reglage> abordables = new ArrayList<>();
-        double moindre = Double.POSITIVE_INFINITY;
-        for (Reglage r : reglages) {
-            if (r.getPrix() <= prix) {
-                abordables.add(r);
-                moindre = Math.min(moindre, r.getErreurRetenue());
-            }
-        }
+        List<Reglage> abordables = reglages.stream().filter(r -> r.getPrix() <= prix).collect(Collectors.toList());
+        double moindre = abordables.stream().mapToDouble(Reglage::getErreurRetenue).min().orElse(0);
         return moinsCher(abordables, PROCHE * moindre + NEGLIGEABLE);
     }
 }

@@ -28,7 +28,7 @@ final class EssaiLimites {
 
     private final Essais essais;
     private final List<Pave> blocs;
-    private Couleur[] sansLimite;
+    private final Couleur[] sansLimite;
 
     /** Le plus grand carré d'un écart, dans le dernier essai, en niveaux². */
     private double pire;
@@ -36,11 +36,12 @@ final class EssaiLimites {
     EssaiLimites(Essais essais, List<Pave> blocs) {
         this.essais = essais;
         this.blocs = blocs;
+        sansLimite = new Couleur[blocs.size()];
     }
 
     /** Essaie toutes celles que le souhait laisse à choisir. */
     void essayer(Souhait souhait) {
-        sansLimite = essais.centres(blocs, REFLETS[REFLETS.length - 1], 0, new Compteurs());
+        voir(sansLimite, REFLETS[REFLETS.length - 1], 0);
         List<Limites> profondeurs = new ArrayList<>();
         do {
             exactes = essayer(REFLETS[profondeurs.size()], 0);
@@ -59,9 +60,15 @@ final class EssaiLimites {
         profondeurs.forEach(profondeur -> seuils.forEach(seuil -> permises.add(profondeur.et(seuil))));
     }
 
+    /** Met dans {@code couleurs} celle du centre de chaque bloc. */
+    private Compteurs voir(Couleur[] couleurs, int reflets, double seuil) {
+        return essais.passer(blocs, reflets, seuil, (rang, bloc, pave, vue) ->
+                couleurs[rang] = vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0));
+    }
+
     private Limites essayer(int reflets, double seuil) {
-        Compteurs compteurs = new Compteurs();
-        Couleur[] couleurs = essais.centres(blocs, reflets, seuil, compteurs);
+        Couleur[] couleurs = new Couleur[blocs.size()];
+        Compteurs compteurs = voir(couleurs, reflets, seuil);
         double[] carres = new double[couleurs.length];
         for (int k = 0; k < carres.length; k++) {
             double[] vue = Niveaux.de(couleurs[k]);

@@ -20,7 +20,7 @@ final class EssaiTemps {
     private final Essais essais;
 
     /** Le temps attendu pour ce qui est choisi, en secondes. */
-    private double attendu;
+    double attendu;
 
     EssaiTemps(Essais essais) {
         this.essais = essais;
@@ -28,7 +28,7 @@ final class EssaiTemps {
 
     /** Le plus juste de ceux qui devraient tenir ce temps, en secondes ; le moins cher si aucun ne le devrait. */
     Reglage choisir(List<Reglage> reglages, double voulu) {
-        Reglage choisi = Choix.moinsCher(reglages);
+        Reglage choisi = Choix.moinsCher(reglages, Double.POSITIVE_INFINITY);
         // plusieurs fois : d'abord la machine virtuelle compile, et toujours quelque chose peut déranger
         attendu = Math.min(mesurer(choisi), Math.min(mesurer(choisi), mesurer(choisi)));
         double secondesParPrix = attendu / choisi.getPrix();
@@ -48,10 +48,6 @@ final class EssaiTemps {
             }
         }
         return choisi;
-    }
-
-    double getAttendu() {
-        return attendu;
     }
 
     /** Le temps qu'il faudrait pour toute l'image, en secondes ; les pavés dessinés y sont en diagonales. */

@@ -2,7 +2,6 @@ package lancer.auto;
 
 import java.util.List;
 import lancer.Camera;
-import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
@@ -72,13 +71,5 @@ final class Essais {
     static Pave entoure(Pave bloc, Pave pave) {
         return new Pave(Math.max(pave.i0, bloc.i0 - AVANT), Math.max(pave.j0, bloc.j0 - AVANT),
                 Math.min(pave.i1, bloc.i1 + APRES), Math.min(pave.j1, bloc.j1 + APRES));
-    }
-
-    /** Les couleurs au centre de chaque bloc, et dans {@code total} ce qu'elles ont coûté. */
-    Couleur[] centres(List<Pave> blocs, int reflets, double seuil, Compteurs total) {
-        Couleur[] couleurs = new Couleur[blocs.size()];
-        total.ajouter(passer(blocs, reflets, seuil, (rang, bloc, pave, vue) ->
-                couleurs[rang] = vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0)));
-        return couleurs;
     }
 }

@@ -55,11 +55,7 @@ final class Niveaux implements Toile {
 
     /** Les trois composantes. */
     static double[] de(Couleur couleur) {
-        return new double[] {niveau(couleur.r), niveau(couleur.v), niveau(couleur.b)};
-    }
-
-    private static double niveau(double composante) {
-        return NIVEAUX * limite(composante);
+        return new double[] {NIVEAUX * limite(couleur.r), NIVEAUX * limite(couleur.v), NIVEAUX * limite(couleur.b)};
     }
 
     static double limite(double composante) {
