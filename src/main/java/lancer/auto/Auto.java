@@ -1,8 +1,10 @@
 package lancer.auto;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import lancer.Lancer;
-import lancer.commande.Options;
+import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 
@@ -24,56 +26,69 @@ public final class Auto {
     /** L'erreur qu'il faut savoir mesurer quand c'est un temps qui est voulu, en niveaux. */
     private static final double ERREUR_VISEE = 1;
 
-    private final Options options;
+    private static final double NS_PAR_S = 1e9;
+    private static final double NS_PAR_MS = 1e6;
+
+    private final Souhait souhait;
     private final double erreurVisee;
     private final Essais essais;
     private final Semis semis;
     private final EssaiLimites limites;
     private final List<Finesse> finesses;
     private final Reseau reseau;
-    private final Reglage choisi;
-    private final Lancer lancer;
-    private final Rapport rapport;
+    private Reglage choisi;
+    private double tempsAttendu;
+    private int pixelsEssayes;
+    private long essaisNs;
+    private Lancer lancer;
     private Tirage controle;
-    private Temoin temoin;
+    private Prelevement prelevement;
+    private Estimation mesuree;
+
+    private Auto(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes) {
+        this.souhait = souhait;
+        erreurVisee = souhait.erreur > 0 ? souhait.erreur : ERREUR_VISEE;
+        essais = new Essais(prepare, fils);
+        semis = new Semis(essais.camera.getLargeur(), essais.camera.getHauteur());
+        limites = new EssaiLimites(essais, semis.choix);
+        finesses = Finesse.possibles(prepare.getScene(), variantes);
+        reseau = Reseau.pour(erreurVisee);
+    }
 
     /**
      * Choisit, en essayant.
      *
      * @param prepare la scène, prête à être dessinée
-     * @param options l'erreur ou le temps voulus, et ce que l'utilisateur a fixé, qui n'est pas changé
      * @param variantes celles dont les réglages sont permis
      * @throws lancer.SceneFautive si une variante propose un réglage fautif
      */
-    public Auto(Lancer prepare, Options options, List<Variante> variantes) {
+    public static Auto choisir(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes) {
         long debut = System.nanoTime();
-        this.options = options;
-        erreurVisee = options.erreurVoulue > 0 ? options.erreurVoulue : ERREUR_VISEE;
-        essais = new Essais(prepare, options.fils);
-        semis = new Semis(essais.getCamera().getLargeur(), essais.getCamera().getHauteur());
-        limites = new EssaiLimites(essais, semis.choix, options);
-        finesses = Finesse.possibles(prepare.getScene(), variantes);
-        reseau = Reseau.pour(erreurVisee);
-        EssaiFinesses essai = new EssaiFinesses(essais, semis.choix, limitesCommunes(), reseau);
-        EssaiTemps temps = new EssaiTemps(essais, options.fils, options.tempsVoulu);
-        Reglage meilleur = options.erreurVoulue > 0 ? pourUneErreur(essai) : pourUnTemps(essai, temps);
-        if (!meilleur.finesse.estSure()) {
-            essai.approfondir(meilleur.finesse);
+        Auto auto = new Auto(prepare, souhait, fils, variantes);
+        auto.choisir();
+        auto.essaisNs = System.nanoTime() - debut;
+        return auto;
+    }
+
+    private void choisir() {
+        limites.essayer(souhait);
+        EssaiFinesses essai = EssaiFinesses.parmi(semis.choix, essais, limitesCommunes(), reseau);
+        choisi = souhait.erreur > 0 ? pourUneErreur(essai) : pourUnTemps(essai);
+        if (!choisi.finesse.sure) {
+            essai.approfondir(choisi.finesse);
         }
-        choisi = new Reglage(meilleur.finesse, meilleur.limites);
+        pixelsEssayes = essai.pixels();
         lancer = getLancer(choisi);
-        rapport = new Rapport(options, choisi, finesses.size() * limites.permises.size(), essai.pixels(),
-                temps.getAttendu(), System.nanoTime() - debut);
     }
 
     /** Le moins cher de ceux qui tiennent l'erreur voulue ; le plus juste de tous si aucun ne la tient. */
     private Reglage pourUneErreur(EssaiFinesses essai) {
         for (int k = 0; k < finesses.size(); k += LOT) {
             essai.essayer(finesses.subList(k, Math.min(k + LOT, finesses.size())));
-            Reglage semble = Choix.moinsCher(getEssayes(), options.erreurVoulue);
-            while (semble != null && !semble.finesse.estSure()) {
+            Reglage semble = Choix.moinsCher(getEssayes(), souhait.erreur);
+            while (semble != null && !semble.finesse.sure) {
                 essai.approfondir(semble.finesse);
-                semble = Choix.moinsCher(getEssayes(), options.erreurVoulue);
+                semble = Choix.moinsCher(getEssayes(), souhait.erreur);
             }
             if (semble != null) {
                 return semble;
@@ -82,9 +97,12 @@ public final class Auto {
         return Choix.plusJuste(getEssayes(), Double.POSITIVE_INFINITY);
     }
 
-    private Reglage pourUnTemps(EssaiFinesses essai, EssaiTemps temps) {
+    private Reglage pourUnTemps(EssaiFinesses essai) {
+        EssaiTemps temps = new EssaiTemps(essais);
         essai.essayer(finesses);
-        return temps.choisir(getEssayes());
+        Reglage juste = temps.choisir(getEssayes(), souhait.temps);
+        tempsAttendu = temps.getAttendu();
+        return juste;
     }
 
     /** Les limites où s'essaient les échantillonnages : les moins chères qui n'y changent presque rien. */
@@ -110,35 +128,62 @@ public final class Auto {
 
     /** De quoi la dessiner autrement. */
     public Lancer getLancer(Reglage reglage) {
-        return essais.lancer(reglage.finesse.getEchantillonnage(), reglage.limites.seuil);
+        return essais.lancer(reglage.finesse.echantillonnage, reglage.limites.seuil);
     }
 
     /** Les réglages essayés, avec ce qui en est attendu. */
     public List<Reglage> getEssayes() {
-        return Choix.reglages(finesses, limites.permises);
+        List<Reglage> reglages = new ArrayList<>();
+        for (Finesse finesse : finesses) {
+            if (finesse.erreur != null) {
+                limites.permises.forEach(l -> reglages.add(new Reglage(finesse, l)));
+            }
+        }
+        return reglages;
     }
 
-    /** Pourquoi ce choix, et ce qu'il en est. */
-    public Rapport getRapport() {
-        return rapport;
+    /** Vrai si ce qui est voulu devrait être tenu. */
+    public boolean estTenable() {
+        return souhait.estTenu(choisi.getErreurAuPlus(), tempsAttendu);
     }
 
     /** @return ce qu'il faut donner à dessiner pour que {@code toile} le soit, et que l'image puisse être contrôlée */
     public Toile surveiller(Toile toile) {
         // une image d'un seul bloc n'en a pas d'autre
-        List<Bloc> blocs = semis.controle.isEmpty() ? semis.choix : semis.controle;
+        List<Pave> blocs = semis.controle.isEmpty() ? semis.choix : semis.controle;
         controle = EssaiFinesses.tirer(essais, blocs, limites.exactes);
-        temoin = new Temoin(toile, essais.getCamera().getLargeur(), controle.blocs);
-        return temoin;
+        prelevement = new Prelevement(toile, essais.camera.getLargeur(), controle.blocs);
+        return prelevement;
     }
 
-    /** Mesure l'image dessinée, sur d'autres pixels que ceux du choix s'il y en a, et l'ajoute au rapport. */
+    /** Mesure l'image dessinée, sur d'autres pixels que ceux du choix s'il y en a. */
     public void controler() {
         long debut = System.nanoTime();
         double[] ecarts = new double[controle.blocs.size()];
         essais.passer(controle.blocs, limites.exactes.reflets, 0, (rang, bloc, pave, vue) ->
-                ecarts[rang] = temoin.releve(rang).ecart(Releve.references(bloc, vue, reseau)));
-        rapport.controler(controle.estimer(ecarts), controle.pixels(), !semis.controle.isEmpty(), lancer.getDureeNs(),
-                System.nanoTime() - debut);
+                ecarts[rang] = prelevement.de(bloc).ecart(Niveaux.references(bloc, vue, reseau)));
+        mesuree = controle.estimer(ecarts);
+        essaisNs += System.nanoTime() - debut;
+    }
+
+    /** L'erreur de l'image, mesurée par {@link #controler}, en niveaux. */
+    public double getErreurMesuree() {
+        return mesuree.erreur();
+    }
+
+    /** Trois lignes : le choix, pourquoi, et ce qu'il en est. */
+    public List<String> getLignes() {
+        String pixels = CompteRendu.pixels(controle.pixels(), !semis.controle.isEmpty(), pixelsEssayes);
+        int possibles = finesses.size() * limites.permises.size();
+        return Arrays.asList("auto, choisi : " + choisi,
+                "auto, attendu : " + CompteRendu.attente(souhait, choisi, possibles, tempsAttendu),
+                "auto, mesuré : " + CompteRendu.controle(souhait, mesuree, pixels, lancer.getDureeNs() / NS_PAR_S,
+                        essaisNs / NS_PAR_S));
+    }
+
+    /** Des lignes de plus pour {@code --statistiques}. */
+    public String getStatistiques() {
+        return CompteRendu.texte("auto.erreur.attendue: %.2f%nauto.erreur.mesuree: %.2f%nauto.essais.ms: %.3f",
+                choisi.getErreur(), mesuree.erreur(), essaisNs / NS_PAR_MS);
     }
 }

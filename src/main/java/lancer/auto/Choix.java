@@ -13,19 +13,6 @@ final class Choix {
     private Choix() {
     }
 
-    /** Tous les réglages que font les finesses déjà essayées et ces limites. */
-    static List<Reglage> reglages(List<Finesse> finesses, List<Limites> limites) {
-        List<Reglage> reglages = new ArrayList<>();
-        for (Finesse finesse : finesses) {
-            if (finesse.estEssayee()) {
-                for (Limites l : limites) {
-                    reglages.add(new Reglage(finesse, l));
-                }
-            }
-        }
-        return reglages;
-    }
-
     static Reglage moinsCher(List<Reglage> reglages) {
         return moinsCher(reglages, Double.POSITIVE_INFINITY);
     }

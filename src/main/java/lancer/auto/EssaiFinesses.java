@@ -1,9 +1,14 @@
 package lancer.auto;
 
+import java.util.Arrays;
 import java.util.Collections;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import lancer.Couleur;
 import lancer.contrat.Compteurs;
+import lancer.contrat.Pave;
+import lancer.contrat.Vue;
 
 /**
  * Les échantillonnages, essayés sur quelques blocs tirés parmi ceux qui promettent de l'erreur ; puis, sur bien plus,
@@ -20,6 +25,7 @@ final class EssaiFinesses {
     /** Points où l'on cherche le contraste, sur le bloc et un demi-pixel autour. */
     private static final Reseau CONTRASTE = new Reseau(13);
     private static final double BORD = 0.5;
+    private static final List<ToDoubleFunction<Couleur>> COMPOSANTES = Arrays.asList(c -> c.r, c -> c.v, c -> c.b);
 
     private final Essais essais;
     private final Limites limites;
@@ -30,25 +36,28 @@ final class EssaiFinesses {
     /** Rayons de toutes sortes pour un rayon de l'écran, là où les échantillonnages en ajoutent. */
     private double rayonsDesDetails;
 
-    /**
-     * @param limites assez exactes pour que l'erreur vienne des échantillonnages
-     * @param reseau les points des références, assez nombreux pour l'erreur à mesurer
-     */
-    EssaiFinesses(Essais essais, List<Bloc> blocs, Limites limites, Reseau reseau) {
+    private EssaiFinesses(Essais essais, List<Pave> blocs, double[] promesses, Limites limites, Reseau reseau) {
         this.essais = essais;
         this.limites = limites;
         this.reseau = reseau;
-        double[] promesses = promesses(essais, blocs, limites);
         premiere = new Epreuve(new Tirage(TIRAGES, blocs, promesses, essais.facteur()));
         seconde = new Epreuve(new Tirage(TIRAGES_SURS, blocs, promesses, essais.facteur()));
     }
 
+    /**
+     * @param limites assez exactes pour que l'erreur vienne des échantillonnages
+     * @param reseau les points des références, assez nombreux pour l'erreur à mesurer
+     */
+    static EssaiFinesses parmi(List<Pave> blocs, Essais essais, Limites limites, Reseau reseau) {
+        return new EssaiFinesses(essais, blocs, promesses(essais, blocs, limites), limites, reseau);
+    }
+
     /** Un tirage parmi ces blocs, pour une mesure sûre. */
-    static Tirage tirer(Essais essais, List<Bloc> blocs, Limites limites) {
+    static Tirage tirer(Essais essais, List<Pave> blocs, Limites limites) {
         return new Tirage(TIRAGES_SURS, blocs, promesses(essais, blocs, limites), essais.facteur());
     }
 
-    private static double[] promesses(Essais essais, List<Bloc> blocs, Limites limites) {
+    private static double[] promesses(Essais essais, List<Pave> blocs, Limites limites) {
         double[] promesses = new double[blocs.size()];
         essais.passer(blocs, limites.reflets, limites.seuil, (rang, b, pave, vue) -> {
             Couleur[] couleurs = new Couleur[CONTRASTE.points];
@@ -63,32 +72,46 @@ final class EssaiFinesses {
 
     /** Le plus grand écart, sur une composante, entre ces couleurs limitées : de 0 à 1. */
     private static double contraste(Couleur[] couleurs) {
-        double[] min = {1, 1, 1};
-        double[] max = {0, 0, 0};
-        for (Couleur couleur : couleurs) {
-            double[] composantes = {couleur.r, couleur.v, couleur.b};
-            for (int c = 0; c < min.length; c++) {
-                double limitee = Math.max(0, Math.min(1, composantes[c]));
-                min[c] = Math.min(min[c], limitee);
-                max[c] = Math.max(max[c], limitee);
-            }
+        double contraste = 0;
+        for (ToDoubleFunction<Couleur> composante : COMPOSANTES) {
+            DoubleSummaryStatistics vues = Arrays.stream(couleurs).mapToDouble(composante).summaryStatistics();
+            contraste = Math.max(contraste, Niveaux.limite(vues.getMax()) - Niveaux.limite(vues.getMin()));
         }
-        return Math.max(max[0] - min[0], Math.max(max[1] - min[1], max[2] - min[2]));
+        return contraste;
     }
 
     /** Donne à chacune son erreur et son prix, à peu près. */
     void essayer(List<Finesse> finesses) {
-        Compteurs compteurs = premiere.passer(finesses);
-        if (rayonsDesDetails == 0) {
-            rayonsDesDetails = (double) compteurs.rayons() / compteurs.primaires;
-        }
-        noter(premiere, finesses, false);
+        essayer(finesses, premiere);
     }
 
     /** Lui donne une erreur et un prix plus sûrs. */
     void approfondir(Finesse finesse) {
-        seconde.passer(Collections.singletonList(finesse));
-        noter(seconde, Collections.singletonList(finesse), true);
+        essayer(Collections.singletonList(finesse), seconde);
+    }
+
+    private void essayer(List<Finesse> finesses, Epreuve epreuve) {
+        Tirage tirage = epreuve.tirage;
+        double[][] ecarts = new double[finesses.size()][tirage.blocs.size()];
+        int[][] vus = new int[finesses.size()][tirage.blocs.size()];
+        Compteurs compteurs = essais.passer(tirage.blocs, limites.reflets, limites.seuil, (rang, bloc, pave, vue) -> {
+            Souvenir souvenir = new Souvenir(bloc, vue);
+            for (int f = 0; f < finesses.size(); f++) {
+                Niveaux niveaux = new Niveaux(bloc);
+                finesses.get(f).echantillonnage.tracer(Essais.entoure(bloc, pave), souvenir, niveaux);
+                ecarts[f][rang] = niveaux.ecart(epreuve.references(rang, vue));
+                vus[f][rang] = souvenir.vus();
+            }
+        });
+        if (rayonsDesDetails == 0) {
+            rayonsDesDetails = (double) compteurs.rayons() / compteurs.primaires;
+        }
+        for (int f = 0; f < finesses.size(); f++) {
+            double rayons = tirage.parPixel(vus[f]);
+            // le premier rayon du pixel est comme tous ; les suivants vont là où il y a à voir
+            double prix = Math.min(1, rayons) + Math.max(0, rayons - 1) * rayonsDesDetails / limites.rayons;
+            finesses.get(f).noter(tirage.estimer(ecarts[f]), rayons, prix, epreuve == seconde);
+        }
     }
 
     /** Nombre de pixels des essais sûrs. */
@@ -96,43 +119,22 @@ final class EssaiFinesses {
         return seconde.tirage.pixels();
     }
 
-    private void noter(Epreuve epreuve, List<Finesse> finesses, boolean sure) {
-        for (int f = 0; f < finesses.size(); f++) {
-            double rayons = epreuve.tirage.parPixel(epreuve.vus[f]);
-            // le premier rayon du pixel est comme tous ; les suivants vont là où il y a à voir
-            double prix = Math.min(1, rayons) + Math.max(0, rayons - 1) * rayonsDesDetails / limites.rayons;
-            finesses.get(f).noter(epreuve.tirage.estimer(epreuve.ecarts[f]), rayons, prix, sure);
-        }
-    }
-
-    /** Des blocs, leurs références, et ce qu'on y a mesuré en dernier. */
+    /** Des blocs, et leurs références, faites au premier essai. */
     private final class Epreuve {
 
         private final Tirage tirage;
-        private final Releve[][] references;
-        private double[][] ecarts;
-        private int[][] vus;
+        private final Niveaux[][] references;
 
         Epreuve(Tirage tirage) {
             this.tirage = tirage;
-            references = new Releve[tirage.blocs.size()][];
+            references = new Niveaux[tirage.blocs.size()][];
         }
 
-        Compteurs passer(List<Finesse> finesses) {
-            ecarts = new double[finesses.size()][references.length];
-            vus = new int[finesses.size()][references.length];
-            return essais.passer(tirage.blocs, limites.reflets, limites.seuil, (rang, bloc, pave, vue) -> {
-                if (references[rang] == null) {
-                    references[rang] = Releve.references(bloc, vue, reseau);
-                }
-                Souvenir souvenir = new Souvenir(bloc, vue);
-                for (int f = 0; f < finesses.size(); f++) {
-                    Releve releve = new Releve(bloc);
-                    finesses.get(f).getEchantillonnage().tracer(bloc.entoure(pave), souvenir, releve);
-                    ecarts[f][rang] = releve.ecart(references[rang]);
-                    vus[f][rang] = souvenir.vus();
-                }
-            });
+        Niveaux[] references(int rang, Vue vue) {
+            if (references[rang] == null) {
+                references[rang] = Niveaux.references(tirage.blocs.get(rang), vue, reseau);
+            }
+            return references[rang];
         }
     }
 }

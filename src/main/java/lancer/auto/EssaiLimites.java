@@ -1,11 +1,13 @@
 package lancer.auto;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
-import lancer.commande.Options;
 import lancer.contrat.Compteurs;
+import lancer.contrat.Pave;
 
 /** Les limites des reflets, essayées sur des rayons semés également. */
 final class EssaiLimites {
@@ -22,59 +24,54 @@ final class EssaiLimites {
     final List<Limites> permises = new ArrayList<>();
 
     /** La moindre profondeur où tous les rayons semés voient ce qu'ils verraient sans limite. */
-    final Limites exactes;
+    Limites exactes;
 
     private final Essais essais;
-    private final List<Bloc> blocs;
-    private final Couleur[] sansLimite;
-    private boolean exact;
+    private final List<Pave> blocs;
+    private Couleur[] sansLimite;
 
-    /** @param options celles que l'utilisateur a données sont gardées */
-    EssaiLimites(Essais essais, List<Bloc> blocs, Options options) {
+    /** Le plus grand carré d'un écart, dans le dernier essai, en niveaux². */
+    private double pire;
+
+    EssaiLimites(Essais essais, List<Pave> blocs) {
         this.essais = essais;
         this.blocs = blocs;
+    }
+
+    /** Essaie toutes celles que le souhait laisse à choisir. */
+    void essayer(Souhait souhait) {
         sansLimite = essais.centres(blocs, REFLETS[REFLETS.length - 1], 0, new Compteurs());
         List<Limites> profondeurs = new ArrayList<>();
         do {
-            profondeurs.add(essayer(REFLETS[profondeurs.size()], 0));
-        } while (!exact);
-        exactes = profondeurs.get(profondeurs.size() - 1);
-        List<Limites> choix = options.refletsDonnes ? new ArrayList<>() : profondeurs;
-        if (options.refletsDonnes) {
-            choix.add(essayer(options.reflets, 0));
+            exactes = essayer(REFLETS[profondeurs.size()], 0);
+            profondeurs.add(exactes);
+        } while (pire > EXACT * EXACT);
+        if (souhait.reflets != null) {
+            profondeurs = Collections.singletonList(essayer(souhait.reflets, 0));
         }
-        List<Limites> seuils = seuils(options);
-        for (Limites profondeur : choix) {
-            for (Limites seuil : seuils) {
-                permises.add(profondeur.et(seuil));
-            }
-        }
-    }
-
-    private List<Limites> seuils(Options options) {
         List<Limites> seuils = new ArrayList<>();
-        for (double seuil : options.seuilDonne ? new double[] {options.seuil} : SEUILS) {
-            seuils.add(essayer(exactes.reflets, seuil));
-            if (exactes.reflets == 0) {
-                // sans reflets, tous se valent
-                break;
+        for (double seuil : souhait.seuil == null ? SEUILS : new double[] {souhait.seuil}) {
+            // sans reflets, tous se valent
+            if (seuils.isEmpty() || exactes.reflets > 0) {
+                seuils.add(essayer(exactes.reflets, seuil));
             }
         }
-        return seuils;
+        profondeurs.forEach(profondeur -> seuils.forEach(seuil -> permises.add(profondeur.et(seuil))));
     }
 
     private Limites essayer(int reflets, double seuil) {
         Compteurs compteurs = new Compteurs();
         Couleur[] couleurs = essais.centres(blocs, reflets, seuil, compteurs);
         double[] carres = new double[couleurs.length];
-        exact = true;
         for (int k = 0; k < carres.length; k++) {
-            double r = Releve.niveau(couleurs[k].r) - Releve.niveau(sansLimite[k].r);
-            double v = Releve.niveau(couleurs[k].v) - Releve.niveau(sansLimite[k].v);
-            double b = Releve.niveau(couleurs[k].b) - Releve.niveau(sansLimite[k].b);
-            carres[k] = (r * r + v * v + b * b) / 3;
-            exact &= carres[k] <= EXACT * EXACT;
+            double[] vue = Niveaux.de(couleurs[k]);
+            double[] juste = Niveaux.de(sansLimite[k]);
+            for (int c = 0; c < 3; c++) {
+                carres[k] += (vue[c] - juste[c]) * (vue[c] - juste[c]);
+            }
+            carres[k] /= 3;
         }
+        pire = Arrays.stream(carres).max().getAsDouble();
         return new Limites(reflets, seuil, Estimation.de(carres), (double) compteurs.rayons() / compteurs.primaires);
     }
 }

@@ -1,12 +1,9 @@
 package lancer.auto;
 
 import java.util.List;
-import lancer.Camera;
 import lancer.Lancer;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
-import lancer.contrat.Toile;
-import lancer.contrat.Vue;
 
 /** Le temps d'un dessin, prévu en dessinant un pavé sur quelques-uns ; à peu près, la machine n'étant pas seule. */
 final class EssaiTemps {
@@ -21,28 +18,20 @@ final class EssaiTemps {
     private static final double NS_PAR_S = 1e9;
 
     private final Essais essais;
-    private final int fils;
-    private final double voulu;
 
-    /** Le dernier mesuré qui tienne le temps voulu, ou le moins cher, et le temps attendu, en secondes. */
-    private Reglage choisi;
+    /** Le temps attendu pour ce qui est choisi, en secondes. */
     private double attendu;
 
-    private double secondesParPrix;
-
-    /** @param voulu en secondes */
-    EssaiTemps(Essais essais, int fils, double voulu) {
+    EssaiTemps(Essais essais) {
         this.essais = essais;
-        this.fils = fils;
-        this.voulu = voulu;
     }
 
-    /** Le plus juste de ceux qui devraient tenir le temps voulu ; le moins cher si aucun ne le devrait. */
-    Reglage choisir(List<Reglage> reglages) {
-        choisi = Choix.moinsCher(reglages);
+    /** Le plus juste de ceux qui devraient tenir ce temps, en secondes ; le moins cher si aucun ne le devrait. */
+    Reglage choisir(List<Reglage> reglages, double voulu) {
+        Reglage choisi = Choix.moinsCher(reglages);
         // plusieurs fois : d'abord la machine virtuelle compile, et toujours quelque chose peut déranger
         attendu = Math.min(mesurer(choisi), Math.min(mesurer(choisi), mesurer(choisi)));
-        secondesParPrix = attendu / choisi.getPrix();
+        double secondesParPrix = attendu / choisi.getPrix();
         double plafond = Double.POSITIVE_INFINITY;
         for (int k = 0; k < MESURES; k++) {
             Reglage juste = Choix.plusJuste(reglages, Math.min(plafond, voulu / secondesParPrix));
@@ -61,36 +50,18 @@ final class EssaiTemps {
         return choisi;
     }
 
-    /** Le temps attendu pour ce qui est choisi, en secondes. */
     double getAttendu() {
         return attendu;
     }
 
-    /** Le temps qu'il faudrait pour toute l'image, en secondes. */
+    /** Le temps qu'il faudrait pour toute l'image, en secondes ; les pavés dessinés y sont en diagonales. */
     private double mesurer(Reglage reglage) {
-        Camera camera = essais.getCamera();
-        int paves = Pave.nombre(camera.getLargeur(), camera.getHauteur());
+        int paves = Pave.nombre(essais.camera.getLargeur(), essais.camera.getHauteur());
         int unSur = Math.max(1, Math.min(UN_SUR, paves / PAVES_MIN));
-        Lancer lancer = essais.lancer(reglage.finesse.getEchantillonnage(), reglage.limites.seuil);
-        lancer.parcourir(new Extrait(reglage.finesse.getEchantillonnage(), unSur), Essais.AVEUGLE,
-                reglage.getReflets(), fils);
+        Echantillonnage entier = reglage.finesse.echantillonnage;
+        Lancer lancer = essais.lancer(entier, reglage.limites.seuil);
+        lancer.parcourir((pave, vue, toile) -> (pave.i0 + 3 * pave.j0) / Pave.COTE % unSur == 0
+                ? entier.tracer(pave, vue, toile) : 0, Essais.AVEUGLE, reglage.getReflets(), essais.fils);
         return lancer.getDureeNs() / NS_PAR_S * unSur;
-    }
-
-    /** Un pavé sur quelques-uns, en diagonales. */
-    private static final class Extrait implements Echantillonnage {
-
-        private final Echantillonnage entier;
-        private final int unSur;
-
-        Extrait(Echantillonnage entier, int unSur) {
-            this.entier = entier;
-            this.unSur = unSur;
-        }
-
-        @Override
-        public int tracer(Pave pave, Vue vue, Toile toile) {
-            return (pave.i0 + 3 * pave.j0) / Pave.COTE % unSur == 0 ? entier.tracer(pave, vue, toile) : 0;
-        }
     }
 }

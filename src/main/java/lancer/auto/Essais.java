@@ -14,76 +14,71 @@ import lancer.contrat.Vue;
 /** De quoi essayer une scène préparée sur quelques blocs, avec tous les fils ; rien ne dépend de leur nombre. */
 final class Essais {
 
+    /** Côté d'un bloc, en pixels ; celui d'un pavé en est un nombre entier. Les blocs du bord sont plus petits. */
+    static final int COTE = 2;
+
     /** Une toile dont personne ne regarde l'image. */
     static final Toile AVEUGLE = (couleur, xe, ye) -> { };
+
+    /**
+     * Ce qu'un échantillonnage peut regarder avant et après un pixel pour en décider. Un qui regarderait plus loin
+     * serait jugé à peu près, comme au bord d'un pavé.
+     */
+    private static final int AVANT = 1;
+    private static final int APRES = 2;
 
     /** Ce qu'on fait de chaque bloc, dans un ordre quelconque et par plusieurs fils. */
     interface Essai {
         /** @param rang du bloc dans la liste */
-        void faire(int rang, Bloc bloc, Pave pave, Vue vue);
+        void faire(int rang, Pave bloc, Pave pave, Vue vue);
     }
 
-    private final Lancer prepare;
+    final Camera camera;
+    final int fils;
     private final Scene scene;
-    private final Camera camera;
-    private final int fils;
 
-    Essais(Lancer prepare, int fils) {
-        this.prepare = prepare;
-        scene = prepare.getScene();
-        camera = prepare.getCamera();
+    Essais(Lancer lancer, int fils) {
         this.fils = fils;
-    }
-
-    Camera getCamera() {
-        return camera;
+        scene = lancer.getScene();
+        camera = lancer.getCamera();
     }
 
     /** De la moyenne des blocs à celle de l'image : les blocs du bord ont parfois moins de pixels. */
     double facteur() {
         double pixels = (double) camera.getLargeur() * camera.getHauteur();
-        return Bloc.PIXELS * Bloc.nombre(camera.getLargeur(), camera.getHauteur()) / pixels;
+        return COTE * COTE * Pave.nombre(camera.getLargeur(), camera.getHauteur(), COTE) / pixels;
     }
 
     /** La scène, dessinée ainsi. */
     Lancer lancer(Echantillonnage echantillonnage, double seuil) {
-        return prepare.avec(echantillonnage, seuil);
+        return new Lancer(scene.avec(echantillonnage, seuil), camera);
     }
 
-    /** Fait un essai sur chaque bloc. */
-    Compteurs passer(List<Bloc> blocs, int reflets, double seuil, Essai essai) {
-        Lancer lancer = prepare.avec(scene.getEchantillonnage(), seuil);
-        lancer.parcourir(new Passe(blocs, essai), AVEUGLE, reflets, fils);
-        return lancer.getCompteurs();
-    }
-
-    /** Les couleurs au centre de chaque bloc, et dans {@code total} ce qu'elles ont coûté. */
-    Couleur[] centres(List<Bloc> blocs, int reflets, double seuil, Compteurs total) {
-        Couleur[] couleurs = new Couleur[blocs.size()];
-        total.ajouter(passer(blocs, reflets, seuil, (rang, bloc, pave, vue) ->
-                couleurs[rang] = vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0)));
-        return couleurs;
-    }
-
-    /** Les essais sur les blocs d'un pavé, à la place de ses pixels. */
-    private static final class Passe implements Echantillonnage {
-
-        private final List<Bloc> blocs;
-        private final Essai essai;
-
-        Passe(List<Bloc> blocs, Essai essai) {
-            this.blocs = blocs;
-            this.essai = essai;
-        }
-
-        @Override
-        public int tracer(Pave pave, Vue vue, Toile toile) {
+    /** Fait un essai sur chaque bloc, à la place des pixels de l'image. */
+    Compteurs passer(List<Pave> blocs, int reflets, double seuil, Essai essai) {
+        Lancer lancer = lancer(scene.getEchantillonnage(), seuil);
+        lancer.parcourir((pave, vue, toile) -> {
             for (int k = 0; k < blocs.size(); k++) {
-                if (blocs.get(k).estDans(pave)) {
+                if (pave.contient(blocs.get(k))) {
                     essai.faire(k, blocs.get(k), pave, vue);
                 }
             }
             return 0;
-        }
+        }, AVEUGLE, reflets, fils);
+        return lancer.getCompteurs();
+    }
+
+    /** Le bloc et ce qui l'entoure, sans sortir du pavé : de quoi y dessiner ses pixels comme dans l'image. */
+    static Pave entoure(Pave bloc, Pave pave) {
+        return new Pave(Math.max(pave.i0, bloc.i0 - AVANT), Math.max(pave.j0, bloc.j0 - AVANT),
+                Math.min(pave.i1, bloc.i1 + APRES), Math.min(pave.j1, bloc.j1 + APRES));
+    }
+
+    /** Les couleurs au centre de chaque bloc, et dans {@code total} ce qu'elles ont coûté. */
+    Couleur[] centres(List<Pave> blocs, int reflets, double seuil, Compteurs total) {
+        Couleur[] couleurs = new Couleur[blocs.size()];
+        total.ajouter(passer(blocs, reflets, seuil, (rang, bloc, pave, vue) ->
+                couleurs[rang] = vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0)));
+        return couleurs;
     }
 }

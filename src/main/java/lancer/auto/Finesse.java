@@ -5,18 +5,28 @@ import java.util.List;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Reglable;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 
 /** Un échantillonnage possible de la scène, et ce que les essais en disent. */
 final class Finesse {
 
-    private final String texte;
-    private final Echantillonnage echantillonnage;
-    private Estimation erreur;
-    private double rayons;
-    private double prix;
-    private boolean sure;
+    /** Comment l'obtenir soi-même. */
+    final String texte;
+    final Echantillonnage echantillonnage;
+
+    /** Contre les mêmes pixels, d'une moyenne exacte ; {@code null} tant que rien n'est essayé. */
+    Estimation erreur;
+
+    /** De l'écran, par pixel. */
+    double rayons;
+
+    /** De ces rayons, reflets et ombres compris, celui de l'image d'un rayon par pixel étant 1. */
+    double prix;
+
+    /** Vrai si l'essai a porté sur assez de pixels pour qu'on s'y fie. */
+    boolean sure;
 
     private Finesse(String texte, Echantillonnage echantillonnage) {
         this.texte = texte;
@@ -31,11 +41,13 @@ final class Finesse {
     static List<Finesse> possibles(Scene scene, List<Variante> variantes) {
         List<Finesse> finesses = new ArrayList<>();
         for (Variante variante : variantes) {
-            for (Section reglage : variante.getReglages()) {
-                Modele modele = new Modele();
-                variante.installer(reglage, modele);
-                reglage.verifierCles();
-                finesses.add(new Finesse(reglage.toString(), modele.getEchantillonnage()));
+            if (variante instanceof Reglable) {
+                for (Section reglage : ((Reglable) variante).getReglages()) {
+                    Modele modele = new Modele();
+                    variante.installer(reglage, modele);
+                    reglage.verifierCles();
+                    finesses.add(new Finesse(reglage.toString(), modele.getEchantillonnage()));
+                }
             }
         }
         if (finesses.isEmpty()) {
@@ -46,47 +58,11 @@ final class Finesse {
         return finesses;
     }
 
-    /**
-     * Ce que dit un essai.
-     *
-     * @param erreur contre les mêmes pixels, d'une moyenne exacte
-     * @param rayons de l'écran, par pixel
-     * @param prix de ces rayons, reflets et ombres compris, celui de l'image d'un rayon par pixel étant 1
-     * @param sure vrai si l'essai a porté sur assez de pixels pour qu'on s'y fie
-     */
+    /** Ce que dit un essai. */
     void noter(Estimation erreur, double rayons, double prix, boolean sure) {
         this.erreur = erreur;
         this.rayons = rayons;
         this.prix = prix;
         this.sure = sure;
-    }
-
-    /** Comment l'obtenir soi-même. */
-    String getTexte() {
-        return texte;
-    }
-
-    Echantillonnage getEchantillonnage() {
-        return echantillonnage;
-    }
-
-    boolean estEssayee() {
-        return erreur != null;
-    }
-
-    boolean estSure() {
-        return sure;
-    }
-
-    Estimation getErreur() {
-        return erreur;
-    }
-
-    double getRayons() {
-        return rayons;
-    }
-
-    double getPrix() {
-        return prix;
     }
 }

@@ -1,48 +1,44 @@
 package lancer.auto;
 
-/** Un échantillonnage et des limites : tout ce qu'il faut pour dessiner, l'erreur attendue et le prix. Immuable. */
+/** Un échantillonnage et des limites : tout ce qu'il faut pour dessiner, l'erreur attendue et le prix. */
 public final class Reglage {
 
     final Finesse finesse;
     final Limites limites;
-    private final Estimation erreur;
-    private final double rayons;
-    private final double prix;
-    private final boolean sur;
 
     Reglage(Finesse finesse, Limites limites) {
         this.finesse = finesse;
         this.limites = limites;
+    }
+
+    private Estimation erreur() {
         // ce qui manque aux reflets et ce qui manque aux pixels sont sans rapport
-        erreur = finesse.getErreur().plus(limites.erreur);
-        rayons = finesse.getRayons();
-        prix = finesse.getPrix() * limites.rayons;
-        sur = finesse.estSure();
+        return finesse.erreur.plus(limites.erreur);
     }
 
     /** L'erreur attendue, en niveaux, contre la moyenne du pixel sans limite de réflexions. */
     public double getErreur() {
-        return erreur.erreur();
+        return erreur().erreur();
     }
 
     /** Ce que l'erreur ne devrait pas dépasser, en niveaux. */
     public double getErreurAuPlus() {
-        return erreur.auPlus();
+        return erreur().auPlus();
     }
 
     /** L'erreur sur laquelle choisir : celle à ne pas dépasser s'il est bien essayé, celle qu'il semble faire sinon. */
     double getErreurRetenue() {
-        return sur ? getErreurAuPlus() : getErreur();
+        return finesse.sure ? getErreurAuPlus() : getErreur();
     }
 
     /** Rayons de l'écran par pixel, attendus. */
     public double getRayons() {
-        return rayons;
+        return finesse.rayons;
     }
 
     /** Rayons de toutes sortes par pixel, attendus. */
     public double getPrix() {
-        return prix;
+        return finesse.prix * limites.rayons;
     }
 
     /** Le nombre de réflexions d'un rayon. */
@@ -53,6 +49,6 @@ public final class Reglage {
     /** Comme on le demanderait soi-même : la section à écrire dans la scène, et les options. */
     @Override
     public String toString() {
-        return finesse.getTexte() + ", " + limites;
+        return finesse.texte + ", " + limites;
     }
 }

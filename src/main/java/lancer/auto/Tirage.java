@@ -2,6 +2,7 @@ package lancer.auto;
 
 import java.util.ArrayList;
 import java.util.List;
+import lancer.contrat.Pave;
 
 /**
  * Un choix de blocs d'autant plus probable qu'ils promettent d'erreur (tirage systématique à probabilités inégales,
@@ -14,7 +15,7 @@ final class Tirage {
     private final int semes;
 
     /** Les blocs tirés, chacun une fois. */
-    final List<Bloc> blocs = new ArrayList<>();
+    final List<Pave> blocs = new ArrayList<>();
 
     private final List<Integer> fois = new ArrayList<>();
 
@@ -25,7 +26,7 @@ final class Tirage {
      * @param promesses une par bloc, strictement positive
      * @param facteur de la moyenne des blocs à celle de l'image, dont les blocs du bord ont moins de pixels
      */
-    Tirage(int tirages, List<Bloc> parmi, double[] promesses, double facteur) {
+    Tirage(int tirages, List<Pave> parmi, double[] promesses, double facteur) {
         this.tirages = tirages;
         semes = promesses.length;
         double somme = 0;
@@ -80,7 +81,7 @@ final class Tirage {
     /** Nombre de pixels de tous les blocs tirés. */
     int pixels() {
         int pixels = 0;
-        for (Bloc bloc : blocs) {
+        for (Pave bloc : blocs) {
             pixels += bloc.pixels();
         }
         return pixels;

@@ -23,14 +23,40 @@ public final class Pave {
 
     /** Nombre de pavés de l'image. */
     public static int nombre(int largeur, int hauteur) {
-        return enColonnes(largeur) * ((hauteur + COTE - 1) / COTE);
+        return nombre(largeur, hauteur, COTE);
+    }
+
+    /** De même, en pavés de ce côté. */
+    public static int nombre(int largeur, int hauteur, int cote) {
+        return enColonnes(largeur, cote) * ((hauteur + cote - 1) / cote);
     }
 
     /** Le pavé de rang {@code k}, dans l'ordre de la lecture. */
     public static Pave deRang(int k, int largeur, int hauteur) {
-        int i0 = k % enColonnes(largeur) * COTE;
-        int j0 = k / enColonnes(largeur) * COTE;
-        return new Pave(i0, j0, Math.min(i0 + COTE, largeur), Math.min(j0 + COTE, hauteur));
+        return deRang(k, largeur, hauteur, COTE);
+    }
+
+    /** De même, parmi les pavés de ce côté. */
+    public static Pave deRang(int k, int largeur, int hauteur, int cote) {
+        int i0 = k % enColonnes(largeur, cote) * cote;
+        int j0 = k / enColonnes(largeur, cote) * cote;
+        return new Pave(i0, j0, Math.min(i0 + cote, largeur), Math.min(j0 + cote, hauteur));
+    }
+
+    private static int enColonnes(int largeur, int cote) {
+        return (largeur + cote - 1) / cote;
+    }
+
+    public int pixels() {
+        return (i1 - i0) * (j1 - j0);
+    }
+
+    public boolean contient(int i, int j) {
+        return i >= i0 && i < i1 && j >= j0 && j < j1;
+    }
+
+    public boolean contient(Pave autre) {
+        return autre.i0 >= i0 && autre.i1 <= i1 && autre.j0 >= j0 && autre.j1 <= j1;
     }
 
     /**
@@ -49,9 +75,5 @@ public final class Pave {
 
     private static int pgcd(int a, int b) {
         return b == 0 ? a : pgcd(b, a % b);
-    }
-
-    private static int enColonnes(int largeur) {
-        return (largeur + COTE - 1) / COTE;
     }
 }

@@ -17,7 +17,7 @@ import lancer.contrat.RechercheSimple;
  */
 final class RechercheRapide implements Recherche {
 
-    private final Structures structures;
+    final Structures structures;
     private final Spheres spheres;
     private final Intersections premiers;
     private final Intersections suivants;
@@ -138,6 +138,11 @@ final class RechercheRapide implements Recherche {
             }
         }
         return false;
+    }
+
+    /** Sphères et cases examinées pour choisir les structures. */
+    long getEssais() {
+        return structures.essais;
     }
 
     @Override

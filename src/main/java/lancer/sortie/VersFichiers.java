@@ -6,6 +6,7 @@ import java.nio.file.Paths;
 import java.util.List;
 import lancer.Lancer;
 import lancer.auto.Auto;
+import lancer.auto.Souhait;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
@@ -76,7 +77,7 @@ public final class VersFichiers {
      */
     public Lancer dessiner(Lancer prepare, List<Variante> libres, Toile toile, ImageMemoire image, long lectureNs,
             long preparationNs) {
-        Auto auto = options.auto ? new Auto(prepare, options, libres) : null;
+        Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils, libres) : null;
         Lancer lancer = auto == null ? prepare : auto.getLancer();
         long[] traces = auto == null ? tracer(lancer, toile, options.reflets)
                 : tracer(lancer, auto.surveiller(toile), auto.getChoisi().getReflets());
@@ -92,12 +93,18 @@ public final class VersFichiers {
         if (options.statistiques) {
             Object nombres = new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces);
             Pannes.repondre(auto == null ? nombres.toString()
-                    : nombres + System.lineSeparator() + auto.getRapport().getStatistiques(), sortie);
+                    : nombres + System.lineSeparator() + auto.getStatistiques(), sortie);
         }
         if (auto != null) {
-            Pannes.avertir(auto.getRapport().getLignes(), erreur);
+            Pannes.avertir(auto.getLignes(), erreur);
         }
         return lancer;
+    }
+
+    private Souhait souhait() {
+        Souhait voulu = options.erreurVoulue > 0 ? Souhait.erreur(options.erreurVoulue)
+                : Souhait.temps(options.tempsVoulu);
+        return voulu.fixer(options.refletsDonnes ? options.reflets : null, options.seuilDonne ? options.seuil : null);
     }
 
     /** @return le temps de chaque dessin, en nanosecondes */

@@ -20,16 +20,15 @@ import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.commande.Options;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Reglable;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Ce que choisit {@code --auto} là où l'on sait d'avance ce qu'il faut. */
 class AutoTest {
@@ -40,21 +39,17 @@ class AutoTest {
     private static final int HAUTEUR = 30;
     private static final int LARGEUR = 40;
 
-    private static Auto auto(Scene scene, int largeur, int hauteur, List<Variante> variantes, String... options) {
-        String[] toutes = Arrays.copyOf(options, options.length + 3);
-        toutes[options.length] = "--image=aucune.png";
-        toutes[options.length + 1] = "--taille=" + largeur + "x" + hauteur;
-        toutes[options.length + 2] = "s.ini";
-        return new Auto(Preparation.preparer(scene, largeur, hauteur, false), Options.lire(toutes), variantes);
+    private static Auto auto(Scene scene, int largeur, int hauteur, List<Variante> variantes, Souhait souhait) {
+        return Auto.choisir(Preparation.preparer(scene, largeur, hauteur, false), souhait, 2, variantes);
     }
 
-    private static Auto auto(Scene scene, String... options) {
-        return auto(scene, LARGEUR, HAUTEUR, Collections.<Variante>emptyList(), options);
+    private static Auto auto(Scene scene, Souhait souhait) {
+        return auto(scene, LARGEUR, HAUTEUR, Collections.<Variante>emptyList(), souhait);
     }
 
     /** Entre deux murs, tous les pixels sont le même : il en suffit de peu. */
-    private static Auto autoEntreDeuxMurs(double ks, String... options) {
-        return auto(entreDeuxMurs(ks), 16, 12, Collections.<Variante>emptyList(), options);
+    private static Auto autoEntreDeuxMurs(double ks, Souhait souhait) {
+        return auto(entreDeuxMurs(ks), 16, 12, Collections.<Variante>emptyList(), souhait);
     }
 
     private static Scene scene(Objet3D... objets) {
@@ -117,11 +112,11 @@ class AutoTest {
     @ParameterizedTest
     @CsvSource({"0.5, 4", "0.5, 2", "0.5, 1", "0.5, 0.5", "0.9, 4", "0.9, 1", "0.2, 1", "0.97, 1"})
     void entreDeuxMiroirsLaProfondeurEstCelleDeLaSerie(double ks, double erreur) {
-        Auto auto = autoEntreDeuxMurs(ks, "--auto=erreur=" + erreur, "--seuil=0");
+        Auto auto = autoEntreDeuxMurs(ks, Souhait.erreur(erreur).fixer(null, 0.0));
         int[] essayees = {0, 1, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 60, 80, 120, 160, 240, 320, 480, 640, 1000};
         int attendue = Arrays.stream(essayees).filter(p -> p >= profondeurQuIlFaut(ks, erreur)).findFirst().getAsInt();
         assertEquals(attendue, auto.getChoisi().getReflets());
-        assertTrue(auto.getRapport().estTenable());
+        assertTrue(auto.estTenable());
         assertEquals(255 * 0.9 * Math.pow(ks, attendue + 1), auto.getChoisi().getErreur(), 1e-6);
         // l'écran, et autant de reflets : les murs n'ont pas d'ombre
         assertEquals(1 + attendue, auto.getChoisi().getPrix(), 1e-9);
@@ -129,27 +124,28 @@ class AutoTest {
 
     @Test
     void laProfondeurFixeeResteEtLeSeuilFaitLeReste() {
-        Auto auto = autoEntreDeuxMurs(0.5, "--auto=erreur=1", "--reflets=1000");
+        Auto auto = autoEntreDeuxMurs(0.5, Souhait.erreur(1).fixer(1000, null));
         assertEquals(1000, auto.getChoisi().getReflets());
         // 8 reflets ont un produit d'au moins 1/256 ; avec 6, soit 1/64, il manquerait 1,8 niveau
         assertTrue(auto.getChoisi().toString().endsWith("--reflets 1000 --seuil 0.00390625"), auto.getChoisi().toString());
         assertEquals(9, auto.getChoisi().getPrix(), 1e-9);
-        auto = autoEntreDeuxMurs(0.5, "--auto=erreur=1", "--reflets=3", "--seuil=0.25");
+        auto = autoEntreDeuxMurs(0.5, Souhait.erreur(1).fixer(3, 0.25));
         assertEquals("un rayon par pixel, --reflets 3 --seuil 0.25", auto.getChoisi().toString());
-        assertFalse(auto.getRapport().estTenable());
+        assertFalse(auto.estTenable());
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"erreur=255", "erreur=4", "erreur=0.01", "temps=10s", "temps=1ms"})
-    void sansRefletsLaProfondeurEstNulle(String souhait) {
-        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0), boule(0, -1001.5, 8, 1000, 0)), "--auto", souhait);
+    @CsvSource({"255, 0", "4, 0", "0.01, 0", "0, 10", "0, 0.001"})
+    void sansRefletsLaProfondeurEstNulle(double erreur, double temps) {
+        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0), boule(0, -1001.5, 8, 1000, 0)),
+                erreur > 0 ? Souhait.erreur(erreur) : Souhait.temps(temps));
         assertEquals(0, auto.getChoisi().getReflets());
     }
 
     @Test
     void leCielNADemandeQuUnRayonParPixel() {
         Auto auto = auto(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()), LARGEUR, HAUTEUR, grilles(),
-                "--auto", "erreur=0.1");
+                Souhait.erreur(0.1));
         assertEquals("[Grille] n=1, --reflets 0", auto.getChoisi().toString());
         assertTrue(auto.getChoisi().getErreurAuPlus() < 0.1, auto.getChoisi().getErreurAuPlus() + "");
         assertEquals(1, auto.getChoisi().getRayons());
@@ -157,17 +153,17 @@ class AutoTest {
 
     @Test
     void desBoulesPlusPetitesQuUnPixelDemandentPlusieursRayons() {
-        Auto auto = auto(damier(), LARGEUR, HAUTEUR, grilles(), "--auto", "erreur=4");
-        assertTrue(auto.getRapport().estTenable());
+        Auto auto = auto(damier(), LARGEUR, HAUTEUR, grilles(), Souhait.erreur(4));
+        assertTrue(auto.estTenable());
         assertTrue(auto.getChoisi().getRayons() >= 4, auto.getChoisi().toString());
-        Auto large = auto(damier(), LARGEUR, HAUTEUR, grilles(), "--auto", "erreur=100");
+        Auto large = auto(damier(), LARGEUR, HAUTEUR, grilles(), Souhait.erreur(100));
         assertEquals(1, large.getChoisi().getRayons());
     }
 
     @Test
     void ceQuiNEstPasTenableEstDit() {
-        Auto auto = auto(damier(), "--auto", "erreur=4");
-        assertFalse(auto.getRapport().estTenable());
+        Auto auto = auto(damier(), Souhait.erreur(4));
+        assertFalse(auto.estTenable());
         assertEquals(1, auto.getChoisi().getRayons());
         assertTrue(auto.getChoisi().getErreur() > 4);
     }
@@ -188,11 +184,11 @@ class AutoTest {
     @Test
     void leChoixPourUneErreurNeDependPasDesFils() {
         Scene scene = scene(boule(-1, 0, 8, 1.2, 0.5), boule(1.2, 0.4, 7, 0.7, 0.8), boule(0, -1001.5, 8, 1000, 0.3));
-        for (String erreur : new String[] {"0.5", "3"}) {
+        for (double erreur : new double[] {0.5, 3}) {
             String attendu = null;
-            for (String fils : new String[] {"1", "2", "7"}) {
+            for (int fils : new int[] {1, 2, 7}) {
                 // assez de pavés pour que chaque fil en ait
-                Auto auto = auto(scene, 80, 70, grilles(), "--auto", "erreur=" + erreur, "--fils", fils);
+                Auto auto = Auto.choisir(Preparation.preparer(scene, 80, 70, false), Souhait.erreur(erreur), fils, grilles());
                 Reglage r = auto.getChoisi();
                 String choix = r + " " + r.getErreur() + " " + r.getErreurAuPlus() + " " + r.getRayons() + " " + r.getPrix();
                 attendu = attendu == null ? choix : attendu;
@@ -204,28 +200,28 @@ class AutoTest {
     @Test
     void lErreurMesureeEstCelleDeToutePart() {
         // une erreur égale sur tous les pixels se mesure sans incertitude
-        Auto auto = autoEntreDeuxMurs(0.5, "--auto=erreur=255", "--reflets=2", "--seuil=0");
+        Auto auto = autoEntreDeuxMurs(0.5, Souhait.erreur(255).fixer(2, 0.0));
         auto.getLancer().TracerPixels(auto.surveiller(Essais.AVEUGLE), auto.getChoisi().getReflets(), 2);
         auto.controler();
         // à ce que vaut « sans limite » près
-        assertEquals(255 * 0.9 / 8, auto.getRapport().getErreurMesuree(), 1e-3);
+        assertEquals(255 * 0.9 / 8, auto.getErreurMesuree(), 1e-3);
     }
 
     @ParameterizedTest
     @CsvSource({"1, 1", "1, 7", "2, 2", "3, 1", "33, 65", "201, 151"})
     void touteTailleDImageConvient(int largeur, int hauteur) {
-        Auto auto = auto(scene(boule(0, 0, 8, 2, 0.5)), largeur, hauteur, grilles(), "--auto", "erreur=1");
+        Auto auto = auto(scene(boule(0, 0, 8, 2, 0.5)), largeur, hauteur, grilles(), Souhait.erreur(1));
         auto.getLancer().TracerPixels(auto.surveiller(Essais.AVEUGLE), auto.getChoisi().getReflets(), 2);
         auto.controler();
-        assertEquals(3, auto.getRapport().getLignes().size());
-        assertTrue(auto.getRapport().getErreurMesuree() < 10, auto.getRapport().getLignes().toString());
+        assertEquals(3, auto.getLignes().size());
+        assertTrue(auto.getErreurMesuree() < 10, auto.getLignes().toString());
     }
 
     // ce que propose une variante d'étudiant
 
     /** Une quatrième variante : n × n sous-pixels, n au choix. */
     private static List<Variante> grilles() {
-        return Collections.<Variante>singletonList(new Variante() {
+        return Collections.<Variante>singletonList(new Reglable() {
             @Override
             public String getSection() {
                 return "Grille";
@@ -261,7 +257,7 @@ class AutoTest {
 
     @Test
     void lesReglagesDUneVarianteSontEssayesEtSesRayonsComptes() {
-        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, grilles(), "--auto", "temps=1ms");
+        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, grilles(), Souhait.temps(0.001));
         double[] rayons = auto.getEssayes().stream().mapToDouble(Reglage::getRayons).toArray();
         assertEquals("[1.0, 4.0, 16.0, 256.0]", Arrays.toString(rayons));
         double[] erreurs = auto.getEssayes().stream().mapToDouble(Reglage::getErreur).toArray();
@@ -270,7 +266,7 @@ class AutoTest {
 
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Variante fautive = new Variante() {
+        Variante fautive = new Reglable() {
             @Override
             public String getSection() {
                 return "Grille";
@@ -287,8 +283,7 @@ class AutoTest {
             }
         };
         Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
-        Options options = Options.lire("--auto", "erreur=1", "--image", "a.png", "s.ini");
-        SceneFautive e = assertThrows(SceneFautive.class, () -> new Auto(lancer, options, Collections.singletonList(fautive)));
+        SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, Collections.singletonList(fautive)));
         assertEquals("réglage de --auto, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
 }

@@ -23,35 +23,36 @@ class SemisTest {
     void lesBlocsDuChoixEtDuControleSontDansLImageEtTousDifferents(int largeur, int hauteur) {
         Semis semis = new Semis(largeur, hauteur);
         Set<Integer> vus = new HashSet<>();
-        for (List<Bloc> blocs : Arrays.asList(semis.choix, semis.controle)) {
-            for (Bloc bloc : blocs) {
+        for (List<Pave> blocs : Arrays.asList(semis.choix, semis.controle)) {
+            for (Pave bloc : blocs) {
                 assertTrue(0 <= bloc.i0 && bloc.i0 < bloc.i1 && bloc.i1 <= largeur && 0 <= bloc.j0 && bloc.j0 < bloc.j1
                         && bloc.j1 <= hauteur);
                 assertTrue(vus.add(bloc.j0 * largeur + bloc.i0), "un bloc deux fois");
             }
         }
-        assertEquals(Math.max(1, Math.min(4000, Bloc.nombre(largeur, hauteur) / 2)), semis.choix.size());
-        assertEquals(Bloc.nombre(largeur, hauteur) == 1 ? 0 : semis.choix.size(), semis.controle.size());
+        assertEquals(Math.max(1, Math.min(4000, Pave.nombre(largeur, hauteur, Essais.COTE) / 2)), semis.choix.size());
+        assertEquals(Pave.nombre(largeur, hauteur, Essais.COTE) == 1 ? 0 : semis.choix.size(), semis.controle.size());
     }
 
     @Test
     void chaquePixelEstDansUnSeulBlocEtChaqueBlocDansUnSeulPave() {
         int[][] fois = new int[71][101];
-        for (int k = 0; k < Bloc.nombre(101, 71); k++) {
-            Bloc bloc = Bloc.deRang(k, 101, 71);
+        for (int k = 0; k < Pave.nombre(101, 71, Essais.COTE); k++) {
+            Pave bloc = Pave.deRang(k, 101, 71, Essais.COTE);
             int paves = 0;
             for (int p = 0; p < Pave.nombre(101, 71); p++) {
-                paves += bloc.estDans(Pave.deRang(p, 101, 71)) ? 1 : 0;
+                paves += Pave.deRang(p, 101, 71).contient(bloc) ? 1 : 0;
             }
             assertEquals(1, paves, "bloc " + k);
-            Set<Integer> places = new HashSet<>();
+            int pixels = 0;
             for (int j = bloc.j0; j < bloc.j1; j++) {
                 for (int i = bloc.i0; i < bloc.i1; i++) {
                     fois[j][i]++;
-                    assertTrue(bloc.contient(i, j) && places.add(bloc.place(i, j)));
+                    assertTrue(bloc.contient(i, j));
+                    pixels++;
                 }
             }
-            assertEquals(bloc.pixels(), places.size());
+            assertEquals(bloc.pixels(), pixels);
         }
         for (int[] ligne : fois) {
             assertEquals(101, Arrays.stream(ligne).filter(f -> f == 1).count());
@@ -60,7 +61,7 @@ class SemisTest {
 
     @Test
     void uneMesureQuiSuitLesPromessesEstEstimeeSansErreur() {
-        List<Bloc> blocs = new Semis(200, 150).choix;
+        List<Pave> blocs = new Semis(200, 150).choix;
         Random hasard = new Random(3);
         double[] promesses = hasard.doubles(blocs.size(), 0.05, 1).toArray();
         Tirage tirage = new Tirage(100, blocs, promesses, 1);
@@ -79,7 +80,7 @@ class SemisTest {
         double somme = 0;
         for (int graine = 0; graine < semis; graine++) {
             Random hasard = new Random(graine);
-            List<Bloc> blocs = new Semis(200, 150).choix;
+            List<Pave> blocs = new Semis(200, 150).choix;
             double[] promesses = hasard.doubles(blocs.size(), 0.05, 1).toArray();
             Tirage tirage = new Tirage(100, blocs, promesses, 1);
             double carre = tirage.estimer(hasard.doubles(tirage.blocs.size(), 0, 2).toArray()).erreur();
@@ -122,7 +123,7 @@ class SemisTest {
     @Test
     void unSouvenirNeDemandeChaquePointQuUneFois() {
         int[] demandes = new int[1];
-        Bloc bloc = Bloc.deRang(0, 10, 10);
+        Pave bloc = Pave.deRang(0, 10, 10, Essais.COTE);
         Souvenir souvenir = new Souvenir(bloc, (x, y) -> {
             demandes[0]++;
             return new Couleur(x, y, x * y);
@@ -140,12 +141,12 @@ class SemisTest {
     }
 
     @Test
-    void deuxReferencesDUnBlocSontToujoursLesMemesEtDifferentEntreElles() {
-        Bloc bloc = Bloc.deRang(7, 100, 100);
-        Releve[] premieres = Releve.references(bloc, (x, y) -> new Couleur(x * y % 1), new Reseau(13));
-        Releve[] secondes = Releve.references(bloc, (x, y) -> new Couleur(x * y % 1), new Reseau(13));
-        assertEquals(0, premieres[0].ecart(new Releve[] {secondes[0], secondes[0]}));
-        assertEquals(0, premieres[1].ecart(new Releve[] {secondes[1], secondes[1]}));
-        assertFalse(premieres[0].ecart(new Releve[] {premieres[1], premieres[1]}) == 0);
+    void deuxReferencesDUnPaveSontToujoursLesMemesEtDifferentEntreElles() {
+        Pave bloc = Pave.deRang(7, 100, 100, Essais.COTE);
+        Niveaux[] premieres = Niveaux.references(bloc, (x, y) -> new Couleur(x * y % 1), new Reseau(13));
+        Niveaux[] secondes = Niveaux.references(bloc, (x, y) -> new Couleur(x * y % 1), new Reseau(13));
+        assertEquals(0, premieres[0].ecart(new Niveaux[] {secondes[0], secondes[0]}));
+        assertEquals(0, premieres[1].ecart(new Niveaux[] {secondes[1], secondes[1]}));
+        assertFalse(premieres[0].ecart(new Niveaux[] {premieres[1], premieres[1]}) == 0);
     }
 }

@@ -4,15 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Reglable;
 import lancer.contrat.Section;
-import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
 /**
  * Anticrénelage (cours, « Anticrénelage ») : la couleur d'un pixel est la moyenne de celles de n × n sous-pixels, et
  * une méthode adaptative dit quels pixels peuvent se contenter de moins.
  */
-public final class Antialias implements Variante {
+public final class Antialias implements Reglable {
 
     private static final int N = 3;
     private static final int N_MAX = 64;

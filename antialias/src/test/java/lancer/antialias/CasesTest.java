@@ -13,7 +13,6 @@ import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Section;
 import lancer.contrat.Toile;
-import lancer.contrat.Variante;
 import lancer.contrat.Vue;
 import org.junit.jupiter.api.Test;
 
@@ -114,7 +113,7 @@ class CasesTest {
     /** --auto n'a que ceux-là entre quoi choisir : la lecture les accepte tous, et chacun donne un autre échantillonnage que la base. */
     @Test
     void lesReglagesProposesSontTousPossibles() {
-        Variante antialias = new Antialias();
+        Antialias antialias = new Antialias();
         List<Section> reglages = antialias.getReglages();
         assertTrue(reglages.size() > 10);
         for (Section reglage : reglages) {

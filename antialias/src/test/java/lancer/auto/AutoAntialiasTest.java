@@ -61,15 +61,15 @@ class AutoAntialiasTest {
         assertEquals(33, finesses.size());
         for (Finesse finesse : finesses) {
             Couleur[][] image = new Couleur[70][90];
-            essais.lancer(finesse.getEchantillonnage(), 0).TracerPixels((c, i, j) -> image[j][i] = c, 3, 2);
+            essais.lancer(finesse.echantillonnage, 0).TracerPixels((c, i, j) -> image[j][i] = c, 3, 2);
             int[] vus = new int[1];
             // les quatre blocs autour d'un coin de pavés, un du bord de l'image, et un de l'intérieur
             for (int k : new int[] {15 + 15 * 45, 16 + 15 * 45, 15 + 16 * 45, 16 + 16 * 45, 44 + 34 * 45, 22 + 20 * 45}) {
-                Bloc bloc = Bloc.deRang(k, 90, 70);
+                Pave bloc = Pave.deRang(k, 90, 70, Essais.COTE);
                 essais.passer(Collections.singletonList(bloc), 3, 0, (rang, b, pave, vue) ->
-                        finesse.getEchantillonnage().tracer(b.entoure(pave), vue, (c, i, j) -> {
+                        finesse.echantillonnage.tracer(Essais.entoure(b, pave), vue, (c, i, j) -> {
                             if (bloc.contient(i, j)) {
-                                assertEquals(image[j][i], c, finesse.getTexte() + ", pixel " + i + ", " + j);
+                                assertEquals(image[j][i], c, finesse.texte + ", pixel " + i + ", " + j);
                                 vus[0]++;
                             }
                         }));
@@ -83,14 +83,14 @@ class AutoAntialiasTest {
         Scene lue = new Scene(scene.toString());
         Essais essais = new Essais(Preparation.preparer(lue, 80, 60, false), 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
-        EssaiFinesses essai = new EssaiFinesses(essais, new Semis(80, 60).choix, limites(), new Reseau(13));
+        EssaiFinesses essai = EssaiFinesses.parmi(new Semis(80, 60).choix, essais, limites(), new Reseau(13));
         for (Finesse finesse : finesses) {
             essai.essayer(Collections.singletonList(finesse));
             essai.approfondir(finesse);
-            Lancer lancer = essais.lancer(finesse.getEchantillonnage(), 1.0 / 1024);
+            Lancer lancer = essais.lancer(finesse.echantillonnage, 1.0 / 1024);
             lancer.TracerPixels(Essais.AVEUGLE, 5, 2);
             double rayons = lancer.getCompteurs().primaires / (80.0 * 60);
-            assertEquals(1, finesse.getRayons() / rayons, 0.2, finesse.getTexte());
+            assertEquals(1, finesse.rayons / rayons, 0.2, finesse.texte);
         }
     }
 
@@ -148,6 +148,6 @@ class AutoAntialiasTest {
 
     @Test
     void unPaveEstUnNombreEntierDeBlocs() {
-        assertEquals(0, Pave.COTE % Bloc.COTE);
+        assertEquals(0, Pave.COTE % Essais.COTE);
     }
 }

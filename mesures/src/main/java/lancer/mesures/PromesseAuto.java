@@ -9,7 +9,7 @@ import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.auto.Auto;
 import lancer.auto.Reglage;
-import lancer.commande.Options;
+import lancer.auto.Souhait;
 import lancer.contrat.Variante;
 import lancer.rapide.Preparation;
 
@@ -44,10 +44,9 @@ final class PromesseAuto {
         this.scene = nom;
         this.voulue = voulue;
         this.gabarit = gabarit;
-        Options options = Options.lire("--auto", "erreur=" + voulue, "--image", "aucune.png", "--taille", largeur + "x" + hauteur,
-                "s.ini");
-        auto = new Auto(Preparation.preparer(scene, largeur, hauteur, false), options, Collections.<Variante>singletonList(new Antialias()));
-        promise = auto.getRapport().estTenable();
+        auto = Auto.choisir(Preparation.preparer(scene, largeur, hauteur, false), Souhait.erreur(voulue),
+                Runtime.getRuntime().availableProcessors(), Collections.<Variante>singletonList(new Antialias()));
+        promise = auto.estTenable();
         erreur = dessiner(auto.getChoisi());
         rayons = derniersRayons;
         Reglage moindre = auto.getChoisi();

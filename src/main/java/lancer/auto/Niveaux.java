@@ -2,18 +2,19 @@ package lancer.auto;
 
 import java.util.SplittableRandom;
 import lancer.Couleur;
+import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
 /** Les couleurs des pixels d'un bloc, limitées à [0, 1] et en niveaux : de quoi en comparer deux dessins. */
-final class Releve implements Toile {
+final class Niveaux implements Toile {
 
     private static final double NIVEAUX = 255;
 
-    private final Bloc bloc;
-    private final double[] niveaux = new double[3 * Bloc.PIXELS];
+    private final Pave bloc;
+    private final double[] niveaux = new double[3 * Essais.COTE * Essais.COTE];
 
-    Releve(Bloc bloc) {
+    Niveaux(Pave bloc) {
         this.bloc = bloc;
     }
 
@@ -23,13 +24,13 @@ final class Releve implements Toile {
      *
      * @param reseau les points d'un pixel ; aucune grille régulière n'a les siens, et n'en est donc favorisée
      */
-    static Releve[] references(Bloc bloc, Vue vue, Reseau reseau) {
+    static Niveaux[] references(Pave bloc, Vue vue, Reseau reseau) {
         SplittableRandom hasard = new SplittableRandom((long) bloc.j0 << Integer.SIZE | bloc.i0);
-        return new Releve[] {reference(bloc, vue, reseau, hasard), reference(bloc, vue, reseau, hasard)};
+        return new Niveaux[] {reference(bloc, vue, reseau, hasard), reference(bloc, vue, reseau, hasard)};
     }
 
-    private static Releve reference(Bloc bloc, Vue vue, Reseau reseau, SplittableRandom hasard) {
-        Releve releve = new Releve(bloc);
+    private static Niveaux reference(Pave bloc, Vue vue, Reseau reseau, SplittableRandom hasard) {
+        Niveaux reference = new Niveaux(bloc);
         for (int j = bloc.j0; j < bloc.j1; j++) {
             for (int i = bloc.i0; i < bloc.i1; i++) {
                 double dx = hasard.nextDouble();
@@ -38,25 +39,31 @@ final class Releve implements Toile {
                 for (int k = 0; k < reseau.points; k++) {
                     somme = somme.add(vue.couleur(i + reseau.x(k, dx), j + reseau.y(k, dy)));
                 }
-                releve.drawPixel(somme.div(reseau.points), i, j);
+                reference.drawPixel(somme.div(reseau.points), i, j);
             }
         }
-        return releve;
+        return reference;
     }
 
     /** Les pixels d'à côté ne comptent pas. */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
         if (bloc.contient(xe, ye)) {
-            int k = 3 * bloc.place(xe, ye);
-            niveaux[k] = niveau(coul.r);
-            niveaux[k + 1] = niveau(coul.v);
-            niveaux[k + 2] = niveau(coul.b);
+            System.arraycopy(de(coul), 0, niveaux, 3 * ((ye - bloc.j0) * Essais.COTE + xe - bloc.i0), 3);
         }
     }
 
-    static double niveau(double composante) {
-        return NIVEAUX * Math.max(0, Math.min(1, composante));
+    /** Les trois composantes. */
+    static double[] de(Couleur couleur) {
+        return new double[] {niveau(couleur.r), niveau(couleur.v), niveau(couleur.b)};
+    }
+
+    private static double niveau(double composante) {
+        return NIVEAUX * limite(composante);
+    }
+
+    static double limite(double composante) {
+        return Math.max(0, Math.min(1, composante));
     }
 
     /**
@@ -64,7 +71,7 @@ final class Releve implements Toile {
      * mais sans biais : pour deux références a et b, c'est (x − a)(x − b), où leurs erreurs s'annulent en moyenne au
      * lieu de s'ajouter.
      */
-    double ecart(Releve[] references) {
+    double ecart(Niveaux[] references) {
         double somme = 0;
         for (int k = 0; k < niveaux.length; k++) {
             somme += (niveaux[k] - references[0].niveaux[k]) * (niveaux[k] - references[1].niveaux[k]);
