@@ -10,7 +10,7 @@ FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
 .PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
-	comparer reponses image-classe aide propre
+	comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils
@@ -116,6 +116,10 @@ corriger: $(CORRECTION)
 	@$(JAVA) -jar $(CORRECTION) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
 	    $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
 
+# Trente rendus différents : combien de temps, combien de mémoire.
+mesure-corriger: $(CORRECTION)
+	@JAVA="$(JAVA)" outils/mesure-corriger.sh
+
 # La page de la classe que donnent les rendus d'essai, telle que le README la montre : Chromium la photographie.
 image-classe: $(CORRECTION)
 	@command -v chromium >/dev/null || { echo "Il faut Chromium : sudo apt-get install chromium" >&2; exit 1; }
@@ -143,6 +147,7 @@ aide:
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corriger RENDUS=…     note les rendus d'une classe ; NOTES=feuille.csv de Moodle, BAREME=points.ini, SORTIE=dossier"
+	@echo "make mesure-corriger       note trente rendus différents, et dit en combien de temps et de mémoire"
 	@echo "make propre                efface ce qui est construit"
 
 propre: outils

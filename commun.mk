@@ -4,8 +4,8 @@ RACINE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
 MVN ?= mvn -B -ntp
 JAVA ?= java
 
-# La scène à montrer, les options du programme, et les variantes à mettre ensemble.
-SCENE ?= scenes/scene1.ini
+# La scène à montrer (celle qui a le nom de la variante, ou celle du cours), les options du programme, et les variantes à mettre ensemble.
+SCENE ?= scenes/$(or $(basename $(notdir $(wildcard $(RACINE)/scenes/$(VARIANTE).ini))),scene1).ini
 OPTIONS ?=
 VARIANTES ?= $(VARIANTE)
 

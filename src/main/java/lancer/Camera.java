@@ -16,11 +16,7 @@ public class Camera {
     private final int largeur;
     private final int hauteur;
 
-    /**
-     * @param largeur nombre de pixels d'une ligne, au moins 1
-     * @param hauteur nombre de lignes, au moins 1
-     * @throws IllegalArgumentException si l'image n'a pas de pixel
-     */
+    /** @throws IllegalArgumentException si l'image n'a pas une colonne et une ligne de pixels au moins */
     public Camera(int largeur, int hauteur) {
         if (largeur < 1 || hauteur < 1) {
             throw new IllegalArgumentException("taille d'image impossible : " + largeur + " × " + hauteur);

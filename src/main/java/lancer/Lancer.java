@@ -44,10 +44,8 @@ public class Lancer {
     }
 
     /**
-     * La couleur vue à travers un point de l'écran, non limitée.
+     * La couleur vue à travers un point de l'écran ({@link Camera#getRayon}), non limitée.
      *
-     * @param xe en pixels depuis la gauche ; le centre du pixel i est i + 0,5
-     * @param ye en pixels depuis le haut
      * @param profondeur nombre de réflexions permises
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
@@ -62,20 +60,14 @@ public class Lancer {
      * @throws PixelFautif si ce calcul échoue, ou si une composante n'est pas un nombre fini
      */
     public Couleur voir(double xe, double ye, int profondeur) {
-        Couleur couleur;
         try {
-            couleur = getCouleurPixel(xe, ye, profondeur);
-        } catch (OutOfMemoryError e) {
-            // ce n'est pas ce pixel qui est en cause
+            return PixelFautif.verifier(getCouleurPixel(xe, ye, profondeur), xe, ye);
+        } catch (OutOfMemoryError | PixelFautif e) {
+            // le premier n'est pas la faute de ce pixel
             throw e;
         } catch (RuntimeException | Error e) {
             throw new PixelFautif(xe, ye, e);
         }
-        if (couleur == null || !couleur.estFinie()) {
-            throw new PixelFautif(xe, ye,
-                    new ArithmeticException("ce n'est pas une couleur aux composantes finies : " + couleur));
-        }
-        return couleur;
     }
 
     /**

@@ -9,13 +9,14 @@ import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
-import lancer.fenetre.Dessinateur;
 import lancer.fenetre.Fenetre;
 import lancer.lecture.LecteurScene;
 import lancer.rapide.Preparation;
+import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
 import lancer.sortie.Statistiques;
@@ -145,7 +146,8 @@ public class Main implements Toile, Dessinateur {
     private Echec nommer(PixelFautif panne) {
         int largeur = image == null ? options.largeur : image.getLargeur();
         int hauteur = image == null ? options.hauteur : image.getHauteur();
-        return new Echec(CodeSortie.PANNE, Pannes.duPixel(panne, options, fichier, largeur, hauteur));
+        PixelFautif precise = Diagnostic.preciser(panne, scene, new Camera(largeur, hauteur), options.reflets);
+        return new Echec(CodeSortie.PANNE, Pannes.duPixel(precise, options, fichier, largeur, hauteur));
     }
 
     /** Prépare la scène lue pour l'image à dessiner. */
@@ -189,6 +191,6 @@ public class Main implements Toile, Dessinateur {
     /** Dessine un pixel de l'image en cours. */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
-        image.drawPixel(coul, xe, ye);
+        image.drawPixel(PixelFautif.verifier(coul, xe + 0.5, ye + 0.5), xe, ye);
     }
 }

@@ -40,7 +40,7 @@ public abstract class Objet3D {
         Vecteur N = getNormale(contact);
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();
         Lumiere lumiere = new Lumiere();
-        for (Lampe lampe : scene.tableauDesLampes) {
+        for (Lampe lampe : scene.lampes) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
             // le signe de N·L se lit avant de normaliser : une lampe exactement sur le contact s'arrête ici aussi
             if (N.dot(versLampe) > 0) {

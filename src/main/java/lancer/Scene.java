@@ -1,6 +1,6 @@
 package lancer;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import lancer.contrat.Atmosphere;
@@ -20,9 +20,8 @@ import lancer.precision.Jumelles;
 public final class Scene {
 
     private final List<Objet3D> objets;
-    private final List<Lampe> lampes;
-    /** Les mêmes, en tableau : chaque contact les parcourt. */
-    final Lampe[] tableauDesLampes;
+    /** En tableau, que chaque contact parcourt. */
+    final Lampe[] lampes;
     private final Atmosphere atmosphere;
     private final Specularite specularite;
     private final Echantillonnage echantillonnage;
@@ -33,8 +32,7 @@ public final class Scene {
     /**
      * Lit une scène dans un fichier, et y installe les variantes présentes.
      *
-     * @param nomFichier un chemin ; s'il est relatif et n'existe pas ici, cherché aussi dans les quatre dossiers
-     *     au-dessus
+     * @param nomFichier voir {@link LecteurScene#trouver}
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {
@@ -54,8 +52,7 @@ public final class Scene {
     /** Une scène sans fichier, où {@code modele} dit ce que des variantes changent. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, Modele modele) {
         this.objets = Collections.unmodifiableList(Jumelles.sans(objets));
-        this.lampes = Collections.unmodifiableList(new ArrayList<>(lampes));
-        tableauDesLampes = lampes.toArray(new Lampe[0]);
+        this.lampes = lampes.toArray(new Lampe[0]);
         atmosphere = modele.getAtmosphere();
         specularite = modele.getSpecularite();
         echantillonnage = modele.getEchantillonnage();
@@ -65,7 +62,6 @@ public final class Scene {
     private Scene(Scene autre, Echantillonnage echantillonnage, double seuil) {
         objets = autre.objets;
         lampes = autre.lampes;
-        tableauDesLampes = autre.tableauDesLampes;
         atmosphere = autre.atmosphere;
         specularite = autre.specularite;
         this.echantillonnage = echantillonnage;
@@ -149,7 +145,7 @@ public final class Scene {
 
     /** Les lampes, dans l'ordre du fichier ; la liste ne change pas. */
     public List<Lampe> getLampes() {
-        return lampes;
+        return Collections.unmodifiableList(Arrays.asList(lampes));
     }
 
     /** Ce que ce fil a compté. */
@@ -173,6 +169,10 @@ public final class Scene {
 
     public void setRecherche(Recherche recherche) {
         this.recherche = recherche;
+    }
+
+    public Atmosphere getAtmosphere() {
+        return atmosphere;
     }
 
     public Specularite getSpecularite() {

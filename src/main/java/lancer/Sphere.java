@@ -13,10 +13,7 @@ public class Sphere extends Objet3D {
     private final Point centre;
     private final double rayon;
 
-    /**
-     * @param rayon demi-diamètre, en unités de la scène
-     * @throws IllegalArgumentException si le rayon n'est pas un nombre fini strictement positif
-     */
+    /** @throws IllegalArgumentException si le rayon n'est pas un nombre fini strictement positif */
     public Sphere(Point centre, double rayon) {
         if (!(rayon > 0 && rayon <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("rayon de sphère impossible : " + rayon);
@@ -29,7 +26,7 @@ public class Sphere extends Objet3D {
         return centre;
     }
 
-    /** Le demi-diamètre. */
+    /** Le demi-diamètre, en unités de la scène. */
     public double getRayon() {
         return rayon;
     }

@@ -111,10 +111,7 @@ public class Vecteur extends Tuple {
         return u.dot(v);
     }
 
-    /**
-     * @return {@link #normalized() v.normalized()}
-     * @throws ArithmeticException si le vecteur est nul ou n'est pas fini
-     */
+    /** La même chose que {@link #normalized() v.normalized()}. */
     public static Vecteur normalize(Vecteur v) {
         return v.normalized();
     }

@@ -40,4 +40,21 @@ class MakefileTest extends EssaiProcessus {
         assertEquals("C.UTF-8", langue(null, "C", "fr_FR.UTF-8"), "LC_CTYPE l'emporte sur LANG");
         assertEquals("C.UTF-8", langue("POSIX", "fr_FR.UTF-8", "fr_FR.UTF-8"), "LC_ALL l'emporte sur tout");
     }
+
+    /** La scène que montre make dans le dossier de cette variante, ou à la racine. */
+    private String scene(String variante) throws IOException, InterruptedException {
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("commun.mk").getAbsolutePath(),
+                "VARIANTE=" + variante, "--eval", "scene:;@echo $(SCENE)", "scene"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(0, statut(make), erreur());
+        return sortie().trim();
+    }
+
+    @Test
+    void uneVarianteMontreLaSceneQuiPorteSonNomOuCelleDuCours() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        assertEquals("scenes/brume.ini", scene("brume"));
+        assertEquals("scenes/scene1.ini", scene("blinn"));
+        assertEquals("scenes/scene1.ini", scene(""));
+    }
 }

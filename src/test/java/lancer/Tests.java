@@ -474,8 +474,13 @@ public class Tests {
         @Tag("Lancer")
         @DisplayName("getCouleurPixel : la couleur du ciel où il n'y a rien")
         void unPixelVideALaCouleurDuCiel() {
-            verifier("le pixel du centre d'une scène vide : getSkyColor du rayon", rayon(0, 0, 0, 0, 0, 1)
-                    .getSkyColor(), pixel(scene(null)));
+            Couleur couleur = pixel(scene(null));
+            // le rayon passe par les coordonnées entières, V.y = 0, ou par le centre du pixel, un demi-pixel plus bas
+            double y = -0.5 * 2 / 800;
+            double focale = 1 / Math.tan(Math.toRadians(15));
+            Couleur centre = new Couleur(0.5, 0.4 + 0.2 * y / Math.sqrt(2 * y * y + focale * focale), 0.1);
+            verifier("le pixel du centre d'une scène vide : getSkyColor du rayon",
+                    pres(centre, couleur) ? centre : new Couleur(0.5, 0.4, 0.1), couleur);
         }
 
         @Test

@@ -32,6 +32,9 @@ public final class Options {
     /** Ce que l'image d'un seul pixel ne peut ni écrire, ni choisir, ni répéter. */
     private static final String[] SANS_PIXEL = {"--image", "--lineaire", "--auto", "--repeter", "--comparer"};
 
+    /** Une comparaison se fait à la taille de la référence, et n'écrit que l'image des différences. */
+    private static final String[] SANS_COMPARER = {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"};
+
     /** Demandes d'un texte, sans rien dessiner ; la première rencontrée l'emporte. */
     public boolean aide;
     public boolean version;
@@ -121,33 +124,42 @@ public final class Options {
             }
             option(nom);
         }
-        if (pixel && !aide && !version) {
-            verifierPixel(vues);
+        if (!aide && !version) {
+            accorder(vues);
         }
-        if (comparer != null && !aide && !version) {
-            accorderComparaison(vues);
+    }
+
+    /** Refuse les options qui ne vont pas ensemble, ou pas seules. */
+    private void accorder(Set<String> vues) {
+        if (pixel) {
+            refuser(SANS_PIXEL, vues, "--pixel ne va pas avec %s");
+            if (pixelX >= largeur || pixelY >= hauteur) {
+                throw horsLimites("--pixel", pixelEcrit,
+                        "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
+            }
         }
-        if (vues.contains("--tolerance") && comparer == null && !aide && !version) {
+        if (comparer != null) {
+            if (scene == null) {
+                throw faute("rien à comparer à " + Texte.cite(comparer)
+                        + " ; attendu : une scène, ou une image PNG ou PFM");
+            }
+            refuser(SANS_COMPARER, vues, "%s ne va pas avec --comparer");
+        } else if (vues.contains("--tolerance")) {
             throw faute("--tolerance ne sert pas seule ; attendu : avec elle, --comparer REFERENCE.png");
         }
-        if ((versFichier() || pixel) && scene == null && !aide && !version) {
+        if ((versFichier() || pixel) && scene == null) {
             throw faute("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
-        if (auto && !versFichier() && !aide && !version) {
+        if (auto && !versFichier()) {
             throw faute("--auto ne sert pas dans la fenêtre ; attendu : avec elle, "
                     + "--image FICHIER.png ou --lineaire FICHIER.pfm");
         }
     }
 
-    /** Une comparaison se fait à la taille de la référence, et n'écrit que l'image des différences. */
-    private void accorderComparaison(Set<String> vues) {
-        if (scene == null) {
-            throw faute("rien à comparer à " + Texte.cite(comparer)
-                    + " ; attendu : une scène, ou une image PNG ou PFM");
-        }
-        for (String autre : new String[] {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"}) {
+    private static void refuser(String[] autres, Set<String> vues, String faute) {
+        for (String autre : autres) {
             if (vues.contains(autre)) {
-                throw faute(autre + " ne va pas avec --comparer ; attendu : l'une ou l'autre");
+                throw faute(String.format(faute, autre) + " ; attendu : l'une ou l'autre");
             }
         }
     }
@@ -190,12 +202,10 @@ public final class Options {
                 pixel(valeur(nom, PIXEL));
                 break;
             case "--statistiques":
-                sansValeur(nom);
-                statistiques = true;
+                statistiques = sansValeur(nom);
                 break;
             case "--simple":
-                sansValeur(nom);
-                simple = true;
+                simple = sansValeur(nom);
                 break;
             case "--auto":
                 souhait(valeur(nom, AUTO));
@@ -204,12 +214,10 @@ public final class Options {
             case "--aide":
             case "--help":
             case "-h":
-                sansValeur(nom);
-                aide = true;
+                aide = sansValeur(nom);
                 break;
             case "--version":
-                sansValeur(nom);
-                version = true;
+                version = sansValeur(nom);
                 break;
             default:
                 throw faute("option inconnue : " + Texte.cite(nom) + " ; attendu : une de celles que montre --aide");
@@ -234,10 +242,12 @@ public final class Options {
         return fichier;
     }
 
-    private void sansValeur(String nom) {
+    /** @return vrai : l'option est demandée */
+    private boolean sansValeur(String nom) {
         if (valeurCollee != null) {
             throw faute("option qui ne prend pas de valeur : " + nom + " ; reçu : " + Texte.cite(valeurCollee));
         }
+        return true;
     }
 
     private int entier(String nom, int min, int max) {
@@ -289,40 +299,32 @@ public final class Options {
     }
 
     private void pixel(String texte) {
-        int virgule = texte.indexOf(',');
-        long x = virgule < 0 ? -1 : chiffres(texte.substring(0, virgule));
-        long y = virgule < 0 ? -1 : chiffres(texte.substring(virgule + 1));
-        if (x < 0 || y < 0) {
+        long[] xy = deuxEntiers(texte, ',');
+        if (xy[0] < 0 || xy[1] < 0) {
             throw horsLimites("--pixel", texte, PIXEL);
         }
         pixel = true;
         pixelEcrit = texte;
-        pixelX = (int) x;
-        pixelY = (int) y;
-    }
-
-    private void verifierPixel(Set<String> vues) {
-        for (String autre : SANS_PIXEL) {
-            if (vues.contains(autre)) {
-                throw faute("--pixel ne va pas avec " + autre + " ; attendu : l'une ou l'autre");
-            }
-        }
-        if (pixelX >= largeur || pixelY >= hauteur) {
-            throw horsLimites("--pixel", pixelEcrit,
-                    "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
-        }
+        pixelX = (int) xy[0];
+        pixelY = (int) xy[1];
     }
 
     private void taille(String texte) {
-        int x = texte.indexOf('x');
-        long l = x < 0 ? -1 : chiffres(texte.substring(0, x));
-        long h = x < 0 ? -1 : chiffres(texte.substring(x + 1));
-        if (l < 1 || l > COTE_MAX || h < 1 || h > COTE_MAX || l * h > PIXELS_MAX) {
+        long[] cotes = deuxEntiers(texte, 'x');
+        if (Math.min(cotes[0], cotes[1]) < 1 || Math.max(cotes[0], cotes[1]) > COTE_MAX
+                || cotes[0] * cotes[1] > PIXELS_MAX) {
             throw horsLimites("--taille", texte, "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
                     + " chacune, et au plus " + PIXELS_MAX + " pixels");
         }
-        largeur = (int) l;
-        hauteur = (int) h;
+        largeur = (int) cotes[0];
+        hauteur = (int) cotes[1];
+    }
+
+    /** Les deux {@link #chiffres} autour du premier séparateur, −1 s'il manque. */
+    private static long[] deuxEntiers(String texte, char separateur) {
+        int k = texte.indexOf(separateur);
+        return k < 0 ? new long[] {-1, -1}
+                : new long[] {chiffres(texte.substring(0, k)), chiffres(texte.substring(k + 1))};
     }
 
     private static Echec horsLimites(String nom, String texte, String attendu) {

@@ -12,6 +12,8 @@ import lancer.texte.Texte;
 /** Ce que le programme dit et rend quand il n'a pas pu, et comment il parle : une ligne, quoi qu'elle contienne. */
 public final class Pannes {
 
+    private static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
+
     private Pannes() {
     }
 
@@ -34,7 +36,7 @@ public final class Pannes {
             }
             return "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
         }
-        return "échec du programme : " + Texte.echappe(panne.toString());
+        return "échec du programme : " + Texte.cause(panne, HORS_DE_JAVA);
     }
 
     /** Dit ces messages, une ligne chacun. */
@@ -66,14 +68,8 @@ public final class Pannes {
      * @param largeur la taille de l'image, en pixels
      */
     public static String duPixel(PixelFautif panne, Options options, String scene, int largeur, int hauteur) {
-        Throwable cause = panne;
-        while (cause.getCause() != null) {
-            cause = cause.getCause();
-        }
         StringBuilder s = new StringBuilder("pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene)
-                + " : ");
-        s.append(Texte.echappe(cause.toString())).append(endroit(cause));
-        s.append(" ; pour le revoir : ").append(programme());
+                + " : " + Texte.cause(panne, HORS_DE_JAVA) + " ; pour le revoir : " + programme());
         s.append(" --pixel ").append(panne.x).append(',').append(panne.y);
         if (largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE) {
             s.append(" --taille ").append(largeur).append('x').append(hauteur);
@@ -85,17 +81,6 @@ public final class Pannes {
             s.append(" --seuil ").append(options.seuil);
         }
         return s.append(' ').append(motDeCommande(scene)).toString();
-    }
-
-    /** La première ligne de code qui ne soit pas de Java. */
-    private static String endroit(Throwable cause) {
-        for (StackTraceElement pas : cause.getStackTrace()) {
-            if (!pas.getClassName().matches("(java|javax|jdk|sun)\\..*")) {
-                return " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
-                        + pas.getLineNumber() + ")";
-            }
-        }
-        return "";
     }
 
     private static String programme() {

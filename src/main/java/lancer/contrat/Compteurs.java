@@ -24,6 +24,9 @@ public final class Compteurs {
     /** Nœuds ou cases de structures de recherche visités. */
     public long noeudsVisites;
 
+    /** Sphères et cases qu'a examinées le choix des structures, avant le dessin ; elles ne comptent pour rien d'autre. */
+    public long examensEssais;
+
     /** Pixels que l'échantillonnage a raffinés. */
     public long pixelsRaffines;
 
@@ -41,6 +44,7 @@ public final class Compteurs {
         noeudsVisites += autres.noeudsVisites;
         pixelsRaffines += autres.pixelsRaffines;
         pixelsTemoins += autres.pixelsTemoins;
+        examensEssais += autres.examensEssais;
     }
 
     /** Le nombre de rayons de toutes sortes. */

@@ -52,7 +52,7 @@ public final class Modele {
     }
 
     /** Le nom de la classe, sans ce que Java ajoute à celui d'une lambda. */
-    private static String nom(Object contrat) {
+    static String nom(Object contrat) {
         return contrat.getClass().getName().replaceAll("\\$\\$Lambda.*", "");
     }
 }

@@ -1,5 +1,7 @@
 package lancer.contrat;
 
+import lancer.Couleur;
+
 /**
  * Un pixel n'a pu être calculé : une classe de la scène, ou une variante, échoue ou répond ce qui n'est pas un nombre.
  */
@@ -11,10 +13,29 @@ public final class PixelFautif extends RuntimeException {
     public final int x;
     public final int y;
 
+    /** Le point de l'écran, en pixels : celui de ce pixel qui n'a pu être vu. */
+    public final double xe;
+    public final double ye;
+
     /** @param xe en pixels depuis la gauche */
     public PixelFautif(double xe, double ye, Throwable cause) {
         super("pixel " + (int) xe + ", " + (int) ye, cause);
+        this.xe = xe;
+        this.ye = ye;
         x = (int) xe;
         y = (int) ye;
+    }
+
+    /**
+     * Cette couleur même : aucun nombre qui ne soit fini n'arrive à une image.
+     *
+     * @throws PixelFautif si elle est nulle, ou si une composante n'est pas un nombre fini
+     */
+    public static Couleur verifier(Couleur couleur, double xe, double ye) {
+        if (couleur == null || !couleur.estFinie()) {
+            throw new PixelFautif(xe, ye,
+                    new ArithmeticException("ce n'est pas une couleur aux composantes finies : " + couleur));
+        }
+        return couleur;
     }
 }

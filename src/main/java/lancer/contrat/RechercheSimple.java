@@ -26,7 +26,7 @@ public final class RechercheSimple implements Recherche {
         for (Objet3D objet : objets) {
             if (objet != saufLui) {
                 compteurs.testsSpheres++;
-                double d = objet.getIntersectionDistance(incident);
+                double d = distance(objet, incident);
                 if (d < distance) {
                     plusProche = objet;
                     distance = d;
@@ -42,12 +42,21 @@ public final class RechercheSimple implements Recherche {
         for (Objet3D autre : objets) {
             if (autre != objet) {
                 compteurs.testsSpheres++;
-                if (autre.getIntersectionDistance(ombre) < distance) {
+                if (distance(autre, ombre) < distance) {
                     return true;
                 }
             }
         }
         return false;
+    }
+
+    /** @throws ArithmeticException si l'objet répond ce qui n'est pas un nombre */
+    public static double distance(Objet3D objet, Rayon rayon) {
+        double d = objet.getIntersectionDistance(rayon);
+        if (Double.isNaN(d)) {
+            throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");
+        }
+        return d;
     }
 
     @Override

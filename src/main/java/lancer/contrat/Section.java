@@ -22,6 +22,9 @@ public final class Section {
     private static final double LONGUEUR_MIN = 1e-100;
     private static final double LONGUEUR_MAX = 1e100;
 
+    /** Le plus petit nombre strictement positif. */
+    private static final double PLUS_QUE_ZERO = Double.MIN_VALUE;
+
     /** Aucune section n'en connaît tant ; au-delà, chercher les doublons coûterait trop cher. */
     private static final int CLES_MAX = Long.SIZE;
 
@@ -75,16 +78,6 @@ public final class Section {
         return ligne;
     }
 
-    /** Le premier mot du nom : ce que la section décrit. */
-    public String getType() {
-        return type(nom);
-    }
-
-    public static String type(String nom) {
-        int blanc = nom.indexOf(' ');
-        return blanc < 0 ? nom : nom.substring(0, blanc);
-    }
-
     public void ajouter(String cle, String valeur, int ligneCle) {
         int deja = rang(cle);
         if (deja >= 0) {
@@ -92,7 +85,7 @@ public final class Section {
                     "une seule fois chaque clé");
         }
         if (connues != null && !connue(cle)) {
-            throw fautive(ligneCle, cle, cleInconnue(cle), String.join(", ", connues));
+            throw inconnue(ligneCle, cle, String.join(", ", connues));
         }
         if (cles.size() == CLES_MAX) {
             throw fautive(ligneCle, cle, "trop de clés", "au plus " + CLES_MAX + " clés dans une section");
@@ -102,8 +95,8 @@ public final class Section {
         lignes.add(ligneCle);
     }
 
-    private static String cleInconnue(String cle) {
-        return "clé inconnue" + Texte.imitations(cle);
+    private SceneFautive inconnue(int ligneCle, String cle, String attendu) {
+        return fautive(ligneCle, cle, "clé inconnue" + Texte.imitations(cle), attendu);
     }
 
     private boolean connue(String cle) {
@@ -152,43 +145,38 @@ public final class Section {
      */
     public double reel(String cle, double defaut, double min, double max) {
         int k = demander(cle);
-        return k < 0 ? defaut : nombres(k, 1, min, max, true)[0];
+        return k < 0 ? defaut : nombres(k, 1, min, max)[0];
     }
 
     /** Comme {@link #reel(String, double, double, double)}, la clé étant obligatoire. */
     public double reel(String cle, double min, double max) {
-        return nombres(obligatoire(cle, 1, min, max), 1, min, max, true)[0];
+        return nombres(cle, 1, min, max)[0];
     }
 
     /** Comme {@link #reel(String, double, double, double)}, la valeur étant strictement positive. */
     public double reelPositif(String cle, double defaut, double max) {
-        int k = demander(cle);
-        return k < 0 ? defaut : nombres(k, 1, 0, max, false)[0];
+        return reel(cle, defaut, PLUS_QUE_ZERO, max);
     }
 
     /** Comme {@link #reel(String, double, double, double)}, la valeur étant un nombre entier. */
     public int entier(String cle, int defaut, int min, int max) {
-        int k = demander(cle);
-        if (k < 0) {
-            return defaut;
-        }
-        double valeur = nombres(k, 1, min, max, true)[0];
+        double valeur = reel(cle, defaut, min, max);
         if (valeur != (int) valeur) {
-            throw fautive(cle, "n'est pas un nombre entier : " + Texte.cite(valeurs.get(k)),
+            throw fautive(cle, "n'est pas un nombre entier : " + Texte.cite(mot(cle, "")),
                     "un entier de " + min + " à " + max);
         }
         return (int) valeur;
     }
 
-    /** La couleur de cette clé, trois nombres de {@code min} à {@code max}. */
+    /** La couleur de cette clé, trois nombres de 0 à {@code max}. */
     public Couleur couleur(String cle, Couleur defaut, double max) {
         int k = demander(cle);
-        return k < 0 ? defaut : couleur(nombres(k, 3, 0, max, true));
+        return k < 0 ? defaut : couleur(nombres(k, 3, 0, max));
     }
 
     /** Comme {@link #couleur(String, Couleur, double)}, la clé étant obligatoire. */
     public Couleur couleur(String cle, double max) {
-        return couleur(nombres(obligatoire(cle, 3, 0, max), 3, 0, max, true));
+        return couleur(nombres(cle, 3, 0, max));
     }
 
     private static Couleur couleur(double[] n) {
@@ -197,22 +185,17 @@ public final class Section {
 
     /** Le point de cette clé, obligatoire : trois coordonnées de −1e100 à 1e100. */
     public Point point(String cle) {
-        double[] n = coordonnees(cle);
+        double[] n = nombres(cle, 3, -COORDONNEE_MAX, COORDONNEE_MAX);
         return new Point(n[0], n[1], n[2]);
     }
 
     /** La direction de cette clé, obligatoire : un vecteur qui n'est pas nul, ramené à la longueur 1. */
     public Vecteur direction(String cle) {
-        double[] n = coordonnees(cle);
-        if (n[0] == 0 && n[1] == 0 && n[2] == 0) {
-            throw fautive(cle, "vecteur nul : " + Texte.cite(valeurs.get(rang(cle))),
-                    "trois nombres qui ne sont pas tous nuls");
+        Point p = point(cle);
+        if (p.x == 0 && p.y == 0 && p.z == 0) {
+            throw fautive(cle, "vecteur nul : " + Texte.cite(mot(cle, "")), "trois nombres qui ne sont pas tous nuls");
         }
-        return new Vecteur(n[0], n[1], n[2]).normalized();
-    }
-
-    private double[] coordonnees(String cle) {
-        return nombres(obligatoire(cle, 3, -COORDONNEE_MAX, COORDONNEE_MAX), 3, -COORDONNEE_MAX, COORDONNEE_MAX, true);
+        return new Vecteur(p.x, p.y, p.z).normalized();
     }
 
     /** La longueur de cette clé, obligatoire : de 1e-100 à 1e100. */
@@ -226,42 +209,24 @@ public final class Section {
         return k < 0 ? defaut : valeurs.get(k);
     }
 
-    private int obligatoire(String cle, int combien, double min, double max) {
+    private double[] nombres(String cle, int combien, double min, double max) {
         int k = demander(cle);
         if (k < 0) {
-            throw fautive(ligne, cle, "clé absente", attendu(combien, min, max, true));
+            throw fautive(ligne, cle, "clé absente", attendu(combien, min, max));
         }
-        return k;
+        return nombres(k, combien, min, max);
     }
 
-    private double[] nombres(int k, int combien, double min, double max, boolean minPermis) {
+    private double[] nombres(int k, int combien, double min, double max) {
         String texte = valeurs.get(k);
         double[] nombres = new double[combien];
         int trouves = 0;
-        int i = 0;
-        while (true) {
-            while (i < texte.length() && blanc(texte.charAt(i))) {
-                i++;
-            }
-            if (i == texte.length()) {
-                break;
-            }
-            int debut = i;
-            while (i < texte.length() && !blanc(texte.charAt(i))) {
-                i++;
-            }
-            double valeur = Nombre.lire(texte, debut, i);
-            String faute = null;
-            if (Double.isNaN(valeur)) {
-                throw pasUnNombre(k, debut, i, attendu(combien, min, max, minPermis));
-            } else if (Double.isInfinite(valeur)) {
-                faute = "nombre trop grand : ";
-            } else if (!(minPermis ? valeur >= min : valeur > min) || valeur > max) {
-                faute = "hors limites : ";
-            }
-            if (faute != null) {
-                throw fautive(lignes.get(k), cles.get(k), faute + Texte.cite(texte.substring(debut, i)),
-                        attendu(combien, min, max, minPermis));
+        int fin = 0;
+        for (int debut = fin(texte, 0, true); debut < texte.length(); debut = fin(texte, fin, true)) {
+            fin = fin(texte, debut, false);
+            double valeur = Nombre.lire(texte, debut, fin);
+            if (!(valeur >= min && valeur <= max)) {
+                throw impossible(k, texte.substring(debut, fin), valeur, attendu(combien, min, max));
             }
             if (trouves < combien) {
                 nombres[trouves] = valeur;
@@ -272,35 +237,44 @@ public final class Section {
             String faute = trouves == 0 ? "valeur absente"
                     : trouves + (trouves > 1 ? " nombres" : " nombre") + " au lieu de " + combien + " : "
                     + Texte.cite(texte);
-            throw fautive(lignes.get(k), cles.get(k), faute, attendu(combien, min, max, minPermis));
+            throw fautive(lignes.get(k), cles.get(k), faute, attendu(combien, min, max));
         }
         return nombres;
     }
 
-    /** Refuse le mot de {@code debut} à {@code fin}, en nommant les fautes les plus courantes. */
-    private SceneFautive pasUnNombre(int k, int debut, int fin, String attendu) {
-        String texte = valeurs.get(k);
-        String mot = texte.substring(debut, fin);
-        char premier = mot.charAt(0);
-        if (premier == ';' || premier == '#') {
-            return fautive(lignes.get(k), cles.get(k),
-                    "commentaire après une valeur : " + Texte.cite(texte.substring(debut)),
-                    "un commentaire seul sur sa ligne");
+    /** Où finissent les blancs, ou ce qui n'en est pas, qui commencent là. */
+    private static int fin(String texte, int debut, boolean blancs) {
+        int i = debut;
+        while (i < texte.length() && (texte.charAt(i) == ' ' || texte.charAt(i) == '\t') == blancs) {
+            i++;
         }
-        String faute = mot.indexOf(',') >= 0 ? "une virgule dans un nombre : " : "n'est pas un nombre : ";
-        return fautive(lignes.get(k), cles.get(k), faute + Texte.cite(mot) + Texte.imitations(mot),
-                attendu + (mot.indexOf(',') >= 0 ? ", avec un point décimal" : ""));
+        return i;
     }
 
-    public static boolean blanc(char c) {
-        return c == ' ' || c == '\t';
+    /** Refuse un mot, en nommant les fautes les plus courantes. */
+    private SceneFautive impossible(int k, String mot, double valeur, String attendu) {
+        String faute = Texte.cite(mot);
+        String voulu = attendu;
+        if (!Double.isNaN(valeur)) {
+            faute = (Double.isInfinite(valeur) ? "nombre trop grand : " : "hors limites : ") + faute;
+        } else if (mot.startsWith(";") || mot.startsWith("#")) {
+            String texte = valeurs.get(k);
+            faute = "commentaire après une valeur : " + Texte.cite(texte.substring(texte.indexOf(mot)));
+            voulu = "un commentaire seul sur sa ligne";
+        } else {
+            boolean virgule = mot.indexOf(',') >= 0;
+            faute = (virgule ? "une virgule dans un nombre : " : "n'est pas un nombre : ") + faute
+                    + Texte.imitations(mot);
+            voulu += virgule ? ", avec un point décimal" : "";
+        }
+        return fautive(lignes.get(k), cles.get(k), faute, voulu);
     }
 
-    private static String attendu(int combien, double min, double max, boolean minPermis) {
+    private static String attendu(int combien, double min, double max) {
         String nombres = combien == 1 ? "un nombre" : combien + " nombres séparés par des blancs, chacun";
         boolean borne = max < Double.MAX_VALUE;
-        if (!minPermis) {
-            return nombres + " plus grand que " + Nombre.ecrire(min) + (borne ? ", au plus " + Nombre.ecrire(max) : "");
+        if (min == PLUS_QUE_ZERO) {
+            return nombres + " plus grand que 0" + (borne ? ", au plus " + Nombre.ecrire(max) : "");
         }
         return borne ? nombres + " de " + Nombre.ecrire(min) + " à " + Nombre.ecrire(max)
                 : nombres + " d'au moins " + Nombre.ecrire(min);
@@ -310,7 +284,7 @@ public final class Section {
     public void verifierCles() {
         for (int k = 0; k < cles.size(); k++) {
             if ((lues & 1L << k) == 0) {
-                throw fautive(lignes.get(k), cles.get(k), cleInconnue(cles.get(k)),
+                throw inconnue(lignes.get(k), cles.get(k),
                         demandees.isEmpty() ? "aucune clé" : String.join(", ", demandees));
             }
         }

@@ -2,10 +2,13 @@ package lancer.fenetre;
 
 import java.awt.Color;
 import java.awt.Cursor;
+import java.awt.datatransfer.StringSelection;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import javax.swing.BorderFactory;
+import javax.swing.JPopupMenu;
 import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import lancer.texte.Texte;
 
@@ -40,14 +43,20 @@ final class Bandeau extends JTextArea {
         // un fichier déposé ici l'est sur la fenêtre
         setTransferHandler(null);
         setCursor(Cursor.getDefaultCursor());
-        setToolTipText("cliquer pour fermer");
+        setToolTipText("cliquer pour fermer ; bouton droit pour copier");
         addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
-                faute = "";
-                avis("");
+                if (SwingUtilities.isLeftMouseButton(e)) {
+                    faute = "";
+                    avis("");
+                }
             }
         });
+        JPopupMenu menu = new JPopupMenu();
+        menu.add("Copier le message").addActionListener(e ->
+                getToolkit().getSystemClipboard().setContents(new StringSelection(getText()), null));
+        setComponentPopupMenu(menu);
     }
 
     /** La faute de la scène, qui reste jusqu'à la suivante ; vide, il n'y en a plus. */

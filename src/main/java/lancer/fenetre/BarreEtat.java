@@ -73,23 +73,24 @@ final class BarreEtat extends JPanel {
         bouton.setText(tracage.isFini() ? "Redessiner" : "Arrêter");
     }
 
-    /** Ne dit plus rien : l'image montrée n'est pas achevée. */
-    void oublier() {
-        resume.setText(" ");
-    }
-
-    /**
-     * Dit ce qu'a coûté l'image montrée.
-     *
-     * @param reduction le rapport de la taille à laquelle elle est montrée à la sienne
-     */
-    void resumer(Lancer lancer, double reduction) {
+    /** Ce qu'a coûté un dessin. */
+    static String cout(Lancer lancer) {
         // l'espace fine des nombres français manque à bien des polices
         String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
                 .replace('\u202F', '\u00A0');
+        return rayons + String.format(Locale.FRANCE, " rayons, %.2f s", lancer.getDureeNs() / 1e9);
+    }
+
+    /**
+     * @param image l'image montrée, {@code null} si elle n'est pas achevée
+     * @param reduction le rapport de la taille à laquelle elle est montrée à la sienne
+     * @param cout avec quoi elle a été dessinée, et ce qu'elle a coûté
+     */
+    void resumer(ImageMemoire image, double reduction, String cout) {
         String reduite = reduction < 1 ? " montrés à " + Math.round(100 * reduction) + " %" : "";
-        resume.setText(lancer.getCamera().getLargeur() + " × " + lancer.getCamera().getHauteur() + " pixels" + reduite
-                + ", " + rayons + " rayons, " + String.format(Locale.FRANCE, "%.2f s", lancer.getDureeNs() / 1e9));
+        resume.setText(image == null ? " "
+                : image.getLargeur() + " × " + image.getHauteur() + " pixels" + reduite + ", " + cout);
+        resume.setToolTipText(image == null ? null : resume.getText());
     }
 
     /**

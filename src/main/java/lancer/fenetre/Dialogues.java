@@ -74,7 +74,9 @@ final class Dialogues {
     static File choisirScene(Component parent, String actuelle) {
         JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
         choix.setDialogType(JFileChooser.OPEN_DIALOG);
-        return choisir(parent, choix, "Ouvrir une scène", new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
+        File choisi = choisir(parent, choix, "Ouvrir une scène", new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
+        File complet = choisi == null ? null : new File(choisi.getPath() + ".ini");
+        return choisi != null && !choisi.exists() && complet.exists() ? complet : choisi;
     }
 
     private static File dossierDesScenes(String actuelle) {
@@ -92,6 +94,16 @@ final class Dialogues {
         choix.setDialogType(JFileChooser.SAVE_DIALOG);
         choix.setSelectedFile(proposee);
         return choisir(parent, choix, TITRE_IMAGE, new FileNameExtensionFilter("Images PNG (*.png)", "png"));
+    }
+
+    static void montrerTouches(Component parent) {
+        JOptionPane.showMessageDialog(parent, "Ctrl+O   ouvrir une scène ; ou déposer son fichier sur la fenêtre\n"
+                + "F5   relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi\n"
+                + "Échap   arrêter le dessin\n"
+                + "Ctrl+S   enregistrer l'image\n"
+                + "Ctrl+Q   quitter\n"
+                + "F1   ces touches", "Touches", JOptionPane.PLAIN_MESSAGE);
+        parent.requestFocus();
     }
 
     static boolean confirmerRemplacement(Component parent, File fichier) {

@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
+import java.awt.Image;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
@@ -17,6 +18,7 @@ import java.awt.event.WindowEvent;
 import java.io.File;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import javax.swing.JComponent;
@@ -34,6 +36,7 @@ import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.lecture.Services;
+import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 
 /**
@@ -51,6 +54,7 @@ public final class Fenetre {
     private final Dessinateur dessinateur;
     private final Dimension taille;
     private final String programme;
+    private final String reglages;
     private final Runnable fin;
     private final ExecutorService dessins;
     private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
@@ -59,6 +63,8 @@ public final class Fenetre {
     private final BarreEtat barre = new BarreEtat(this::arreterOuRecharger);
     private final JFrame cadre = new JFrame();
     private final Enregistrement enregistrement;
+    private JMenuItem relire;
+    private JMenuItem arreter;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
 
     /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
@@ -67,16 +73,21 @@ public final class Fenetre {
     private String lu;
     private Tracage courant;
     private Tracage adopte;
+    /** Les sections que la scène montrée a de laissées de côté, pour le résumé. */
+    private String ignorees = "";
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
     private ImageMemoire complete;
+    private String cout;
     private boolean fermee;
 
-    private Fenetre(Dessinateur dessinateur, Dimension taille, String programme, ExecutorService dessins,
+    private Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
             Runnable fin) {
         this.dessinateur = dessinateur;
-        this.taille = taille;
-        this.programme = programme;
+        taille = new Dimension(options.largeur, options.hauteur);
+        programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
+        String reflets = options.reflets + (options.reflets > 1 ? " réflexions" : " réflexion");
+        reglages = variantes.isEmpty() ? reflets : reflets + ", " + String.join(", ", variantes);
         this.dessins = dessins;
         this.fin = fin;
         panneau = new PanneauImage(taille);
@@ -114,13 +125,12 @@ public final class Fenetre {
             // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
             dessins.execute(premier);
         }
-        String variantes = String.join(", ", Services.nomsDesVariantes());
-        String programme = variantes.isEmpty() ? "lancer" : "lancer (" + variantes + ")";
+        List<String> variantes = Services.nomsDesVariantes();
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
                 Dialogues.preparer();
-                ouverte[0] = new Fenetre(dessinateur, taille, programme, dessins, fin);
+                ouverte[0] = new Fenetre(dessinateur, options, variantes, dessins, fin);
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
@@ -150,24 +160,32 @@ public final class Fenetre {
         // Ctrl, ou Commande sur un Mac ; la forme en Ex est de Java 10
         int ctrl = Toolkit.getDefaultToolkit().getMenuShortcutKeyMask();
         JMenuBar menus = new JMenuBar();
-        JMenu menu = menus.add(new JMenu("Fichier"));
-        menu.setMnemonic(KeyEvent.VK_F);
+        JMenu menu = menu(menus, "Fichier");
         article(menu, "Ouvrir une scène…", KeyStroke.getKeyStroke(KeyEvent.VK_O, ctrl), this::choisirScene);
         article(menu, "Enregistrer l'image…", KeyStroke.getKeyStroke(KeyEvent.VK_S, ctrl), this::enregistrer);
         menu.addSeparator();
         article(menu, "Quitter", KeyStroke.getKeyStroke(KeyEvent.VK_Q, ctrl), this::fermer);
-        menu = menus.add(new JMenu("Dessin"));
-        menu.setMnemonic(KeyEvent.VK_D);
-        article(menu, "Relire la scène et redessiner", KeyStroke.getKeyStroke(KeyEvent.VK_F5, 0), this::recharger);
+        menu = menu(menus, "Dessin");
+        relire = article(menu, "Relire la scène et redessiner", KeyStroke.getKeyStroke(KeyEvent.VK_F5, 0),
+                this::recharger);
         // la touche est liée plus bas : Java l'afficherait « Escape »
-        article(menu, "Arrêter (Échap)", null, this::arreter);
+        arreter = article(menu, "Arrêter (Échap)", null, this::arreter);
+        menu = menu(menus, "Aide");
+        article(menu, "Touches", KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0), () -> Dialogues.montrerTouches(cadre));
         return menus;
     }
 
-    private static void article(JMenu menu, String nom, KeyStroke touche, Runnable action) {
-        JMenuItem article = menu.add(new JMenuItem(nom));
+    private static JMenu menu(JMenuBar menus, String nom) {
+        JMenu menu = menus.add(new JMenu(nom));
+        menu.setMnemonic(nom.charAt(0));
+        return menu;
+    }
+
+    private static JMenuItem article(JMenu menu, String nom, KeyStroke touche, Runnable action) {
+        JMenuItem article = menu.add(new JMenuItem(nom, nom.charAt(0)));
         article.setAccelerator(touche);
         article.addActionListener(e -> action.run());
+        return article;
     }
 
     /** @param premier le dessin qu'il y a déjà à montrer, ou {@code null} */
@@ -175,7 +193,13 @@ public final class Fenetre {
         assembler();
         ecouter();
         titrer();
+        dessins.execute(() -> {
+            List<Image> icones = Icone.dessiner();
+            EventQueue.invokeLater(() -> cadre.setIconImages(icones));
+        });
         if (premier == null) {
+            relire.setEnabled(false);
+            arreter.setEnabled(false);
             panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
             EventQueue.invokeLater(this::choisirScene);
         } else {
@@ -340,6 +364,8 @@ public final class Fenetre {
             adopter(courant);
         }
         barre.avancer(courant);
+        relire.setEnabled(fichier != null);
+        arreter.setEnabled(!fini);
         montrerPixel();
         if (fini && enCours) {
             finir();
@@ -354,6 +380,10 @@ public final class Fenetre {
         titrer();
         bandeau.faute("");
         bandeau.avis(String.join("\n", tracage.getAvertissements()));
+        ignorees = "";
+        for (String avertissement : tracage.getAvertissements()) {
+            ignorees += avertissement.replaceFirst(".*, ligne \\d+, (\\[[^]]*]).*", ", $1 ignorée");
+        }
     }
 
     /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
@@ -363,6 +393,7 @@ public final class Fenetre {
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
             complete = dessinateur.getImage();
+            cout = reglages + ignorees + ", " + BarreEtat.cout(courant.getLancer());
             bandeau.effacerErreur();
             String ecart = courant.getLancer().getTemoignage().ecart;
             if (ecart != null) {
@@ -385,7 +416,7 @@ public final class Fenetre {
             surveillance.suivre(fichier, fautif.getVersion());
             titrer();
         }
-        if (fichier.equals(lu) && complete != panneau.getImage()) {
+        if (fichier.equals(lu) && getImageComplete() == null) {
             // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
             dessiner(null);
         }
@@ -393,11 +424,8 @@ public final class Fenetre {
 
     /** Dit ce qu'a coûté l'image montrée, si elle est achevée. */
     private void resumer() {
-        if (getImageComplete() == null) {
-            barre.oublier();
-        } else {
-            barre.resumer(dessinateur.getLancer(), panneau.getReduction());
-        }
+        ImageMemoire image = getImageComplete();
+        barre.resumer(image, image == null ? 1 : panneau.getReduction(), cout);
     }
 
     private void montrerPixel() {

@@ -7,6 +7,7 @@ import java.util.concurrent.ExecutionException;
 import javax.swing.SwingWorker;
 import lancer.Lancer;
 import lancer.SceneFautive;
+import lancer.sortie.Dessinateur;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {

@@ -1,7 +1,5 @@
 package lancer.lecture;
 
-import java.io.FileInputStream;
-import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
@@ -40,6 +38,7 @@ public final class LecteurScene {
 
     /** Nombre de dossiers au-dessus de celui d'où l'on part où une scène est cherchée aussi. */
     private static final int DOSSIERS_AU_DESSUS = 4;
+    private static final String INTROUVABLE = "fichier introuvable";
     private static final String UNE_SCENE = "un fichier de scène";
 
     /** Nombre de couleurs retenues à la fois : au-delà, elles ne se répètent pas. */
@@ -49,7 +48,7 @@ public final class LecteurScene {
 
     /** La scène comme on l'a nommée, ou le chemin où elle a été trouvée s'il est autre. */
     private String fichier;
-    private final Services services = new Services();
+    private final Services services = Services.cherches();
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
     private final List<String> avertissements = new ArrayList<>();
@@ -60,9 +59,8 @@ public final class LecteurScene {
     private final Map<Couleur, Couleur> palette = new HashMap<>();
     private final Modele modele = new Modele();
     private final List<Variante> variantesLibres = new ArrayList<>();
+    private Lignes lignes;
     private Section courante;
-    /** Ce que décrit la section en cours, {@code null} si ce n'est pas un objet. */
-    private TypeObjet objet;
 
     private LecteurScene(String fichier) {
         this.fichier = fichier;
@@ -81,45 +79,35 @@ public final class LecteurScene {
     }
 
     private void lire() {
-        Lignes lignes = null;
         Path chemin = trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
         }
-        try (InputStream entree = ouvrir(chemin)) {
+        try (InputStream entree = Files.newInputStream(chemin)) {
             lignes = new Lignes(entree);
-            new Decoupeur().parse(lignes, new Sections(lignes));
+            new Decoupeur().parse(lignes, new Sections());
         } catch (InvalidFileFormatException e) {
-            throw illisible(lignes.getTexte().trim(), lignes.getNumero());
+            throw illisible(lignes.getTexte().trim());
         } catch (CharacterCodingException e) {
-            throw pasUtf8(lignes, e);
+            throw pasUtf8(e);
         } catch (Lignes.LigneTropLongue e) {
-            throw refus(lignes.getNumero(), null, "ligne trop longue",
-                    "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne", e);
+            throw refus("ligne trop longue", "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne", e);
         } catch (IOException e) {
-            throw inutilisable(e);
+            throw new SceneFautive(Section.message(fichier, 0, null, null,
+                    pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), UNE_SCENE), e);
         }
     }
 
     private void installer() {
-        for (Variante variante : services.variantes()) {
-            String type = variante.getSection();
-            Section section = sectionsVariantes.get(Texte.minuscules(type));
+        for (Map.Entry<String, Variante> presente : services.variantes().entrySet()) {
+            Variante variante = presente.getValue();
+            Section section = sectionsVariantes.get(presente.getKey());
             if (section == null) {
-                section = new Section(fichier, type, 0);
+                section = new Section(fichier, variante.getSection(), 0);
                 variantesLibres.add(variante);
             }
             variante.installer(section, modele);
             section.verifierCles();
-        }
-    }
-
-    /** Par {@code java.io}, déjà chargé ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
-    private static InputStream ouvrir(Path chemin) throws IOException {
-        try {
-            return new FileInputStream(chemin.toFile());
-        } catch (FileNotFoundException e) {
-            return Files.newInputStream(chemin);
         }
     }
 
@@ -153,19 +141,25 @@ public final class LecteurScene {
 
     /** Pourquoi ce chemin ne mène à rien, et d'où il a été suivi. */
     private static String absente(Path chemin) {
+        String faute = INTROUVABLE;
         try {
             chemin.toRealPath();
-        } catch (NoSuchFileException e) {
-            // dit plus bas
         } catch (IOException e) {
-            return e instanceof AccessDeniedException ? "lecture interdite" : Texte.panne(e);
+            faute = pourquoi(e, Texte.panne(e));
+        }
+        if (chemin.isAbsolute() || !faute.equals(INTROUVABLE)) {
+            return faute;
         }
         Path ici = Paths.get("").toAbsolutePath();
         int plusHaut = Math.min(DOSSIERS_AU_DESSUS, ici.getNameCount());
-        return "fichier introuvable" + (chemin.isAbsolute() ? "" : " dans " + Texte.echappe(ici.toString())
-                + (plusHaut == 0 ? "" : plusHaut == 1 ? " et le dossier au-dessus"
-                        : " et les " + plusHaut + " dossiers au-dessus")
-                + Texte.horsLangue(ici.toString()));
+        return faute + " dans " + Texte.echappe(ici.toString()) + (plusHaut == 0 ? ""
+                : plusHaut == 1 ? " et le dossier au-dessus" : " et les " + plusHaut + " dossiers au-dessus")
+                + Texte.horsLangue(ici.toString());
+    }
+
+    private static String pourquoi(IOException e, String sinon) {
+        return e instanceof NoSuchFileException ? INTROUVABLE
+                : e instanceof AccessDeniedException ? "lecture interdite" : sinon;
     }
 
     public List<Objet3D> getObjets() {
@@ -191,22 +185,13 @@ public final class LecteurScene {
         return variantesLibres;
     }
 
-    /**
-     * Ini4j sans rien de ce qu'un fichier inconnu pourrait détourner ; le constructeur évite la recherche de services.
-     */
+    /** Ini4j sans ses échappements ; le constructeur évite la recherche de services. */
     private static final class Decoupeur extends IniParser {
         Decoupeur() {
             Config config = new Config();
+            config.setInclude(false);
             config.setEscape(false);
             config.setEscapeNewline(false);
-            config.setInclude(false);
-            config.setTree(false);
-            config.setGlobalSection(false);
-            config.setUnnamedSection(false);
-            config.setEmptyOption(false);
-            config.setEmptySection(true);
-            config.setLowerCaseOption(false);
-            config.setLowerCaseSection(false);
             setConfig(config);
         }
     }
@@ -214,15 +199,42 @@ public final class LecteurScene {
     /** Ce qu'ini4j appelle à chaque ligne. */
     private final class Sections implements IniHandler {
 
-        private final Lignes lignes;
-
-        Sections(Lignes lignes) {
-            this.lignes = lignes;
-        }
+        /** Ce que décrit la section en cours, {@code null} si ce n'est pas un objet. */
+        private TypeObjet objet;
+        private boolean lampe;
 
         @Override
-        public void startSection(String nom) {
-            commencer(nom, lignes.getNumero());
+        public void startSection(String nomEcrit) {
+            if (nomEcrit.indexOf(']') >= 0) {
+                throw illisible("[" + nomEcrit + "]");
+            }
+            boolean unSeulBlanc = nomEcrit.indexOf('\t') < 0 && !nomEcrit.contains("  ");
+            String nom = unSeulBlanc ? nomEcrit : nomEcrit.replaceAll("[ \t]+", " ");
+            String mot = nom.indexOf(' ') < 0 ? nom : nom.substring(0, nom.indexOf(' '));
+            String type = Texte.minuscules(mot);
+            int ligne = lignes.getNumero();
+            lampe = type.equals("lampe");
+            objet = lampe ? null : services.objet(type);
+            courante = new Section(fichier, nom, ligne, lampe ? CLES_LAMPE : objet == null ? null : objet.getCles());
+            boolean presente = lampe || objet != null || services.variantes().containsKey(type);
+            if (!presente && !Services.varianteConnue(type)) {
+                throw courante.fautive(ligne, null, "type de section inconnu" + Texte.imitations(mot),
+                        services.types());
+            }
+            Integer deja = noms.putIfAbsent(type + nom.substring(mot.length()), ligne);
+            if (deja != null) {
+                throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
+                        "un nom différent pour chaque section");
+            }
+            Section premiere = lampe || objet != null ? null : sectionsVariantes.put(type, courante);
+            if (premiere != null) {
+                throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne "
+                        + premiere.getLigne(), "une seule section " + mot);
+            }
+            if (!presente) {
+                avertissements.add(Section.message(fichier, ligne, nom, null, "section laissée de côté",
+                        "la variante qui la lit, java -jar " + type + "/target/" + type + ".jar"));
+            }
         }
 
         @Override
@@ -232,7 +244,13 @@ public final class LecteurScene {
 
         @Override
         public void endSection() {
-            terminer();
+            if (lampe) {
+                lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
+            } else if (objet != null) {
+                Objet3D lu = objet.lire(courante);
+                lireMatiere(lu);
+                objets.add(lu);
+            }
         }
 
         @Override
@@ -245,46 +263,6 @@ public final class LecteurScene {
 
         @Override
         public void handleComment(String commentaire) {
-        }
-    }
-
-    private void commencer(String nomEcrit, int ligne) {
-        if (nomEcrit.indexOf(']') >= 0) {
-            throw illisible("[" + nomEcrit + "]", ligne);
-        }
-        String nom = unSeulBlanc(nomEcrit);
-        String type = Section.type(nom);
-        boolean lampe = Texte.memeMot(type, "Lampe");
-        objet = lampe ? null : services.objet(type);
-        boolean variante = !lampe && objet == null;
-        String cle = Texte.minuscules(type);
-        courante = new Section(fichier, nom, ligne, lampe ? CLES_LAMPE : variante ? null : objet.getCles());
-        if (variante && !services.variantePresente(type) && !Services.varianteConnue(type)) {
-            throw courante.fautive(ligne, null, "type de section inconnu" + Texte.imitations(type), services.types());
-        }
-        Integer deja = noms.putIfAbsent(cle + nom.substring(type.length()), ligne);
-        if (deja != null) {
-            throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
-                    "un nom différent pour chaque section");
-        }
-        Section premiere = variante ? sectionsVariantes.put(cle, courante) : null;
-        if (premiere != null) {
-            throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne " + premiere.getLigne(),
-                    "une seule section " + type);
-        }
-        if (variante && !services.variantePresente(type)) {
-            avertissements.add(Section.message(fichier, ligne, nom, null, "section laissée de côté",
-                    "la variante qui la lit, java -jar " + cle + "/target/" + cle + ".jar"));
-        }
-    }
-
-    private void terminer() {
-        if (objet != null) {
-            Objet3D lu = objet.lire(courante);
-            lireMatiere(lu);
-            objets.add(lu);
-        } else if (Texte.memeMot(courante.getType(), "Lampe")) {
-            lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
         }
     }
 
@@ -306,56 +284,35 @@ public final class LecteurScene {
         return deja != null ? deja : couleur;
     }
 
-    private static String unSeulBlanc(String nom) {
-        StringBuilder s = new StringBuilder(nom.length());
-        for (int i = 0; i < nom.length(); i++) {
-            char c = nom.charAt(i);
-            if (!Section.blanc(c)) {
-                s.append(c);
-            } else if (!Section.blanc(nom.charAt(i - 1))) {
-                s.append(' ');
-            }
-        }
-        return s.toString();
-    }
-
     /** Le message d'ini4j est anglais, et ne dit pas pourquoi. */
-    private SceneFautive illisible(String texte, int ligne) {
+    private SceneFautive illisible(String texte) {
         String cite = " : " + Texte.cite(texte);
         if (texte.startsWith("[")) {
             int crochet = texte.indexOf(']');
-            return crochet < 0 ? refus(ligne, null, "crochet non fermé" + cite, "par exemple [Sphere 1]", null)
-                    : crochet < texte.length() - 1 ? refus(ligne, null, "du texte après le crochet" + cite,
+            return crochet < 0 ? refus("crochet non fermé" + cite, "par exemple [Sphere 1]", null)
+                    : crochet < texte.length() - 1 ? refus("du texte après le crochet" + cite,
                             "[Section] seule sur sa ligne, un commentaire sur la sienne", null)
-                    : refus(ligne, null, "section sans nom" + cite, "par exemple [Sphere 1]", null);
+                    : refus("section sans nom" + cite, "par exemple [Sphere 1]", null);
         }
         if (courante == null) {
-            return refus(ligne, null, (texte.indexOf('=') > 0 ? "clé" : "texte") + " avant toute section" + cite,
+            return refus((texte.indexOf('=') > 0 ? "clé" : "texte") + " avant toute section" + cite,
                     "d'abord une section, par exemple [Sphere 1]", null);
         }
-        return refus(ligne, courante.getNom(), "ligne illisible" + cite,
-                "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #", null);
+        return courante.fautive(lignes.getNumero(), null, "ligne illisible" + cite,
+                "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #");
     }
 
-    private SceneFautive pasUtf8(Lignes lignes, IOException cause) {
-        String attendu = "un fichier enregistré en UTF-8";
-        if (lignes.estUtf16()) {
-            return refus(lignes.getNumero(), null, "fichier en UTF-16", attendu, cause);
-        }
+    private SceneFautive pasUtf8(IOException cause) {
         String texte = lignes.getTexte().trim();
-        boolean dansSection = courante != null && !texte.startsWith("[");
-        return refus(lignes.getNumero(), dansSection ? courante.getNom() : null,
-                "octets qui ne sont pas de l'UTF-8 : " + Texte.cite(texte), attendu, cause);
+        String faute = lignes.estUtf16() ? "fichier en UTF-16" : "octets qui ne sont pas de l'UTF-8 : "
+                + Texte.cite(texte);
+        String nom = courante == null || texte.startsWith("[") ? null : courante.getNom();
+        return new SceneFautive(Section.message(fichier, lignes.getNumero(), nom, null, faute,
+                "un fichier enregistré en UTF-8"), cause);
     }
 
-    private SceneFautive refus(int ligne, String nom, String faute, String attendu, Throwable cause) {
-        return new SceneFautive(Section.message(fichier, ligne, nom, null, faute, attendu), cause);
-    }
-
-    private SceneFautive inutilisable(IOException e) {
-        String faute = e instanceof NoSuchFileException || e instanceof FileNotFoundException ? "fichier introuvable"
-                : e instanceof AccessDeniedException ? "lecture interdite"
-                : "lecture impossible (" + Texte.panne(e) + ")";
-        return refus(0, null, faute, UNE_SCENE, e);
+    /** @param cause l'exception qui l'a fait voir, {@code null} si aucune */
+    private SceneFautive refus(String faute, String attendu, Throwable cause) {
+        return new SceneFautive(Section.message(fichier, lignes.getNumero(), null, null, faute, attendu), cause);
     }
 }

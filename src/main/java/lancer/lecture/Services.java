@@ -3,37 +3,51 @@ package lancer.lecture;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.Set;
 import lancer.Lampe;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.contrat.Forme;
-import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
 /**
- * Les formes et les variantes présentes dans le chemin des classes. Elles sont cherchées dans un fil à part : Java
- * fouille aussi ses propres modules, et la scène se lit pendant ce temps.
+ * Les formes et les variantes présentes dans le chemin des classes, par le type de leurs sections, en minuscules. Elles
+ * sont cherchées dans un fil à part : Java fouille aussi ses propres modules, et la scène se lit pendant ce temps.
  */
 public final class Services implements Runnable {
 
     /** Les types que lisent des variantes de la maison, présentes ou non. */
-    private static final String[] VARIANTES_CONNUES = {"Brume", "Antialias", "Blinn"};
+    private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
 
-    /** La forme de la base : lue comme les autres, mais sans attendre qu'elles soient trouvées. */
-    private static final TypeObjet SPHERE = new TypeObjet(new FormeSphere());
+    private Map<String, TypeObjet> formes;
+    private Map<String, Variante> variantes;
 
-    private List<TypeObjet> formes;
-    private List<Variante> variantes;
+    private Services() {
+    }
 
-    Services() {
-        Thread avance = new Thread(this, "lancer-services");
+    /** Des services que cherche déjà un fil. */
+    static Services cherches() {
+        Services services = new Services();
+        Thread avance = new Thread(services, "lancer-services");
         avance.setDaemon(true);
         avance.start();
+        return services;
+    }
+
+    /** Les noms des variantes présentes. */
+    public static List<String> nomsDesVariantes() {
+        List<String> noms = new ArrayList<>();
+        for (Variante variante : new Services().variantes().values()) {
+            noms.add(variante.getSection());
+        }
+        return noms;
     }
 
     @Override
@@ -52,19 +66,17 @@ public final class Services implements Runnable {
         Map<String, String> preneurs = new HashMap<>();
         prendre("Sphere", Sphere.class.getName(), preneurs);
         prendre("Lampe", Lampe.class.getName(), preneurs);
-        List<Variante> trouvees = inscrites(Variante.class);
-        for (Variante variante : trouvees) {
-            prendre(variante.getSection(), variante.getClass().getName(), preneurs);
+        Map<String, Variante> trouvees = new LinkedHashMap<>();
+        for (Variante variante : inscrites(Variante.class)) {
+            trouvees.put(prendre(variante.getSection(), variante.getClass().getName(), preneurs), variante);
         }
-        List<TypeObjet> types = new ArrayList<>();
+        for (String connue : VARIANTES_CONNUES) {
+            String type = Texte.minuscules(connue);
+            preneurs.putIfAbsent(type, "la variante " + type);
+        }
+        Map<String, TypeObjet> types = new LinkedHashMap<>();
         for (Forme forme : inscrites(Forme.class)) {
-            String type = forme.getSection();
-            String classe = forme.getClass().getName();
-            prendre(type, classe, preneurs);
-            if (varianteConnue(type)) {
-                throw deuxFois(type, "la variante " + Texte.minuscules(type), classe);
-            }
-            types.add(new TypeObjet(forme));
+            types.put(prendre(forme.getSection(), forme.getClass().getName(), preneurs), new TypeObjet(forme));
         }
         formes = types;
         variantes = trouvees;
@@ -77,65 +89,47 @@ public final class Services implements Runnable {
                 inscrites.add(inscrite);
             }
         } catch (ServiceConfigurationError e) {
+            if (e.getCause() != null && !(e.getCause() instanceof ReflectiveOperationException)) {
+                // la ligne convient : c'est le constructeur qui échoue
+                throw e;
+            }
             throw new SceneFautive("META-INF/services, ligne qui ne convient pas : " + Texte.echappe(e.getMessage())
                     + " ; attendu : une classe publique de ce contrat, à constructeur public sans argument", e);
         }
         return inscrites;
     }
 
-    /** Un type de section n'a qu'un lecteur. */
-    private static void prendre(String type, String classe, Map<String, String> preneurs) {
-        if (type == null || !type.equals(Section.type(type)) || type.isEmpty()) {
+    /**
+     * Un type de section n'a qu'un lecteur.
+     *
+     * @return ce type, en minuscules
+     */
+    private static String prendre(String type, String classe, Map<String, String> preneurs) {
+        if (type == null || type.isEmpty() || type.indexOf(' ') >= 0) {
             throw new SceneFautive(classe + " : type de section impossible : " + Texte.cite(String.valueOf(type))
                     + " ; attendu : un mot");
         }
         String deja = preneurs.putIfAbsent(Texte.minuscules(type), classe);
         if (deja != null) {
-            throw deuxFois(type, deja, classe);
+            throw new SceneFautive("deux classes veulent les sections [" + Texte.abrege(type) + "] : " + deja + " et "
+                    + classe + " ; attendu : un type de section pour chacune");
         }
-    }
-
-    private static SceneFautive deuxFois(String type, String classe, String autre) {
-        return new SceneFautive("deux classes veulent les sections [" + Texte.abrege(type) + "] : " + classe
-                + " et " + autre + " ; attendu : un type de section pour chacune");
+        return Texte.minuscules(type);
     }
 
     /** Ce que décrit ce type de section, {@code null} si ce n'est pas un objet. */
     TypeObjet objet(String type) {
-        if (Texte.memeMot(SPHERE.getNom(), type)) {
-            return SPHERE;
+        if (type.equals("sphere")) {
+            return TypeObjet.SPHERE;
         }
         chercher();
-        for (TypeObjet forme : formes) {
-            if (Texte.memeMot(forme.getNom(), type)) {
-                return forme;
-            }
-        }
-        return null;
+        return formes.get(type);
     }
 
-    List<Variante> variantes() {
+    /** Les variantes présentes. */
+    Map<String, Variante> variantes() {
         chercher();
         return variantes;
-    }
-
-    /** Les noms des variantes présentes. */
-    public static List<String> nomsDesVariantes() {
-        List<String> noms = new ArrayList<>();
-        for (Variante variante : new Services().variantes()) {
-            noms.add(variante.getSection());
-        }
-        return noms;
-    }
-
-    /** Vrai si une variante présente lit ce type de section. */
-    boolean variantePresente(String type) {
-        for (Variante variante : variantes()) {
-            if (Texte.memeMot(variante.getSection(), type)) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** Vrai si ce type de section est celui d'une variante de la maison, présente ou non. */
@@ -151,17 +145,15 @@ public final class Services implements Runnable {
     /** Tous les types de section que l'on peut écrire. */
     String types() {
         chercher();
-        List<String> types = new ArrayList<>();
-        types.add(SPHERE.getNom());
-        for (TypeObjet forme : formes) {
+        Set<String> types = new LinkedHashSet<>();
+        types.add(TypeObjet.SPHERE.getNom());
+        for (TypeObjet forme : formes.values()) {
             types.add(forme.getNom());
         }
         types.add("Lampe");
-        types.addAll(Arrays.asList(VARIANTES_CONNUES));
-        for (Variante variante : variantes) {
-            if (!varianteConnue(variante.getSection())) {
-                types.add(variante.getSection());
-            }
+        types.addAll(VARIANTES_CONNUES);
+        for (Variante variante : variantes.values()) {
+            types.add(variante.getSection());
         }
         return String.join(", ", types);
     }

@@ -2,8 +2,10 @@ package lancer.lecture;
 
 import java.util.Arrays;
 import java.util.Objects;
+import java.util.regex.Pattern;
 import lancer.Objet3D;
 import lancer.SceneFautive;
+import lancer.Sphere;
 import lancer.contrat.Forme;
 import lancer.contrat.Section;
 import lancer.texte.Texte;
@@ -14,22 +16,38 @@ final class TypeObjet {
     /** Les clés de la matière, que tout objet a. */
     private static final String[] MATIERE = {"Kd", "Ks", "Kr", "ns"};
 
+    /** La forme de la base : lue comme les autres, mais connue d'avance. */
+    static final TypeObjet SPHERE = new TypeObjet(new Forme() {
+        @Override
+        public String getSection() {
+            return "Sphere";
+        }
+
+        @Override
+        public String[] getCles() {
+            return new String[] {"centre", "rayon"};
+        }
+
+        @Override
+        public Objet3D lire(Section valeurs) {
+            return new Sphere(valeurs.point("centre"), valeurs.longueur("rayon"));
+        }
+    });
+
     private final Forme forme;
-    private final String nom;
     private final String[] cles;
 
     TypeObjet(Forme forme) {
         this.forme = forme;
-        nom = forme.getSection();
-        String classe = forme.getClass().getName();
-        String[] siennes = Objects.requireNonNull(forme.getCles(), classe + ".getCles a rendu null");
+        String[] siennes = Objects.requireNonNull(forme.getCles(), forme.getClass().getName()
+                + ".getCles a rendu null");
         cles = Arrays.copyOf(siennes, siennes.length + MATIERE.length);
         System.arraycopy(MATIERE, 0, cles, siennes.length, MATIERE.length);
     }
 
     /** Le premier mot de ses sections. */
     String getNom() {
-        return nom;
+        return forme.getSection();
     }
 
     /** Les seules clés permises dans ses sections. */
@@ -48,9 +66,12 @@ final class TypeObjet {
         } catch (SceneFautive e) {
             throw e;
         } catch (RuntimeException e) {
-            String dit = e.getMessage() != null ? e.getMessage() : e.toString();
-            throw section.fautive(section.getLigne(), null, "section que " + forme.getClass().getName()
-                    + " ne sait pas lire : " + Texte.cite(dit), "des valeurs qui lui conviennent");
+            String classe = forme.getClass().getName();
+            boolean refus = e.getMessage() != null
+                    && (e instanceof IllegalArgumentException || e instanceof IllegalStateException);
+            throw section.fautive(section.getLigne(), null, "section que " + classe + " ne sait pas lire : "
+                    + (refus ? Texte.cite(e.getMessage()) : Texte.cause(e, Pattern.quote(classe) + ".*")),
+                    "des valeurs qui lui conviennent");
         }
     }
 }

@@ -12,20 +12,11 @@ import lancer.fils.Equipe;
  *
  * <p>Une boîte n'est passée que si aucune de ses sphères ne peut l'emporter, arrondis compris. La distance calculée par
  * {@link Sphere#distance} est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53, et les
- * plans d'une boîte se traversent à 4 u (|P| + |boîte|) près : chaque boîte est élargie de {@link #MARGE} fois sa plus
- * grande coordonnée, et chaque rayon s'élargit de {@link #MARGE} fois celle de son départ. La marge suit donc ce que le
+ * plans d'une boîte se traversent à 4 u (|P| + |boîte|) près : chaque boîte est élargie de {@link Noeuds#MARGE} fois sa
+ * plus grande coordonnée, et chaque rayon s'élargit d'autant de fois celle de son départ. La marge suit donc ce que le
  * rayon et la boîte ont de grand, et rien d'autre dans la scène.
  */
 final class Arbre implements Intersections, Occultations {
-
-    /** Part des coordonnées dont s'élargissent une boîte et un rayon : 2,7 fois ce que demandent les arrondis. */
-    static final double MARGE = 0x1.0p-46;
-
-    /** Profondeur au plus : les trente-deux derniers étages se coupent en deux moitiés égales. */
-    static final int PROFONDEUR_MAX = 96;
-
-    /** Nombres par nœud : minimums, puis maximums. */
-    static final int PAS = 6;
 
     /** Au-dessous, une composante de V vaut cela : son inverse reste fini. */
     private static final double PLUS_PETITE = 1e-300;
@@ -38,24 +29,6 @@ final class Arbre implements Intersections, Occultations {
     Arbre(Spheres spheres, Equipe equipe) {
         this.spheres = spheres;
         this.equipe = equipe;
-    }
-
-    /** Les nœuds d'un arbre construit. La racine est le nœud 0. */
-    static final class Noeuds {
-
-        final double[] boites;
-        /** Premier des deux enfants, qui se suivent ; ou, d'une feuille, la première place dans {@link #feuilles}. */
-        final int[] suite;
-        /** Nombre de sphères d'une feuille, 0 si ce n'en est pas une. */
-        final byte[] compte;
-        final int[] feuilles;
-
-        Noeuds(double[] boites, int[] suite, byte[] compte, int[] feuilles) {
-            this.boites = boites;
-            this.suite = suite;
-            this.compte = compte;
-            this.feuilles = feuilles;
-        }
     }
 
     /** Les nœuds, construits s'ils ne le sont pas encore. */
@@ -102,7 +75,7 @@ final class Arbre implements Intersections, Occultations {
         int sy = 5 - ey;
         int sz = 7 - ez;
         // d'où le rayon entre au plus tôt, et sort au plus tard
-        double marge = MARGE * Math.max(Math.abs(px), Math.max(Math.abs(py), Math.abs(pz)));
+        double marge = Noeuds.MARGE * Math.max(Math.abs(px), Math.max(Math.abs(py), Math.abs(pz)));
         double pex = ix < 0 ? px - marge : px + marge;
         double pey = iy < 0 ? py - marge : py + marge;
         double pez = iz < 0 ? pz - marge : pz + marge;
@@ -146,12 +119,12 @@ final class Arbre implements Intersections, Occultations {
                 }
             } else {
                 visites += 2;
-                int b = PAS * s;
+                int b = Noeuds.PAS * s;
                 double e0 = Math.max(Math.max((q[b + ex] - pex) * ix, (q[b + ey] - pey) * iy),
                         Math.max((q[b + ez] - pez) * iz, 0));
                 double s0 = Math.min(Math.min((q[b + sx] - psx) * ix, (q[b + sy] - psy) * iy),
                         Math.min((q[b + sz] - psz) * iz, distance));
-                b += PAS;
+                b += Noeuds.PAS;
                 double e1 = Math.max(Math.max((q[b + ex] - pex) * ix, (q[b + ey] - pey) * iy),
                         Math.max((q[b + ez] - pez) * iz, 0));
                 double s1 = Math.min(Math.min((q[b + sx] - psx) * ix, (q[b + sy] - psy) * iy),

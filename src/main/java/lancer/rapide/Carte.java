@@ -6,6 +6,7 @@ import lancer.Constantes;
 import lancer.Point;
 import lancer.Sphere;
 import lancer.fils.Equipe;
+import lancer.precision.Doute;
 
 /**
  * Ce que l'on voit d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la
@@ -199,46 +200,23 @@ final class Carte implements Intersections {
         double[] g = spheres.geometrie;
         double distance = Constantes.INFINI;
         int trouvee = -1;
-        int douteuse = -1;
-        double doute = 0;
         int e = premiere;
         for (; e < fin && pres[e] - avance <= distance; e++) {
             int k = entrees[e];
             int s = Spheres.PAS * k;
             double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+            if (d < 0) {
+                d = Doute.auMoins(d) > distance ? Constantes.INFINI
+                        : parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
+            }
             if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
-                if (d >= 0) {
-                    distance = d;
-                    trouvee = k;
-                } else if (douteuse < 0) {
-                    douteuse = k;
-                    doute = d;
-                } else {
-                    break;
-                }
+                distance = d;
+                trouvee = k;
             }
         }
         parcours.compteurs.testsSpheres += e - premiere;
         parcours.distance = distance;
-        parcours.trouvee = trouvee;
-        return douteuse < 0 ? trouvee : trancher(parcours, douteuse, doute, e, fin, avance, px, py, pz, vx, vy, vz);
-    }
-
-    /**
-     * La fin de {@link #plusProche} quand une sphère est en doute : elle d'abord, puis ce qui vient à partir de
-     * l'entrée e.
-     */
-    private int trancher(Parcours parcours, int douteuse, double doute, int e, int fin, double avance, double px,
-            double py, double pz, double vx, double vy, double vz) {
-        parcours.retenir(spheres, douteuse, doute, px, py, pz, vx, vy, vz);
-        double[] g = spheres.geometrie;
-        for (; e < fin && pres[e] - avance <= parcours.distance; e++) {
-            int s = Spheres.PAS * entrees[e];
-            parcours.compteurs.testsSpheres++;
-            double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-            parcours.retenir(spheres, entrees[e], d, px, py, pz, vx, vy, vz);
-        }
-        return parcours.trouvee;
+        return trouvee;
     }
 
     /** Le flottant juste au-dessous, ou égal. */

@@ -1,6 +1,5 @@
 package lancer.rapide;
 
-import lancer.Constantes;
 import lancer.Point;
 import lancer.Sphere;
 import lancer.precision.Doute;
@@ -19,7 +18,7 @@ final class CarteLampe implements Occultations {
     private final double x;
     private final double y;
     private final double z;
-    private final Carte carte;
+    final Carte carte;
     /** Pour les rares questions auxquelles la carte ne sait pas répondre. */
     private final Arbre secours;
 
@@ -53,46 +52,18 @@ final class CarteLampe implements Occultations {
         int fin = q.debut[c + 1];
         int tests = 0;
         int e = q.debut[c];
-        double d = Constantes.INFINI;
-        for (; e < fin && q.pres[e] < distance; e++) {
+        boolean cachee = false;
+        for (; e < fin && !cachee && q.pres[e] < distance; e++) {
             int k = q.entrees[e];
             if (k != sauf) {
                 tests++;
                 int s = Spheres.PAS * k;
-                d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                if (d < distance && (d >= 0 || Doute.auMoins(d) < distance)) {
-                    break;
-                }
+                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                cachee = d < distance && (d >= 0 || Doute.auMoins(d) < distance
+                        && parcours.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance);
             }
         }
         parcours.compteurs.testsSpheres += tests;
-        if (e == fin || !(q.pres[e] < distance)) {
-            return false;
-        }
-        return d >= 0 || trancher(parcours, e, fin, px, py, pz, vx, vy, vz, distance, sauf);
-    }
-
-    /** La fin de la boucle, à partir de l'entrée e, dont la sphère est en doute. */
-    private boolean trancher(Parcours parcours, int e, int fin, double px, double py, double pz, double vx,
-            double vy, double vz, double distance, int sauf) {
-        double[] g = spheres.geometrie;
-        if (parcours.trancher(spheres, carte.entrees[e], px, py, pz, vx, vy, vz) < distance) {
-            return true;
-        }
-        for (e++; e < fin && carte.pres[e] < distance; e++) {
-            int k = carte.entrees[e];
-            if (k != sauf) {
-                parcours.compteurs.testsSpheres++;
-                int s = Spheres.PAS * k;
-                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                if (d < 0 && Doute.auMoins(d) < distance) {
-                    d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
-                }
-                if (d >= 0 && d < distance) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return cachee;
     }
 }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import lancer.fils.Equipe;
 
 /**
- * La construction d'un {@link Arbre} : à chaque nœud, la coupe qui coûtera le moins selon l'aire des deux boîtes
+ * La construction des {@link Noeuds} d'un arbre : à chaque nœud, la coupe qui coûtera le moins selon l'aire des deux boîtes
  * (MacDonald et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007).
  */
 final class ConstructionArbre {
@@ -29,18 +29,18 @@ final class ConstructionArbre {
         g = spheres.geometrie;
         ordre = spheres.toutes();
         int places = Math.max(2, ordre.length / 2);
-        boites = new double[Arbre.PAS * places];
+        boites = new double[Noeuds.PAS * places];
         suite = new int[places];
         compte = new byte[places];
     }
 
     /** @throws java.util.concurrent.CancellationException si l'équipe est arrêtée */
-    Arbre.Noeuds construire() {
+    Noeuds construire() {
         if (ordre.length > 0) {
             noeuds = 1;
             diviser(0, 0, ordre.length, 0);
         }
-        return new Arbre.Noeuds(Arrays.copyOf(boites, Arbre.PAS * noeuds), Arrays.copyOf(suite, noeuds),
+        return new Noeuds(Arrays.copyOf(boites, Noeuds.PAS * noeuds), Arrays.copyOf(suite, noeuds),
                 Arrays.copyOf(compte, noeuds), ordre);
     }
 
@@ -53,8 +53,8 @@ final class ConstructionArbre {
             boite.ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
             centres.ajouter(g[s], g[s + 1], g[s + 2], 0);
         }
-        int b = Arbre.PAS * noeud;
-        double marge = Arbre.MARGE * boite.portee();
+        int b = Noeuds.PAS * noeud;
+        double marge = Noeuds.MARGE * boite.portee();
         boites[b] = boite.xMin - marge;
         boites[b + 1] = boite.yMin - marge;
         boites[b + 2] = boite.zMin - marge;
@@ -62,7 +62,7 @@ final class ConstructionArbre {
         boites[b + 4] = boite.yMax + marge;
         boites[b + 5] = boite.zMax + marge;
         int n = fin - debut;
-        int coupe = n <= FEUILLE_MIN ? -1 : profondeur > Arbre.PROFONDEUR_MAX - Integer.SIZE ? moitie(debut, fin)
+        int coupe = n <= FEUILLE_MIN ? -1 : profondeur > Noeuds.PROFONDEUR_MAX - Integer.SIZE ? moitie(debut, fin)
                 : couper(debut, fin, centres, boite);
         if (coupe < 0) {
             suite[noeud] = debut;

@@ -31,7 +31,7 @@ final class Grille implements Intersections {
     private static final int PLACES_PAR_SPHERE = 12;
 
     /**
-     * Élargissement des sphères, en part de la plus grande coordonnée : les arrondis que couvre {@link Arbre#MARGE}, et
+     * Élargissement des sphères, en part de la plus grande coordonnée : les arrondis que couvre {@link Noeuds#MARGE}, et
      * ceux d'une traversée qui ajoute ses pas, pour un rayon qui part de {@link #DEPART_MAX} fois plus loin que la
      * grille.
      */
@@ -55,7 +55,7 @@ final class Grille implements Intersections {
     private final double marge;
     /** La première place de chaque case dans {@link #entrees}. */
     private int[] debut;
-    private int[] entrees;
+    int[] entrees;
     /** Pour un rayon qui part de trop loin. */
     private final Arbre secours;
 
@@ -256,7 +256,7 @@ final class Grille implements Intersections {
     }
 
     /**
-     * Traverse les cases, en retenant dans la parcours la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à
+     * Traverse les cases, en retenant dans le parcours la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à
      * une sphère en doute. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la boucle tient
      * en registres irait en mémoire.
      *

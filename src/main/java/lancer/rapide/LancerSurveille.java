@@ -55,6 +55,7 @@ public final class LancerSurveille extends Lancer {
             super.TracerPixels(toile, profondeur, fils);
         }
         getCompteurs().pixelsTemoins = temoignage.pixels;
+        getCompteurs().examensEssais = jugee instanceof RechercheRapide ? ((RechercheRapide) jugee).getEssais() : 0;
     }
 
     /**

@@ -11,8 +11,8 @@ final class Parcours {
     double distance;
 
     /** De quoi descendre un arbre. */
-    final int[] pile = new int[Arbre.PROFONDEUR_MAX];
-    final double[] entrees = new double[Arbre.PROFONDEUR_MAX];
+    final int[] pile = new int[Noeuds.PROFONDEUR_MAX];
+    final double[] entrees = new double[Noeuds.PROFONDEUR_MAX];
 
     final Compteurs compteurs;
 
@@ -35,7 +35,7 @@ final class Parcours {
     }
 
     /**
-     * Retient la sphère k si elle passe avant celle que la parcours retient.
+     * Retient la sphère k si elle passe avant celle que le parcours retient.
      *
      * @param d réponse de {@link Sphere#distanceOuDoute} pour elle
      */

@@ -8,6 +8,7 @@ import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.contrat.RechercheSimple;
 
 /**
  * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui
@@ -16,7 +17,7 @@ import lancer.contrat.Recherche;
  */
 final class RechercheRapide implements Recherche {
 
-    private final Structures structures;
+    final Structures structures;
     private final Spheres spheres;
     private final Intersections premiers;
     private final Intersections suivants;
@@ -116,7 +117,7 @@ final class RechercheRapide implements Recherche {
             Objet3D autre = spheres.autres[a];
             if (autre != saufLui) {
                 parcours.compteurs.testsSpheres++;
-                double d = autre.getIntersectionDistance(incident);
+                double d = RechercheSimple.distance(autre, incident);
                 if (d < distance || d == distance && d != Constantes.INFINI && spheres.rangAutres[a] < rang) {
                     plusProche = autre;
                     distance = d;
@@ -131,12 +132,17 @@ final class RechercheRapide implements Recherche {
         for (Objet3D autre : spheres.autres) {
             if (autre != objet) {
                 parcours.compteurs.testsSpheres++;
-                if (autre.getIntersectionDistance(ombre) < distance) {
+                if (RechercheSimple.distance(autre, ombre) < distance) {
                     return true;
                 }
             }
         }
         return false;
+    }
+
+    /** Sphères et cases examinées pour choisir les structures. */
+    long getEssais() {
+        return structures.essais;
     }
 
     @Override

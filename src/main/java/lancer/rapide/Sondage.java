@@ -56,6 +56,7 @@ final class Sondage {
     Structures choisir(Structures structures) {
         double[][] pixels = semer(structures.spheres);
         Releve leur = new Releve(structures, pixels, Long.MAX_VALUE);
+        structures.essais = leur.examines();
         boolean uneChere = false;
         for (int s = 0; s < leur.couts.length; s++) {
             uneChere |= leur.chere(s);
@@ -66,6 +67,7 @@ final class Sondage {
         Structures arbre = new Structures(structures.spheres, structures.arbre, Arrays.asList(structures.lampes));
         equipe.faire(1, Arrays.<IntConsumer>asList(k -> structures.arbre.noeuds()));
         Releve sien = new Releve(arbre, pixels, leur.questions);
+        structures.essais += sien.examines();
         for (int s = 0; s < leur.couts.length; s++) {
             if (leur.chere(s) && sien.couts[s] < leur.couts[s]) {
                 if (s == PREMIERS) {
@@ -140,7 +142,7 @@ final class Sondage {
             return couts[sorte] > BON_MARCHE * nombres[sorte];
         }
 
-        private long examines() {
+        long examines() {
             return compteurs.testsSpheres + compteurs.noeudsVisites;
         }
 

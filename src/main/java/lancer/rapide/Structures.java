@@ -19,6 +19,9 @@ final class Structures {
     /** Pour les rayons d'ombre de chaque lampe. */
     final Occultations[] ombres;
 
+    /** Sphères et cases examinées pour les choisir. */
+    long essais;
+
     /** L'arbre seul. */
     Structures(Spheres spheres, Arbre arbre, List<Lampe> lampes) {
         this.spheres = spheres;

@@ -59,26 +59,10 @@ public final class Nombre {
             double valeur = mantisse / DIX[decimales];
             return negatif ? -valeur : valeur;
         }
-        if (i < fin && !exposant(s, i, fin)) {
+        if (i < fin && !s.substring(i, fin).matches("[eE][+-]?[0-9]+")) {
             return Double.NaN;
         }
         return Double.parseDouble(s.substring(debut, fin));
-    }
-
-    /** Vrai si le texte de {@code i} à {@code fin} est {@code [eE][+-]?chiffres}. */
-    private static boolean exposant(String s, int i, int fin) {
-        int k = i + 1;
-        if (s.charAt(i) != 'e' && s.charAt(i) != 'E') {
-            return false;
-        }
-        if (k < fin && (s.charAt(k) == '+' || s.charAt(k) == '-')) {
-            k++;
-        }
-        int premier = k;
-        while (k < fin && s.charAt(k) >= '0' && s.charAt(k) <= '9') {
-            k++;
-        }
-        return k == fin && k > premier;
     }
 
     /** Le nombre tel qu'on l'écrit à la main, sans « .0 » ni zéro inutile : 0, 0.05, 1e100. */

@@ -12,6 +12,21 @@ public final class Texte {
     /** Longueur au-delà de laquelle une citation est coupée, en caractères. */
     public static final int CITATION_MAX = 60;
 
+    /** Ce que dit le système, et ce que nous en disons ; sur une machine française, il se fait comprendre seul. */
+    private static final String[][] PANNES = {
+        {"No space left on device", "disque plein"},
+        {"Aucun espace disponible sur le périphérique", "disque plein"},
+        {"There is not enough space on the disk", "disque plein"},
+        {"Espace insuffisant sur le disque", "disque plein"},
+        {"Disk quota exceeded", "quota de disque dépassé"},
+        {"File too large", "fichier trop grand"},
+        {"File name too long", "nom de fichier trop long"},
+        {"Read-only file system", "système de fichiers en lecture seule"},
+        {"Not a directory", "le dossier n'existe pas"},
+        {"Is a directory", "c'est un dossier"},
+        {"Too many levels of symbolic links", "trop de liens symboliques"},
+        {"Broken pipe", "plus personne ne lit"}};
+
     private Texte() {
     }
 
@@ -103,33 +118,32 @@ public final class Texte {
         if (raison == null) {
             return "échec du système";
         }
-        if (raison.startsWith("Too many levels of symbolic links")) {
-            return "trop de liens symboliques";
+        for (String[] connue : PANNES) {
+            if (raison.startsWith(connue[0])) {
+                return connue[1];
+            }
         }
-        // le système parle la langue de la machine : sur une machine française, la dernière branche suffit
-        switch (raison) {
-            case "No space left on device":
-            case "Aucun espace disponible sur le périphérique":
-            case "There is not enough space on the disk":
-            case "Espace insuffisant sur le disque":
-                return "disque plein";
-            case "Disk quota exceeded":
-                return "quota de disque dépassé";
-            case "File too large":
-                return "fichier trop grand";
-            case "File name too long":
-                return "nom de fichier trop long";
-            case "Read-only file system":
-                return "système de fichiers en lecture seule";
-            case "Not a directory":
-                return "le dossier n'existe pas";
-            case "Is a directory":
-                return "c'est un dossier";
-            case "Broken pipe":
-                return "plus personne ne lit";
-            default:
-                return abrege(raison);
+        return abrege(raison);
+    }
+
+    /**
+     * La cause première d'un échec, et où elle est née.
+     *
+     * @param classes de qui dire la ligne : la première de la pile dont la classe a un tel nom, s'il y en a une
+     */
+    public static String cause(Throwable echec, String classes) {
+        Throwable cause = echec;
+        while (cause.getCause() != null) {
+            cause = cause.getCause();
         }
+        String dit = echappe(cause.toString());
+        for (StackTraceElement pas : cause.getStackTrace()) {
+            if (pas.getClassName().matches(classes)) {
+                return dit + " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
+                        + pas.getLineNumber() + ")";
+            }
+        }
+        return dit;
     }
 
     /** Le texte, chaque caractère qui casserait ou brouillerait la ligne remplacé par son code. */

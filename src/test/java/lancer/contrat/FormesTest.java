@@ -308,13 +308,19 @@ class FormesTest {
     @CsvSource({"return panneau;, return null;, lire n'a pas rendu un objet neuf",
         "return panneau;, return this;, lire n'a pas rendu un objet neuf",
         "valeurs.point(\"point\"), valeurs.point(\"depart\"), getCles ne nomme pas la clé depart",
-        "return panneau;, throw new IllegalArgumentException(\"un panneau\\npenché\");, un panneau\\npenché",
-        "return panneau;, throw new IllegalStateException();, java.lang.IllegalStateException"})
+        "return panneau;, throw new IllegalArgumentException(\"un panneau\\npenché\");, un panneau\\npenché"})
     void uneFormeQuiEchoueEstNommeeAvecLaSection(String bonne, String fautive, String dit) throws IOException {
         assertTrue(panneau.contains(bonne));
         Path classes = inscrire(SERVICE, panneau.replace(bonne, fautive));
         refuser(scene + ", ligne 1, [Panneau mur] : section que lancer.Panneau ne sait pas lire : « " + dit
                 + " » ; attendu : des valeurs qui lui conviennent", executer(classes, MUR));
+    }
+
+    @Test
+    void unePanneDeLaFormeEstNommeeAvecSaLigne() throws IOException {
+        Path classes = inscrire(SERVICE, panneau.replace("return panneau;", "throw new IllegalStateException();"));
+        refuser(scene + ", ligne 1, [Panneau mur] : section que lancer.Panneau ne sait pas lire : java.lang.IllegalStateException "
+                + "(lancer.Panneau.lire, Panneau.java:27) ; attendu : des valeurs qui lui conviennent", executer(classes, MUR));
     }
 
     @ParameterizedTest

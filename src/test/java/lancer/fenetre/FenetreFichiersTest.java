@@ -24,11 +24,15 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
+import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
+import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
+import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.essai.Essai;
@@ -170,6 +174,75 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 est à la scène montrée", attendue(L, H));
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+    }
+
+    @Test
+    void echapPendantUnePreparationLaisseAussiLeCoutDeLImageMontree() throws Exception {
+        CountDownLatch preparation = new CountDownLatch(1);
+        Path longue = dossier.resolve("longue.ini");
+        Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
+        String[] args = {TAILLE, scene.toString()};
+        banc = new BancFenetre(new BancFenetre.MainLent(args) {
+            private volatile boolean seconde;
+
+            @Override
+            public void doTracerImage(int largeur, int hauteur) {
+                if (seconde) {
+                    FenetreTest.attendreSansEtreInterrompu(preparation);
+                    return;
+                }
+                super.doTracerImage(largeur, hauteur);
+            }
+
+            @Override
+            public List<String> lireScene(String fichier) {
+                seconde = fichier.equals(longue.toString());
+                return super.lireScene(fichier);
+            }
+
+            @Override
+            public Lancer getLancer() {
+                return seconde ? null : super.getLancer();
+            }
+        });
+        banc.imageAchevee();
+        JLabel resume = chercher("resume", JLabel.class);
+        String avant = surFilEvenements(resume::getText);
+        banc.frapperCtrl('O');
+        choisir(longue);
+        JProgressBar avancement = chercher("avancement", JProgressBar.class);
+        attendre("elle se prépare", () -> avancement.getString().startsWith("préparation…"));
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("la préparation est arrêtée", () -> avancement.getString().startsWith("préparation arrêtée — "));
+        preparation.countDown();
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        assertEquals(avant, surFilEvenements(resume::getText));
+    }
+
+    @Test
+    void leTexteDUneFauteSeCopie() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        ecrire(FAUTIVE);
+        banc.attendreMessage(scene.toString());
+        JTextArea bandeau = chercher("message", JTextArea.class);
+        String copie = surFilEvenements(() -> {
+            ((AbstractButton) bandeau.getComponentPopupMenu().getComponent(0)).doClick();
+            return (String) bandeau.getToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+        });
+        assertEquals(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage(), copie);
+    }
+
+    @Test
+    void unNomDeSceneSansIniEstComplete() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        scene = dossier.resolve("autre.ini");
+        ecrire(BLEUE);
+        banc.frapperCtrl('O');
+        choisir(dossier.resolve("autre"));
+        banc.attendreImage("l'autre scène", attendue(L, H));
+        assertEquals("lancer — autre.ini", banc.cadre.getTitle());
     }
 
     @Test

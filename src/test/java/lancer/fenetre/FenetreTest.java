@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.chercher;
+import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static lancer.fenetre.BancFenetre.texte;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
@@ -27,6 +28,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
+import javax.swing.JMenu;
+import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
 import lancer.Camera;
 import lancer.Constantes;
@@ -280,7 +283,8 @@ class FenetreTest extends EssaiFenetre {
             return pixel.getText().startsWith(debut);
         });
         JLabel resume = chercher("resume", JLabel.class);
-        attendre("le coût se dit", () -> resume.getText().matches("320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s"));
+        String cout = "320 × 240 pixels, 5 réflexions, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s";
+        attendre("le coût se dit", () -> resume.getText().matches(cout));
         banc.frapper(KeyEvent.VK_F5);
         attendre("la seconde image se compte aussi", () -> texte(banc.sortie).split("\n").length == 24);
         String dit = texte(banc.sortie);
@@ -342,6 +346,42 @@ class FenetreTest extends EssaiFenetre {
         } finally {
             programme.destroyForcibly();
         }
+    }
+
+    @Test
+    void lesReglagesEtLaSectionLaisseeDeCoteSeLisentApresLeurAvis() throws Exception {
+        ecrire(ROUGE + "[Brume dense]\n");
+        banc = new BancFenetre(lente("--reflets=1"));
+        JLabel resume = chercher("resume", JLabel.class);
+        attendre("le résumé les dit", () -> resume.getText().matches("320 × 240 pixels, 1 réflexion, \\[Brume dense] ignorée, .*"));
+        assertTrue(texte(banc.erreur).startsWith("lancer : " + scene + ", ligne 16, [Brume dense] : "), texte(banc.erreur));
+    }
+
+    @Test
+    void unArticleDeMenuQuiNePeutRienEstGrise() throws Exception {
+        banc = new BancFenetre(lente().lent());
+        JMenu dessin = banc.cadre.getJMenuBar().getMenu(1);
+        attendre("on peut arrêter", () -> dessin.getItem(1).isEnabled());
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("il n'y a plus rien à arrêter", () -> !dessin.getItem(1).isEnabled());
+        assertTrue(dessin.getItem(0).isEnabled(), "on peut redessiner");
+    }
+
+    @Test
+    void f1MontreLesTouches() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.frapper(KeyEvent.VK_F1);
+        assertTrue(composant(null, JOptionPane.class).getMessage().toString().contains("Échap   arrêter le dessin"));
+    }
+
+    @Test
+    void lIconeEstDessineeAPlusieursTailles() throws Exception {
+        banc = new BancFenetre(lente());
+        attendre("elle est là", () -> banc.cadre.getIconImages().size() == 4);
+        BufferedImage icone = (BufferedImage) banc.cadre.getIconImages().get(3);
+        Color ciel = new Color(icone.getRGB(64, 4));
+        Color boule = new Color(icone.getRGB(40, 60));
+        assertTrue(ciel.getBlue() > ciel.getRed() && boule.getRed() > 2 * boule.getGreen(), ciel + " " + boule);
     }
 
     @Test

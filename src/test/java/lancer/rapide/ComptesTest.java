@@ -1,6 +1,7 @@
 package lancer.rapide;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -8,9 +9,11 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
@@ -105,11 +108,55 @@ class ComptesTest {
             long boucles = rapide.compteurs.rayons() * scene.getObjets().size();
             long permis = AU_PLUS * Math.min(boucles, cout(oracle.compteurs)) + PLUS * rapide.compteurs.rayons();
             if (cout(rapide.compteurs) > permis) {
-                fautes.add(e.getKey() + " : " + cout(rapide.compteurs) / (double) rapide.compteurs.rayons() + " examens par rayon, arbre simple "
-                        + cout(oracle.compteurs) / (double) rapide.compteurs.rayons() + ", " + scene.getRecherche());
+                fautes.add(e.getKey() + " : " + cout(rapide.compteurs) / (double) rapide.compteurs.rayons()
+                        + " examens par rayon, arbre simple " + cout(oracle.compteurs) / (double) rapide.compteurs.rayons() + ", " + scene.getRecherche());
             }
         }
         assertEquals(Collections.emptyList(), fautes);
+    }
+
+    @Test
+    void lesStructuresTiennentDansLeurBudget() {
+        for (Map.Entry<String, Scene> e : ScenesDEssai.hostiles(3000).entrySet()) {
+            Structures s = ((RechercheRapide) Preparation.pour(e.getValue(), CAMERA, Preparation.Genre.CARTES)).structures;
+            int n = e.getValue().getObjets().size();
+            long references = 0;
+            long cases = 0;
+            List<Object> toutes = new ArrayList<>(Arrays.<Object>asList(s.ombres));
+            toutes.addAll(Arrays.<Object>asList(s.premiers, s.suivants, s.arbre.noeuds()));
+            for (Object structure : toutes) {
+                Carte carte = structure instanceof CarteLampe ? ((CarteLampe) structure).carte
+                        : structure instanceof Carte ? (Carte) structure : null;
+                references += carte != null ? carte.entrees.length : structure instanceof Grille ? ((Grille) structure).entrees.length
+                        : structure instanceof Noeuds ? ((Noeuds) structure).feuilles.length : 0;
+                cases += carte != null ? carte.coupe.length : 0;
+            }
+            assertTrue(references <= 40L * n + cases, e.getKey() + " : " + references + " références pour " + n + " sphères, " + cases + " cases");
+            assertTrue(cases <= 8L * n + 1024L * s.ombres.length + 4800, e.getKey() + " : " + cases + " cases de cartes");
+        }
+    }
+
+    @Test
+    void unePreparationInterrompueSArrete() {
+        Scene scene = ScenesDEssai.foule(7, 20_000, 0).scene();
+        Thread.currentThread().interrupt();
+        try {
+            assertThrows(CancellationException.class, () -> Preparation.pour(scene, CAMERA));
+        } finally {
+            assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
+        }
+    }
+
+    @Test
+    void lesEssaisDuChoixSeComptentAPart() {
+        Scene foule = ScenesDEssai.foule(7, 3000, 0).scene();
+        Lancer lancer = Preparation.preparer(foule, 80, 60, false);
+        lancer.TracerPixels((couleur, i, j) -> { }, 3, 1);
+        assertTrue(lancer.getCompteurs().examensEssais > 500, lancer.getCompteurs().examensEssais + " examens");
+        Scene petite = new Scene(Collections.singletonList(boule(6, 1, 0)), Collections.<Lampe>emptyList());
+        lancer = Preparation.preparer(petite, 80, 60, false);
+        lancer.TracerPixels((couleur, i, j) -> { }, 3, 1);
+        assertEquals(0, lancer.getCompteurs().examensEssais);
     }
 
     @Test

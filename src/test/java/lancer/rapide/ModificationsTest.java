@@ -66,10 +66,10 @@ class ModificationsTest {
         "Objet3D | V.add(-2 * V.dot(N), N).normalized() | V.add(-2 * V.dot(N), N).mul(1.2)",
         "Sphere | double d = distance( | double d = 1.01 * distance(",
         "Sphere | ? n.normalized() | ? n.add(new Vecteur(0, 0.3, 0)).normalized()",
-        "Sphere | return contact.add(-ecart(carre, rayon), n) | return contact.add(-ecart(carre, 1.01 * rayon), n)",
+        "Sphere | -Norme.ecart(carre, rayon) | -Norme.ecart(carre, 1.01 * rayon)",
         "Rayon | P.add(distance, V) | P.add(0.99 * distance, V)",
-        "Rayon | new Couleur(0.7 * bas, 0.7 * bas, bas + V.y) | new Couleur(0.7 * bas, 0.7 * bas, bas)",
-        "Rayon | 0.4 + 0.2 * V.y | 0.4 - 0.2 * V.y",
+        "Rayon | Constantes.CIEL.b * bas + V.y | Constantes.CIEL.b * bas",
+        "Rayon | Constantes.SOL.v + Constantes | Constantes.SOL.v - Constantes",
         "Scene | recherche.plusProche(incident, saufLui) | recherche.plusProche(incident, null)",
         "Scene | atmosphere.traverser(couleur, contact.distance) | atmosphere.traverser(couleur.mul(0.5), contact.distance)",
         "Scene | return recherche.estCachee( | return !recherche.estCachee(",
@@ -89,7 +89,7 @@ class ModificationsTest {
         "Couleur | new Couleur(r + c.r, v + c.v, b + c.b) | new Couleur(r + c.r, v, b + c.b)",
         "Lumiere | r += c.r | r += 0.5 * c.r",
         "Lampe | return couleur; | return couleur.mul(0.5);",
-        "Rayon | new Rayon(lampe.getPosition(), L.neg(), BLANC) | new Rayon(lampe.getPosition(), L, BLANC)"})
+        "Scene | lampe.getPosition(), L.neg(), distance | lampe.getPosition(), L, distance"})
     void uneLigneChangeeDUneClasseDuCoursSeVoit(String classe, String ancienne, String nouvelle) throws IOException {
         String source = new String(Files.readAllBytes(SOURCES.resolve(classe + ".java")), StandardCharsets.UTF_8);
         assertTrue(source.contains(ancienne), classe + " n'a plus « " + ancienne + " »");

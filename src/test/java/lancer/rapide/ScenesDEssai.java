@@ -96,7 +96,8 @@ final class ScenesDEssai {
         scenes.put("amas de quatre échelles", new ScenesDEssai(55).echelles(taille).deuxLampes().scene());
         scenes.put("tailles exponentielles", new ScenesDEssai(56).taillesSauvages(taille, 30).deuxLampes().scene());
         scenes.put("places exponentielles", new ScenesDEssai(57).placesExponentielles(taille).deuxLampes().scene());
-        scenes.put("une énorme et des minuscules", new ScenesDEssai(58).sphere(0, 0, 30, 20).foule(taille, 3, 1e-4, 1e-3).deuxLampes().scene());
+        scenes.put("une énorme et des minuscules", new ScenesDEssai(58).sphere(0, 0, 30, 20).foule(taille, 3, 1e-4, 1e-3).deuxLampes()
+                .scene());
         scenes.put("neuf étoiles", new ScenesDEssai(59).foule(taille, 2, 0.01, 0.05).etoiles(9, 1e12).deuxLampes().scene());
         scenes.put("cent étoiles", new ScenesDEssai(60).foule(taille, 2, 0.01, 0.05).etoiles(100, 1e15).deuxLampes().scene());
         scenes.put("ciel miroir", new ScenesDEssai(61).foule(taille, 2, 0.01, 0.05).sphere(0, 0, 0, 1e5).deuxLampes().scene());

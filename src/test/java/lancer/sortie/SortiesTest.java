@@ -92,8 +92,9 @@ class SortiesTest extends EssaiCommande {
         assertEquals("trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2",
                 Pannes.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
         assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Pannes.message(new OutOfMemoryError()));
-        assertEquals("échec du programme : java.lang.IllegalStateException: a\\nb",
-                Pannes.message(new IllegalStateException("a\nb")));
+        assertEquals("échec du programme : java.lang.IllegalStateException: a\\nb (lancer.sortie.SortiesTest."
+                + "unePanneDeLaMachineDitQuoiFaire, SortiesTest.java)",
+                Pannes.message(new RuntimeException(new IllegalStateException("a\nb"))).replaceAll("java:\\d+", "java"));
     }
 
     @Test

@@ -26,14 +26,14 @@ final class Coins implements Echantillonnage {
     /** @return le nombre de pixels pour lesquels il a fallu plus que les quatre coins */
     @Override
     public int tracer(Pave pave, Vue vue, Toile toile) {
-        Grille grille = new Grille(n, vue);
+        Echantillons echantillons = new Echantillons(n, vue);
         int raffines = 0;
         for (int j = pave.j0; j < pave.j1; j++) {
             for (int i = pave.i0; i < pave.i1; i++) {
-                grille.commencer(i, j);
+                echantillons.commencer(i, j);
                 // jusqu'à n = 2, les coins sont déjà tous les sous-pixels
-                boolean complet = n > 2 && (seuil == 0 || contraste(grille) > seuil);
-                toile.drawPixel(complet || n < 2 ? grille.moyenne() : grille.moyenneDesCoins(), i, j);
+                boolean complet = n > 2 && (seuil == 0 || contraste(echantillons) > seuil);
+                toile.drawPixel(complet || n < 2 ? echantillons.moyenne() : echantillons.moyenneDesCoins(), i, j);
                 raffines += complet ? 1 : 0;
             }
         }
@@ -45,8 +45,8 @@ final class Coins implements Echantillonnage {
         return true;
     }
 
-    private double contraste(Grille grille) {
-        return Contraste.entre(grille.voir(0, 0), grille.voir(n - 1, 0), grille.voir(0, n - 1),
-                grille.voir(n - 1, n - 1));
+    private double contraste(Echantillons echantillons) {
+        return Contraste.entre(echantillons.voir(0, 0), echantillons.voir(n - 1, 0), echantillons.voir(0, n - 1),
+                echantillons.voir(n - 1, n - 1));
     }
 }

@@ -47,9 +47,16 @@ class ClasseTest extends ClasseEssai {
     }
 
     @Test
-    void ceQuiNEstPasCommenceNeRapporteRien() {
+    void ceQuiNEstPasCommenceNeRapporteRienEtNEstPasRate() throws IOException {
         etapes("101", "1/7", "0/8", "0/6", "0/7", "0/8", "0/6", "0/6", "0/7", "0/1");
-        assertEquals("aucune", classe.get("101").get("étape atteinte"));
+        assertEquals("aucune en entier", classe.get("101").get("étape atteinte"));
+        String page = page(dossier, "101");
+        assertEquals(List.of("raté", "non commencé"), List.of(etat(page, "u.dot(v) est le produit scalaire"),
+                etat(page, "norme2 est le carré de la norme")), "écrit et faux, ou laissé tel quel");
+    }
+
+    private static String etat(String page, String critere) {
+        return page.replaceFirst("(?s).*<span class=\"e \\w+\">([^<]*)</span> " + java.util.regex.Pattern.quote(critere) + ".*", "$1");
     }
 
     @Test
@@ -84,6 +91,17 @@ class ClasseTest extends ClasseEssai {
         assertEquals("20.00", classe.get("106").get("note"));
         assertEquals("oui", classe.get("106").get("image identique"));
         assertEquals("Extension : reflet de Blinn", classe.get("106").get("étape atteinte"));
+    }
+
+    @Test
+    void unRenduIllisibleNAPasZeroMaisRien(@TempDir Path autre) throws IOException {
+        Path rendu = autre.resolve("rendus/Étudiant 9_109_assignsubmission_file");
+        Files.write(Files.createDirectories(rendu).resolve("tp.7z"), new byte[9]);
+        copier(dossier.resolve(".travail/souvenirs"), autre.resolve("notes/.travail/souvenirs"));
+        Map<String, String> ligne = noter(autre.resolve("rendus"), autre.resolve("notes")).get("109");
+        assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
+                ligne.get("image identique")));
+        contient(ligne.get("refus"), "tp.7z : format non pris en charge");
     }
 
     @Test

@@ -4,6 +4,8 @@ import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lancer.correction.modele.Modele;
@@ -16,6 +18,9 @@ public final class Source {
 
     private static final Pattern PAQUET = Pattern.compile("(?m)^\\s*package\\s+([\\w.]+)\\s*;");
     private static final Pattern DECLARATION = Pattern.compile("\\b(?:class|interface|enum|record)\\s+(\\w+)");
+    /** Une méthode telle que le squelette les écrit : la marge de son accolade fermante est celle des membres. */
+    private static final Pattern METHODE =
+            Pattern.compile("(?ms)^    \\w[^;{}=]*?(\\w+)\\([^()]*\\) \\{\n(.*?)^    \\}");
     private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
             + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
     private static final Pattern COMMENTAIRES = Pattern.compile("/\\*.*?\\*/|//[^\n]*", Pattern.DOTALL);
@@ -106,7 +111,23 @@ public final class Source {
 
     /** Vrai si deux textes ne diffèrent que par leurs commentaires et leurs blancs. */
     public static boolean memeCode(String a, String b) {
-        return sansCommentaires(a).replaceAll("\\s+", "").equals(sansCommentaires(b).replaceAll("\\s+", ""));
+        return serre(a).equals(serre(b));
+    }
+
+    private static String serre(String texte) {
+        return sansCommentaires(texte).replaceAll("\\s+", "");
+    }
+
+    /** Les noms des méthodes du squelette qui ont un {@code FIXME} ; faux pour celles que ce texte n'a pas changées. */
+    public static Map<String, Boolean> commencees(String texte, String squelette) {
+        Map<String, Boolean> noms = new TreeMap<>();
+        Matcher methode = METHODE.matcher(squelette);
+        while (methode.find()) {
+            if (methode.group(2).contains("// FIXME")) {
+                noms.merge(methode.group(1), !serre(texte).contains(serre(methode.group())), Boolean::logicalAnd);
+            }
+        }
+        return noms;
     }
 
     private static Charset codage(byte[] octets) {

@@ -12,7 +12,6 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 
@@ -23,7 +22,7 @@ import lancer.correction.enfant.Echange;
  */
 public final class Enfant implements AutoCloseable {
 
-    private static final long TOUR_MS = 50;
+    private static final long TOUR_MS = 100;
     private static final long SORTIE_MAX = 64 << 20;
     private static final String FIN = "\0fin";
 
@@ -122,8 +121,15 @@ public final class Enfant implements AutoCloseable {
 
     /** @return vrai si l'enfant a calculé depuis le contrôle précédent */
     private boolean controler() throws Arret {
-        double maintenant = calcul();
-        boolean travaille = !(maintenant - dernier <= TOUR_MS / 1e4);
+        List<ProcessHandle> tous = processus.descendants().collect(Collectors.toList());
+        if (tous.size() > limites.processus) {
+            throw arreter("arrêté : lance sans fin d'autres programmes");
+        }
+        tous.add(processus.toHandle());
+        // le temps de processeur, en secondes, de l'enfant et de ce qu'il a lancé
+        double maintenant = tous.stream().map(p -> p.info().totalCpuDuration().orElse(Duration.ZERO))
+                .mapToLong(Duration::toMillis).sum() / 1e3;
+        boolean travaille = !(maintenant - dernier <= TOUR_MS / 2e4);
         dernier = maintenant;
         controle = System.nanoTime();
         debut = Double.isNaN(debut) ? maintenant : debut;
@@ -133,18 +139,7 @@ public final class Enfant implements AutoCloseable {
         if (sortieDemesuree) {
             throw arreter("arrêté : imprime sans fin");
         }
-        if (processus.descendants().count() > limites.processus) {
-            throw arreter("arrêté : lance sans fin d'autres programmes");
-        }
         return travaille;
-    }
-
-    /** Le temps de processeur, en secondes, de l'enfant et de ce qu'il a lancé. */
-    private double calcul() {
-        try (Stream<ProcessHandle> tous = Stream.concat(Stream.of(processus.toHandle()), processus.descendants())) {
-            return tous.map(p -> p.info().totalCpuDuration().orElse(Duration.ZERO)).mapToLong(Duration::toMillis)
-                    .sum() / 1e3;
-        }
     }
 
     private Arret arreter(String cause) {

@@ -10,6 +10,8 @@ public final class Image implements Serializable {
 
     private static final long serialVersionUID = 1;
 
+    private static final double PRES = 1e-6;
+
     public final int largeur;
     public final int hauteur;
     private final float[] rvb;
@@ -39,6 +41,16 @@ public final class Image implements Serializable {
 
     double brut(int pixel, int composante) {
         return rvb[3 * pixel + composante];
+    }
+
+    /** Combien de pixels ont la même couleur dans les deux images, à quelques arrondis près. */
+    int pareils(Image autre) {
+        int n = 0;
+        for (int p = 0; p < pixels(); p++) {
+            n += Math.abs(brut(p, 0) - autre.brut(p, 0)) < PRES && Math.abs(brut(p, 1) - autre.brut(p, 1)) < PRES
+                    && Math.abs(brut(p, 2) - autre.brut(p, 2)) < PRES ? 1 : 0;
+        }
+        return n;
     }
 
     int pixels() {

@@ -8,8 +8,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Source;
 import lancer.correction.isolement.Arret;
@@ -133,13 +135,30 @@ final class Juge implements AutoCloseable {
     }
 
     private void variantes() throws Arret {
-        Variantes variantes = new Variantes(this, reference, ensemble, chantier.scenes(), resultat.verdicts);
         for (Map.Entry<String, Map<String, String>> variante : projet.getVariantes().entrySet()) {
+            String nom = variante.getKey();
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
             Map<String, String> sources = Chantier.squelette();
             sources.putAll(projet.getBase());
             sources.putAll(variante.getValue());
-            variantes.juger(variante.getKey(), chantier.assembler(variante.getKey(), sources));
+            Map<String, Verdict> verdicts = new Variantes(this, reference, ensemble, chantier.scenes())
+                    .juger(nom, chantier.assembler(nom, sources));
+            resultat.verdicts.putAll(verdicts);
+            // ce que la variante change, parmi les classes du corrigé : une faute de la base ne la cache pas
+            Map<String, String> change = new TreeMap<>(sources);
+            change.entrySet().removeIf(c -> Modele.classes().contains(c.getKey().replace("lancer/", ""))
+                    && (projet.getBase().get(c.getKey()) == null ? !variante.getValue().containsKey(c.getKey())
+                    : Source.memeCode(c.getValue(), projet.getBase().get(c.getKey()))));
+            if (!change.isEmpty() && verdicts.values().stream().anyMatch(v -> !v.compte())) {
+                Map<String, String> parmi = Chantier.corrige();
+                parmi.putAll(change);
+                new Variantes(this, reference, reference.getCorrige(), chantier.scenes())
+                        .juger(nom, chantier.assembler("seule-" + nom, parmi)).forEach((id, seule) -> {
+                    if (seule.compte() && !verdicts.get(id).compte()) {
+                        resultat.verdicts.put(id, new Verdict(Etat.CACHE, verdicts.get(id).message));
+                    }
+                });
+            }
         }
     }
 
@@ -245,10 +264,18 @@ final class Juge implements AutoCloseable {
             return new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe));
         }
         if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
-            return new Verdict(Etat.RATE, verdict.message + causes(v.classe));
+            return new Verdict(Etat.RATE, verdict.message + (verdict.message.contains(" : ") ? "" : causes(v.classe)));
         }
-        return verdict.message.equals(reference.messageDuSquelette(v)) ? new Verdict(Etat.NON_COMMENCE,
+        return verdict.message.equals(reference.messageDuSquelette(v)) && !commencee(v) ? new Verdict(Etat.NON_COMMENCE,
                 "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
+    }
+
+    /** Faux si la méthode dont parle cette vérification, ou à défaut une de sa classe, est celle du projet à compléter. */
+    private boolean commencee(Verification v) {
+        Map<String, Boolean> methodes = Source.commencees(projet.texte(v.classe), Modele.squelette(v.classe));
+        List<String> nommees = methodes.keySet().stream()
+                .filter(m -> Pattern.compile("\\b" + m + "\\b").matcher(v.titre).find()).collect(Collectors.toList());
+        return (nommees.isEmpty() ? methodes.keySet() : nommees).stream().allMatch(methodes::get);
     }
 
     private String causes(String classe) {
@@ -263,10 +290,9 @@ final class Juge implements AutoCloseable {
         try {
             Image image = image(ensemble, 0);
             resultat.image = image;
-            Ecart coins = new Ecart(reference.getImage(false), image);
-            Ecart centres = new Ecart(reference.getImage(true), image);
-            resultat.centre = centres.rmse < coins.rmse;
-            resultat.ecart = resultat.centre ? centres : coins;
+            // là où le rendu a raison, au ciel au moins, il l'a à une moitié de pixel près : c'est là qu'on voit laquelle
+            resultat.centre = image.pareils(reference.getImage(true)) > image.pareils(reference.getImage(false));
+            resultat.ecart = new Ecart(reference.getImage(resultat.centre), image);
             boolean meme = resultat.ecart.memeImage();
             resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "")
                     : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,

@@ -132,6 +132,12 @@ public final class Reference implements AutoCloseable {
         return junit;
     }
 
+    /** Le corrigé, compilé. */
+    synchronized Assemblage getCorrige() throws Arret {
+        preparer();
+        return assemblage;
+    }
+
     /** La source de {@code lancer.Appels}. */
     String getAppels() {
         return memoire.appels;

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -68,17 +69,16 @@ final class Variantes {
     private final Reference reference;
     private final Assemblage base;
     private final Path scenes;
-    private final Map<String, Verdict> verdicts;
+    private final Map<String, Verdict> verdicts = new HashMap<>();
 
-    Variantes(Juge juge, Reference reference, Assemblage base, Path scenes, Map<String, Verdict> verdicts) {
+    Variantes(Juge juge, Reference reference, Assemblage base, Path scenes) {
         this.juge = juge;
         this.reference = reference;
         this.base = base;
         this.scenes = scenes;
-        this.verdicts = verdicts;
     }
 
-    void juger(String variante, Assemblage assemblage) {
+    Map<String, Verdict> juger(String variante, Assemblage assemblage) {
         try {
             switch (variante) {
                 case "brume":
@@ -97,6 +97,7 @@ final class Variantes {
                 }
             }
         }
+        return verdicts;
     }
 
     private void dire(String id, boolean juste, String message) {

@@ -1,6 +1,8 @@
 package lancer.correction.note;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Resultat;
@@ -38,11 +40,11 @@ public final class Note {
 
     private final Map<String, Part> parts = new LinkedHashMap<>();
     private final String atteinte;
-    private final double total;
 
     public Note(Grille grille, Resultat resultat, Bareme bareme) {
-        String derniere = "aucune";
-        boolean suite = true;
+        String derniere = "";
+        List<String> avant = new ArrayList<>();
+        List<String> manquent = new ArrayList<>();
         for (Grille.Etape etape : grille.getEtapes()) {
             int reussis = 0;
             int comptent = 0;
@@ -59,11 +61,18 @@ public final class Note {
             }
             Part part = new Part(reussis, comptent, nonEvaluables, nonCommences, bareme.poids(etape.nom));
             parts.put(etape.nom, part);
-            suite &= part.complete();
-            derniere = suite && !etape.nom.equals("image") ? etape.titre : derniere;
+            if (!etape.nom.equals("image")) {
+                if (part.complete()) {
+                    derniere = etape.titre;
+                    manquent.addAll(avant);
+                    avant.clear();
+                } else {
+                    avant.add(etape.titre);
+                }
+            }
         }
-        atteinte = derniere;
-        total = parts.values().stream().mapToDouble(p -> p.points).sum();
+        atteinte = (derniere.isEmpty() ? total() > 0 ? "aucune en entier" : "aucune" : derniere)
+                + (manquent.isEmpty() ? "" : ", mais il manque à : " + String.join(", ", manquent));
     }
 
     public Part part(String etape) {
@@ -72,10 +81,10 @@ public final class Note {
 
     /** Les points obtenus, sur {@link Bareme#total()}. */
     public double total() {
-        return total;
+        return parts.values().stream().mapToDouble(p -> p.points).sum();
     }
 
-    /** La dernière étape dont tout réussit, et tout ce qui précède avec elle. */
+    /** La dernière étape dont tout réussit, et celles d'avant où il manque quelque chose. */
     public String getAtteinte() {
         return atteinte;
     }

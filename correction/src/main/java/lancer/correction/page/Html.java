@@ -112,5 +112,9 @@ final class Html {
             + "td{background:#fff3f2;font-weight:600}"
             + "details{margin:.15em 0}summary{cursor:pointer}ul{margin:.3em 0;padding-left:1.3em}a{color:#1f5fa8}"
             + ".avis{background:#fdecc8;padding:.5em .8em;border-radius:4px}.vignette img{width:80px;height:60px}svg "
-            + "text{font-size:12px;fill:#1d2129}";
+            + "text{font-size:12px;fill:#1d2129}"
+            + ".classe{width:100%}.classe th{vertical-align:bottom}.classe td,.classe th{padding:.25em .3em}"
+            + ".classe td:not([rowspan]):not([colspan]){border:0}"
+            + ".debout{text-align:center}.debout span{writing-mode:vertical-rl;transform:rotate(180deg);"
+            + "display:inline-block;max-height:9.5em}";
 }

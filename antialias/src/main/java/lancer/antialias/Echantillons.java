@@ -5,7 +5,7 @@ import lancer.Couleur;
 import lancer.contrat.Vue;
 
 /** Les n × n sous-pixels d'un pixel à la fois, chacun vu en son centre, au plus une fois. N'appartient qu'à un fil. */
-final class Grille {
+final class Echantillons {
 
     private final int n;
     private final Vue vue;
@@ -13,7 +13,7 @@ final class Grille {
     private int i;
     private int j;
 
-    Grille(int n, Vue vue) {
+    Echantillons(int n, Vue vue) {
         this.n = n;
         this.vue = vue;
         this.couleurs = new Couleur[n * n];

@@ -1,4 +1,4 @@
-package lancer.fenetre;
+package lancer.sortie;
 
 import java.util.List;
 import java.util.concurrent.CancellationException;
@@ -6,7 +6,6 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
-import lancer.sortie.ImageMemoire;
 
 /** Ce que la fenêtre demande au programme : lire une scène, la dessiner, et laisser voir où il en est. */
 public interface Dessinateur {

@@ -1,0 +1,52 @@
+package lancer;
+
+/** L'algorithme : de la scène à l'image (cours, « Algorithme général »). */
+public class Lancer {
+
+    private static final int PAS_BROUILLON = 4;
+
+    private final Scene scene;
+    private final Camera camera;
+
+    public Lancer(Scene scene, Camera camera) {
+        this.scene = scene;
+        this.camera = camera;
+    }
+
+    /**
+     * La couleur vue à travers un point de l'écran.
+     *
+     * @param xe en pixels depuis la gauche
+     * @param ye en pixels depuis le haut
+     * @param profondeur le nombre de reflets permis
+     */
+    public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
+        Rayon initial = camera.getRayon(xe + 0.5, ye + 0.5);
+        PointContact contact = scene.getClosestIntersection(initial);
+        if (contact == null) {
+            return initial.getSkyColor();
+        }
+        return contact.objet.getColor(scene, initial, contact, profondeur);
+    }
+
+    /** Dessine un brouillon, un rayon pour 4 x 4 pixels, puis chaque pixel, au centre duquel passe un rayon. */
+    public void TracerImage(Toile toile, int largeur, int hauteur, int profondeur) {
+        for (int ye = 0; ye < hauteur; ye += PAS_BROUILLON) {
+            for (int xe = 0; xe < largeur; xe += PAS_BROUILLON) {
+                double centre = PAS_BROUILLON / 2.0;
+                Couleur couleur = getCouleurPixel(xe + centre, ye + centre, Math.min(1, profondeur));
+                for (int y = ye; y < Math.min(hauteur, ye + PAS_BROUILLON); y++) {
+                    for (int x = xe; x < Math.min(largeur, xe + PAS_BROUILLON); x++) {
+                        toile.drawPixel(couleur, x, y);
+                    }
+                }
+            }
+        }
+        for (int ye = 0; ye < hauteur; ye++) {
+            for (int xe = 0; xe < largeur; xe++) {
+                toile.drawPixel(getCouleurPixel(xe + 0.5, ye + 0.5, profondeur), xe, ye);
+            }
+            toile.avancer((ye + 1.0) / hauteur);
+        }
+    }
+}

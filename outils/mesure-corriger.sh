@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Trente rendus différents, en une archive comme Moodle la donne, puis ce que coûte de les noter : durée, temps de
+# processeur, et la plus grande mémoire que le correcteur et ses machines virtuelles aient occupée ensemble.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+JAVA=${JAVA:-java}
+essais=correction/src/test/resources
+ici=target/trente
+rm -rf $ici && mkdir -p $ici/rendus
+n=0
+
+# rendre NUMÉRO [FAUTE…] : le rendu d'essai de ce numéro, avec les classes de ces fautes à la place des siennes
+rendre() {
+    local de=$1 lui
+    shift
+    n=$((n + 1))
+    lui="$ici/rendus/Étudiant ${n}_$((200 + n))_assignsubmission_file"
+    cp -r $essais/classe/*_10"$de"_* "$lui"
+    for faute in "$@"; do
+        for classe in $essais/fautes/"$faute"/*/lancer-base/src/main/java/lancer/*.java; do
+            cp "$classe" "$(find "$lui" -path '*lancer-base/src/main/java/lancer')/"
+        done
+    done
+}
+
+fautes=$(ls $essais/fautes)
+for k in 1 2 3 4 5 6; do rendre $k; done
+for f in $fautes; do rendre 6 "$f"; done
+for f in racine-negative image-renversee plus-loin normale-a-l-envers; do rendre 5 "$f"; rendre 4 "$f"; done
+for f in $fautes; do [ "$f" = image-renversee ] || [ $n = 30 ] || rendre 6 "$f" image-renversee; done
+jar --create --no-manifest --file=$ici/rendus.zip -C $ici/rendus .
+
+$JAVA -jar correction/target/correction.jar --sortie $ici/classe $ici/rendus.zip > $ici/sortie.txt 2>&1 &
+pid=$!
+debut=$(date +%s.%N)
+max=0
+while kill -0 $pid 2>/dev/null; do
+    # la mémoire partagée par plusieurs processus n'est comptée qu'une fois (Pss)
+    tous=$pid
+    nouveaux=$pid
+    while nouveaux=$(pgrep -d, -P "$nouveaux"); do tous=$tous,$nouveaux; done
+    total=$(for p in ${tous//,/ }; do sed -n 's/^Pss: *\([0-9]*\) kB/\1/p' /proc/$p/smaps_rollup 2>/dev/null || true; done |
+        awk '{ s += $1 } END { print int(s / 1024) }')
+    [ "$total" -le $max ] || max=$total
+    sleep 0.5
+done
+fin=$(date +%s.%N)
+wait $pid || { cat $ici/sortie.txt >&2; exit 1; }
+LC_ALL=C awk "BEGIN { printf \"%d rendus différents : %.0f s, %d Mo au plus, sur %d cœurs\n\", $n, $fin - $debut, $max, $(nproc) }"
