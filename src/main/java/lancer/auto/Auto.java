@@ -106,9 +106,9 @@ public final class Auto {
     }
 
     /** Les limites où s'essaient les échantillonnages : les moins chères qui n'y changent presque rien. */
-    private Limites limitesCommunes() {
-        Limites communes = limites.exactes;
-        for (Limites l : limites.permises) {
+    private LimitesDesReflets limitesCommunes() {
+        LimitesDesReflets communes = limites.exactes;
+        for (LimitesDesReflets l : limites.permises) {
             if (l.erreur.auPlus() <= PART_DES_LIMITES * erreurVisee && l.rayons < communes.rayons) {
                 communes = l;
             }

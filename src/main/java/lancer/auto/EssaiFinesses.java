@@ -28,7 +28,7 @@ final class EssaiFinesses {
     private static final List<ToDoubleFunction<Couleur>> COMPOSANTES = Arrays.asList(c -> c.r, c -> c.v, c -> c.b);
 
     private final Essais essais;
-    private final Limites limites;
+    private final LimitesDesReflets limites;
     private final Reseau reseau;
     private final Epreuve premiere;
     private final Epreuve seconde;
@@ -36,7 +36,8 @@ final class EssaiFinesses {
     /** Rayons de toutes sortes pour un rayon de l'écran, là où les échantillonnages en ajoutent. */
     private double rayonsDesDetails;
 
-    private EssaiFinesses(Essais essais, List<Pave> blocs, double[] promesses, Limites limites, Reseau reseau) {
+    private EssaiFinesses(Essais essais, List<Pave> blocs, double[] promesses, LimitesDesReflets limites,
+            Reseau reseau) {
         this.essais = essais;
         this.limites = limites;
         this.reseau = reseau;
@@ -48,16 +49,16 @@ final class EssaiFinesses {
      * @param limites assez exactes pour que l'erreur vienne des échantillonnages
      * @param reseau les points des références, assez nombreux pour l'erreur à mesurer
      */
-    static EssaiFinesses parmi(List<Pave> blocs, Essais essais, Limites limites, Reseau reseau) {
+    static EssaiFinesses parmi(List<Pave> blocs, Essais essais, LimitesDesReflets limites, Reseau reseau) {
         return new EssaiFinesses(essais, blocs, promesses(essais, blocs, limites), limites, reseau);
     }
 
     /** Un tirage parmi ces blocs, pour une mesure sûre. */
-    static Tirage tirer(Essais essais, List<Pave> blocs, Limites limites) {
+    static Tirage tirer(Essais essais, List<Pave> blocs, LimitesDesReflets limites) {
         return new Tirage(TIRAGES_SURS, blocs, promesses(essais, blocs, limites), essais.facteur());
     }
 
-    private static double[] promesses(Essais essais, List<Pave> blocs, Limites limites) {
+    private static double[] promesses(Essais essais, List<Pave> blocs, LimitesDesReflets limites) {
         double[] promesses = new double[blocs.size()];
         essais.passer(blocs, limites.reflets, limites.seuil, (rang, b, pave, vue) -> {
             Couleur[] couleurs = new Couleur[CONTRASTE.points];

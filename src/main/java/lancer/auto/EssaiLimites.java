@@ -21,10 +21,10 @@ final class EssaiLimites {
     private static final double EXACT = 0.001;
 
     /** Entre lesquelles choisir ; les moindres profondeurs d'abord. */
-    final List<Limites> permises = new ArrayList<>();
+    final List<LimitesDesReflets> permises = new ArrayList<>();
 
     /** La moindre profondeur où tous les rayons semés voient ce qu'ils verraient sans limite. */
-    Limites exactes;
+    LimitesDesReflets exactes;
 
     private final Essais essais;
     private final List<Pave> blocs;
@@ -42,7 +42,7 @@ final class EssaiLimites {
     /** Essaie toutes celles que le souhait laisse à choisir. */
     void essayer(Souhait souhait) {
         voir(sansLimite, REFLETS[REFLETS.length - 1], 0);
-        List<Limites> profondeurs = new ArrayList<>();
+        List<LimitesDesReflets> profondeurs = new ArrayList<>();
         do {
             exactes = essayer(REFLETS[profondeurs.size()], 0);
             profondeurs.add(exactes);
@@ -50,7 +50,7 @@ final class EssaiLimites {
         if (souhait.reflets != null) {
             profondeurs = Collections.singletonList(essayer(souhait.reflets, 0));
         }
-        List<Limites> seuils = new ArrayList<>();
+        List<LimitesDesReflets> seuils = new ArrayList<>();
         for (double seuil : souhait.seuil == null ? SEUILS : new double[] {souhait.seuil}) {
             // sans reflets, tous se valent
             if (seuils.isEmpty() || exactes.reflets > 0) {
@@ -66,7 +66,7 @@ final class EssaiLimites {
                 couleurs[rang] = vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0));
     }
 
-    private Limites essayer(int reflets, double seuil) {
+    private LimitesDesReflets essayer(int reflets, double seuil) {
         Couleur[] couleurs = new Couleur[blocs.size()];
         Compteurs compteurs = voir(couleurs, reflets, seuil);
         double[] carres = new double[couleurs.length];
@@ -79,6 +79,7 @@ final class EssaiLimites {
             carres[k] /= 3;
         }
         pire = Arrays.stream(carres).max().getAsDouble();
-        return new Limites(reflets, seuil, Estimation.de(carres), (double) compteurs.rayons() / compteurs.primaires);
+        double rayons = (double) compteurs.rayons() / compteurs.primaires;
+        return new LimitesDesReflets(reflets, seuil, Estimation.de(carres), rayons);
     }
 }

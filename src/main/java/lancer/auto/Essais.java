@@ -3,7 +3,6 @@ package lancer.auto;
 import java.util.List;
 import lancer.Camera;
 import lancer.Lancer;
-import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
@@ -34,12 +33,12 @@ final class Essais {
 
     final Camera camera;
     final int fils;
-    private final Scene scene;
+    private final Lancer prepare;
 
-    Essais(Lancer lancer, int fils) {
+    Essais(Lancer prepare, int fils) {
+        this.prepare = prepare;
         this.fils = fils;
-        scene = lancer.getScene();
-        camera = lancer.getCamera();
+        camera = prepare.getCamera();
     }
 
     /** De la moyenne des blocs à celle de l'image : les blocs du bord ont parfois moins de pixels. */
@@ -50,12 +49,12 @@ final class Essais {
 
     /** La scène, dessinée ainsi. */
     Lancer lancer(Echantillonnage echantillonnage, double seuil) {
-        return new Lancer(scene.avec(echantillonnage, seuil), camera);
+        return prepare.avec(echantillonnage, seuil);
     }
 
     /** Fait un essai sur chaque bloc, à la place des pixels de l'image. */
     Compteurs passer(List<Pave> blocs, int reflets, double seuil, Essai essai) {
-        Lancer lancer = lancer(scene.getEchantillonnage(), seuil);
+        Lancer lancer = lancer(prepare.getScene().getEchantillonnage(), seuil);
         lancer.parcourir((pave, vue, toile) -> {
             for (int k = 0; k < blocs.size(); k++) {
                 if (pave.contient(blocs.get(k))) {

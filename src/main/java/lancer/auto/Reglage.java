@@ -4,9 +4,9 @@ package lancer.auto;
 public final class Reglage {
 
     final Finesse finesse;
-    final Limites limites;
+    final LimitesDesReflets limites;
 
-    Reglage(Finesse finesse, Limites limites) {
+    Reglage(Finesse finesse, LimitesDesReflets limites) {
         this.finesse = finesse;
         this.limites = limites;
     }

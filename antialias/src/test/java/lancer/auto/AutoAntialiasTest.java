@@ -94,8 +94,8 @@ class AutoAntialiasTest {
         }
     }
 
-    private static Limites limites() {
-        return new Limites(5, 1.0 / 1024, new Estimation(0, 0), 1);
+    private static LimitesDesReflets limites() {
+        return new LimitesDesReflets(5, 1.0 / 1024, new Estimation(0, 0), 1);
     }
 
     @Test

@@ -27,7 +27,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Specularite;
-import lancer.mesures.vitesse.Pages;
+import lancer.mesures.vitesse.PagesMesurees;
 
 /**
  * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme.
@@ -54,7 +54,7 @@ public final class Reponses {
     /** @param args la page, et le dossier des images */
     public static void main(String[] args) throws IOException {
         Path images = Paths.get(args[1]);
-        Pages.reecrire(Paths.get(args[0]), valeurs());
+        PagesMesurees.reecrire(Paths.get(args[0]), valeurs());
         Files.write(images.resolve("reponses-cosinus.svg"), cosinus().getBytes(StandardCharsets.UTF_8));
         Path neuves = Files.createTempDirectory("reponses");
         ImageIO.write(etapes(), "png", neuves.resolve("reponses-etapes.png").toFile());

@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Paths;
 import javax.imageio.ImageIO;
-import lancer.mesures.vitesse.Pages;
+import lancer.mesures.vitesse.PagesMesurees;
 import org.junit.jupiter.api.Test;
 
 /** docs/reponses.md et ses figures. */
@@ -22,7 +22,7 @@ class ReponsesTest {
     @Test
     void lesNombresDeLaPageSontCeuxDuProgramme() throws IOException {
         String page = lire("docs/reponses.md");
-        assertEquals(Pages.remplacer(page, Reponses.valeurs()), page, "make reponses");
+        assertEquals(PagesMesurees.remplacer(page, Reponses.valeurs()), page, "make reponses");
     }
 
     @Test

@@ -102,7 +102,7 @@ final class Explication {
         }
     }
 
-    private Chemin chemin(double xv, double yv) {
-        return new Chemin(lancer.getScene(), lancer.getCamera().getRayon(xv, yv), reflets);
+    private Trajet chemin(double xv, double yv) {
+        return new Trajet(lancer.getScene(), lancer.getCamera().getRayon(xv, yv), reflets);
     }
 }

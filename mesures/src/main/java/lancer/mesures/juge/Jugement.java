@@ -40,14 +40,14 @@ final class Jugement {
      * @throws IOException si le juge n'a pas pu dessiner
      */
     Jugement(Peintre peintre, String nom, Scene scene, int reflets, int largeur, int hauteur) throws Intraduisible, IOException {
-        boolean grise = Traduction.estGrise(scene);
+        boolean grise = TraductionPov.estGrise(scene);
         if (!grise) {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
             scene.setSeuil(0);
         }
         Lancer lancer = Preparation.preparer(scene, largeur, hauteur, false);
         Set<Objet3D> derriere = Ecran.traverses(scene, new Camera(largeur, hauteur));
-        Traduction traduction = new Traduction(scene, reflets, derriere);
+        TraductionPov traduction = new TraductionPov(scene, reflets, derriere);
         ImageMemoire image = new ImageMemoire(largeur, hauteur, true);
         lancer.TracerPixels(image, reflets, Runtime.getRuntime().availableProcessors());
         Composante[] composantes = Composante.values();

@@ -10,7 +10,7 @@ interface Peintre {
     String nom();
 
     /**
-     * @param texte la scène, telle que l'écrit {@link Traduction}
+     * @param texte la scène, telle que l'écrit {@link TraductionPov}
      * @param nom celui des fichiers à écrire, sans extension
      * @return l'image linéaire : trois composantes de 16 bits, la ligne du haut d'abord
      * @throws IOException s'il n'y arrive pas ; le message dit pourquoi

@@ -72,8 +72,8 @@ final class Cas {
     }
 
     /** Vrai si une méthode touche ce qu'il faut manquer, ou l'inverse, ou prend une racine pour l'autre. */
-    boolean malClasse(Methode methode) {
-        double t = methode.distance(P, V, C, r);
+    boolean malClasse(Formule formule) {
+        double t = formule.distance(P, V, C, r);
         if (Double.isInfinite(exacte.distance) || Double.isInfinite(t) || Double.isNaN(t)) {
             return t != exacte.distance;
         }
@@ -81,17 +81,17 @@ final class Cas {
     }
 
     /** |Δt| / t. */
-    double erreurRelative(Methode methode) {
-        return ecart(methode) / exacte.distance;
+    double erreurRelative(Formule formule) {
+        return ecart(formule) / exacte.distance;
     }
 
     /** |Δt| en unités de κ u t = u (1 + r/h) (|P − C| + r) : ce qu'un arrondi des données change à la réponse. */
-    double erreurEnUnites(Methode methode) {
-        return ecart(methode) / (U * (1 + r / exacte.demiCorde) * (distanceAuCentre() + r));
+    double erreurEnUnites(Formule formule) {
+        return ecart(formule) / (U * (1 + r / exacte.demiCorde) * (distanceAuCentre() + r));
     }
 
-    private double ecart(Methode methode) {
-        return Math.abs(methode.distance(P, V, C, r) - exacte.distance);
+    private double ecart(Formule formule) {
+        return Math.abs(formule.distance(P, V, C, r) - exacte.distance);
     }
 
     private double distanceAuCentre() {

@@ -35,10 +35,10 @@ final class Defauts {
     private static final int COTE = 100;
     private static final int COTE_IMPAIR = 101;
 
-    private final List<Resultat> resultats = new ArrayList<>();
+    private final List<Exactitude> exactitudes = new ArrayList<>();
     private Camera camera = new Camera(COTE, COTE);
 
-    List<Resultat> compter() {
+    List<Exactitude> compter() {
         acne();
         epsilons();
         voisin();
@@ -52,7 +52,7 @@ final class Defauts {
         limites();
         camera = new Camera(COTE_IMPAIR, COTE_IMPAIR);
         lampePosee();
-        return resultats;
+        return exactitudes;
     }
 
     private static Sphere boule(double x, double y, double z, double r, double kd, double ks) {
@@ -188,7 +188,8 @@ final class Defauts {
         Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
         Vue points = forme(boule).vueDeLaLampe(10);
-        noter("limiter", scene.avec(Antialias.coins(3, 0), scene.getSeuil()), 0, (xe, ye) -> moyenne(points, xe, ye, 1), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
+        noter("limiter", scene.avec(Antialias.coins(3, 0), scene.getSeuil()), 0, (xe, ye) -> moyenne(points, xe, ye, 1),
+                (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
     }
 
     private static Couleur moyenne(Vue vue, double xe, double ye, double limite) {
@@ -229,9 +230,9 @@ final class Defauts {
     private void noter(String nom, Scene scene, int reflets, Couleur[] naive, Vue juste) {
         scene.setSeuil(0);
         Couleur[] attendue = image(juste);
-        int rang = resultats.size() / 2;
-        resultats.add(comparer(nom, rang, attendue, naive));
-        resultats.add(comparer(PROGRAMME, rang, attendue, image(scene, reflets)));
+        int rang = exactitudes.size() / 2;
+        exactitudes.add(comparer(nom, rang, attendue, naive));
+        exactitudes.add(comparer(PROGRAMME, rang, attendue, image(scene, reflets)));
     }
 
     private Couleur[] image(Scene scene, int reflets) {
@@ -250,7 +251,7 @@ final class Defauts {
         return image;
     }
 
-    private static Resultat comparer(String methode, int rang, Couleur[] attendue, Couleur[] obtenue) {
+    private static Exactitude comparer(String formule, int rang, Couleur[] attendue, Couleur[] obtenue) {
         int juges = 0;
         int faux = 0;
         for (int k = 0; k < attendue.length; k++) {
@@ -260,7 +261,7 @@ final class Defauts {
                         || differe(attendue[k].b, obtenue[k].b) ? 1 : 0;
             }
         }
-        return new Resultat(FIGURE, methode, rang, 0, juges, faux, 0, 0);
+        return new Exactitude(FIGURE, formule, rang, 0, juges, faux, 0, 0);
     }
 
     /** Ce que montre l'écran, limité à [0, 1] ; NaN n'est jamais juste. */

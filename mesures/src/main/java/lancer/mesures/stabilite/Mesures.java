@@ -32,7 +32,7 @@ final class Mesures {
     static final double LOINTAIN = 1000;
 
     /** Méthodes que compare la carte. */
-    static final List<Methode> DE_LA_CARTE = Arrays.asList(Methode.MANUEL, Methode.PROGRAMME);
+    static final List<Formule> DE_LA_CARTE = Arrays.asList(Formule.MANUEL, Formule.PROGRAMME);
 
     /** Des rayons tirés pour une abscisse, part qui doit se juger pour qu'elle soit tracée. */
     private static final double PART_JUGEE = 0.5;
@@ -47,8 +47,8 @@ final class Mesures {
     }
 
     /** Toutes, dans un ordre fixe ; les images fausses viennent de {@link Defauts}. */
-    List<Resultat> intersections() {
-        List<Resultat> tous = new ArrayList<>();
+    List<Exactitude> intersections() {
+        List<Exactitude> tous = new ArrayList<>();
         tous.addAll(courbe(LOIN, 1, 0, 12, 2, d -> h -> Cas.deLoin(h, d)));
         tous.addAll(courbe(RAS, 2, -14, -1, 1, m -> h -> Cas.rasant(h, PRES, m)));
         tous.addAll(courbe(RAS_LOIN, 3, -12, -1, 1, m -> h -> Cas.rasant(h, LOINTAIN, m)));
@@ -59,14 +59,15 @@ final class Mesures {
     }
 
     /** Une abscisse par {@code 1/parDecade} puissance de dix. */
-    private List<Resultat> courbe(String figure, int graine, int de, int a, int parDecade, Function<Double, Function<Random, Cas>> tirage) {
+    private List<Exactitude> courbe(String figure, int graine, int de, int a, int parDecade,
+            Function<Double, Function<Random, Cas>> tirage) {
         return IntStream.rangeClosed(0, (a - de) * parDecade / pas).parallel().boxed().flatMap(k -> {
             double x = Math.pow(10, de + (double) k * pas / parDecade);
-            return juger(figure, x, 0, rayons, 1000L * graine + k, tirage.apply(x), Arrays.asList(Methode.values())).stream();
+            return juger(figure, x, 0, rayons, 1000L * graine + k, tirage.apply(x), Arrays.asList(Formule.values())).stream();
         }).collect(Collectors.toList());
     }
 
-    private List<Resultat> carte() {
+    private List<Exactitude> carte() {
         int colonnes = 24 / pas;
         int lignes = 28 / pas;
         return IntStream.range(0, colonnes * lignes).parallel().boxed().flatMap(k -> {
@@ -79,28 +80,28 @@ final class Mesures {
     }
 
     /** Juge chaque méthode sur les mêmes rayons ; rien si la plupart ne se jugent pas. */
-    private static List<Resultat> juger(String figure, double x, double y, int tires, long graine, Function<Random, Cas> tirage,
-            List<Methode> methodes) {
+    private static List<Exactitude> juger(String figure, double x, double y, int tires, long graine, Function<Random, Cas> tirage,
+            List<Formule> formules) {
         Random hasard = new Random(graine);
         List<Cas> cas = IntStream.range(0, tires).mapToObj(k -> tirage.apply(hasard)).filter(Cas::seJuge).collect(Collectors.toList());
-        List<Resultat> resultats = new ArrayList<>();
+        List<Exactitude> exactitudes = new ArrayList<>();
         if (cas.size() < PART_JUGEE * tires) {
-            return resultats;
+            return exactitudes;
         }
-        for (Methode methode : methodes) {
+        for (Formule formule : formules) {
             int faux = 0;
             double relative = 0;
             double unites = 0;
             for (Cas c : cas) {
-                if (c.malClasse(methode)) {
+                if (c.malClasse(formule)) {
                     faux++;
                 } else if (!Double.isInfinite(c.exacte.distance)) {
-                    relative = Math.max(relative, c.erreurRelative(methode));
-                    unites = Math.max(unites, c.erreurEnUnites(methode));
+                    relative = Math.max(relative, c.erreurRelative(formule));
+                    unites = Math.max(unites, c.erreurEnUnites(formule));
                 }
             }
-            resultats.add(new Resultat(figure, methode.cle, x, y, cas.size(), faux, relative, unites));
+            exactitudes.add(new Exactitude(figure, formule.cle, x, y, cas.size(), faux, relative, unites));
         }
-        return resultats;
+        return exactitudes;
     }
 }

@@ -75,11 +75,11 @@ final class RechercheNaive implements Recherche {
     private double distance(Rayon rayon, Objet3D objet) {
         Sphere s = (Sphere) objet;
         Point P = rayon.getP();
-        double t = Methode.MANUEL.distance(P, rayon.getV(), s.getCentre(), s.getRayon());
+        double t = Formule.MANUEL.distance(P, rayon.getV(), s.getCentre(), s.getRayon());
         if (epsilon == 0 || t > epsilon) {
             return t;
         }
-        double reste = Methode.MANUEL.distance(P.add(rayon.getV().mul(epsilon)), rayon.getV(), s.getCentre(), s.getRayon());
+        double reste = Formule.MANUEL.distance(P.add(rayon.getV().mul(epsilon)), rayon.getV(), s.getCentre(), s.getRayon());
         return reste + epsilon;
     }
 

@@ -27,14 +27,14 @@ public final class Stabilite {
      * @param rapide vrai pour dix fois moins de rayons, à une abscisse sur deux
      */
     public static void mesurer(Path dossier, boolean rapide) throws IOException {
-        List<Resultat> tous = new ArrayList<>(new Mesures(rapide).intersections());
+        List<Exactitude> tous = new ArrayList<>(new Mesures(rapide).intersections());
         tous.addAll(new Defauts().compter());
-        Resultat.ecrire(dossier.resolve(CSV), tous);
+        Exactitude.ecrire(dossier.resolve(CSV), tous);
     }
 
     /** Dessine les mesures de ce dossier. */
     public static void dessiner(Path dossier) throws IOException {
-        Figures figures = new Figures(new Chiffres(Resultat.lire(dossier.resolve(CSV))));
+        Figures figures = new Figures(new Bilan(Exactitude.lire(dossier.resolve(CSV))));
         Planche[] planches = {figures.loin(), figures.ras(), figures.sol(), figures.carte(), figures.defauts()};
         for (int k = 0; k < planches.length; k++) {
             planches[k].ecrire(dossier.resolve(PLANCHES[k] + ".png"));
@@ -43,6 +43,6 @@ public final class Stabilite {
 
     /** Les nombres que montrent les pages, par leurs noms. */
     public static Map<String, String> pages(Path dossier) throws IOException {
-        return new Chiffres(Resultat.lire(dossier.resolve(CSV))).pages();
+        return new Bilan(Exactitude.lire(dossier.resolve(CSV))).pages();
     }
 }

@@ -55,7 +55,7 @@ public final class Damier implements Contenu {
     }
 
     private static Serie signe(String nom, Color couleur) {
-        return new Serie(nom, couleur, Forme.CARRE, false, Collections.emptyList());
+        return new Serie(nom, couleur, FormeDePoint.CARRE, false, Collections.emptyList());
     }
 
     @Override

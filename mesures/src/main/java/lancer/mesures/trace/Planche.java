@@ -152,7 +152,8 @@ public final class Planche {
             if (signe.serie == null) {
                 g.setColor(signe.nom.equals(FRONT) ? Style.FRONT : Style.NOIR);
                 g.setStroke(signe.nom.equals(FRONT) ? new BasicStroke(11) : Style.TRAIT);
-                g.draw(signe.nom.equals(FRONT) ? new Line2D.Double(x, y, x + LARGEUR_SIGNE - 12, y) : deplacee(Forme.ANNEAU, cx, y, 0.75));
+                g.draw(signe.nom.equals(FRONT) ? new Line2D.Double(x, y, x + LARGEUR_SIGNE - 12, y)
+                        : deplacee(FormeDePoint.ANNEAU, cx, y, 0.75));
             } else {
                 g.setColor(signe.serie.couleur);
                 if (signe.serie.reliee) {

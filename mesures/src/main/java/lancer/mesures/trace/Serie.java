@@ -9,12 +9,12 @@ public final class Serie {
 
     final String nom;
     final Color couleur;
-    final Forme forme;
+    final FormeDePoint forme;
     final boolean reliee;
     final List<Marque> marques;
 
     /** @param reliee vrai si un trait joint les marques, dans l'ordre donné */
-    public Serie(String nom, Color couleur, Forme forme, boolean reliee, List<Marque> marques) {
+    public Serie(String nom, Color couleur, FormeDePoint forme, boolean reliee, List<Marque> marques) {
         this.nom = nom;
         this.couleur = couleur;
         this.forme = forme;

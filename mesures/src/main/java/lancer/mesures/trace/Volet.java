@@ -262,7 +262,7 @@ public final class Volet implements Contenu {
         for (Serie serie : series) {
             Marque avant = null;
             for (Marque m : serie.marques) {
-                noms.reserver(enX.applyAsDouble(m), enY.applyAsDouble(m), Forme.DEMI_COTE);
+                noms.reserver(enX.applyAsDouble(m), enY.applyAsDouble(m), FormeDePoint.DEMI_COTE);
                 if (m.cerclee) {
                     cercler(g, enX.applyAsDouble(m), enY.applyAsDouble(m));
                 }
@@ -306,7 +306,7 @@ public final class Volet implements Contenu {
         g.translate(x, y);
         g.setColor(Style.NOIR);
         g.setStroke(Style.TRAIT);
-        g.draw(Forme.ANNEAU);
+        g.draw(FormeDePoint.ANNEAU);
         g.translate(-x, -y);
     }
 }

@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import lancer.mesures.trace.Forme;
+import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Rangees;
@@ -50,9 +50,9 @@ final class FigureDemandes {
                     .entreX(r.nombre("q1_ms") / base.medianeMs(), r.nombre("q3_ms") / base.medianeMs())
                     .nommee("× " + Style.nombre(r.medianeMs() / base.medianeMs())));
         }
-        rangees.serie(new Serie("rayons, comptés", Style.BLEU, Forme.CARRE, false, rayons));
-        rangees.serie(new Serie("sphères essayées, comptées", Style.ORANGE, Forme.TRIANGLE, false, tests));
-        rangees.serie(new Serie("temps (barre : la moitié centrale des dessins)", Style.VERMILLON, Forme.ROND, false, temps));
+        rangees.serie(new Serie("rayons, comptés", Style.BLEU, FormeDePoint.CARRE, false, rayons));
+        rangees.serie(new Serie("sphères essayées, comptées", Style.ORANGE, FormeDePoint.TRIANGLE, false, tests));
+        rangees.serie(new Serie("temps (barre : la moitié centrale des dessins)", Style.VERMILLON, FormeDePoint.ROND, false, temps));
         return new Planche(titre(), note).volet(rangees, 1);
     }
 

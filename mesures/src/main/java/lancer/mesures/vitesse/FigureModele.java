@@ -3,7 +3,7 @@ package lancer.mesures.vitesse;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
-import lancer.mesures.trace.Forme;
+import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Rangees;
@@ -38,8 +38,8 @@ final class FigureModele {
         }
         Rangees rangees = new Rangees("Mêmes rayons, mêmes sphères essayées : seul le calcul du reflet des lampes diffère. "
                 + "« --simple » : les boucles du cours.", "temps d'une image, celui de Phong valant 1", noms, 1);
-        rangees.serie(new Serie("Phong", Style.BLEU, Forme.CARRE, false, phong));
-        rangees.serie(new Serie("Blinn (barres : la moitié centrale des dessins)", Style.VERMILLON, Forme.ROND, false, blinn));
+        rangees.serie(new Serie("Phong", Style.BLEU, FormeDePoint.CARRE, false, phong));
+        rangees.serie(new Serie("Blinn (barres : la moitié centrale des dessins)", Style.VERMILLON, FormeDePoint.ROND, false, blinn));
         return new Planche(reponse(releves), note).volet(rangees, 1);
     }
 

@@ -3,7 +3,7 @@ package lancer.mesures.vitesse;
 import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
-import lancer.mesures.trace.Forme;
+import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Serie;
@@ -35,15 +35,15 @@ final class FigureScene {
     Planche planche() {
         Volet gauche = new Volet(constats.anticrenelage(), "Anticrénelage, jugé sur la moyenne de chaque pixel", cout.axe, ERREUR)
                 .plancher(PLANCHER).front(marques(constats.front.get(), constats.front));
-        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.BROUILLON, Style.GRIS, Forme.POINTE, false);
-        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.UN_RAYON, Style.NOIR, Forme.ROND, false);
-        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.GRILLE, Style.BLEU, Forme.CARRE, true);
-        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.COINS, Style.ORANGE, Forme.TRIANGLE, false);
-        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.PARTAGE, Style.VERT, Forme.LOSANGE, false);
+        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.BROUILLON, Style.GRIS, FormeDePoint.POINTE, false);
+        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.UN_RAYON, Style.NOIR, FormeDePoint.ROND, false);
+        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.GRILLE, Style.BLEU, FormeDePoint.CARRE, true);
+        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.COINS, Style.ORANGE, FormeDePoint.TRIANGLE, false);
+        ajouter(gauche, constats.echantillonnages, constats.front, Catalogue.PARTAGE, Style.VERT, FormeDePoint.LOSANGE, false);
         Volet droite = new Volet(constats.limites(), "Reflets, jugés sur les mêmes rayons sans limite", cout.axe, ERREUR).plancher(PLANCHER)
                 .front(marques(constats.frontReflets.get(), constats.frontReflets));
-        ajouter(droite, constats.reflets, constats.frontReflets, Catalogue.PROFONDEUR, Style.VERMILLON, Forme.ROND, true);
-        ajouter(droite, constats.reflets, constats.frontReflets, Catalogue.SEUIL, Style.POURPRE, Forme.ETOILE, true);
+        ajouter(droite, constats.reflets, constats.frontReflets, Catalogue.PROFONDEUR, Style.VERMILLON, FormeDePoint.ROND, true);
+        ajouter(droite, constats.reflets, constats.frontReflets, Catalogue.SEUIL, Style.POURPRE, FormeDePoint.ETOILE, true);
         return new Planche(constats.titre(), note).volet(gauche, 1.25).volet(droite, 1);
     }
 
@@ -55,7 +55,7 @@ final class FigureScene {
                 + Style.arrondi(verite.erreurEnPas()) + " pas près. ";
     }
 
-    private void ajouter(Volet volet, Releves releves, Front front, String methode, Color couleur, Forme forme, boolean reliee) {
+    private void ajouter(Volet volet, Releves releves, Front front, String methode, Color couleur, FormeDePoint forme, boolean reliee) {
         List<Releve> siens = releves.de(methode).get();
         volet.serie(new Serie(Noms.serie(methode), couleur, forme, reliee, marques(siens, front)));
     }

@@ -3,7 +3,7 @@ package lancer.mesures.vitesse;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
-import lancer.mesures.trace.Forme;
+import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Serie;
@@ -31,8 +31,8 @@ final class FigureSpheres {
         for (Volet volet : new Volet[] {tests, temps}) {
             ToDoubleFunction<Releve> y = volet == tests ? Releve::testsParRayon : Releve::medianeMs;
             boolean barres = volet == temps;
-            volet.serie(new Serie("les boucles du cours", Style.BLEU, Forme.CARRE, true, marques(boucles, y, barres)));
-            volet.serie(new Serie("le programme", Style.VERMILLON, Forme.ROND, true, marques(programme, y, barres)));
+            volet.serie(new Serie("les boucles du cours", Style.BLEU, FormeDePoint.CARRE, true, marques(boucles, y, barres)));
+            volet.serie(new Serie("le programme", Style.VERMILLON, FormeDePoint.ROND, true, marques(programme, y, barres)));
         }
         return new Planche(titre(), note).volet(tests, 1).volet(temps, 1);
     }

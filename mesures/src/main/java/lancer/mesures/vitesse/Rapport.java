@@ -64,7 +64,7 @@ final class Rapport {
             Map<String, String> valeurs = new TreeMap<>(new Chiffres(releves, besoins).get());
             valeurs.putAll(Stabilite.pages(dossier));
             for (Path page : PAGES) {
-                Pages.reecrire(page, valeurs);
+                PagesMesurees.reecrire(page, valeurs);
             }
         }
     }

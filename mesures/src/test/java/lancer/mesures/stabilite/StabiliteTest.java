@@ -76,26 +76,26 @@ class StabiliteTest {
             BufferedImage planche = ImageIO.read(dossier.resolve(nom + ".png").toFile());
             assertEquals(1600, planche.getWidth(), nom);
         }
-        Chiffres chiffres = new Chiffres(Resultat.lire(dossier.resolve(Stabilite.CSV)));
+        Bilan bilan = new Bilan(Exactitude.lire(dossier.resolve(Stabilite.CSV)));
         // ce que la page promet et raconte, sur ces rayons-ci aussi
-        assertTrue(chiffres.unites(Mesures.LOIN) <= Cas.K && chiffres.unites(Mesures.RAS) <= Cas.K
-                && chiffres.unites(Mesures.RAS_LOIN) <= Cas.K);
-        assertEquals(0, chiffres.fauxDeLoin(Methode.PROGRAMME));
-        assertEquals(0, chiffres.faux(Methode.PROGRAMME, Mesures.CARTE));
-        assertEquals(0, chiffres.faux(Methode.PROGRAMME, Defauts.FIGURE));
-        assertTrue(chiffres.faux(Methode.MANUEL, Mesures.CARTE) > chiffres.essais(Methode.MANUEL, Mesures.CARTE) / 10);
-        assertTrue(chiffres.pente() > 0.8 && chiffres.pente() < 1.2, "pente " + chiffres.pente());
-        chiffres.defauts(false).forEach(r -> assertTrue(r.faux > 0, r.methode + " se voit"));
+        assertTrue(bilan.unites(Mesures.LOIN) <= Cas.K && bilan.unites(Mesures.RAS) <= Cas.K
+                && bilan.unites(Mesures.RAS_LOIN) <= Cas.K);
+        assertEquals(0, bilan.fauxDeLoin(Formule.PROGRAMME));
+        assertEquals(0, bilan.faux(Formule.PROGRAMME, Mesures.CARTE));
+        assertEquals(0, bilan.faux(Formule.PROGRAMME, Defauts.FIGURE));
+        assertTrue(bilan.faux(Formule.MANUEL, Mesures.CARTE) > bilan.essais(Formule.MANUEL, Mesures.CARTE) / 10);
+        assertTrue(bilan.pente() > 0.8 && bilan.pente() < 1.2, "pente " + bilan.pente());
+        bilan.defauts(false).forEach(r -> assertTrue(r.faux > 0, r.formule + " se voit"));
     }
 
     @Test
     void unAutreFichierNEstPasLuCommeDesCourbes() throws IOException {
         Path autre = dossier.resolve("autre.csv");
         Files.write(autre, java.util.Arrays.asList("scene,famille", "a,b"));
-        assertThrows(IOException.class, () -> Resultat.lire(autre));
-        List<Resultat> une = Collections.singletonList(new Resultat("loin", "manuel", 0.1, 1e-14, 3, 1, 1e-300, Double.MAX_VALUE));
-        Resultat.ecrire(autre, une);
-        Resultat relue = Resultat.lire(autre).get(0);
+        assertThrows(IOException.class, () -> Exactitude.lire(autre));
+        List<Exactitude> une = Collections.singletonList(new Exactitude("loin", "manuel", 0.1, 1e-14, 3, 1, 1e-300, Double.MAX_VALUE));
+        Exactitude.ecrire(autre, une);
+        Exactitude relue = Exactitude.lire(autre).get(0);
         assertEquals(0.1, relue.x);
         assertEquals(1e-300, relue.erreurRelative);
         assertEquals(1.0 / 3, relue.part());

@@ -66,7 +66,7 @@ class StyleTest {
         g.setColor(Color.WHITE);
         g.fillRect(0, 0, 600, 400);
         Etiquettes noms = new Etiquettes(g, new Rectangle2D.Double(100, 100, 200, 120));
-        noms.reserver(200, 150, Forme.DEMI_COTE);
+        noms.reserver(200, 150, FormeDePoint.DEMI_COTE);
         int ecrites = 0;
         for (int k = 0; k < 60; k++) {
             ecrites += noms.ecrire("étiquette", 200, 150, 0, Style.ETIQUETTE, Color.BLACK, true) ? 1 : 0;
@@ -89,7 +89,7 @@ class StyleTest {
 
     @Test
     void toutesLesPlanchesOntLaMemeTailleEtDesMarquesDeToutesLesCouleursDeLaLegende() {
-        Serie serie = new Serie("mesures", Style.VERMILLON, Forme.LOSANGE, true,
+        Serie serie = new Serie("mesures", Style.VERMILLON, FormeDePoint.LOSANGE, true,
                 Arrays.asList(Marque.en(1, 10).nommee("un").entreX(0.8, 1.2), Marque.en(10, 1).creuse(), Marque.en(100, 0).cerclee()));
         Volet volet = new Volet("Le constat", "le sujet", "x, en ms", "y, en pas").plancher(0.1).serie(serie)
                 .front(serie.marques).repere(5, "un repère");

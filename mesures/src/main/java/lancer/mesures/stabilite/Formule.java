@@ -5,14 +5,14 @@ import lancer.Constantes;
 import lancer.Point;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.mesures.trace.Forme;
+import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Style;
 
 /** Des façons de calculer la distance d'un rayon à une sphère : celles que l'on trouve partout, puis celle du programme. */
-enum Methode {
+enum Formule {
 
     /** La projection du centre sur le rayon, puis Pythagore : deux grands carrés s'y soustraient. */
-    GEOMETRIQUE("geometrique", "géométrique : |f|² − b²", Style.ORANGE, Forme.TRIANGLE) {
+    GEOMETRIQUE("geometrique", "géométrique : |f|² − b²", Style.ORANGE, FormeDePoint.TRIANGLE) {
         @Override
         double distance(Point P, Vecteur V, Point C, double r) {
             Vecteur f = new Vecteur(P, C);
@@ -27,7 +27,7 @@ enum Methode {
     },
 
     /** Le discriminant du manuel, puis des racines où rien ne se soustrait : q/a et c/q. */
-    RACINES("racines", "b² − 4ac, racines stables", Style.CIEL, Forme.LOSANGE) {
+    RACINES("racines", "b² − 4ac, racines stables", Style.CIEL, FormeDePoint.LOSANGE) {
         @Override
         double distance(Point P, Vecteur V, Point C, double r) {
             Vecteur f = new Vecteur(C, P);
@@ -44,7 +44,7 @@ enum Methode {
     },
 
     /** a t² + b t + c = 0, son discriminant b² − 4ac, et ses deux racines. */
-    MANUEL("manuel", "manuel : b² − 4ac", Style.BLEU, Forme.CARRE) {
+    MANUEL("manuel", "manuel : b² − 4ac", Style.BLEU, FormeDePoint.CARRE) {
         @Override
         double distance(Point P, Vecteur V, Point C, double r) {
             Vecteur f = new Vecteur(C, P);
@@ -60,7 +60,7 @@ enum Methode {
     },
 
     /** La perpendiculaire du centre au rayon, calculée comme un vecteur, puis les racines telles quelles. */
-    PERPENDICULAIRE("perpendiculaire", "perpendiculaire : |f − bV|²", Style.VERT, Forme.POINTE) {
+    PERPENDICULAIRE("perpendiculaire", "perpendiculaire : |f − bV|²", Style.VERT, FormeDePoint.POINTE) {
         @Override
         double distance(Point P, Vecteur V, Point C, double r) {
             Vecteur f = new Vecteur(P, C);
@@ -75,7 +75,7 @@ enum Methode {
     },
 
     /** La nôtre, telle que le programme l'appelle. */
-    PROGRAMME("programme", "le programme", Style.VERMILLON, Forme.ROND) {
+    PROGRAMME("programme", "le programme", Style.VERMILLON, FormeDePoint.ROND) {
         @Override
         double distance(Point P, Vecteur V, Point C, double r) {
             return Sphere.distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);
@@ -88,9 +88,9 @@ enum Methode {
     /** Dans la légende. */
     final String nom;
     final Color couleur;
-    final Forme forme;
+    final FormeDePoint forme;
 
-    Methode(String cle, String nom, Color couleur, Forme forme) {
+    Formule(String cle, String nom, Color couleur, FormeDePoint forme) {
         this.cle = cle;
         this.nom = nom;
         this.couleur = couleur;

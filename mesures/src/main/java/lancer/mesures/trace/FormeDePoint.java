@@ -7,7 +7,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 
 /** La forme d'un point : deux séries se distinguent aussi sans la couleur. Toutes ont à peu près la même aire. */
-public enum Forme {
+public enum FormeDePoint {
 
     ROND(new Ellipse2D.Double(-9, -9, 18, 18)),
     CARRE(new Rectangle2D.Double(-8, -8, 16, 16)),
@@ -28,7 +28,7 @@ public enum Forme {
 
     final Shape dessin;
 
-    Forme(Shape dessin) {
+    FormeDePoint(Shape dessin) {
         this.dessin = dessin;
     }
 

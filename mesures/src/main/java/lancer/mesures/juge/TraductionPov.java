@@ -25,7 +25,7 @@ import lancer.Vecteur;
  * (source, {@code MIN_ISECT_DEPTH}, {@code SHADOW_TOLERANCE}, {@code MAX_DISTANCE}). La scène est donc agrandie d'une puissance de
  * deux, qui ne change aucun chiffre de ses nombres, ni son image.
  */
-final class Traduction {
+final class TraductionPov {
 
     /** Ce que POV-Ray accepte de plus grand pour {@code max_trace_level}. */
     private static final int NIVEAUX_MAX = 256;
@@ -57,7 +57,7 @@ final class Traduction {
      * @param derriere les objets à cacher aux premiers rayons de POV-Ray, qui partent de l'œil et non de l'écran
      * @throws Intraduisible si POV-Ray ne peut faire le même calcul
      */
-    Traduction(Scene scene, int reflets, Set<Objet3D> derriere) throws Intraduisible {
+    TraductionPov(Scene scene, int reflets, Set<Objet3D> derriere) throws Intraduisible {
         this.scene = scene;
         this.reflets = reflets;
         this.derriere = derriere;

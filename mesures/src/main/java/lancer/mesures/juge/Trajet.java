@@ -14,13 +14,13 @@ import lancer.Vecteur;
  * Ce qu'un rayon et ses reflets rencontrent : à chaque contact, l'objet et les lampes qui l'éclairent ; au bout, le ciel ou le sol.
  * Deux rayons de même chemin ont des couleurs qui varient continûment de l'un à l'autre.
  */
-final class Chemin {
+final class Trajet {
 
     private final List<Object> rencontres = new ArrayList<>();
     private final List<List<Lampe>> eclairages = new ArrayList<>();
 
     /** @param reflets nombre de réflexions permises */
-    Chemin(Scene scene, Rayon premier, int reflets) {
+    Trajet(Scene scene, Rayon premier, int reflets) {
         Rayon rayon = premier;
         Objet3D depart = null;
         for (int niveau = 0; niveau <= reflets && rayon != null; niveau++) {
@@ -61,7 +61,7 @@ final class Chemin {
     }
 
     /** Ce qui sépare ces deux chemins en premier, {@link Cause#PENTE} si rien ne les sépare. */
-    Cause separation(Chemin autre) {
+    Cause separation(Trajet autre) {
         for (int niveau = 0; niveau < Math.min(rencontres.size(), autre.rencontres.size()); niveau++) {
             Object ici = rencontres.get(niveau);
             Object la = autre.rencontres.get(niveau);

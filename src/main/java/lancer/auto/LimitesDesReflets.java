@@ -3,7 +3,7 @@ package lancer.auto;
 import java.math.BigDecimal;
 
 /** Jusqu'où les reflets sont suivis, l'erreur que cela fait, et ce que cela coûte. Immuable. */
-final class Limites {
+final class LimitesDesReflets {
 
     final int reflets;
     final double seuil;
@@ -14,7 +14,7 @@ final class Limites {
     /** Rayons de toutes sortes pour un rayon de l'écran, lui compris. */
     final double rayons;
 
-    Limites(int reflets, double seuil, Estimation erreur, double rayons) {
+    LimitesDesReflets(int reflets, double seuil, Estimation erreur, double rayons) {
         this.reflets = reflets;
         this.seuil = seuil;
         this.erreur = erreur;
@@ -22,8 +22,8 @@ final class Limites {
     }
 
     /** Cette profondeur, et un seuil essayé sans elle : un rayon s'arrête à la première des deux limites. */
-    Limites et(Limites autre) {
-        return new Limites(reflets, autre.seuil, erreur.plus(autre.erreur), Math.min(rayons, autre.rayons));
+    LimitesDesReflets et(LimitesDesReflets autre) {
+        return new LimitesDesReflets(reflets, autre.seuil, erreur.plus(autre.erreur), Math.min(rayons, autre.rayons));
     }
 
     @Override

@@ -17,11 +17,11 @@ import lancer.Vecteur;
 import org.junit.jupiter.api.Test;
 
 /** La traduction d'une scène pour POV-Ray. */
-class TraductionTest {
+class TraductionPovTest {
 
     private static String texte(Scene scene, int reflets, Composante juste) throws Intraduisible {
         Set<Objet3D> derriere = Ecran.traverses(scene, new Camera(ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR));
-        return new Traduction(scene, reflets, derriere).texte(ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, juste);
+        return new TraductionPov(scene, reflets, derriere).texte(ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, juste);
     }
 
     private static void refuse(String raison, Scene scene, int reflets) {
@@ -105,8 +105,8 @@ class TraductionTest {
 
     @Test
     void unKsGrisNeDemandeQuUnDessin() {
-        assertTrue(Traduction.estGrise(ScenesJugees.deuxBoules(new Couleur(0.3))));
-        assertFalse(Traduction.estGrise(ScenesJugees.deuxBoules(new Couleur(0.3, 0.3, 0.31))));
+        assertTrue(TraductionPov.estGrise(ScenesJugees.deuxBoules(new Couleur(0.3))));
+        assertFalse(TraductionPov.estGrise(ScenesJugees.deuxBoules(new Couleur(0.3, 0.3, 0.31))));
     }
 
     /** Un objet qui n'est pas une sphère. */

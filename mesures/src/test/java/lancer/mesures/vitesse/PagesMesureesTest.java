@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Les nombres des pages. */
-class PagesTest {
+class PagesMesureesTest {
 
     private static final Path RESULTATS = Faux.projet("mesures/resultats");
 
@@ -25,14 +25,14 @@ class PagesTest {
     @Test
     void ilsViennentDesMesuresEtLeTexteAutourNeBougePas() {
         assertEquals("un <!--v:a-->2,1<!--/v--> deux <!--v:a-->2,1<!--/v-->",
-                Pages.remplacer("un <!--v:a-->0<!--/v--> deux <!--v:a--><!--/v-->", Collections.singletonMap("a", "2,1")));
-        assertEquals("$1 \\", Pages.remplacer("$1 \\", Collections.emptyMap()));
+                PagesMesurees.remplacer("un <!--v:a-->0<!--/v--> deux <!--v:a--><!--/v-->", Collections.singletonMap("a", "2,1")));
+        assertEquals("$1 \\", PagesMesurees.remplacer("$1 \\", Collections.emptyMap()));
     }
 
     @Test
     void ceuxQuiNeViennentDAucuneMesureSontRefuses() {
         IllegalArgumentException faute = assertThrows(IllegalArgumentException.class,
-                () -> Pages.remplacer("<!--v:b-->0<!--/v-->", Collections.singletonMap("a", "1")));
+                () -> PagesMesurees.remplacer("<!--v:b-->0<!--/v-->", Collections.singletonMap("a", "1")));
         assertTrue(faute.getMessage().contains("« b »"), faute.getMessage());
     }
 
@@ -40,9 +40,9 @@ class PagesTest {
     void unePageNEstReecriteQueSIlsChangent() throws IOException {
         Path page = dossier.resolve("page.md");
         Files.write(page, "<!--v:a-->0<!--/v-->\n".getBytes(StandardCharsets.UTF_8));
-        Pages.reecrire(page, Collections.singletonMap("a", "1"));
+        PagesMesurees.reecrire(page, Collections.singletonMap("a", "1"));
         assertEquals("<!--v:a-->1<!--/v-->\n", new String(Files.readAllBytes(page), StandardCharsets.UTF_8));
-        Pages.reecrire(dossier.resolve("absente.md"), Collections.emptyMap());
+        PagesMesurees.reecrire(dossier.resolve("absente.md"), Collections.emptyMap());
     }
 
     @Test
@@ -54,7 +54,7 @@ class PagesTest {
             Path page = Faux.projet(relative.toString());
             String texte = new String(Files.readAllBytes(page), StandardCharsets.UTF_8);
             assertTrue(texte.contains("<!--v:"), page + " montre des mesures");
-            assertEquals(Pages.remplacer(texte, valeurs), texte, page + " : make mesures, ou MESURES=--dessiner, le réécrit");
+            assertEquals(PagesMesurees.remplacer(texte, valeurs), texte, page + " : make mesures, ou MESURES=--dessiner, le réécrit");
         }
     }
 

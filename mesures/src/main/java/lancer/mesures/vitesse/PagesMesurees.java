@@ -12,11 +12,11 @@ import java.util.regex.Pattern;
  * Les nombres d'une page Markdown qui viennent des mesures. Chacun y est écrit entre deux commentaires, que GitHub ne montre
  * pas : {@code <!--v:nom-->2,1<!--/v-->}.
  */
-public final class Pages {
+public final class PagesMesurees {
 
     private static final Pattern VALEUR = Pattern.compile("<!--v:([^>]*?)-->.*?<!--/v-->", Pattern.DOTALL);
 
-    private Pages() {
+    private PagesMesurees() {
     }
 
     /** Réécrit les nombres de cette page ; une page qui n'existe pas n'en a pas. */

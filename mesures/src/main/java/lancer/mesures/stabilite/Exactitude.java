@@ -9,14 +9,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Une ligne de stabilite.csv : ce que valent les réponses d'une méthode, sur tant d'essais. */
-final class Resultat {
+final class Exactitude {
 
     private static final String EN_TETE = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites";
     private static final int COLONNES = EN_TETE.split(",").length;
 
     /** Quelle courbe : voir {@link Mesures}. */
     final String figure;
-    final String methode;
+    final String formule;
     final double x;
     final double y;
 
@@ -30,9 +30,9 @@ final class Resultat {
     final double erreurRelative;
     final double erreurEnUnites;
 
-    Resultat(String figure, String methode, double x, double y, int essais, int faux, double erreurRelative, double erreurEnUnites) {
+    Exactitude(String figure, String formule, double x, double y, int essais, int faux, double erreurRelative, double erreurEnUnites) {
         this.figure = figure;
-        this.methode = methode;
+        this.formule = formule;
         this.x = x;
         this.y = y;
         this.essais = essais;
@@ -47,32 +47,32 @@ final class Resultat {
     }
 
     private String ligne() {
-        return String.join(",", figure, methode, Double.toString(x), Double.toString(y), Integer.toString(essais), Integer.toString(faux),
+        return String.join(",", figure, formule, Double.toString(x), Double.toString(y), Integer.toString(essais), Integer.toString(faux),
                 Double.toString(erreurRelative), Double.toString(erreurEnUnites));
     }
 
     /** Écrit le fichier d'un coup. */
-    static void ecrire(Path fichier, List<Resultat> resultats) throws IOException {
+    static void ecrire(Path fichier, List<Exactitude> exactitudes) throws IOException {
         List<String> lignes = new ArrayList<>();
         lignes.add(EN_TETE);
-        resultats.forEach(r -> lignes.add(r.ligne()));
+        exactitudes.forEach(r -> lignes.add(r.ligne()));
         Path provisoire = fichier.resolveSibling(fichier.getFileName() + ".tmp");
         Files.write(provisoire, lignes, StandardCharsets.UTF_8);
         Files.move(provisoire, fichier, StandardCopyOption.REPLACE_EXISTING);
     }
 
     /** @throws IOException si le fichier n'est pas de ceux qu'écrit {@link #ecrire} */
-    static List<Resultat> lire(Path fichier) throws IOException {
+    static List<Exactitude> lire(Path fichier) throws IOException {
         List<String> lignes = Files.readAllLines(fichier, StandardCharsets.UTF_8);
-        List<Resultat> resultats = new ArrayList<>();
+        List<Exactitude> exactitudes = new ArrayList<>();
         for (int k = 1; k < lignes.size(); k++) {
             String[] c = lignes.get(k).split(",");
             if (c.length != COLONNES || !lignes.get(0).equals(EN_TETE)) {
                 throw new IOException(fichier + ", ligne " + (k + 1) + " : pas une mesure de stabilité");
             }
-            resultats.add(new Resultat(c[0], c[1], Double.parseDouble(c[2]), Double.parseDouble(c[3]), Integer.parseInt(c[4]),
+            exactitudes.add(new Exactitude(c[0], c[1], Double.parseDouble(c[2]), Double.parseDouble(c[3]), Integer.parseInt(c[4]),
                     Integer.parseInt(c[5]), Double.parseDouble(c[6]), Double.parseDouble(c[7])));
         }
-        return resultats;
+        return exactitudes;
     }
 }

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Les images de référence, calculées à part en quadruple précision, sans seuil. */
-class ImagesTest {
+class ImagesDeReferenceTest {
 
     /** Ce que l'arrondi de la double précision peut changer, et ce que les flottants du fichier peuvent perdre. */
     private static final double TOLERANCE = 1e-6;
@@ -29,7 +29,7 @@ class ImagesTest {
         "p3-miroirs, p3-miroirs.reflets-12, 12",
         "p4-foule, p4-foule, 5"})
     void laBaseDonneLImageDeReference(String scene, String image, String reflets) throws IOException {
-        float[] attendue = Essai.pfm(Essai.octets(ImagesTest.class, "/reference/" + image + ".pfm"));
+        float[] attendue = Essai.pfm(Essai.octets(ImagesDeReferenceTest.class, "/reference/" + image + ".pfm"));
         float[] obtenue = Essai.dessiner(dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")),
                 "--taille", "120x90", "--seuil", "0", "--reflets", reflets);
         double ecart = Essai.ecart(attendue, obtenue);
