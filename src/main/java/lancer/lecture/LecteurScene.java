@@ -72,6 +72,7 @@ public final class LecteurScene {
      * Lit un fichier en entier, et installe les variantes présentes, chacune avec sa section.
      *
      * @throws SceneFautive si le fichier ne peut être utilisé, ou si deux variantes veulent le même contrat
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static LecteurScene lire(String fichier) {
         LecteurScene lecteur = new LecteurScene(fichier);
