@@ -12,7 +12,7 @@ import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.fils.Equipe;
 
-/** Un {@link Lancer} dont des {@link Temoins} jugent la recherche ; si elle se trompe, les boucles du cours dessinent. */
+/** Un {@link Lancer} dont des {@link Temoins} jugent la recherche ; si elle se trompe, les boucles dessinent. */
 public final class LancerSurveille extends Lancer {
 
     private volatile Temoignage temoignage = Temoignage.SANS_OBJET;
