@@ -1,5 +1,7 @@
 package lancer.lecture;
 
+import java.io.FileInputStream;
+import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
@@ -70,6 +72,7 @@ public final class LecteurScene {
      * Lit un fichier en entier, et installe les variantes présentes, chacune avec sa section.
      *
      * @throws SceneFautive si le fichier ne peut être utilisé, ou si deux variantes veulent le même contrat
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static LecteurScene lire(String fichier) {
         LecteurScene lecteur = new LecteurScene(fichier);
@@ -83,7 +86,7 @@ public final class LecteurScene {
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
         }
-        try (InputStream entree = Files.newInputStream(chemin)) {
+        try (InputStream entree = ouvrir(chemin)) {
             lignes = new Lignes(entree);
             new Decoupeur().parse(lignes, new Sections());
         } catch (InvalidFileFormatException e) {
@@ -95,6 +98,15 @@ public final class LecteurScene {
         } catch (IOException e) {
             throw new SceneFautive(Section.message(fichier, 0, null, null,
                     pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), UNE_SCENE), e);
+        }
+    }
+
+    /** Par {@code java.io}, déjà chargé ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
+    private static InputStream ouvrir(Path chemin) throws IOException {
+        try {
+            return new FileInputStream(chemin.toFile());
+        } catch (FileNotFoundException e) {
+            return Files.newInputStream(chemin);
         }
     }
 

@@ -8,6 +8,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.concurrent.CancellationException;
 import lancer.texte.Texte;
 
 /**
@@ -100,6 +101,9 @@ final class Lignes extends Reader {
 
     private int octet() throws IOException {
         if (suivant == lus) {
+            if (Thread.currentThread().isInterrupted()) {
+                throw new CancellationException("lecture interrompue");
+            }
             suivant = 0;
             lus = Math.max(0, entree.read(tampon, 0, TAMPON));
         }

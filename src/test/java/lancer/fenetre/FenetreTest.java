@@ -286,9 +286,9 @@ class FenetreTest extends EssaiFenetre {
         String cout = "320 × 240 pixels, 5 réflexions, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s";
         attendre("le coût se dit", () -> resume.getText().matches(cout));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la seconde image se compte aussi", () -> texte(banc.sortie).split("\n").length == 24);
+        attendre("la seconde image se compte aussi", () -> texte(banc.sortie).split("\n").length == 26);
         String dit = texte(banc.sortie);
-        assertTrue(dit.matches("(?:(?:[a-z]+\\.)+[a-z]+: [0-9.]+\n){24}"), dit);
+        assertTrue(dit.matches("(?:(?:[a-z]+\\.)+[a-z]+: [0-9.]+\n){26}"), dit);
         assertTrue(dit.startsWith("rayons.primaires: 76800\n"), dit);
     }
 

@@ -9,6 +9,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
 import lancer.Scene;
 import lancer.SceneFautive;
@@ -107,6 +108,17 @@ class LectureDemesureeTest {
         refuse(", ligne 3 : ligne trop longue", ecrire(DEBUT + "rayon=1", " ", 10_000_000, ""));
         refuse(", ligne 3 : ligne trop longue", ecrire(DEBUT + ";", "x", 10_000_000, "\nrayon=1"));
         refuse(", ligne 3 : ligne trop longue", ecrire(DEBUT + ";", "\0", 2_000_000, "\nrayon=1"));
+    }
+
+    @Test
+    void uneLectureInterrompueSArrete() throws IOException {
+        Path fichier = ecrire(DEBUT + "rayon=1\n", ";\n", 1_000_000, "");
+        Thread.currentThread().interrupt();
+        try {
+            assertThrows(CancellationException.class, () -> lire(fichier));
+        } finally {
+            assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
+        }
     }
 
     @Test

@@ -165,8 +165,10 @@ final class ArbreSimple implements Recherche {
             double ed = entree(n.droite, rayon);
             Noeud proche = eg <= ed ? n.gauche : n.droite;
             Noeud loin = eg <= ed ? n.droite : n.gauche;
-            return Math.min(eg, ed) <= distance && Math.min(eg, ed) < Constantes.INFINI && chercher(proche, rayon, saufLui, premiereVenue)
-                    || Math.max(eg, ed) <= distance && Math.max(eg, ed) < Constantes.INFINI && chercher(loin, rayon, saufLui, premiereVenue);
+            double e0 = Math.min(eg, ed);
+            double e1 = Math.max(eg, ed);
+            return e0 <= distance && e0 < Constantes.INFINI && chercher(proche, rayon, saufLui, premiereVenue)
+                    || e1 <= distance && e1 < Constantes.INFINI && chercher(loin, rayon, saufLui, premiereVenue);
         }
         for (int k : n.feuille) {
             if (objets.get(k) != saufLui) {

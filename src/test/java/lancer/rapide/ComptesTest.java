@@ -109,7 +109,8 @@ class ComptesTest {
             long permis = AU_PLUS * Math.min(boucles, cout(oracle.compteurs)) + PLUS * rapide.compteurs.rayons();
             if (cout(rapide.compteurs) > permis) {
                 fautes.add(e.getKey() + " : " + cout(rapide.compteurs) / (double) rapide.compteurs.rayons()
-                        + " examens par rayon, arbre simple " + cout(oracle.compteurs) / (double) rapide.compteurs.rayons() + ", " + scene.getRecherche());
+                        + " examens par rayon, arbre simple " + cout(oracle.compteurs) / (double) rapide.compteurs.rayons() + ", "
+                        + scene.getRecherche());
             }
         }
         assertEquals(Collections.emptyList(), fautes);
@@ -131,7 +132,8 @@ class ComptesTest {
                         : structure instanceof Noeuds ? ((Noeuds) structure).feuilles.length : 0;
                 cases += carte != null ? carte.coupe.length : 0;
             }
-            assertTrue(references <= 40L * n + cases, e.getKey() + " : " + references + " références pour " + n + " sphères, " + cases + " cases");
+            assertTrue(references <= 40L * n + cases, e.getKey() + " : " + references + " références pour " + n + " sphères, "
+                    + cases + " cases");
             assertTrue(cases <= 8L * n + 1024L * s.ombres.length + 4800, e.getKey() + " : " + cases + " cases de cartes");
         }
     }

@@ -63,6 +63,10 @@ public final class Correction {
         }
     }
 
+    private static String qui(Rendu rendu) {
+        return rendu.getNom() + (rendu.getNom().equals(rendu.getId()) ? "" : " (" + rendu.getId() + ")");
+    }
+
     private void corriger() throws IOException {
         Path dossier = Files.createDirectories(demande.sortie).toRealPath();
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
@@ -81,7 +85,7 @@ public final class Correction {
             Bareme bareme = new Bareme(demande.bareme == null ? dossier.resolve("bareme.ini") : demande.bareme, grille);
             AtomicInteger finis = new AtomicInteger();
             List<Resultat> resultats = jury.juger(rendus, (rang, resultat) -> suivi.println(String.format(Locale.FRANCE,
-                    "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(), rendus.get(rang).getNom(),
+                    "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(), qui(rendus.get(rang)),
                     resultat.refus.isEmpty() ? String.format(Locale.FRANCE, "%.2f/%.4g",
                     new Note(grille, resultat, bareme).total(), bareme.total())
                             : resultat.refus.get(0))));

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
  */
 final class NomMoodle {
 
-    private static final Pattern FORME = Pattern.compile("([^_/]*)_(\\d+)_assignsubmission_([a-z]+)(?:_(.*))?");
+    private static final Pattern FORME = Pattern.compile("([^/]*?)_(\\d+)_assignsubmission_([a-z]+)(?:_(.*))?");
 
     final String nom;
     final String id;

@@ -2,8 +2,10 @@ package lancer.correction.note;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.Reader;
+import java.io.StringReader;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +16,7 @@ import java.util.stream.Collectors;
 import lancer.correction.Panne;
 import lancer.correction.jugement.Grille;
 import org.ini4j.Ini;
+import org.ini4j.InvalidFileFormatException;
 import org.ini4j.Profile;
 
 /** Les points de chaque étape, d'un petit fichier INI que l'enseignant peut changer. */
@@ -31,11 +34,15 @@ public final class Bareme {
             if (!Files.exists(fichier)) {
                 Files.write(fichier, parDefaut());
             }
-            Ini ini = new Ini();
-            try (Reader texte = Files.newBufferedReader(fichier, StandardCharsets.UTF_8)) {
-                ini.load(texte);
-            }
+            String texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier)))
+                    .toString();
+            Ini ini = new Ini(new StringReader(texte.startsWith("\uFEFF") ? texte.substring(1) : texte));
             lire(fichier, ini, grille.getEtapes().stream().map(e -> e.nom).collect(Collectors.toList()));
+        } catch (CharacterCodingException e) {
+            throw new Panne(2, fichier + " : n'est pas en UTF-8");
+        } catch (InvalidFileFormatException e) {
+            throw new Panne(2, fichier + " : ligne incomprise ; attendu : étape=points ("
+                    + e.getMessage().replace("parse error (at line: ", "ligne ").replaceFirst("\\)", "") + ")");
         } catch (IOException e) {
             throw new Panne(2, "barème illisible : " + fichier + " (" + e.getMessage() + ")");
         }
@@ -61,7 +68,7 @@ public final class Bareme {
             }
             String texte = ligne.getValue() == null ? "" : ligne.getValue().trim().replace(',', '.');
             if (!texte.matches("\\d{1,4}(\\.\\d{1,6})?")) {
-                throw new Panne(2, faute + " : « " + texte + " » ; attendu : un nombre positif ou nul");
+                throw new Panne(2, faute + " : « " + texte + " » ; attendu : un nombre de 0 à 9999");
             }
             poids.put(ligne.getKey(), Double.valueOf(texte));
         }

@@ -101,7 +101,7 @@ public final class Pages {
         if (!confinement.estConfine()) {
             html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : "
                     + confinement.getManque()
-                    + ". Il a pu lire et écrire les fichiers de cette machine.");
+                    + ". Il a pu lire et écrire les fichiers de cette machine, ces résultats compris.");
         }
         html.element("h2", "Où la classe s'arrête").brut(graphique(eleves));
         html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
