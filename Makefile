@@ -37,7 +37,7 @@ mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MO
 	@touch $@
 
 # Les images du README. Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
-SCENES := scene1 diffus ombres miroirs bowling foule
+SCENES := scene1 diffus ombres miroirs bowling tournesol
 NEUVES := target/images
 
 images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/target/mesures.jar
@@ -140,7 +140,7 @@ aide:
 	@echo "make noyaux                mesure une intersection, une recherche, un éclairement ; JMH=\"-f 3\" pour ses options"
 	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; dix minutes au plus"
 	@echo "make mesures RAPIDE=1      une partie, en moins d'une minute, dans mesures/target/vitesse-rapide"
-	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/foule.ini\" pour choisir"
+	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/tournesol.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
 	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"

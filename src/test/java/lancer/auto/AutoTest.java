@@ -283,7 +283,8 @@ class AutoTest {
             }
         };
         Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
-        SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, Collections.singletonList(fautive)));
+        SceneFautive e = assertThrows(SceneFautive.class,
+                () -> Auto.choisir(lancer, Souhait.erreur(1), 1, Collections.singletonList(fautive)));
         assertEquals("réglage de --auto, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
 }

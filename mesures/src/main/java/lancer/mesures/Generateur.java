@@ -16,7 +16,7 @@ import java.util.Random;
  * <pre>
  * java -cp mesures/target/classes lancer.mesures.Generateur flocon PROFONDEUR
  * java -cp mesures/target/classes lancer.mesures.Generateur foule N [GRAINE]
- * java -cp mesures/target/classes lancer.mesures.Generateur fleur N
+ * java -cp mesures/target/classes lancer.mesures.Generateur tournesol N
  * </pre>
  *
  * Les mêmes arguments donnent le même texte, à l'octet, sur toute machine.
@@ -32,7 +32,7 @@ public final class Generateur {
     /** Graine de {@code foule} si l'on n'en donne pas. */
     public static final long GRAINE = 1;
 
-    private static final String USAGE = "usage : Generateur flocon PROFONDEUR | foule N [GRAINE] | fleur N";
+    private static final String USAGE = "usage : Generateur flocon PROFONDEUR | foule N [GRAINE] | tournesol N";
 
     private Generateur() {
     }
@@ -68,7 +68,7 @@ public final class Generateur {
         } else if (args[0].equals("foule")) {
             foule(sortie, nombre, args.length > 2 ? Long.parseLong(args[2]) : GRAINE);
         } else {
-            fleur(sortie, nombre);
+            tournesol(sortie, nombre);
         }
         return 0;
     }
@@ -80,7 +80,7 @@ public final class Generateur {
         }
         boolean flocon = args[0].equals("flocon");
         boolean foule = args[0].equals("foule");
-        if (!flocon && !foule && !args[0].equals("fleur")) {
+        if (!flocon && !foule && !args[0].equals("tournesol")) {
             return "scène inconnue : « " + args[0] + " »";
         }
         if (args.length < 2) {
@@ -136,9 +136,9 @@ public final class Generateur {
      *
      * @param n de 1 à {@link #N_MAX}
      */
-    public static void fleur(Appendable sortie, int n) throws IOException {
+    public static void tournesol(Appendable sortie, int n) throws IOException {
         verifier("nombre de boules", n, 1, N_MAX);
-        new Fleur(new Plume(sortie), n).ecrire();
+        new Tournesol(new Plume(sortie), n).ecrire();
     }
 
     private static void verifier(String quoi, int valeur, int min, int max) {

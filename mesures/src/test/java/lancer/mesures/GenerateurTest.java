@@ -84,10 +84,10 @@ class GenerateurTest {
         verifierVisible(scene, 0);
     }
 
-    @ParameterizedTest(name = "fleur {0}")
+    @ParameterizedTest(name = "tournesol {0}")
     @ValueSource(ints = {1, 2, 10, 34, 100, 1000, 3000})
-    void lesBoulesDeLaFleurNeSeTouchentPas(int n) throws IOException {
-        Scene scene = lire("fleur", Integer.toString(n));
+    void lesBoulesDuTournesolNeSeTouchentPas(int n) throws IOException {
+        Scene scene = lire("tournesol", Integer.toString(n));
         assertEquals(n + 1, scene.getObjets().size(), "les boules, et le sol");
         verifierSepares(scene, 1);
         verifierVisible(scene, 1);
@@ -103,28 +103,28 @@ class GenerateurTest {
     @Test
     void laLangueDeLaMachineNeChangeRienAuTexte() throws IOException {
         Locale avant = Locale.getDefault();
-        String texte = engendrer("fleur", "50");
+        String texte = engendrer("tournesol", "50");
         try {
             Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
-            assertEquals(texte, engendrer("fleur", "50"));
+            assertEquals(texte, engendrer("tournesol", "50"));
             Locale.setDefault(Locale.FRANCE);
-            assertEquals(texte, engendrer("fleur", "50"));
+            assertEquals(texte, engendrer("tournesol", "50"));
         } finally {
             Locale.setDefault(avant);
         }
     }
 
     @Test
-    void laSceneDuDepotEstCeQuEcritFleur1000() throws IOException {
-        Path ici = Paths.get("scenes", "foule.ini");
+    void leTournesolLivreEstCeluiDuGenerateur() throws IOException {
+        Path ici = Paths.get("scenes", "tournesol.ini");
         Path fichier = Files.exists(ici) ? ici : Paths.get("..").resolve(ici);
         String texte = new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
-        assertEquals(engendrer("fleur", "1000"), texte.replace("\r\n", "\n"));
+        assertEquals(engendrer("tournesol", "1000"), texte.replace("\r\n", "\n"));
     }
 
     @ParameterizedTest(name = "« {0} » est refusé")
     @ValueSource(strings = {"", "neige 3", "flocon", "flocon -1", "flocon 10", "flocon 2 3", "flocon 1.5", "foule", "foule 0",
-        "foule 100000001", "foule 5 x", "foule 5 1 1", "fleur dix", "fleur 0", "fleur 5 1", "foule 5 99999999999999999999"})
+        "foule 100000001", "foule 5 x", "foule 5 1 1", "tournesol dix", "tournesol 0", "tournesol 5 1", "foule 5 99999999999999999999"})
     void uneDemandeFautiveTientEnUneLigne(String ligne) throws IOException {
         String[] args = ligne.isEmpty() ? new String[0] : ligne.split(" ");
         StringBuilder texte = new StringBuilder();
@@ -141,7 +141,7 @@ class GenerateurTest {
         StringBuilder texte = new StringBuilder();
         assertThrows(IllegalArgumentException.class, () -> Generateur.flocon(texte, 10));
         assertThrows(IllegalArgumentException.class, () -> Generateur.foule(texte, 0, 1));
-        assertThrows(IllegalArgumentException.class, () -> Generateur.fleur(texte, -1));
+        assertThrows(IllegalArgumentException.class, () -> Generateur.tournesol(texte, -1));
         assertEquals("", texte.toString());
     }
 

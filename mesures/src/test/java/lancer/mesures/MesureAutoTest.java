@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
 /** Ce qui juge {@code --auto}. */
 class MesureAutoTest {
 
-    private static final int LARGEUR = 80;
-    private static final int HAUTEUR = 60;
+    private static final int LARGEUR = 56;
+    private static final int HAUTEUR = 42;
 
     @Test
     void leGabaritMesureLErreurContreLaVerite() {

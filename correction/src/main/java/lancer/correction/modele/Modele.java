@@ -29,7 +29,7 @@ public final class Modele {
     public static final String APPELS = "Appels";
 
     public static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
-            "foule");
+            "tournesol");
 
     private Modele() {
     }

@@ -21,7 +21,7 @@ final class Affaire {
         void ecrire(Appendable sortie) throws IOException;
     }
 
-    private static final String[] LIVREES = {"scene1", "diffus", "ombres", "miroirs", "bowling", "foule", "brume"};
+    private static final String[] LIVREES = {"scene1", "diffus", "ombres", "miroirs", "bowling", "tournesol", "brume"};
 
     /** Dans le tunnel de miroirs.ini, ce nombre-là est celui que conseille la scène. */
     private static final int REFLETS_DU_TUNNEL = 40;

@@ -32,8 +32,8 @@ final class Catalogue {
     /** La scène telle qu'elle est, à laquelle se comparent toutes celles qui demandent autre chose. */
     static final String TELLE_QUELLE = "telle quelle";
 
-    private static final List<String> SCENES = Arrays.asList("scene1", "bowling", "miroirs", "foule");
-    private static final List<String> SCENES_COURT = Arrays.asList("scene1", "foule");
+    private static final List<String> SCENES = Arrays.asList("scene1", "bowling", "miroirs", "tournesol");
+    private static final List<String> SCENES_COURT = Arrays.asList("scene1", "tournesol");
 
     /** Celle à qui l'on demande autre chose. */
     static final String SCENE_DEMANDES = "scene1";

@@ -24,6 +24,7 @@ final class TableBesoins {
         STRUCTURES.put("Departs", "une carte par sphère de départ");
         STRUCTURES.put("CarteLampe", "une carte");
         STRUCTURES.put("Secours", "un arbre");
+        STRUCTURES.put("Arbre", "un arbre");
         STRUCTURES.put("Masques", "des masques");
         STRUCTURES.put("Ombres", "des masques");
         STRUCTURES.put("Carte", "une carte vue de l'œil");

@@ -166,7 +166,7 @@ class JugeTest {
     void sansSceneToutesLesScenesLivreesSontJugees() {
         List<String> noms = new ArrayList<>();
         OptionsJuge.lire().affaires.forEach(a -> noms.add(a.nom + " " + a.reflets));
-        assertEquals(Arrays.asList("scene1 5", "diffus 5", "ombres 5", "miroirs 5", "bowling 5", "foule 5", "brume 5", "miroirs 40",
+        assertEquals(Arrays.asList("scene1 5", "diffus 5", "ombres 5", "miroirs 5", "bowling 5", "tournesol 5", "brume 5", "miroirs 40",
                 "flocon-7381 5", "foule-10000 5"), noms);
         Path scenes = Paths.get("..", "scenes");
         String[] livrees = scenes.toFile().list((d, nom) -> nom.endsWith(".ini"));

@@ -73,7 +73,7 @@ class BesoinTest {
 
     @Test
     void leTableauAUneLigneParSceneEtChaqueStructureParSonNomFrancais() {
-        String tableau = TableBesoins.markdown(java.util.Arrays.asList("scene1", "foule", "diffus").stream().map(nom -> {
+        String tableau = TableBesoins.markdown(java.util.Arrays.asList("scene1", "tournesol", "diffus").stream().map(nom -> {
             try {
                 return champs(new Besoin(Paths.get("scenes/" + nom + ".ini"), TAILLE));
             } catch (IOException e) {

@@ -87,10 +87,10 @@ class MesureurTest {
     @Test
     void uneMethodeQuiPartageDesRayonsEntrePixelsSansLeDireEstRefusee() {
         Echantillonnage partage = Antialias.partage(4, 0.1);
-        Scene foule = Scenes.lire(Paths.get("scenes/foule.ini"));
-        assertThrows(ImageFausse.class, () -> mesureur.mesurer(foule, Collections.singletonList(methode(partage))));
+        Scene tournesol = Scenes.lire(Paths.get("scenes/tournesol.ini"));
+        assertThrows(ImageFausse.class, () -> mesureur.mesurer(tournesol, Collections.singletonList(methode(partage))));
         Methode dite = Methode.de(Famille.ECHANTILLONNAGE, "essai", "").partagee(partage);
-        assertTrue(mesureur.mesurer(foule, Collections.singletonList(dite)).get(0).verifies >= 100);
+        assertTrue(mesureur.mesurer(tournesol, Collections.singletonList(dite)).get(0).verifies >= 100);
     }
 
     @Test

@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class VitesseTest {
 
     private static final List<String> COURBES = Arrays.asList("scene1-rayons", "scene1-temps", "bowling-rayons", "bowling-temps",
-            "miroirs-rayons", "miroirs-temps", "foule-rayons", "foule-temps", "phong-blinn", "demandes", "spheres",
+            "miroirs-rayons", "miroirs-temps", "tournesol-rayons", "tournesol-temps", "phong-blinn", "demandes", "spheres",
             "stabilite-loin", "stabilite-ras", "stabilite-sol", "stabilite-carte", "stabilite-defauts");
 
     @TempDir

@@ -2,8 +2,8 @@ package lancer.mesures;
 
 import java.io.IOException;
 
-/** Voir {@link Generateur#fleur}. */
-final class Fleur {
+/** Voir {@link Generateur#tournesol}. */
+final class Tournesol {
 
     /** De chaque graine à la suivante : le cercle partagé selon le nombre d'or, comme le fait le tournesol (Vogel, 1979). */
     private static final double ANGLE_D_OR = Math.PI * (3 - Math.sqrt(5));
@@ -30,19 +30,19 @@ final class Fleur {
     private final Plume plume;
     private final int n;
 
-    Fleur(Plume plume, int n) {
+    Tournesol(Plume plume, int n) {
         this.plume = plume;
         this.n = n;
     }
 
     void ecrire() throws IOException {
-        plume.commentaires("Une fleur de " + n + " boules, rangées comme les graines d'un tournesol, sur un sol sombre et poli.", "",
+        plume.commentaires("Un tournesol de " + n + " boules, rangées comme ses graines, sur un sol sombre et poli.", "",
                 "À regarder :",
                 "- les spirales : personne ne les a tracées, chaque boule est seulement tournée de 137,5 degrés après la",
                 "  précédente ; on en compte toujours un nombre de Fibonacci : 21, 34, 55 selon le sens et la distance au cœur ;",
                 "- les ombres et les reflets entre voisines, et la fleur entière dans le sol ;",
                 "- le temps du dessin : chaque rayon a " + n + " boules à essayer si la recherche est simple.", "",
-                "Écrite par lancer.mesures.Generateur fleur " + n);
+                "Écrite par lancer.mesures.Generateur tournesol " + n);
         double cos = StrictMath.cos(PENTE);
         double sin = StrictMath.sin(PENTE);
         plume.sphere("sol", 0, Y - SOL * cos, Z + SOL * sin, SOL,
