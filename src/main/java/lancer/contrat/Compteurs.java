@@ -24,7 +24,9 @@ public final class Compteurs {
     /** Nœuds ou cases de structures de recherche visités. */
     public long noeudsVisites;
 
-    /** Sphères et cases qu'a examinées le choix des structures, avant le dessin ; elles ne comptent pour rien d'autre. */
+    /**
+     * Sphères et cases qu'a examinées le choix des structures, avant le dessin ; elles ne comptent pour rien d'autre.
+     */
     public long examensEssais;
 
     /** Pixels que l'échantillonnage a raffinés. */

@@ -183,7 +183,8 @@ final class Carte implements Intersections {
      * vient pas de l'œil est pour le secours.
      */
     @Override
-    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
+    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            int sauf) {
         int c = faces[0].caseDeLOeil(px, py, pz, vx, vy, vz);
         if (c < 0) {
             return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import lancer.fils.Equipe;
 
 /**
- * La construction des {@link Noeuds} d'un arbre : à chaque nœud, la coupe qui coûtera le moins selon l'aire des deux boîtes
- * (MacDonald et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007).
+ * La construction des {@link Noeuds} d'un arbre : à chaque nœud, la coupe qui coûtera le moins selon l'aire des deux
+ * boîtes (MacDonald et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007).
  */
 final class ConstructionArbre {
 

@@ -31,8 +31,8 @@ final class Grille implements Intersections {
     private static final int PLACES_PAR_SPHERE = 12;
 
     /**
-     * Élargissement des sphères, en part de la plus grande coordonnée : les arrondis que couvre {@link Noeuds#MARGE}, et
-     * ceux d'une traversée qui ajoute ses pas, pour un rayon qui part de {@link #DEPART_MAX} fois plus loin que la
+     * Élargissement des sphères, en part de la plus grande coordonnée : les arrondis que couvre {@link Noeuds#MARGE},
+     * et ceux d'une traversée qui ajoute ses pas, pour un rayon qui part de {@link #DEPART_MAX} fois plus loin que la
      * grille.
      */
     private static final double MARGE = 0x1.0p-34;
@@ -229,7 +229,8 @@ final class Grille implements Intersections {
     }
 
     @Override
-    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
+    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            int sauf) {
         if (!(Math.max(Math.abs(px), Math.max(Math.abs(py), Math.abs(pz))) <= DEPART_MAX * portee)) {
             return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }
@@ -256,9 +257,9 @@ final class Grille implements Intersections {
     }
 
     /**
-     * Traverse les cases, en retenant dans le parcours la sphère la plus proche, jusqu'à la dernière case utile ou jusqu'à
-     * une sphère en doute. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la boucle tient
-     * en registres irait en mémoire.
+     * Traverse les cases, en retenant dans le parcours la sphère la plus proche, jusqu'à la dernière case utile ou
+     * jusqu'à une sphère en doute. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la
+     * boucle tient en registres irait en mémoire.
      *
      * @param reprise vrai pour repartir d'où la marche précédente s'est arrêtée
      * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini

@@ -4,7 +4,8 @@ package lancer.rapide;
 interface Intersections {
 
     /**
-     * Laisse la distance dans {@code parcours}. De deux sphères à la même distance, celle qui vient d'abord dans la scène.
+     * Laisse la distance dans {@code parcours}. De deux sphères à la même distance, celle qui vient d'abord dans la
+     * scène.
      *
      * @param sauf numéro de la sphère d'où part le rayon, ou -1
      * @return le numéro d'une sphère, -1 s'il n'y en a pas

@@ -119,7 +119,8 @@ final class Masques implements Intersections {
     }
 
     @Override
-    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
+    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            int sauf) {
         long masque;
         double[] g = spheres.geometrie;
         if (sauf < 0) {

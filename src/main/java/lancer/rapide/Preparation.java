@@ -14,8 +14,8 @@ import lancer.contrat.RechercheSimple;
 import lancer.fils.Equipe;
 
 /**
- * Le choix des structures : ce que la scène et l'image demandent, et rien de plus. Une préparation vaut pour un dessin :
- * la place des objets et les lampes sont celles du moment où elle est faite.
+ * Le choix des structures : ce que la scène et l'image demandent, et rien de plus. Une préparation vaut pour un
+ * dessin : la place des objets et les lampes sont celles du moment où elle est faite.
  *
  * <p>Mémoire, pour N sphères : 40 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
  * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8

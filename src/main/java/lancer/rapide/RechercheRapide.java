@@ -11,8 +11,8 @@ import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 
 /**
- * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et qui
- * vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a sa
+ * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et
+ * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a sa
  * {@link Parcours}.
  */
 final class RechercheRapide implements Recherche {

@@ -39,8 +39,8 @@ public final class Statistiques {
                 + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\nexamens.essais: %d\npixels.raffines: %d\n"
                 + "pixels.temoins: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
-                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites, c.examensEssais, c.pixelsRaffines,
-                c.pixelsTemoins, lectureNs / NS_PAR_MS, preparationNs / NS_PAR_MS, trace / NS_PAR_MS,
+                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites, c.examensEssais,
+                c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS, preparationNs / NS_PAR_MS, trace / NS_PAR_MS,
                 Math.round(c.rayons() / (Math.max(trace, 1) / 1e9)));
     }
 
