@@ -2,6 +2,7 @@ package lancer.auto;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
@@ -42,7 +43,8 @@ final class Finesse {
         List<Finesse> finesses = new ArrayList<>();
         for (Variante variante : variantes) {
             if (variante instanceof Reglable) {
-                for (Section reglage : ((Reglable) variante).getReglages()) {
+                for (Section reglage : Objects.requireNonNull(((Reglable) variante).getReglages(),
+                        variante.getClass().getName() + ".getReglages a rendu null")) {
                     Modele modele = new Modele();
                     variante.installer(reglage, modele);
                     reglage.verifierCles();

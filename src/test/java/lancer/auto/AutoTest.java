@@ -219,8 +219,13 @@ class AutoTest {
 
     // ce que propose une variante d'étudiant
 
-    /** Une quatrième variante : n × n sous-pixels, n au choix. */
     private static List<Variante> grilles() {
+        return variante(Arrays.asList(Section.reglage("Grille", "n", "1"), Section.reglage("Grille", "n", "2"),
+                Section.reglage("Grille", "n", "4"), Section.reglage("Grille", "n", "16")));
+    }
+
+    /** Une quatrième variante : n × n sous-pixels, n au choix. */
+    private static List<Variante> variante(List<Section> reglages) {
         return Collections.<Variante>singletonList(new Reglable() {
             @Override
             public String getSection() {
@@ -234,8 +239,7 @@ class AutoTest {
 
             @Override
             public List<Section> getReglages() {
-                return Arrays.asList(Section.reglage("Grille", "n", "1"), Section.reglage("Grille", "n", "2"),
-                        Section.reglage("Grille", "n", "4"), Section.reglage("Grille", "n", "16"));
+                return reglages;
             }
         });
     }
@@ -266,25 +270,17 @@ class AutoTest {
 
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Variante fautive = new Reglable() {
-            @Override
-            public String getSection() {
-                return "Grille";
-            }
-
-            @Override
-            public void installer(Section valeurs, Modele modele) {
-                modele.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
-            }
-
-            @Override
-            public List<Section> getReglages() {
-                return Collections.singletonList(Section.reglage("Grille", "m", "3"));
-            }
-        };
         Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
-        SceneFautive e = assertThrows(SceneFautive.class,
-                () -> Auto.choisir(lancer, Souhait.erreur(1), 1, Collections.singletonList(fautive)));
+        List<Variante> fautive = variante(Collections.singletonList(Section.reglage("Grille", "m", "3")));
+        SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, fautive));
         assertEquals("réglage de --auto, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
+    }
+
+    @Test
+    void uneVarianteSansListeDeReglagesEstNommee() {
+        Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        List<Variante> muette = variante(null);
+        NullPointerException e = assertThrows(NullPointerException.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, muette));
+        assertEquals(muette.get(0).getClass().getName() + ".getReglages a rendu null", e.getMessage());
     }
 }

@@ -35,31 +35,6 @@ class SemisTest {
     }
 
     @Test
-    void chaquePixelEstDansUnSeulBlocEtChaqueBlocDansUnSeulPave() {
-        int[][] fois = new int[71][101];
-        for (int k = 0; k < Pave.nombre(101, 71, Essais.COTE); k++) {
-            Pave bloc = Pave.deRang(k, 101, 71, Essais.COTE);
-            int paves = 0;
-            for (int p = 0; p < Pave.nombre(101, 71); p++) {
-                paves += Pave.deRang(p, 101, 71).contient(bloc) ? 1 : 0;
-            }
-            assertEquals(1, paves, "bloc " + k);
-            int pixels = 0;
-            for (int j = bloc.j0; j < bloc.j1; j++) {
-                for (int i = bloc.i0; i < bloc.i1; i++) {
-                    fois[j][i]++;
-                    assertTrue(bloc.contient(i, j));
-                    pixels++;
-                }
-            }
-            assertEquals(bloc.pixels(), pixels);
-        }
-        for (int[] ligne : fois) {
-            assertEquals(101, Arrays.stream(ligne).filter(f -> f == 1).count());
-        }
-    }
-
-    @Test
     void uneMesureQuiSuitLesPromessesEstEstimeeSansErreur() {
         List<Pave> blocs = new Semis(200, 150).choix;
         Random hasard = new Random(3);

@@ -44,6 +44,31 @@ class ContratsTest {
     }
 
     @Test
+    void chaquePixelEstDansUnSeulPetitPaveEtChaquePetitPaveDansUnSeulGrand() {
+        int[][] fois = new int[71][101];
+        for (int k = 0; k < Pave.nombre(101, 71, 2); k++) {
+            Pave petit = Pave.deRang(k, 101, 71, 2);
+            int grands = 0;
+            for (int p = 0; p < Pave.nombre(101, 71); p++) {
+                grands += Pave.deRang(p, 101, 71).contient(petit) ? 1 : 0;
+            }
+            assertEquals(1, grands, "pavé " + k);
+            int pixels = 0;
+            for (int j = 0; j < 71; j++) {
+                for (int i = 0; i < 101; i++) {
+                    int dedans = petit.contient(i, j) ? 1 : 0;
+                    fois[j][i] += dedans;
+                    pixels += dedans;
+                }
+            }
+            assertEquals(pixels, petit.pixels());
+        }
+        for (int[] ligne : fois) {
+            assertEquals(101, Arrays.stream(ligne).filter(f -> f == 1).count());
+        }
+    }
+
+    @Test
     void laRechercheDuCoursEssaieUneFoisChaqueAutreObjet() {
         List<Objet3D> objets = Arrays.asList(boule(5), boule(20), boule(10));
         Compteurs compteurs = new Compteurs();
