@@ -95,7 +95,8 @@ final class Doublures {
             return;
         }
         StringBuilder relire = new StringBuilder();
-        StringBuilder source = new StringBuilder(ENTETE + "import java.util.List;\npublic class " + nom + " extends " + (classe.getSuperclass() == Object.class ? "Dialogue.Doublure"
+        StringBuilder source = new StringBuilder(ENTETE + "import java.util.List;\npublic class " + nom + " extends "
+                + (classe.getSuperclass() == Object.class ? "Dialogue.Doublure"
                 : classe.getSuperclass().getSimpleName()) + " {\npublic " + nom + "(" + RECU + " r) { super(r); }\n");
         for (int k = 0; k < publics.size(); k++) {
             Field champ = publics.get(k);
