@@ -37,10 +37,10 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(value = 10, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class LectureAleatoireTest {
 
-    private static final int ESSAIS = 20_000;
+    private static final int ESSAIS = 10_000;
 
     /** Un essai sur tant passe par le programme entier, jusqu'à l'image. */
-    private static final int PART_DESSINEE = 40;
+    private static final int PART_DESSINEE = 20;
 
     /** Octets qu'une lecture peut demander à la mémoire, tampon de lecture et recherche des variantes compris. */
     private static final long MEMOIRE_FIXE = 1 << 20;
