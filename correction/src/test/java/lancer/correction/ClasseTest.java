@@ -97,7 +97,6 @@ class ClasseTest extends ClasseEssai {
     void unRenduIllisibleNAPasZeroMaisRien(@TempDir Path autre) throws IOException {
         Path rendu = autre.resolve("rendus/Étudiant 9_109_assignsubmission_file");
         Files.write(Files.createDirectories(rendu).resolve("tp.7z"), new byte[9]);
-        copier(dossier.resolve(".travail/souvenirs"), autre.resolve("notes/.travail/souvenirs"));
         Map<String, String> ligne = noter(autre.resolve("rendus"), autre.resolve("notes")).get("109");
         assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
                 ligne.get("image identique")));

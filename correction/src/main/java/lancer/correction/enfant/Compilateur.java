@@ -39,10 +39,12 @@ public final class Compilateur {
         System.setOut(System.err);
         JavaCompiler compilateur = eclipse();
         BufferedReader demandes = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+        // un seul pour tous : il garde ouvertes les archives où il trouve les classes
+        StandardJavaFileManager gestion = compilateur.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8);
         for (String ligne = demandes.readLine(); ligne != null; ligne = demandes.readLine()) {
             String[] mots = ligne.split("\t");
             try {
-                compiler(compilateur, Paths.get(mots[0]), Paths.get(mots[1]), sortie);
+                compiler(compilateur, gestion, Paths.get(mots[0]), Paths.get(mots[1]), sortie);
             } catch (RuntimeException | StackOverflowError e) {
                 sortie.println("FAUTE\t?\t0\tle compilateur a échoué : " + Echange.protege(String.valueOf(e)));
             }
@@ -60,7 +62,7 @@ public final class Compilateur {
         throw new IllegalStateException("le compilateur d'Eclipse n'est pas là");
     }
 
-    private static void compiler(JavaCompiler compilateur, Path sources, Path classes,
+    private static void compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Path sources, Path classes,
             PrintStream sortie) throws IOException {
         List<File> fichiers;
         try (Stream<Path> flux = Files.walk(sources)) {
@@ -75,15 +77,12 @@ public final class Compilateur {
                 "-g", "-nowarn",
                 "-proc:none", "-proceedOnError", "-classpath", System.getProperty("java.class.path"), "-d",
                 classes.toString()));
-        try (StandardJavaFileManager gestion = compilateur.getStandardFileManager(null, Locale.ROOT,
-                StandardCharsets.UTF_8)) {
-            compilateur.getTask(new StringWriter(), gestion, faute -> {
-                if (faute.getKind() == Diagnostic.Kind.ERROR) {
-                    sortie.println("FAUTE\t" + nom(sources, faute) + "\t" + faute.getLineNumber() + "\t"
-                            + Echange.protege(faute.getMessage(Locale.ROOT)));
-                }
-            }, options, null, gestion.getJavaFileObjectsFromFiles(fichiers)).call();
-        }
+        compilateur.getTask(new StringWriter(), gestion, faute -> {
+            if (faute.getKind() == Diagnostic.Kind.ERROR) {
+                sortie.println("FAUTE\t" + nom(sources, faute) + "\t" + faute.getLineNumber() + "\t"
+                        + Echange.protege(faute.getMessage(Locale.ROOT)));
+            }
+        }, options, null, gestion.getJavaFileObjectsFromFiles(fichiers)).call();
     }
 
     private static int rang(Path fichier) {

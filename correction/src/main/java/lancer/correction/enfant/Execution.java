@@ -26,7 +26,7 @@ import java.util.Map;
  * falsifier n'est jamais que sa propre réponse.
  *
  * <p>Une demande par ligne : {@code A}, un appel, par son numéro dans {@code lancer.Appels} ; {@code S}, une méthode
- * d'une sonde ; {@code N}, oublier les objets déjà rendus.
+ * d'une sonde ; {@code N}, oublier les objets déjà rendus, et dire combien de fils le rendu a laissés.
  */
 public final class Execution {
 
@@ -52,20 +52,20 @@ public final class Execution {
         Execution execution = new Execution(chargeur);
         for (String ligne = demandes.readLine(); ligne != null; ligne = demandes.readLine()) {
             String[] mots = ligne.split("\t");
-            if (mots[0].equals("N")) {
-                execution.objets.clear();
-                execution.numeros.clear();
-            } else {
-                // une seule écriture : un texte du rendu ne peut couper une réponse
-                reponses.print(Echange.REPONSE + execution.repondre(mots) + "\n");
-                reponses.flush();
-            }
+            // une seule écriture : un texte du rendu ne peut couper une réponse
+            reponses.print(Echange.REPONSE + execution.repondre(mots) + "\n");
+            reponses.flush();
         }
         // les fils que le rendu a laissés ne retiennent personne
         Runtime.getRuntime().halt(0);
     }
 
     private String repondre(String[] mots) {
+        if (mots[0].equals("N")) {
+            objets.clear();
+            numeros.clear();
+            return "R\t" + (Thread.currentThread().getThreadGroup().activeCount() - 1);
+        }
         try {
             return "R\t" + (mots[0].equals("A") ? appeler(mots)
                     : invoquer("lancer." + mots[1], mots[2], new Class<?>[] {String[].class},

@@ -18,31 +18,40 @@ public final class Dialogue {
 
     private final Machines.Rendue machine;
     private final Map<Integer, Doublure> doublures = new HashMap<>();
-    private Arret arret;
+    /** Pourquoi plus rien n'est demandé à la machine, {@code null} si rien ne l'empêche. */
+    private String refus;
 
-    private Dialogue(Machines.Rendue machine) {
+    Dialogue(Machines.Rendue machine) {
         this.machine = machine;
     }
 
-    /** Ce que rend une vérification. */
-    interface Question<T> {
-        T poser();
-    }
-
-    /** Pose une question dont les doublures parlent à cette machine. @throws Arret si la machine s'est arrêtée */
-    static <T> T avec(Machines.Rendue machine, Question<T> question) throws Arret {
-        Dialogue dialogue = new Dialogue(machine);
-        COURANT.set(dialogue);
+    /** Fait quelque chose, dans ce fil, où les doublures parlent à cette machine. */
+    void mener(Runnable travail) {
+        COURANT.set(this);
         try {
-            machine.oublier();
-            T reponse = question.poser();
-            if (dialogue.arret != null) {
-                throw dialogue.arret;
-            }
-            return reponse;
+            recommencer();
+            travail.run();
         } finally {
             COURANT.remove();
         }
+    }
+
+    /** Une autre vérification commence. @return pourquoi la machine s'est arrêtée à la précédente, ou {@code null} */
+    String recommencer() {
+        String arret = refus;
+        refus = null;
+        doublures.clear();
+        try {
+            machine.oublier();
+        } catch (Arret e) {
+            refus = e.getMessage();
+        }
+        return arret;
+    }
+
+    /** Ne demande plus rien à la machine. */
+    void refuser(String pourquoi) {
+        refus = pourquoi;
     }
 
     /** Le rendu n'a pas répondu comme on peut l'attendre : le message dit en quoi. */
@@ -118,14 +127,14 @@ public final class Dialogue {
             demande.append('\t').append(coder(argument));
         }
         Dialogue ici = COURANT.get();
-        if (ici.arret != null) {
-            throw new Echec(ici.arret.getMessage());
+        if (ici.refus != null) {
+            throw new Echec(ici.refus);
         }
         try {
             return lire(rend, reponse(ici.machine.demander(demande.toString())).split("\t"));
         } catch (Arret e) {
-            ici.arret = e;
-            throw new Echec(e.getMessage());
+            ici.refus = e.getMessage();
+            throw new Echec(ici.refus);
         }
     }
 

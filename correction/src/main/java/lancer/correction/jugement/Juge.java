@@ -32,13 +32,6 @@ final class Juge implements AutoCloseable {
     /** Combien de fois le temps d'une vérification est permis à un dessin. */
     private static final double TEMPS_IMAGE = 4;
 
-    /**
-     * Après autant d'arrêts dans une étape, le reste de l'étape n'est pas lancé ; dans un assemblage, le reste de
-     * celui-ci.
-     */
-    private static final int ARRETS_PAR_ETAPE = 2;
-    private static final int ARRETS_PAR_ASSEMBLAGE = 3;
-
     /** Pixels où l'on cherche d'où vient la faute. */
     private static final int PIXELS_ESSAYES = 200;
 
@@ -174,13 +167,7 @@ final class Juge implements AutoCloseable {
         if (seules.containsKey(classe)) {
             return seules.get(classe);
         }
-        Map<String, String> sources = Chantier.corrige();
-        projet.getBase().forEach((nom, texte) -> {
-            if (!Modele.classes().contains(nom.replace("lancer/", ""))) {
-                sources.put(nom, texte);
-            }
-        });
-        sources.put("lancer/" + classe, projet.texte(classe));
+        Map<String, String> sources = corrigeAvec(List.of(classe));
         Assemblage seule = chantier.assembler("seule-" + classe, sources);
         if (fautesNouvelles(seule, classe)) {
             List<String> nommees = new ArrayList<>();
@@ -214,28 +201,12 @@ final class Juge implements AutoCloseable {
     }
 
     Map<String, Verdict> lancer(Assemblage assemblage, List<Verification> verifications) {
-        trop = false;
-        Map<String, Verdict> verdicts = new HashMap<>();
-        Map<String, Integer> arrets = new HashMap<>();
-        String dernier = "";
-        int total = 0;
-        for (Verification v : verifications) {
-            if (total >= ARRETS_PAR_ASSEMBLAGE || arrets.getOrDefault(v.etape, 0) >= ARRETS_PAR_ETAPE) {
-                verdicts.put(v.id(), new Verdict(Etat.RATE, "non lancé, ce qui précède n'ayant pas fini : " + dernier));
-                continue;
-            }
-            try {
-                verdicts.put(v.id(), reference.getJUnit().lancer(v, machine(assemblage)));
-            } catch (Arret e) {
-                dernier = e.getMessage();
-                total++;
-                trop = total >= ARRETS_PAR_ASSEMBLAGE;
-                arretes.add(assemblage);
-                arrets.merge(v.etape, 1, Integer::sum);
-                verdicts.put(v.id(), new Verdict(Etat.RATE, dernier));
-            }
+        Verifications.Bilan bilan = reference.getJUnit().lancer(verifications, machine(assemblage));
+        if (bilan.arrets > 0) {
+            arretes.add(assemblage);
         }
-        return verdicts;
+        trop = bilan.coupe();
+        return bilan.verdicts;
     }
 
     private Verdict conclure(Verification v, Verdict ensemble, Verdict seule) {
@@ -336,20 +307,43 @@ final class Juge implements AutoCloseable {
                 }
             }
         }
-        for (String classe : Modele.A_COMPLETER) {
-            if (projet.texte(classe) != null && !intacte(classe)) {
-                try {
-                    Assemblage parmi = seule(classe);
-                    Image seule = arretes.contains(parmi) ? null : image(parmi, 0);
-                    if (seule == null || !new Ecart(reference.getImage(false), seule).memeImage()
-                            && !new Ecart(reference.getImage(true), seule).memeImage()) {
-                        resultat.classesFautives.add(classe);
-                    }
-                } catch (Arret | Dialogue.Echec e) {
-                    resultat.classesFautives.add(classe);
-                }
+        List<String> suspectes = new ArrayList<>(Modele.A_COMPLETER);
+        suspectes.removeIf(classe -> projet.texte(classe) == null || intacte(classe));
+        List<String> justes = new ArrayList<>(suspectes);
+        justes.removeIf(classe -> reference.getVerifications().stream()
+                .anyMatch(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()));
+        // celles dont tout réussit d'abord, d'un seul coup : elles sont rarement en cause
+        if (justes.size() > 1 && !changentLImage(chantier.assembler("justes", corrigeAvec(justes)))) {
+            suspectes.removeAll(justes);
+        }
+        for (String classe : suspectes) {
+            if (changentLImage(seule(classe))) {
+                resultat.classesFautives.add(classe);
             }
         }
+    }
+
+    /** Vrai si cet assemblage ne dessine pas l'image du corrigé. */
+    private boolean changentLImage(Assemblage assemblage) {
+        try {
+            Image image = arretes.contains(assemblage) ? null : image(assemblage, 0);
+            return image == null || !new Ecart(reference.getImage(false), image).memeImage()
+                    && !new Ecart(reference.getImage(true), image).memeImage();
+        } catch (Arret | Dialogue.Echec e) {
+            return true;
+        }
+    }
+
+    /** Le corrigé, avec ces classes de l'étudiant, et celles qu'il a ajoutées. */
+    private Map<String, String> corrigeAvec(List<String> classes) {
+        Map<String, String> sources = Chantier.corrige();
+        projet.getBase().forEach((nom, texte) -> {
+            String classe = nom.replace("lancer/", "");
+            if (classes.contains(classe) || !Modele.classes().contains(classe)) {
+                sources.put(nom, texte);
+            }
+        });
+        return sources;
     }
 
     private Chemin chemin(int x, int y) throws Arret {

@@ -52,8 +52,9 @@ public final class Jury implements AutoCloseable {
             Chantier.effacer(travail.resolve("chantiers"));
             Path reperes = Files.createDirectories(travail.resolve("chantiers/reference"));
             machines = new Machines(confinement, limites, Files.createDirectories(reperes.resolve("outillage")));
-            regles = confinement.estConfine() + " " + limites + " " + Runtime.version() + " " + duProgramme();
-            String nom = "reference-" + hexa(sha256().digest(regles.getBytes(StandardCharsets.UTF_8)));
+            String ici = confinement.estConfine() + " " + Runtime.version() + " " + duProgramme();
+            regles = ici + " " + limites;
+            String nom = "reference-" + hexa(sha256().digest(ici.getBytes(StandardCharsets.UTF_8)));
             reference = new Reference(machines, reperes, souvenirs.resolve(nom));
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);

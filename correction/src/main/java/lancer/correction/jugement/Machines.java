@@ -155,7 +155,11 @@ final class Machines {
         /** Ce qui suit est une autre demande, et n'a plus besoin des objets rendus à la précédente. */
         void oublier() throws Arret {
             commencer(limites.calcul);
-            dire("N");
+            if (!demander("N").equals("R\t0")) {
+                // des fils courent encore : une machine neuve
+                close();
+                commencer(limites.calcul);
+            }
         }
 
         /** @param calcul temps de processeur permis à ce qui suit, en secondes */
@@ -170,18 +174,9 @@ final class Machines {
 
         /** La réponse à une demande. */
         String demander(String demande) throws Arret {
-            dire(demande);
-            try {
-                return enfant.attendre();
-            } catch (Arret e) {
-                close();
-                throw e;
-            }
-        }
-
-        private void dire(String demande) throws Arret {
             try {
                 enfant.dire(demande);
+                return enfant.attendre();
             } catch (Arret e) {
                 close();
                 throw e;

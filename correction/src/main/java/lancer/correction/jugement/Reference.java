@@ -82,10 +82,10 @@ public final class Reference implements AutoCloseable {
             try (Juge juge = new Juge(this, sien, machines, projet)) {
                 memoire.duSquelette.putAll(juge.lancer(sien.assembler("ensemble", projet.getBase()),
                         memoire.verifications));
-                for (Verification v : memoire.verifications) {
-                    if (memoire.duSquelette.get(v.id()).etat != Etat.REUSSI) {
-                        memoire.duSquelette.put(v.id(), juge.lancer(juge.seule(v.classe), List.of(v)).get(v.id()));
-                    }
+                for (String classe : Modele.A_COMPLETER) {
+                    List<Verification> siennes = memoire.verifications.stream().filter(v -> v.classe.equals(classe)
+                            && memoire.duSquelette.get(v.id()).etat != Etat.REUSSI).collect(Collectors.toList());
+                    memoire.duSquelette.putAll(juge.lancer(juge.seule(classe), siennes));
                 }
             }
         }

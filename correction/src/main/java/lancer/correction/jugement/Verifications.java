@@ -4,12 +4,12 @@ import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass
 import static org.junit.platform.engine.discovery.DiscoverySelectors.selectNestedMethod;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Echange;
-import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Verdict.Etat;
 import org.junit.platform.engine.DiscoverySelector;
 import org.junit.platform.engine.TestExecutionResult;
@@ -25,12 +25,15 @@ import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
 import org.junit.platform.launcher.core.LauncherFactory;
 
 /**
- * Les vérifications de {@code lancer.Tests}, listées et lancées une à une, ici : elles n'ont du rendu que des doublures,
+ * Les vérifications de {@code lancer.Tests}, listées et lancées ici : elles n'ont du rendu que des doublures,
  * et le rendu n'a rien d'elles.
  */
 final class Verifications {
 
     private static final String TESTS = "lancer.Tests";
+
+    /** Après autant de vérifications qui n'ont pas fini, les suivantes ne sont pas lancées. */
+    private static final int ARRETS_MAX = 3;
 
     private final ClassLoader chargeur;
 
@@ -66,13 +69,13 @@ final class Verifications {
     }
 
     /** Sans les réglages de JUnit qui traîneraient là : les doublures parlent au nom du fil qui lance. */
-    private static LauncherDiscoveryRequest demande(DiscoverySelector selecteur) {
-        return LauncherDiscoveryRequestBuilder.request().selectors(selecteur)
+    private static LauncherDiscoveryRequest demande(List<? extends DiscoverySelector> selecteurs) {
+        return LauncherDiscoveryRequestBuilder.request().selectors(selecteurs)
                 .enableImplicitConfigurationParameters(false).build();
     }
 
     List<Verification> lister() {
-        TestPlan plan = lanceur().discover(demande(selectClass(classe(TESTS))));
+        TestPlan plan = lanceur().discover(demande(List.of(selectClass(classe(TESTS)))));
         List<Verification> liste = new ArrayList<>();
         ajouter(plan, plan.getRoots(), liste);
         return liste;
@@ -88,27 +91,66 @@ final class Verifications {
         }
     }
 
-    /** Ce qu'une vérification donne des classes que tient cette machine. */
-    Verdict lancer(Verification v, Machines.Rendue machine) throws Arret {
-        return Dialogue.avec(machine, () -> {
-            Ecoute ecoute = new Ecoute();
-            lanceur().execute(demande(selectNestedMethod(List.of(classe(TESTS)), classe(v.classeJava), v.methode)),
-                    ecoute);
-            return ecoute.verdict;
-        });
+    /** Ce que des vérifications, lancées l'une après l'autre, donnent des classes que tient une machine. */
+    static final class Bilan {
+
+        /** Par {@link Verification#id()}. */
+        final Map<String, Verdict> verdicts = new HashMap<>();
+
+        /** Combien n'ont pas fini. */
+        int arrets;
+
+        /** Vrai si, faute de finir, les dernières n'ont pas été lancées. */
+        boolean coupe() {
+            return arrets >= ARRETS_MAX;
+        }
     }
 
-    /** Une vérification qui n'a pas même commencé est un échec : seule la dernière fin compte, et il en faut une. */
+    Bilan lancer(List<Verification> verifications, Machines.Rendue machine) {
+        Map<String, Verification> parMethode = new HashMap<>();
+        verifications.forEach(v -> parMethode.put(v.classeJava + v.methode, v));
+        Bilan bilan = new Bilan();
+        Dialogue dialogue = new Dialogue(machine);
+        dialogue.mener(() -> lanceur().execute(demande(verifications.stream()
+                .map(v -> selectNestedMethod(List.of(classe(TESTS)), classe(v.classeJava), v.methode))
+                .collect(Collectors.toList())), new Ecoute(parMethode, bilan, dialogue)));
+        verifications.forEach(v -> bilan.verdicts.putIfAbsent(v.id(),
+                new Verdict(Etat.RATE, "la vérification n'a pas pu commencer")));
+        return bilan;
+    }
+
+    /** Note ce que donne chaque vérification, et prépare la machine à la suivante dès que l'une a fini. */
     private static final class Ecoute implements TestExecutionListener {
 
-        private Verdict verdict = new Verdict(Etat.RATE, "la vérification n'a pas pu commencer");
+        private final Map<String, Verification> parMethode;
+        private final Bilan bilan;
+        private final Dialogue dialogue;
+
+        Ecoute(Map<String, Verification> parMethode, Bilan bilan, Dialogue dialogue) {
+            this.parMethode = parMethode;
+            this.bilan = bilan;
+            this.dialogue = dialogue;
+        }
 
         @Override
         public void executionFinished(TestIdentifier test, TestExecutionResult fin) {
-            if (test.isTest() || fin.getStatus() == TestExecutionResult.Status.FAILED) {
-                verdict = new Verdict(fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL ? Etat.REUSSI
-                        : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.RATE,
-                        fin.getThrowable().map(Ecoute::message).orElse(""));
+            if (!test.isTest()) {
+                return;
+            }
+            MethodSource source = (MethodSource) test.getSource().get();
+            Verification v = parMethode.get(source.getClassName() + source.getMethodName());
+            // une fois coupé, chacune dit pourquoi elle n'est pas lancée
+            String arret = bilan.coupe() ? null : dialogue.recommencer();
+            if (arret != null) {
+                bilan.verdicts.put(v.id(), new Verdict(Etat.RATE, arret));
+                bilan.arrets++;
+                if (bilan.coupe()) {
+                    dialogue.refuser("non lancé, ce qui précède n'ayant pas fini : " + arret);
+                }
+            } else {
+                bilan.verdicts.put(v.id(), new Verdict(fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL
+                        ? Etat.REUSSI : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE
+                        : Etat.RATE, fin.getThrowable().map(Ecoute::message).orElse("")));
             }
         }
 

@@ -18,11 +18,11 @@ import lancer.correction.modele.Modele;
 /** De quoi juger des rendus d'essai, sans pages ni notes. */
 abstract class JuryEssai extends ClasseEssai {
 
-    static final Limites COURTES = new Limites(1.5, 2.5, 160, 40);
+    static final Limites COURTES = new Limites(1, 2, 160, 40);
 
     /** Juge tous les rendus de ce dossier ; les résultats par nom. */
     static Map<String, Resultat> juger(Path rendus, Path travail, Confinement confinement) throws IOException {
-        Files.createDirectories(travail);
+        prendreReference(travail);
         List<Rendu> liste = Depot.lire(rendus, travail);
         Map<String, Resultat> resultats = new LinkedHashMap<>();
         try (Jury jury = new Jury(travail.toRealPath(), confinement, COURTES)) {
@@ -31,6 +31,7 @@ abstract class JuryEssai extends ClasseEssai {
                 resultats.put(liste.get(k).getNom(), tous.get(k));
             }
         }
+        garderReference(travail);
         return resultats;
     }
 

