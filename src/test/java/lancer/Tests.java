@@ -49,7 +49,7 @@ public class Tests {
     }
 
     private static void verifier(String demande, double attendu, double obtenu) {
-        dire(pres(attendu, obtenu), demande, attendu, obtenu);
+        dire(pres(attendu, obtenu), demande, lisible(attendu), lisible(obtenu));
     }
 
     private static void verifier(String demande, double x, double y, double z, Tuple t) {
@@ -69,7 +69,12 @@ public class Tests {
     }
 
     private static String triplet(double x, double y, double z) {
-        return "(" + x + ", " + y + ", " + z + ")";
+        return "(" + lisible(x) + ", " + lisible(y) + ", " + lisible(z) + ")";
+    }
+
+    /** Sans les derniers chiffres, qui ne sont que des arrondis : 0,8 et non 0,7999999999999999. */
+    private static double lisible(double x) {
+        return Math.rint(x * 1e9) / 1e9;
     }
 
     private static Sphere boule(double x, double y, double z, double rayon, Couleur Kd, Couleur Ks, double ns) {
