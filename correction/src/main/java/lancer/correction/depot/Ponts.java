@@ -39,7 +39,7 @@ final class Ponts {
             new Forme(1, "Objet3D", "double", "getIntersectionDistance", "Rayon"),
             new Forme(1, "Sphere", "double", "getIntersectionDistance", "Rayon"),
             new Forme(1, "Sphere", "Vecteur", "getNormale", "Point"),
-            new Forme(3, "Objet3D", "Couleur", "getColor", "Scene", "Rayon", "PointContact", "int"),
+            new Forme(2, "Objet3D", "Couleur", "getColor", "Scene", "Rayon", "PointContact", "int"),
             new Forme(2, "Scene", "PointContact", "getClosestIntersection", "Rayon", "Sphere"),
             new Forme(2, "Lancer", "Couleur", "getCouleurPixel", "double", "double", "int"),
             new Forme(2, "Camera", "Rayon", "getRayon", "double", "double"));
@@ -61,7 +61,7 @@ final class Ponts {
     }
 
     private static String ajouter(Forme forme, String texte, List<String> remarques) {
-        Matcher m = Pattern.compile("((?:\\b(?:public|protected|private|final|abstract|synchronized)\\s+)*)\\b("
+        Matcher m = Pattern.compile("((?:\\b(?:public|protected|private|static|final|abstract|synchronized)\\s+)*)\\b("
                 + (forme.rend.equals("double") ? REELS : forme.rend) + ")(\\s+" + forme.nom
                 + "\\s*)\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]").matcher(Source.sansCommentaires(texte));
         String pont = null;
@@ -87,14 +87,15 @@ final class Ponts {
 
     /** Le même texte, où cette méthode rend ce que veut le cours, et se laisse appeler. */
     private static String remettre(Forme forme, String texte, Matcher m, List<String> remarques) {
-        boolean cachee = m.group(1).contains("private")
-                || forme.classe.equals("Sphere") && !m.group(1).contains("public");
+        String qui = m.group(1);
+        boolean cachee = qui.contains("private") || qui.contains("static")
+                || forme.classe.equals("Sphere") && !qui.contains("public");
         if (m.group(2).equals(forme.rend) && !cachee) {
             return texte;
         }
-        remarques.add("signature : " + (m.group(1) + m.group(2)).replaceAll("\\s+", " ") + " " + forme.classe + "."
+        remarques.add("signature : " + (qui + m.group(2)).replaceAll("\\s+", " ") + " " + forme.classe + "."
                 + forme.nom + " au lieu de public " + forme.rend + " ; jugée comme si elle avait celle du cours");
-        String qui = cachee ? "public " + m.group(1).replaceAll("private\\s+|protected\\s+", "") : m.group(1);
+        qui = cachee ? "public " + qui.replaceAll("(?:public|private|protected|static)\\s+", "") : qui;
         return texte.substring(0, m.start()) + qui + forme.rend + texte.substring(m.start(3));
     }
 
@@ -109,16 +110,13 @@ final class Ponts {
         return types;
     }
 
-    /**
-     * Vrai si l'on peut appeler telle quelle la méthode de l'étudiant : un objet quelconque, ou des réels arrondis,
-     * conviennent aussi.
-     */
+    /** Vrai si l'on peut appeler telle quelle la méthode de l'étudiant : un objet quelconque convient aussi. */
     private static boolean accepte(List<String> siens, List<String> attendus) {
         if (siens.size() != attendus.size()) {
             return false;
         }
         for (int k = 0; k < siens.size(); k++) {
-            if (!compatible(siens.get(k), attendus.get(k))) {
+            if (!siens.get(k).equals(attendus.get(k)) && !siens.get(k).equals("Objet3D")) {
                 return false;
             }
         }

@@ -6,6 +6,8 @@ import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Paths;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
@@ -24,6 +26,9 @@ public final class Enfant implements AutoCloseable {
 
     private static final long TOUR_MS = 100;
     private static final long SORTIE_MAX = 64 << 20;
+    private static final long PAGE = 4096;
+    /** Ce que prend une machine virtuelle en plus de la mémoire de Java, et ce que d'autres programmes peuvent prendre. */
+    private static final long HORS_DU_TAS = 400;
     private static final String FIN = "\0fin";
 
     private final Process processus;
@@ -139,7 +144,20 @@ public final class Enfant implements AutoCloseable {
         if (sortieDemesuree) {
             throw arreter("arrêté : imprime sans fin");
         }
+        if (tous.stream().mapToLong(Enfant::occupe).sum() > (limites.memoire + HORS_DU_TAS) << 20) {
+            throw arreter("mémoire épuisée");
+        }
         return travaille;
+    }
+
+    /** La mémoire qu'occupe un processus, en octets ; 0 là où le système ne le dit pas ainsi. */
+    private static long occupe(ProcessHandle processus) {
+        try {
+            String[] pages = Files.readString(Paths.get("/proc", "" + processus.pid(), "statm")).split(" ");
+            return Long.parseLong(pages[1]) * PAGE;
+        } catch (IOException | RuntimeException e) {
+            return 0;
+        }
     }
 
     private Arret arreter(String cause) {

@@ -49,8 +49,8 @@ final class Juge implements AutoCloseable {
     private Assemblage enMachine;
     private final Resultat resultat = new Resultat();
     private Assemblage ensemble;
-    /** Vrai si les dernières vérifications lancées ne l'ont pas toutes été, faute de finir. */
-    private boolean trop;
+    /** Pourquoi les dernières vérifications n'ont pas toutes été lancées, vide si elles l'ont été. */
+    private String coupe = "";
     /** Où une vérification n'a pas fini : on n'y dessine pas. */
     private final Set<Assemblage> arretes = new HashSet<>();
     private final Map<String, Assemblage> seules = new HashMap<>();
@@ -98,7 +98,7 @@ final class Juge implements AutoCloseable {
             }
         }
         Map<String, Verdict> parEnsemble = lancer(ensemble, reference.getVerifications());
-        boolean coupe = trop;
+        String sansImage = coupe;
         Map<String, List<Verification>> aReprendre = new LinkedHashMap<>();
         for (Verification v : reference.getVerifications()) {
             if (parEnsemble.get(v.id()).etat != Etat.REUSSI && projet.texte(v.classe) != null && !intacte(v.classe)) {
@@ -115,8 +115,8 @@ final class Juge implements AutoCloseable {
         for (Verification v : reference.getVerifications()) {
             resultat.verdicts.put(v.id(), conclure(v, parEnsemble.get(v.id()), parSeule.get(v.id())));
         }
-        if (coupe) {
-            resultat.sansImage = "trop de vérifications n'ont pas fini";
+        if (!sansImage.isEmpty()) {
+            resultat.sansImage = sansImage;
             resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, resultat.sansImage));
         } else {
             // une machine neuve : ce que les vérifications ont pu y laisser ne gâte pas l'image
@@ -205,7 +205,7 @@ final class Juge implements AutoCloseable {
         if (bilan.arrets > 0) {
             arretes.add(assemblage);
         }
-        trop = bilan.coupe();
+        coupe = bilan.coupe() ? "trop de vérifications n'ont pas fini : " + bilan.pourquoi : "";
         return bilan.verdicts;
     }
 

@@ -50,6 +50,8 @@ final class Traduction {
         {"Cannot instantiate the type (.+)", "la classe $1 est abstraite"},
         {"Implicit super constructor (.+) is undefined.*", "il manque un appel à un constructeur de la classe mère ($1)"},
         {"Incompatible operand types (.+) and (.+)", "un $1 et un $2 ne se comparent pas"},
+        {"Cannot use (this|super) in a static context", "« $1 » n'a pas de sens dans une méthode static"},
+        {"This static method cannot hide the instance method from (.+)", "ne doit pas être static, comme dans $1"},
         {"Cannot cast from (.+) to (.+)", "un $1 ne peut être converti en $2"},
         {"Cannot return a void result", "ce qui est appelé là ne rend rien"},
         {"Return type for the method is missing", "il manque ce que rend la méthode"},
@@ -66,7 +68,7 @@ final class Traduction {
     static String francais(String message) {
         String court = message.replace("lancer.", "").replace("java.lang.", "");
         for (String[] paire : MESSAGES) {
-            Matcher m = Pattern.compile(paire[0]).matcher(court);
+            Matcher m = Pattern.compile("^(?:" + paire[0] + ")$").matcher(court);
             if (m.matches()) {
                 return m.replaceFirst(paire[1]);
             }

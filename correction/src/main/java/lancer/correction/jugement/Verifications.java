@@ -97,8 +97,9 @@ final class Verifications {
         /** Par {@link Verification#id()}. */
         final Map<String, Verdict> verdicts = new HashMap<>();
 
-        /** Combien n'ont pas fini. */
+        /** Combien n'ont pas fini, et pourquoi la dernière. */
         int arrets;
+        String pourquoi = "";
 
         /** Vrai si, faute de finir, les dernières n'ont pas été lancées. */
         boolean coupe() {
@@ -144,6 +145,7 @@ final class Verifications {
             if (arret != null) {
                 bilan.verdicts.put(v.id(), new Verdict(Etat.RATE, arret));
                 bilan.arrets++;
+                bilan.pourquoi = arret;
                 if (bilan.coupe()) {
                     dialogue.refuser("non lancé, ce qui précède n'ayant pas fini : " + arret);
                 }

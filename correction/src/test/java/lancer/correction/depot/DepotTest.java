@@ -221,6 +221,20 @@ class DepotTest {
     }
 
     @Test
+    void unReelDUneAutreSorteOuUneMethodeCacheeEstUneRemarqueEtNonUneFaute() throws IOException {
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Lancer.java"), "package lancer;\nclass Lancer {\n"
+                + "    public Couleur getCouleurPixel(int xe, int ye, int p) {\n        return null;\n    }\n}\n");
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Sphere.java"), "package lancer;\nclass Sphere {\n"
+                + "    /* public double getIntersectionDistance(Rayon r); */ private static Double getIntersectionDistance(Rayon r) {\n"
+                + "        return 1.0;\n    }\n}\n");
+        Projet projet = Projet.lire(lire(rendus).get("11"));
+        assertTrue(projet.texte("Lancer").contains("getCouleurPixel(double p0, double p1, int p2) { "
+                + "return getCouleurPixel((int) p0, (int) p1, p2); }"), projet.texte("Lancer"));
+        assertTrue(projet.texte("Sphere").contains("; */ public double getIntersectionDistance(Rayon r) {"), projet.texte("Sphere"));
+        assertEquals(2, projet.getRemarques().size(), projet.getRemarques().toString());
+    }
+
+    @Test
     void rienEstRefuseEnUnePhrase() {
         assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(dossier.resolve("absent"), travail)).getCode());
         assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(rendus, travail)).getCode());

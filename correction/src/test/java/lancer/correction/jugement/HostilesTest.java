@@ -60,6 +60,7 @@ class HostilesTest extends JuryEssai {
         rate(resultats, "interblocage", "bloqué");
         rate(resultats, "sortie", "arrêté de lui-même");
         rate(resultats, "memoire", "mémoire épuisée");
+        rate(resultats, "memoire-native", "mémoire épuisée");
         rate(resultats, "imitation", "obtenu : (1.0, 1.0, 1.0)");
         rate(resultats, "balises", "<script>alert(1)</script>");
         assertTrue(resultats.get("mathematiques").remarques.stream().anyMatch(r -> r.contains("classe Math qui cacherait")),
@@ -74,7 +75,7 @@ class HostilesTest extends JuryEssai {
         assertFalse(resultats.get("tout-noir").ecart.memeImage());
         assertEquals(Verdict.Etat.REUSSI, resultats.get("fils").verdicts.get(SOUSTRACTION).etat,
                 "des fils laissés ne changent pas le résultat");
-        for (String nom : List.of("disque", "processus", "imprime", "boucle", "sortie", "memoire")) {
+        for (String nom : List.of("disque", "processus", "imprime", "boucle", "sortie", "memoire", "memoire-native")) {
             assertEquals(Verdict.Etat.REUSSI,
                     resultats.get(nom).verdicts.get("vecteurs.leProduitScalaireAjouteLesProduitsDesComposantes").etat,
                     nom + " ne coûte pas les autres vérifications");
