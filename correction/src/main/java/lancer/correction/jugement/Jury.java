@@ -145,7 +145,7 @@ public final class Jury implements AutoCloseable {
             resultat = juge.juger();
         } catch (Arret e) {
             resultat = refuse(rendu, List.of("la compilation n'a pas abouti : " + e.getMessage()));
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | StackOverflowError e) {
             // un rendu que nous n'avons pas su traiter ne doit pas coûter leur note aux autres
             resultat = refuse(rendu, List.of("échec du correcteur sur ce rendu, à juger à la main : " + e));
         } finally {
