@@ -85,10 +85,16 @@ public final class FeuilleMoodle {
         return k;
     }
 
-    /** Écrit {@code notes-a-deposer.csv} et {@code retours.zip}. */
-    public void ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
+    /**
+     * Écrit {@code notes-a-deposer.csv} et {@code retours.zip}.
+     *
+     * @return les rendus jugés dont la note n'est pas dans la feuille : elle ne les connaît pas, ou la leur est verrouillée
+     */
+    public List<Eleve> ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
         Map<String, Eleve> parId = new HashMap<>();
         eleves.forEach(e -> parId.put(e.rendu.getId(), e));
+        List<Eleve> sansNote = new ArrayList<>(eleves);
+        sansNote.removeIf(Eleve::illisible);
         try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"),
                 StandardCharsets.UTF_8)) {
             if (bom) {
@@ -100,20 +106,22 @@ public final class FeuilleMoodle {
                 for (int k = 0; k < lignes.size(); k++) {
                     List<String> ligne = new ArrayList<>(lignes.get(k));
                     if (k > 0) {
-                        noter(ligne, parId, bareme);
+                        sansNote.remove(noter(ligne, parId, bareme));
                     }
                     csv.printRecord(ligne);
                 }
             }
         }
         retours(dossier, eleves);
+        return sansNote;
     }
 
-    private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme) {
+    /** @return l'élève de cette ligne, {@code null} si elle n'est celle de personne, ou ne se change pas */
+    private Eleve noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme) {
         Matcher m = NUMERO.matcher(ligne.size() > identifiant ? ligne.get(identifiant) : "");
         Eleve eleve = m.matches() ? parId.get(m.group(1)) : null;
         if (eleve == null || ligne.size() <= note || !modifiable(ligne)) {
-            return;
+            return null;
         }
         if (!eleve.illisible()) {
             double sur = maximum(ligne, bareme.total());
@@ -128,6 +136,7 @@ public final class FeuilleMoodle {
                     + (eleve.illisible() ? "rendu qui n'a pas pu être jugé"
                     : "étape atteinte, « " + eleve.note.getAtteinte() + " »") + FIN);
         }
+        return eleve;
     }
 
     /** Une note verrouillée serait ignorée : autant la laisser. */

@@ -45,6 +45,7 @@ public final class Note {
         String derniere = "";
         List<String> avant = new ArrayList<>();
         List<String> manquent = new ArrayList<>();
+        List<String> extensions = new ArrayList<>();
         for (Grille.Etape etape : grille.getEtapes()) {
             int reussis = 0;
             int comptent = 0;
@@ -61,18 +62,19 @@ public final class Note {
             }
             Part part = new Part(reussis, comptent, nonEvaluables, nonCommences, bareme.poids(etape.nom));
             parts.put(etape.nom, part);
-            if (!etape.nom.equals("image")) {
-                if (part.complete()) {
-                    derniere = etape.titre;
-                    manquent.addAll(avant);
-                    avant.clear();
-                } else {
-                    avant.add(etape.titre);
-                }
+            if (etape.duCours && part.complete()) {
+                derniere = etape.titre;
+                manquent.addAll(avant);
+                avant.clear();
+            } else if (etape.duCours) {
+                avant.add(etape.titre);
+            } else if (part.complete() && etape.extension) {
+                extensions.add(etape.court());
             }
         }
         atteinte = (derniere.isEmpty() ? total() > 0 ? "aucune en entier" : "aucune" : derniere)
-                + (manquent.isEmpty() ? "" : ", mais il manque à : " + String.join(", ", manquent));
+                + (manquent.isEmpty() ? "" : ", mais reste à compléter : " + String.join(", ", manquent))
+                + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions));
     }
 
     public Part part(String etape) {
@@ -84,7 +86,7 @@ public final class Note {
         return parts.values().stream().mapToDouble(p -> p.points).sum();
     }
 
-    /** La dernière étape dont tout réussit, et celles d'avant où il manque quelque chose. */
+    /** La dernière étape dont tout réussit, celles d'avant où il manque quelque chose, et les extensions réussies. */
     public String getAtteinte() {
         return atteinte;
     }
