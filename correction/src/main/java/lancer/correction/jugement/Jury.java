@@ -2,6 +2,7 @@ package lancer.correction.jugement;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -182,11 +183,7 @@ public final class Jury implements AutoCloseable {
     }
 
     private static String hexa(byte[] octets) {
-        StringBuilder texte = new StringBuilder();
-        for (byte b : octets) {
-            texte.append(String.format("%02x", b));
-        }
-        return texte.toString();
+        return String.format("%064x", new BigInteger(1, octets));
     }
 
     @Override

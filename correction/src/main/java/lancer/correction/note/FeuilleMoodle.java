@@ -10,7 +10,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -90,11 +91,9 @@ public final class FeuilleMoodle {
      *
      * @return les rendus jugés dont la note n'est pas dans la feuille : elle ne les connaît pas, ou la leur est verrouillée
      */
-    public List<Eleve> ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
-        Map<String, Eleve> parId = new HashMap<>();
+    public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
+        Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.rendu.getId(), e));
-        List<Eleve> sansNote = new ArrayList<>(eleves);
-        sansNote.removeIf(Eleve::illisible);
         try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"),
                 StandardCharsets.UTF_8)) {
             if (bom) {
@@ -106,23 +105,25 @@ public final class FeuilleMoodle {
                 for (int k = 0; k < lignes.size(); k++) {
                     List<String> ligne = new ArrayList<>(lignes.get(k));
                     if (k > 0) {
-                        sansNote.remove(noter(ligne, parId, bareme));
+                        noter(ligne, parId, bareme);
                     }
                     csv.printRecord(ligne);
                 }
             }
         }
         retours(dossier, eleves);
-        return sansNote;
+        parId.values().removeIf(Eleve::illisible);
+        return parId.values();
     }
 
-    /** @return l'élève de cette ligne, {@code null} si elle n'est celle de personne, ou ne se change pas */
-    private Eleve noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme) {
+    /** Note cette ligne, si elle est celle d'un de ces élèves, et se change ; il n'est alors plus à noter. */
+    private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme) {
         Matcher m = NUMERO.matcher(ligne.size() > identifiant ? ligne.get(identifiant) : "");
         Eleve eleve = m.matches() ? parId.get(m.group(1)) : null;
         if (eleve == null || ligne.size() <= note || !modifiable(ligne)) {
-            return null;
+            return;
         }
+        parId.remove(m.group(1));
         if (!eleve.illisible()) {
             double sur = maximum(ligne, bareme.total());
             ligne.set(note, String.format(Locale.ROOT, "%.2f",
@@ -136,7 +137,6 @@ public final class FeuilleMoodle {
                     + (eleve.illisible() ? "rendu qui n'a pas pu être jugé"
                     : "étape atteinte, « " + eleve.note.getAtteinte() + " »") + FIN);
         }
-        return eleve;
     }
 
     /** Une note verrouillée serait ignorée : autant la laisser. */

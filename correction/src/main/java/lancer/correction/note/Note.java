@@ -19,16 +19,15 @@ public final class Note {
 
         public final int reussis;
         public final int comptent;
-        public final int nonEvaluables;
-        public final int nonCommences;
+        /** Combien ne sont ni réussis, ni ratés. */
+        public final int aFaire;
         public final double points;
         public final double poids;
 
-        Part(int reussis, int comptent, int nonEvaluables, int nonCommences, double poids) {
+        Part(int reussis, int comptent, int aFaire, double poids) {
             this.reussis = reussis;
             this.comptent = comptent;
-            this.nonEvaluables = nonEvaluables;
-            this.nonCommences = nonCommences;
+            this.aFaire = aFaire;
             this.poids = poids;
             this.points = comptent == 0 ? 0 : poids * reussis / comptent;
         }
@@ -49,18 +48,17 @@ public final class Note {
         for (Grille.Etape etape : grille.getEtapes()) {
             int reussis = 0;
             int comptent = 0;
-            int nonEvaluables = 0;
-            int nonCommences = 0;
+            int aFaire = 0;
             for (Grille.Critere critere : etape.criteres) {
                 Verdict verdict = resultat.verdicts.get(critere.id);
                 if (critere.compte) {
                     comptent++;
                     reussis += verdict != null && verdict.compte() ? 1 : 0;
-                    nonEvaluables += verdict != null && verdict.etat == Verdict.Etat.NON_EVALUABLE ? 1 : 0;
-                    nonCommences += verdict == null || verdict.etat == Verdict.Etat.NON_COMMENCE ? 1 : 0;
+                    aFaire += verdict == null || verdict.etat == Verdict.Etat.NON_COMMENCE
+                            || verdict.etat == Verdict.Etat.NON_EVALUABLE ? 1 : 0;
                 }
             }
-            Part part = new Part(reussis, comptent, nonEvaluables, nonCommences, bareme.poids(etape.nom));
+            Part part = new Part(reussis, comptent, aFaire, bareme.poids(etape.nom));
             parts.put(etape.nom, part);
             if (etape.duCours && part.complete()) {
                 derniere = etape.titre;

@@ -126,8 +126,8 @@ final class PageEleve {
     }
 
     static String classe(Note.Part part) {
-        return part.complete() ? "complet" : part.reussis > 0 ? "partiel" : part.nonEvaluables
-                + part.nonCommences == part.comptent ? "vide" : "rate";
+        return part.complete() ? "complet" : part.reussis > 0 ? "partiel"
+                : part.aFaire == part.comptent ? "vide" : "rate";
     }
 
     private void images() {
