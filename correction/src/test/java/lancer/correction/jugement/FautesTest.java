@@ -55,6 +55,14 @@ class FautesTest extends JuryEssai {
     }
 
     @Test
+    void ceQueDitLeCompilateurSeLitSansConnaitreSaGrammaire() {
+        assertEquals("A.java:3 : syntaxe : il manque « ; »",
+                new Faute("lancer/A.java", 3, "Syntax error, insert \";\" to complete BlockStatements").toString());
+        assertEquals("A.java:3 : syntaxe incorrecte ici : une accolade, une parenthèse de trop, ou de moins ?",
+                new Faute("lancer/A.java", 3, "Syntax error, insert \":: IdentifierOrNew\" to complete Expression").toString());
+    }
+
+    @Test
     void uneRacineNegativeEstUneFauteDeLaSphere() {
         verifier("racine-negative", "sphere", "brume");
         assertEquals(List.of("Sphere"), resultats.get("racine-negative").classesFautives);
