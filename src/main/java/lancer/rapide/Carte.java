@@ -173,8 +173,7 @@ final class Carte implements Intersections {
             double proche = d - r - 1e-9 * (d + r);
             ordre[k] = (long) Float.floatToRawIntBits(proche > 0 && d < LOIN_MAX ? enBas(proche) : 0) << 32 | k;
         }
-        Arrays.sort(ordre);
-        return ordre;
+        return Tri.parMoitieHaute(ordre);
     }
 
     /**

@@ -193,7 +193,7 @@ final class Face {
         return true;
     }
 
-    /** Une sphère si grosse, ou si près, que sa silhouette n'est pas une ellipse : toute la fenêtre, dont rien n'est couvert. */
+    /** La silhouette d'une sphère si grosse, ou si près, que ce n'est pas une ellipse : tout, et rien de couvert. */
     private boolean partout() {
         ligne0 = 0;
         ligne1 = lignes - 1;
