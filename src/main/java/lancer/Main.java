@@ -14,13 +14,14 @@ import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.fenetre.Fenetre;
+import lancer.inspection.Inspection;
+import lancer.inspection.Recit;
 import lancer.lecture.LecteurScene;
 import lancer.rapide.Preparation;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
 import lancer.sortie.Statistiques;
-import lancer.sortie.UnPixel;
 import lancer.sortie.VersFichiers;
 
 /**
@@ -102,7 +103,9 @@ public class Main implements Toile, Dessinateur {
     private void dessinerUnPixel() {
         List<String> avertissements = lireScene(options.scene);
         Camera camera = new Camera(options.largeur, options.hauteur);
-        UnPixel.dessiner(scene, camera, options.reflets, options.pixelX, options.pixelY).ecrire(sortie);
+        Inspection pixel = new Inspection(scene, camera, options.reflets, options.pixelX, options.pixelY);
+        pixel.faire();
+        Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
         Pannes.avertir(avertissements, erreur);
     }
 
