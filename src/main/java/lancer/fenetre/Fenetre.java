@@ -51,6 +51,9 @@ public final class Fenetre implements Atelier {
     /** Temps laissé à un brouillon avant de montrer ses morceaux, en nanosecondes. */
     private static final long PATIENCE_NS = 300_000_000;
 
+    /** Au-delà de tant de pixels, l'image d'avant ne se garde pas : elle prendrait autant que celle de maintenant. */
+    private static final int PIXELS_GARDES = 16_000_000;
+
     private final Dessinateur dessinateur;
     private final Dimension taille;
     private final String programme;
@@ -77,8 +80,13 @@ public final class Fenetre implements Atelier {
     private String ignorees = "";
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
+    /** La dernière image achevée, celle d'avant elle, et ce que chacune a coûté. */
     private ImageMemoire complete;
     private String cout;
+    private ImageMemoire avant;
+    private String coutAvant;
+    /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
+    private boolean enAttente;
     private boolean fermee;
 
     private Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
@@ -209,8 +217,17 @@ public final class Fenetre implements Atelier {
             public void windowClosing(WindowEvent e) {
                 fermer();
             }
+
+            @Override
+            public void windowDeactivated(WindowEvent e) {
+                tenir(false);
+            }
         });
         menuDessin.lierTouches(cadre.getRootPane());
+        for (boolean lachee : new boolean[] {false, true}) {
+            cadre.getRootPane().registerKeyboardAction(e -> tenir(!lachee),
+                    KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        }
         panneau.suivreSouris(this::montrerPixel);
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
@@ -261,9 +278,34 @@ public final class Fenetre implements Atelier {
     @Override
     public void dessiner(ReglagesDessin voulus, boolean suite) {
         reglages = voulus;
+        if (suite && enCours && !courant.isBrouillonFait()) {
+            enAttente = true;
+        } else {
+            redessiner(suite);
+        }
+    }
+
+    private void redessiner(boolean suite) {
+        if (!suite) {
+            retenir();
+        }
         // une scène qui se lit se relit ; celle qui est lue n'est pas toujours celle qui se voit
         boolean autre = enCours && courant.getFichier() != null && courant != adopte;
-        dessiner(autre ? courant.getFichier() : fichier.equals(lu) ? null : fichier);
+        lancer(autre ? courant.getFichier() : fichier.equals(lu) ? null : fichier);
+    }
+
+    /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
+    private void retenir() {
+        boolean gardee = complete != null && complete.getCodes().length <= PIXELS_GARDES;
+        avant = gardee ? complete : null;
+        coutAvant = cout;
+    }
+
+    /** Montre l'image d'avant, ou de nouveau celle de maintenant. */
+    private void tenir(boolean tenue) {
+        panneau.tenir(tenue ? avant : null);
+        resumer();
+        montrerPixel();
     }
 
     private void choisirScene() {
@@ -340,6 +382,12 @@ public final class Fenetre implements Atelier {
      * @param aLire la scène à lire d'abord, {@code null} pour celle qui l'est déjà
      */
     private void dessiner(String aLire) {
+        retenir();
+        lancer(aLire);
+    }
+
+    private void lancer(String aLire) {
+        enAttente = false;
         if (fermee) {
             return;
         }
@@ -378,6 +426,9 @@ public final class Fenetre implements Atelier {
         montrerPixel();
         if (fini && enCours) {
             finir();
+        }
+        if (enAttente && (fini || courant.isBrouillonFait())) {
+            redessiner(true);
         }
     }
 
@@ -440,18 +491,19 @@ public final class Fenetre implements Atelier {
 
     /** Dit ce qu'a coûté l'image montrée, si elle est achevée. */
     private void resumer() {
-        ImageMemoire image = getImageComplete();
-        barre.resumer(image, image == null ? 1 : panneau.getReduction(), cout);
+        ImageMemoire image = panneau.getTenue() != null ? avant : getImageComplete();
+        barre.resumer(image, image == null ? 1 : panneau.getReduction(image), image == avant ? coutAvant : cout);
     }
 
     private void montrerPixel() {
-        ImageMemoire image = panneau.getNaissante();
+        boolean tenue = panneau.getTenue() != null;
+        ImageMemoire image = tenue ? panneau.getTenue() : panneau.getNaissante();
         Point pixel = panneau.getPixelSouris(image);
-        if (pixel == null) {
+        if (pixel == null && !tenue) {
             image = panneau.getImage();
             pixel = panneau.getPixelSouris(image);
         }
-        barre.montrerPixel(pixel, image, image != complete);
+        barre.montrerPixel(pixel, image, !tenue && image != complete);
     }
 
     private void titrer() {

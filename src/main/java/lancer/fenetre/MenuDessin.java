@@ -29,7 +29,9 @@ final class MenuDessin {
     private final Atelier atelier;
     private final JMenuItem relire;
     private final JMenuItem arreter;
+    private final JMenuItem regler;
     private final JMenuItem defaire;
+    private PanneauVariantes panneau;
     private final JMenuItem copier;
 
     /**
@@ -52,6 +54,8 @@ final class MenuDessin {
         for (String nom : variantes) {
             cases.put(nom, Menus.coche(menu, nom, null, () -> basculer(nom)));
         }
+        regler = Menus.article(menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), this::regler);
+        regler.setVisible(!variantes.isEmpty());
         menu.addSeparator();
         defaire = Menus.article(menu, "Revenir aux réglages de la scène", null,
                 () -> atelier.dessiner(atelier.getReglages().initiaux(), false));
@@ -98,17 +102,16 @@ final class MenuDessin {
 
     private void basculer(String nom) {
         ReglagesDessin reglages = atelier.getReglages();
-        Variante variante = variante(reglages, nom);
+        Variante variante = reglages.getVariante(nom);
         atelier.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);
     }
 
-    private static Variante variante(ReglagesDessin reglages, String nom) {
-        for (Variante presente : reglages.getVariantes()) {
-            if (presente.getSection().equals(nom)) {
-                return presente;
-            }
+    private void regler() {
+        if (panneau == null) {
+            panneau = new PanneauVariantes(atelier);
         }
-        throw new IllegalStateException(nom);
+        Menus.aCote(panneau, atelier.getCadre());
+        panneau.setVisible(true);
     }
 
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */
@@ -126,6 +129,7 @@ final class MenuDessin {
         relire.setEnabled(reglages != null);
         arreter.setEnabled(atelier.enCours());
         reflexions.setEnabled(reglages != null);
+        regler.setEnabled(reglages != null);
         defaire.setEnabled(reglages != null);
         copier.setEnabled(reglages != null);
         nombres.clearSelection();
@@ -136,7 +140,7 @@ final class MenuDessin {
         }
         cases.forEach((nom, coche) -> {
             coche.setEnabled(reglages != null);
-            coche.setSelected(reglages != null && reglages.estBranchee(variante(reglages, nom)));
+            coche.setSelected(reglages != null && reglages.estBranchee(reglages.getVariante(nom)));
         });
     }
 }

@@ -1,6 +1,9 @@
 package lancer.fenetre;
 
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.awt.Toolkit;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
@@ -52,6 +55,16 @@ final class Menus {
         article.addActionListener(e -> action.run());
         menu.add(article);
         return article;
+    }
+
+    /** Met cette fenêtre au bord droit de l'autre, ou à défaut de place par-dessus, sans sortir de l'écran. */
+    static void aCote(Window fenetre, Window autre) {
+        if (!fenetre.isVisible()) {
+            Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+            Rectangle place = autre.getBounds();
+            fenetre.setLocation(Math.min(place.x + place.width, ecran.x + ecran.width - fenetre.getWidth()),
+                    Math.max(ecran.y, Math.min(place.y, ecran.y + ecran.height - fenetre.getHeight())));
+        }
     }
 
     private static int lettreLibre(JMenu menu, String nom) {

@@ -103,6 +103,12 @@ final class Tracage extends SwingWorker<Void, Void> {
         return dessine ? dessinateur.getLancer() : null;
     }
 
+    /** Vrai si chaque pixel de l'image a une couleur. */
+    boolean isBrouillonFait() {
+        Lancer lancer = getLancer();
+        return lancer != null && lancer.isBrouillonFait();
+    }
+
     /** Le fichier de la scène à lire, {@code null} s'il n'y en a pas. */
     String getFichier() {
         return fichier;
@@ -134,8 +140,7 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** La part faite de l'image, de 0 à 1. */
     double getAvancement() {
-        Lancer lancer = getLancer();
-        return lancer == null || !lancer.isBrouillonFait() ? 0 : lancer.getAvancement();
+        return isBrouillonFait() ? getLancer().getAvancement() : 0;
     }
 
     /** Où il en est, et depuis combien de temps. */

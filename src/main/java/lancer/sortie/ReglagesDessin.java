@@ -86,6 +86,16 @@ public final class ReglagesDessin {
         return lues.keySet();
     }
 
+    /** La variante de cette section : chaque lecture en fait une neuve. */
+    public Variante getVariante(String section) {
+        for (Variante presente : lues.keySet()) {
+            if (presente.getSection().equals(section)) {
+                return presente;
+            }
+        }
+        throw new IllegalArgumentException(section);
+    }
+
     public boolean estBranchee(Variante variante) {
         return !debranchees.contains(type(variante));
     }
