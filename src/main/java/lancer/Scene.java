@@ -102,6 +102,12 @@ public final class Scene {
         return new Scene(this, atmosphere.ecoutee(ecoute), specularite, echantillonnage, seuil, ecoute);
     }
 
+    /** De même, et ce que des variantes en changent est ce que dit {@code modele}. */
+    public Scene avec(Modele modele, double seuil) {
+        return new Scene(this, modele.getAtmosphere(), modele.getSpecularite(), modele.getEchantillonnage(), seuil,
+                ecoute);
+    }
+
     /** Le premier objet que rencontre ce rayon. Voir {@link #getClosestIntersection(Rayon, Objet3D)}. */
     public PointContact getClosestIntersection(Rayon incident) {
         return getClosestIntersection(incident, null);

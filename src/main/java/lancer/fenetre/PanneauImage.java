@@ -38,6 +38,9 @@ final class PanneauImage extends JPanel {
     private transient BufferedImage fond;
     private transient ImageMemoire naissante;
     private transient BufferedImage calque;
+    /** L'image d'avant, tant qu'on la tient à la place des autres. */
+    private transient ImageMemoire tenue;
+    private transient BufferedImage devant;
     private String invite;
     private Point souris;
 
@@ -66,6 +69,17 @@ final class PanneauImage extends JPanel {
         return montree;
     }
 
+    /** Montre cette image à la place des autres, qui peuvent changer pendant ce temps ; {@code null} : plus aucune. */
+    void tenir(ImageMemoire image) {
+        tenue = image;
+        devant = image == null ? null : surCodes(image, OPAQUE);
+        repaint();
+    }
+
+    ImageMemoire getTenue() {
+        return tenue;
+    }
+
     /** Celle qui se dessine par-dessus, {@code null} s'il n'y en a pas. */
     ImageMemoire getNaissante() {
         return naissante;
@@ -90,8 +104,8 @@ final class PanneauImage extends JPanel {
     }
 
     /** Le rapport de la taille à laquelle l'image est montrée à la sienne, au plus 1. */
-    double getReduction() {
-        return (double) getPlace(montree.getLargeur(), montree.getHauteur()).width / montree.getLargeur();
+    double getReduction(ImageMemoire image) {
+        return (double) getPlace(image.getLargeur(), image.getHauteur()).width / image.getLargeur();
     }
 
     /**
@@ -138,8 +152,8 @@ final class PanneauImage extends JPanel {
             g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
                     Math.round(t.getTranslateY())));
             g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-            peindre(g2, fond);
-            peindre(g2, calque);
+            peindre(g2, devant != null ? devant : fond);
+            peindre(g2, devant != null ? null : calque);
         } finally {
             g2.dispose();
         }

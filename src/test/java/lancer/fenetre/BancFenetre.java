@@ -314,14 +314,16 @@ final class BancFenetre {
     }
 
     /** Les pixels que le même programme écrit avec {@code --image}. */
-    static int[] pixelsSansFenetre(Path dossier, Path scene, int largeur, int hauteur) throws IOException {
-        return codes(ImageIO.read(pngSansFenetre(dossier, scene, largeur, hauteur).toFile()));
+    static int[] pixelsSansFenetre(Path dossier, Path scene, int largeur, int hauteur, String... options) throws IOException {
+        return codes(ImageIO.read(pngSansFenetre(dossier, scene, largeur, hauteur, options).toFile()));
     }
 
-    static Path pngSansFenetre(Path dossier, Path scene, int largeur, int hauteur) throws IOException {
+    static Path pngSansFenetre(Path dossier, Path scene, int largeur, int hauteur, String... options) throws IOException {
         Path png = Files.createTempFile(dossier, "attendu", ".png");
         ByteArrayOutputStream dit = new ByteArrayOutputStream();
-        if (Essai.executer(flux(dit), flux(dit), "--image", png.toString(), "--taille", largeur + "x" + hauteur, scene.toString()) != 0) {
+        List<String> args = new ArrayList<>(Arrays.asList(options));
+        args.addAll(Arrays.asList("--image", png.toString(), "--taille", largeur + "x" + hauteur, scene.toString()));
+        if (Essai.executer(flux(dit), flux(dit), args.toArray(new String[0])) != 0) {
             fail(texte(dit));
         }
         return png;
