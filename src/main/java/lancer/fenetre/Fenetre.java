@@ -67,6 +67,7 @@ public final class Fenetre implements Atelier {
     private final Enregistrement enregistrement;
     private final List<Runnable> prevenus = new ArrayList<>();
     private final MenuDessin menuDessin;
+    private Inspecteur inspecteur;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
 
     /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
@@ -210,7 +211,7 @@ public final class Fenetre implements Atelier {
     private void ecouter() {
         surveillance.commencer();
         cadre.getRootPane().setTransferHandler(new DepotFichier(this::ouvrirScene, bandeau::avis));
-        cadre.getRootPane().registerKeyboardAction(e -> arreter(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+        cadre.getRootPane().registerKeyboardAction(e -> echapper(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
                 JComponent.WHEN_IN_FOCUSED_WINDOW);
         cadre.addWindowListener(new WindowAdapter() {
             @Override
@@ -229,6 +230,8 @@ public final class Fenetre implements Atelier {
                     KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), JComponent.WHEN_IN_FOCUSED_WINDOW);
         }
         panneau.suivreSouris(this::montrerPixel);
+        inspecteur = new Inspecteur(this, panneau);
+        panneau.suivreClics(inspecteur::montrer);
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
@@ -353,6 +356,15 @@ public final class Fenetre implements Atelier {
         }
     }
 
+    @Override
+    public void echapper() {
+        if (enCours) {
+            arreter();
+        } else {
+            inspecteur.fermer();
+        }
+    }
+
     private void arreter() {
         if (enCours) {
             courant.arreter();
@@ -371,6 +383,7 @@ public final class Fenetre implements Atelier {
             courant.arreter();
         }
         surveillance.terminer();
+        inspecteur.terminer();
         dessins.shutdown();
         cadre.dispose();
         enregistrement.terminer(fin);

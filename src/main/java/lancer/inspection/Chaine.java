@@ -119,34 +119,32 @@ final class Chaine implements Ecoute {
         }
     }
 
-    /** Nomme, de chaque lampe cachée, ce qui la cache le plus près d'elle. */
+    /** Cherche, de chaque lampe cachée, ce qui la cache le plus près d'elle. */
     void nommerCaches(Scene scene) {
         Recherche recherche = scene.getRecherche().pourUnFil(new Compteurs());
         for (Etape etape : etapes) {
             for (Eclairage eclairage : etape.lampes) {
                 if (eclairage.L != null && !eclairage.eclaire()) {
-                    eclairage.cachePar = cache(eclairage, etape.contact, scene, recherche);
+                    eclairage.cache = cache(eclairage, etape.contact, scene, recherche);
                 }
             }
         }
     }
 
-    private static Objet3D cache(Eclairage cachee, PointContact contact, Scene scene, Recherche recherche) {
+    private static PointContact cache(Eclairage cachee, PointContact contact, Scene scene, Recherche recherche) {
         boolean lointaine = Scene.estLointaine(cachee.lampe);
         double portee = lointaine ? cachee.distance / 2 : cachee.distance;
         Rayon ombre = Rayon.dOmbre(cachee.lampe.getPosition(), cachee.L.neg());
         recherche.plusProche(ombre, contact.objet);
         if (ombre.getDistance() < portee || !lointaine) {
-            return ombre.getObjet();
+            return ombre.calcContact();
         }
-        Objet3D leDernier = null;
-        double distance = 0;
+        PointContact leDernier = null;
         for (Objet3D objet : scene.getObjets()) {
             Rayon versLampe = Rayon.dOmbre(contact, cachee.L);
             double d = objet == contact.objet ? portee : objet.getIntersectionDistance(versLampe);
-            if (d < portee && d > distance) {
-                leDernier = objet;
-                distance = d;
+            if (d < portee && (leDernier == null || d > leDernier.distance)) {
+                leDernier = versLampe.calcContact();
             }
         }
         return leDernier;

@@ -2,7 +2,7 @@ package lancer.inspection;
 
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Objet3D;
+import lancer.PointContact;
 import lancer.Vecteur;
 
 /** Une lampe, vue d'un contact ; ce qui n'a pas été calculé est {@code null}. */
@@ -22,7 +22,7 @@ public final class Eclairage {
     Vecteur L;
     double distance;
     Couleur apport;
-    Objet3D cachePar;
+    PointContact cache;
 
     Eclairage(Lampe lampe, double devant) {
         this.lampe = lampe;
@@ -34,8 +34,8 @@ public final class Eclairage {
         return apport != null;
     }
 
-    /** L'objet le plus proche de la lampe parmi ceux qui la cachent, {@code null} si elle n'est pas cachée. */
-    public Objet3D getCachePar() {
-        return cachePar;
+    /** Où la cache l'objet le plus proche d'elle, {@code null} si elle n'est pas cachée. */
+    public PointContact getCache() {
+        return cache;
     }
 }

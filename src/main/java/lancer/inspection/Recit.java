@@ -91,7 +91,7 @@ public final class Recit {
         }
         lignes.add(debut + "  N·L = " + nombre.apply(e.cosinus) + "  " + (e.eclaire() ? "éclairée"
                 : e.L == null ? "sans effet sur cette matière : pas de rayon d'ombre"
-                : e.cachePar == null ? "cachée" : "cachée par " + pixel.nom(e.cachePar)));
+                : e.cache == null ? "cachée" : "cachée par " + pixel.nom(e.cache.objet)));
         if (e.eclaire()) {
             lignes.add("       diffus = " + ecrire(e.diffus));
             lignes.add("       + reflet = " + ecrire(e.reflet) + "  éclat " + nombre.apply(e.eclat));
