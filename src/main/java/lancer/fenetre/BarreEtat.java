@@ -84,7 +84,8 @@ final class BarreEtat extends JPanel {
      * @param cout avec quoi elle a été dessinée, et ce qu'elle a coûté
      */
     void resumer(ImageMemoire image, double reduction, String cout) {
-        String reduite = reduction < 1 ? " montrés à " + Math.round(100 * reduction) + " %" : "";
+        String reduite = reduction < 1 ? " montrés à " + Math.round(100 * reduction) + " %"
+                : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
         resume.setText(image == null ? " "
                 : image.getLargeur() + " × " + image.getHauteur() + " pixels" + reduite + ", " + cout);
         resume.setToolTipText(image == null ? null : resume.getText());

@@ -48,6 +48,9 @@ public final class Fenetre implements Atelier {
     /** Temps entre deux regards sur le dessin en cours, en millisecondes. */
     private static final int PERIODE_MS = 33;
 
+    /** Temps sans changement de taille avant de redessiner à la nouvelle, en millisecondes. */
+    private static final int REPOS_MS = 200;
+
     /** Temps laissé à un brouillon avant de montrer ses morceaux, en nanosecondes. */
     private static final long PATIENCE_NS = 300_000_000;
 
@@ -55,7 +58,7 @@ public final class Fenetre implements Atelier {
     private static final int PIXELS_GARDES = 16_000_000;
 
     private final Dessinateur dessinateur;
-    private final Dimension taille;
+    private final MenuAffichage affichage;
     private final String programme;
     private final Runnable fin;
     private final ExecutorService dessins;
@@ -68,6 +71,7 @@ public final class Fenetre implements Atelier {
     private final List<Runnable> prevenus = new ArrayList<>();
     private final MenuDessin menuDessin;
     private Inspecteur inspecteur;
+    private final Timer retaille = new Timer(REPOS_MS, e -> ajuster());
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
 
     /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
@@ -93,11 +97,12 @@ public final class Fenetre implements Atelier {
     private Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
             Runnable fin) {
         this.dessinateur = dessinateur;
-        taille = new Dimension(options.largeur, options.hauteur);
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
         this.dessins = dessins;
         this.fin = fin;
+        Dimension taille = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(taille);
+        affichage = new MenuAffichage(cadre, panneau, barre, taille, this::ajuster);
         bandeau = panneau.getBandeau();
         enregistrement = new Enregistrement(cadre, bandeau);
         menuDessin = new MenuDessin(this, variantes, this::recharger, this::arreter);
@@ -169,8 +174,10 @@ public final class Fenetre implements Atelier {
         JMenu menu = menus.add(Menus.menu("Fichier"));
         Menus.article(menu, "Ouvrir une scène…", Menus.ctrl(KeyEvent.VK_O), this::choisirScene);
         Menus.article(menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S), this::enregistrer);
+        Menus.article(menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C), this::copier);
         menu.addSeparator();
         Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
+        menus.add(affichage.getMenu());
         menus.add(menuDessin.getMenu());
         menu = menus.add(Menus.menu("Aide"));
         Menus.article(menu, "Touches", Menus.touche(KeyEvent.VK_F1), () -> Dialogues.montrerTouches(cadre));
@@ -224,18 +231,24 @@ public final class Fenetre implements Atelier {
                 tenir(false);
             }
         });
+        affichage.lierTouches(cadre.getRootPane());
         menuDessin.lierTouches(cadre.getRootPane());
         for (boolean lachee : new boolean[] {false, true}) {
             cadre.getRootPane().registerKeyboardAction(e -> tenir(!lachee),
                     KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), JComponent.WHEN_IN_FOCUSED_WINDOW);
         }
-        panneau.suivreSouris(this::montrerPixel);
+        retaille.setRepeats(false);
+        panneau.suivreSouris(() -> {
+            montrerPixel();
+            resumer();
+        });
         inspecteur = new Inspecteur(this, panneau);
         panneau.suivreClics(inspecteur::montrer);
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
                 resumer();
+                retaille.restart();
             }
         });
     }
@@ -270,6 +283,7 @@ public final class Fenetre implements Atelier {
 
     @Override
     public String getCommande() {
+        Dimension taille = affichage.getTaille();
         return Pannes.commande("", reglages.getOptions(), fichier, taille.width, taille.height);
     }
 
@@ -302,6 +316,14 @@ public final class Fenetre implements Atelier {
         boolean gardee = complete != null && complete.getCodes().length <= PIXELS_GARDES;
         avant = gardee ? complete : null;
         coutAvant = cout;
+    }
+
+    /** Redessine, si ce n'est plus à cette taille qu'il faut dessiner. */
+    private void ajuster() {
+        if (courant != null && fichier != null && !affichage.getTaille().equals(courant.getTaille())) {
+            redessiner(true);
+        }
+        resumer();
     }
 
     /** Montre l'image d'avant, ou de nouveau celle de maintenant. */
@@ -347,21 +369,38 @@ public final class Fenetre implements Atelier {
     }
 
     private void enregistrer() {
-        ImageMemoire image = getImageComplete();
-        if (image == null) {
-            bandeau.avis(enCours ? "L'image se dessine encore : elle pourra être enregistrée une fois achevée."
-                    : "Pas d'image achevée à enregistrer ; F5 pour la dessiner.");
-        } else {
+        ImageMemoire image = imageOuAvis();
+        if (image != null) {
             enregistrement.commencer(image, fichier);
         }
+    }
+
+    private void copier() {
+        ImageMemoire image = imageOuAvis();
+        if (image != null) {
+            cadre.getToolkit().getSystemClipboard().setContents(new ImageCopiee(PanneauImage.copie(image)), null);
+            bandeau.avis("image copiée, " + image.getLargeur() + " × " + image.getHauteur() + " pixels");
+        }
+    }
+
+    /** L'image achevée ; à défaut, dit pourquoi il n'y en a pas. */
+    private ImageMemoire imageOuAvis() {
+        ImageMemoire image = getImageComplete();
+        if (image == null) {
+            bandeau.avis(enCours ? "L'image se dessine encore : elle servira une fois achevée."
+                    : "Pas d'image achevée ; F5 pour la dessiner.");
+        }
+        return image;
     }
 
     @Override
     public void echapper() {
         if (enCours) {
             arreter();
-        } else {
+        } else if (inspecteur.isVisible()) {
             inspecteur.fermer();
+        } else {
+            affichage.quitterLePleinEcran();
         }
     }
 
@@ -407,7 +446,7 @@ public final class Fenetre implements Atelier {
         if (courant != null) {
             courant.arreter();
         }
-        Tracage tracage = new Tracage(dessinateur, aLire, taille, reglages);
+        Tracage tracage = new Tracage(dessinateur, aLire, affichage.getTaille(), reglages);
         dessins.execute(tracage);
         suivre(tracage);
     }

@@ -103,6 +103,11 @@ final class Tracage extends SwingWorker<Void, Void> {
         return dessine ? dessinateur.getLancer() : null;
     }
 
+    /** La taille de l'image, en pixels. */
+    Dimension getTaille() {
+        return taille;
+    }
+
     /** Vrai si chaque pixel de l'image a une couleur. */
     boolean isBrouillonFait() {
         Lancer lancer = getLancer();

@@ -16,6 +16,8 @@ import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
@@ -247,6 +249,12 @@ final class BancFenetre {
         JTextArea bandeau = chercher("message", JTextArea.class);
         attendre("le message « " + debut + " »", () -> debut.isEmpty() ? !bandeau.isVisible()
                 : bandeau.isVisible() && bandeau.getText().startsWith(debut));
+    }
+
+    /** Le texte copié, vide s'il n'y en a pas. */
+    static String copie() throws Exception {
+        Clipboard presse = Toolkit.getDefaultToolkit().getSystemClipboard();
+        return presse.isDataFlavorAvailable(DataFlavor.stringFlavor) ? (String) presse.getData(DataFlavor.stringFlavor) : "";
     }
 
     /** Ferme la fenêtre comme le fait son bouton, et attend que le programme se dise fini. */

@@ -6,8 +6,6 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.awt.Toolkit;
-import java.awt.datatransfer.DataFlavor;
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -47,7 +45,7 @@ class FenetreReglagesTest extends EssaiFenetre {
     void leMenuDitLesReflexionsEtRevientACellesDeLaCommande() throws Exception {
         banc = new BancFenetre(lente("--reflets=1"));
         banc.imageAchevee();
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(1);
+        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
         JMenu reflexions = (JMenu) dessin.getItem(3);
         surFilEvenements(() -> {
             reflexions.getItem(4).doClick();
@@ -81,7 +79,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {
-            copie[0] = (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+            copie[0] = BancFenetre.copie();
             return copie[0].startsWith("; java -");
         });
         assertEquals("--taille 320x240 --reflets 10 " + scene + "\n", copie[0].substring(copie[0].indexOf("--taille")));

@@ -12,8 +12,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Graphics;
-import java.awt.Toolkit;
-import java.awt.datatransfer.DataFlavor;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
@@ -56,7 +54,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     }
 
     private JMenuItem article(String nom) {
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(1);
+        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
         for (int k = 0; k < dessin.getItemCount(); k++) {
             if (dessin.getItem(k) != null && dessin.getItem(k).getText().equals(nom)) {
                 return dessin.getItem(k);
@@ -112,7 +110,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         attendre("le résumé aussi", () -> resume.getText().contains("[Brume du matin] couleur=0.9 0.8 0.7 debut=2 densite=0.095"));
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         attendre("la copie donne la section et la commande", () -> {
-            String copie = (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+            String copie = BancFenetre.copie();
             return copie.startsWith(section + "\n; java ") && copie.endsWith(" --taille 320x240 --reflets 10 " + scene + "\n");
         });
     }
