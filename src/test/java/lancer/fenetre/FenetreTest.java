@@ -360,7 +360,7 @@ class FenetreTest extends EssaiFenetre {
     @Test
     void unArticleDeMenuQuiNePeutRienEstGrise() throws Exception {
         banc = new BancFenetre(lente().lent());
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(1);
+        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
         attendre("on peut arrêter", () -> dessin.getItem(1).isEnabled());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("il n'y a plus rien à arrêter", () -> !dessin.getItem(1).isEnabled());
