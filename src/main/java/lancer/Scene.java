@@ -59,11 +59,12 @@ public final class Scene {
         recherche = new RechercheSimple(this.objets, compteurs);
     }
 
-    private Scene(Scene autre, Echantillonnage echantillonnage, double seuil) {
+    private Scene(Scene autre, Atmosphere atmosphere, Specularite specularite, Echantillonnage echantillonnage,
+            double seuil) {
         objets = autre.objets;
         lampes = autre.lampes;
-        atmosphere = autre.atmosphere;
-        specularite = autre.specularite;
+        this.atmosphere = atmosphere;
+        this.specularite = specularite;
         this.echantillonnage = echantillonnage;
         recherche = autre.recherche.pourUnFil(compteurs);
         this.seuil = seuil;
@@ -80,7 +81,12 @@ public final class Scene {
      * @param seuil voir {@link #setSeuil}
      */
     public Scene avec(Echantillonnage echantillonnage, double seuil) {
-        return new Scene(this, echantillonnage, seuil);
+        return new Scene(this, atmosphere, specularite, echantillonnage, seuil);
+    }
+
+    /** De même, et ce que des variantes en changent est ce que dit {@code modele}. */
+    public Scene avec(Modele modele, double seuil) {
+        return new Scene(this, modele.getAtmosphere(), modele.getSpecularite(), modele.getEchantillonnage(), seuil);
     }
 
     /** Le premier objet que rencontre ce rayon. Voir {@link #getClosestIntersection(Rayon, Objet3D)}. */

@@ -16,6 +16,7 @@ public final class Aide {
                 + "  --taille 800x600         taille de l'image, 1 à 16384 pixels de côté\n"
                 + "  --reflets 5              nombre de réflexions d'un rayon, 0 à 1000\n"
                 + "  --seuil 0.0009765625     reflets abandonnés sous ce produit des Ks ; 0 : jamais\n"
+                + "  --sans Brume,Blinn       sans ces variantes, même si elles sont dans le chemin des classes\n"
                 + "  --fils N                 nombre de fils d'exécution, 1 à 1024 ; sans elle, tous les cœurs\n"
                 + "  --repeter N              dessine N fois avant d'écrire, pour mesurer\n"
                 + "  --statistiques           après l'image, rayons et temps, une ligne « nom: valeur » chacun\n"

@@ -63,24 +63,21 @@ public final class Pannes {
      * Une ligne : le pixel et la scène, la cause la plus profonde et l'endroit du code, et la commande qui dessine ce
      * pixel de nouveau.
      *
-     * @param options celles du dessin
+     * @param options celles que disent les réglages du dessin
      * @param scene le fichier dessiné
      * @param largeur la taille de l'image, en pixels
      */
-    public static String duPixel(PixelFautif panne, Options options, String scene, int largeur, int hauteur) {
-        StringBuilder s = new StringBuilder("pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene)
-                + " : " + Texte.cause(panne, HORS_DE_JAVA) + " ; pour le revoir : " + programme());
-        s.append(" --pixel ").append(panne.x).append(',').append(panne.y);
-        if (largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE) {
-            s.append(" --taille ").append(largeur).append('x').append(hauteur);
-        }
-        if (options.refletsDonnes) {
-            s.append(" --reflets ").append(options.reflets);
-        }
-        if (options.seuilDonne) {
-            s.append(" --seuil ").append(options.seuil);
-        }
-        return s.append(' ').append(motDeCommande(scene)).toString();
+    public static String duPixel(PixelFautif panne, String options, String scene, int largeur, int hauteur) {
+        return "pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : "
+                + Texte.cause(panne, HORS_DE_JAVA) + " ; pour le revoir : "
+                + commande(" --pixel " + panne.x + "," + panne.y, options, scene, largeur, hauteur);
+    }
+
+    /** La commande qui dessine cette scène. @param options celles que disent ses réglages, d'abord {@code avant} */
+    public static String commande(String avant, String options, String scene, int largeur, int hauteur) {
+        boolean autreTaille = largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE;
+        return programme() + avant + (autreTaille ? " --taille " + largeur + "x" + hauteur : "") + options + ' '
+                + motDeCommande(scene);
     }
 
     private static String programme() {

@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lancer.Couleur;
@@ -60,7 +61,7 @@ public final class LecteurScene {
     /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
     private final Modele modele = new Modele();
-    private final List<Variante> variantesLibres = new ArrayList<>();
+    private final Map<Variante, Section> variantes = new LinkedHashMap<>();
     private Lignes lignes;
     private Section courante;
 
@@ -116,8 +117,8 @@ public final class LecteurScene {
             Section section = sectionsVariantes.get(presente.getKey());
             if (section == null) {
                 section = new Section(fichier, variante.getSection(), 0);
-                variantesLibres.add(variante);
             }
+            variantes.put(variante, section);
             variante.installer(section, modele);
             section.verifierCles();
         }
@@ -192,9 +193,9 @@ public final class LecteurScene {
         return avertissements;
     }
 
-    /** Les variantes présentes dont le fichier n'a pas la section. */
-    public List<Variante> getVariantesLibres() {
-        return variantesLibres;
+    /** Les variantes présentes, chacune avec sa section, de ligne 0 si le fichier ne l'a pas. */
+    public Map<Variante, Section> getVariantes() {
+        return variantes;
     }
 
     /** Ini4j sans ses échappements ; le constructeur évite la recherche de services. */

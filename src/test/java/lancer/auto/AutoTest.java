@@ -315,7 +315,7 @@ class AutoTest {
         Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> fautive = variante(Collections.singletonList(Section.reglage("Grille", "m", "3")));
         SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, fautive));
-        assertEquals("réglage de --auto, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
+        assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
 
     @Test

@@ -1,9 +1,11 @@
 package lancer.antialias;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Parametre;
 import lancer.contrat.Reglable;
 import lancer.contrat.Section;
 import lancer.texte.Texte;
@@ -53,6 +55,12 @@ public final class Antialias implements Reglable {
         int n = valeurs.entier("n", N, 1, N_MAX);
         double seuil = valeurs.reel("seuil", SEUIL, 0, Double.MAX_VALUE);
         modele.setEchantillonnage(methode(valeurs, n, seuil));
+    }
+
+    @Override
+    public List<Parametre> getParametres() {
+        return Arrays.asList(Parametre.nombre("n", (double) N, 1, 16, 1),
+                Parametre.nombre("seuil", SEUIL, 0, 0.5, 0.005), Parametre.mot("methode", "coins", "partage"));
     }
 
     @Override

@@ -1,9 +1,12 @@
 package lancer.brume;
 
+import java.util.Arrays;
+import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Modele;
+import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Texte;
@@ -40,6 +43,13 @@ public final class Brume implements Variante, Atmosphere {
     @Override
     public void installer(Section valeurs, Modele modele) {
         modele.setAtmosphere(new Brume(valeurs.couleur("couleur", COULEUR, COULEUR_MAX), loi(valeurs)));
+    }
+
+    @Override
+    public List<Parametre> getParametres() {
+        return Arrays.asList(Parametre.nombre("debut", DEBUT, 0, 30, 0.5),
+                Parametre.nombre("fin", FIN, 1, 100, 1).sans("densite"),
+                Parametre.nombre("densite", null, 0, 0.5, 0.005).sans("fin"));
     }
 
     /** La loi demandée, par {@code densite} si elle est donnée, sinon par {@code fin}. */
