@@ -169,5 +169,10 @@ public class Lancer {
             equipe.verifier();
             return sien.voir(xe, ye, profondeur);
         }
+
+        @Override
+        public long rayons() {
+            return sien.scene.getCompteurs().rayons();
+        }
     }
 }
