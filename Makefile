@@ -10,7 +10,7 @@ FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
 .PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
-	comparer reponses mesure-corriger image-classe aide propre
+	comparer reponses mesure-corriger image-classe image-inspecteur aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils
@@ -127,6 +127,11 @@ image-classe: $(CORRECTION)
 	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1375 \
 	    --screenshot=images/classe.png "file://$(CURDIR)/target/classe-image/index.html" 2>/dev/null
 
+# La fenêtre et son inspecteur, tels que le README les montre.
+image-inspecteur: $(BASE)
+	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
+	@$(XVFB) $(JAVA) -cp $(BASE):target/test-classes lancer.fenetre.CaptureInspecteur images/inspecteur.png 405 360 scenes/scene1.ini
+
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -144,6 +149,7 @@ aide:
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
 	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"
+	@echo "make image-inspecteur      refait l'image de l'inspecteur du README"
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corriger RENDUS=…     note les rendus d'une classe ; NOTES=feuille.csv de Moodle, BAREME=points.ini, SORTIE=dossier"

@@ -236,7 +236,7 @@ public final class EssaiRecit {
         double[] kl = t(lampe.getCouleur());
         double[] diffus = fois(fois(t(objet.getKd()), kl), gris(dot(N, L)));
         double[] H = unite(moins(L, V));
-        double eclat = blinn == 0 ? Math.pow(Math.max(0, dot(R, L)), objet.getNs()) : Math.pow(Math.max(0, dot(N, H)), blinn * objet.getNs());
+        double eclat = Math.pow(Math.max(0, blinn == 0 ? dot(R, L) : dot(N, H)), (blinn == 0 ? 1 : blinn) * objet.getNs());
         double[] reflet = fois(fois(t(objet.getKs()), kl), gris(eclat));
         if (titre.contains("sans effet")) {
             proche(new double[6], new double[] {diffus[0], diffus[1], diffus[2], reflet[0], reflet[1], reflet[2]});
