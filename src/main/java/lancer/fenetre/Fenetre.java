@@ -71,6 +71,7 @@ public final class Fenetre implements Atelier {
     private final List<Runnable> prevenus = new ArrayList<>();
     private final MenuDessin menuDessin;
     private Inspecteur inspecteur;
+    private final MenuScenes scenes = new MenuScenes(this::ouvrirScene);
     private final Timer retaille = new Timer(REPOS_MS, e -> ajuster());
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
 
@@ -179,6 +180,7 @@ public final class Fenetre implements Atelier {
         Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
         menus.add(affichage.getMenu());
         menus.add(menuDessin.getMenu());
+        menus.add(scenes.getMenu());
         menu = menus.add(Menus.menu("Aide"));
         Menus.article(menu, "Touches", Menus.touche(KeyEvent.VK_F1), () -> Dialogues.montrerTouches(cadre));
         return menus;
@@ -491,6 +493,7 @@ public final class Fenetre implements Atelier {
         fichier = tracage.getFichier();
         surveillance.suivre(fichier, tracage.getVersion());
         titrer();
+        scenes.montrer(fichier);
         bandeau.faute("");
         bandeau.avis(String.join("\n", tracage.getAvertissements()));
         ignorees = "";
@@ -507,7 +510,7 @@ public final class Fenetre implements Atelier {
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
             complete = dessinateur.getImage();
-            cout = courant.getReglages() + ignorees + ", " + BarreEtat.cout(courant.getLancer());
+            cout = BarreEtat.cout(courant.getLancer()) + ", " + courant.getReglages() + ignorees;
             bandeau.effacerErreur();
             String ecart = courant.getLancer().getTemoignage().ecart;
             if (ecart != null) {

@@ -103,10 +103,7 @@ final class PanneauVariantes extends JDialog {
         });
         ajustements.add(() -> {
             ReglagesDessin reglages = atelier.getReglages();
-            Section section = reglages.getSection(actuelle(variante));
-            String donnee = section.valeur(parametre.getCle());
-            boolean ailleurs = parametre.getAutre() != null && section.valeur(parametre.getAutre()) != null;
-            String actuelle = donnee != null || ailleurs ? donnee : parametre.getDefaut();
+            String actuelle = reglages.getValeur(actuelle(variante), parametre);
             valeur.setText(actuelle == null ? "—" : actuelle);
             glissiere.setEnabled(reglages.estBranchee(actuelle(variante)));
             if (!glissiere.getValueIsAdjusting()) {

@@ -13,6 +13,7 @@ import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.contrat.Modele;
+import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.lecture.LecteurScene;
@@ -103,6 +104,14 @@ public final class ReglagesDessin {
     /** La section avec laquelle cette variante dessine, ou dessinerait. */
     public Section getSection(Variante variante) {
         return changees.getOrDefault(type(variante), lues.get(variante));
+    }
+
+    /** La valeur de ce paramètre, donnée ou par défaut ; {@code null} si une autre clé en tient lieu. */
+    public String getValeur(Variante variante, Parametre parametre) {
+        Section section = getSection(variante);
+        String donnee = section.valeur(parametre.getCle());
+        boolean ailleurs = parametre.getAutre() != null && section.valeur(parametre.getAutre()) != null;
+        return donnee != null || ailleurs ? donnee : parametre.getDefaut();
     }
 
     /** Celles des variantes branchées que rien ne règle : {@code --auto} peut les régler. */
@@ -197,7 +206,7 @@ public final class ReglagesDessin {
                 + (debranchees.isEmpty() ? "" : " --sans " + String.join(",", new TreeSet<>(debranchees)));
     }
 
-    /** Pour être lus : {@code 5 réflexions, [Brume] densite=0.1, [Blinn]}. */
+    /** Pour être lus : {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */
     @Override
     public String toString() {
         StringBuilder s = new StringBuilder(reflets + (reflets > 1 ? " réflexions" : " réflexion"));
@@ -207,6 +216,11 @@ public final class ReglagesDessin {
         for (Variante variante : lues.keySet()) {
             if (estBranchee(variante)) {
                 s.append(", ").append(getSection(variante));
+                for (Parametre parametre : variante.getParametres()) {
+                    boolean donne = getSection(variante).valeur(parametre.getCle()) != null;
+                    String valeur = donne ? null : getValeur(variante, parametre);
+                    s.append(valeur == null ? "" : " " + parametre.getCle() + "=" + valeur);
+                }
             }
         }
         return s.toString();

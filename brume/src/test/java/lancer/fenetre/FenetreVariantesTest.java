@@ -77,7 +77,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         ouvrir();
         banc.attendreImage("avec la brume", avec);
         JLabel resume = chercher("resume", JLabel.class);
-        attendre("elle se dit", () -> resume.getText().contains(", 5 réflexions, [Brume], "));
+        attendre("elle se dit", () -> resume.getText().endsWith(", 5 réflexions, [Brume] debut=0 fin=30"));
         cliquer(article("Brume"));
         banc.attendreImage("sans elle", sans);
         attendre("elle ne se dit plus", () -> !resume.getText().contains("Brume"));
@@ -168,7 +168,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         banc.robot.keyPress(KeyEvent.VK_SPACE);
         attendre("celle d'avant, au même endroit", () -> BancFenetre.trouver(avec, L) != null);
         JLabel resume = chercher("resume", JLabel.class);
-        attendre("ses réglages et son coût", () -> resume.getText().matches(".*, \\[Brume], .* rayons, .* s"));
+        attendre("ses réglages et son coût", () -> resume.getText().matches(".* rayons, .* s, .*, \\[Brume] .*"));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
         attendre("puis celle de maintenant", () -> BancFenetre.trouver(sans, L) != null);
         attendre("et les siens", () -> !resume.getText().contains("Brume"));
