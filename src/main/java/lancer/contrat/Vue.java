@@ -11,4 +11,8 @@ public interface Vue {
      * @return la couleur, non limitée
      */
     Couleur couleur(double xe, double ye);
+
+    /** Dit, à qui écoute, que cette couleur, qu'a rendue {@link #couleur}, compte tant dans le pixel en cours. */
+    default void compter(Couleur couleur, double poids) {
+    }
 }

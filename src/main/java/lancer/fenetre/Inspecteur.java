@@ -86,6 +86,8 @@ final class Inspecteur extends JDialog {
         texte.setName("recit");
         verdict.setName("verdict");
         texte.setEditable(false);
+        texte.setLineWrap(true);
+        texte.setWrapStyleWord(true);
         texte.setFont(new Font(Font.MONOSPACED, Font.PLAIN, texte.getFont().getSize()));
         texte.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         JPopupMenu menu = new JPopupMenu();

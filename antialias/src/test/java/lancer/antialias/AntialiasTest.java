@@ -79,7 +79,8 @@ class AntialiasTest {
 
     /** Aucune équation n'est ici celle des variantes : tout est refait à part. */
     @ParameterizedTest
-    @CsvSource({"n=3|seuil=0, 2, 0.05, 5", "n=4|seuil=0.05, 0.5, 0.2, 1", "n=1, 1, 0, 3"})
+    @CsvSource({"n=3|seuil=0, 2, 0.05, 5", "n=4|seuil=0.05, 0.5, 0.2, 1", "n=1, 1, 0, 3",
+        "n=4|methode=partage|seuil=0.06, 1, 0.05, 2", "n=8|methode=partage, 1, 0.3, 2"})
     void chaqueTermeDesTroisVariantesEstCeluiDesEquationsEtChaqueSommeSeFerme(String echantillons, double facteur, double densite,
             int reflets) throws IOException {
         List<String> lignes = new ArrayList<>(Arrays.asList(ini("p2-sol.ini"), "[Antialias]"));
@@ -97,7 +98,7 @@ class AntialiasTest {
                         scene.toString()).sortie);
             }
         }
-        assertTrue(recit.eclairees > 50 && recit.contacts > 50, recit.contacts + " contacts");
+        assertTrue(recit.eclairees > 20 && recit.contacts > 30, recit.eclairees + " lampes, " + recit.contacts + " contacts");
     }
 
     @ParameterizedTest
