@@ -36,7 +36,7 @@ mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MO
 	@$(MVN) -q -f ensemble.xml -pl :mesures -am -DskipTests package
 	@touch $@
 
-# Les images du README. Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
+# Les images du README, et l'icône de la fenêtre. Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
 SCENES := scene1 diffus ombres miroirs bowling tournesol
 NEUVES := target/images
 
@@ -52,6 +52,11 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	@$(JAVA) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
 	@$(JAVA) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images $(NEUVES) images
+	@mkdir $(NEUVES)/icones
+	@for c in 16 32 48 128; do \
+	    $(JAVA) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
+	done
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images $(NEUVES)/icones src/main/resources/lancer/fenetre
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar

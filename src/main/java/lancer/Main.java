@@ -39,6 +39,7 @@ public class Main implements Toile, Dessinateur {
     private volatile Scene scene;
     private volatile String fichier;
     private volatile ReglagesDessin reglages;
+    private volatile double avancement;
     private long lectureNs;
     private long preparationNs;
     private volatile ImageMemoire image;
@@ -126,8 +127,9 @@ public class Main implements Toile, Dessinateur {
 
     @Override
     public List<String> lireScene(String nomFichier) {
+        avancement = 0;
         long debut = System.nanoTime();
-        LecteurScene lu = LecteurScene.lire(nomFichier);
+        LecteurScene lu = LecteurScene.lire(nomFichier, part -> avancement = part);
         ReglagesDessin demandes = ReglagesDessin.de(lu, options);
         Scene nouvelle = demandes.regler(new Scene(lu));
         if (Thread.currentThread().isInterrupted()) {
@@ -138,6 +140,11 @@ public class Main implements Toile, Dessinateur {
         fichier = nomFichier;
         reglages = demandes;
         return lu.getAvertissements();
+    }
+
+    @Override
+    public double getAvancement() {
+        return avancement;
     }
 
     @Override
@@ -167,8 +174,10 @@ public class Main implements Toile, Dessinateur {
 
     /** Prépare la scène lue pour l'image à dessiner. */
     private Lancer preparer() {
+        avancement = 0;
         long debut = System.nanoTime();
-        Lancer nouveau = Preparation.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple);
+        Lancer nouveau = Preparation.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple,
+                part -> avancement = part);
         preparationNs = System.nanoTime() - debut;
         return nouveau;
     }

@@ -16,6 +16,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleConsumer;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -78,20 +79,26 @@ public final class LecteurScene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static LecteurScene lire(String fichier) {
+        return lire(fichier, part -> { });
+    }
+
+    /** De même, en disant à {@code suivi} la part lue du fichier, de 0 à 1. */
+    public static LecteurScene lire(String fichier, DoubleConsumer suivi) {
         LecteurScene lecteur = new LecteurScene(fichier);
-        lecteur.lire();
+        lecteur.lire(suivi);
         lecteur.origines.finir();
         lecteur.installer();
         return lecteur;
     }
 
-    private void lire() {
+    private void lire(DoubleConsumer suivi) {
         Path chemin = trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
         }
         try (InputStream entree = ouvrir(chemin)) {
-            lignes = new Lignes(entree);
+            double taille = Math.max(1, chemin.toFile().length());
+            lignes = new Lignes(entree, lus -> suivi.accept(Math.min(1, lus / taille)));
             new Decoupeur().parse(lignes, new Sections());
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());

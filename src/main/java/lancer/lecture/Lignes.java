@@ -9,6 +9,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
+import java.util.function.LongConsumer;
 import lancer.texte.Texte;
 
 /**
@@ -27,6 +28,8 @@ final class Lignes extends Reader {
 
     private final InputStream entree;
     private final byte[] tampon = new byte[TAMPON];
+    private final LongConsumer suivi;
+    private long total;
     private int suivant;
     private int lus;
     /** La ligne en cours : ses octets sans sa fin, ce qui en est donné, et combien l'est déjà. */
@@ -36,8 +39,10 @@ final class Lignes extends Reader {
     private int donnes;
     private int numero;
 
-    Lignes(InputStream entree) {
+    /** @param suivi à qui dire, de temps en temps, combien d'octets sont lus */
+    Lignes(InputStream entree, LongConsumer suivi) {
         this.entree = entree;
+        this.suivi = suivi;
     }
 
     /** Le numéro de la dernière ligne donnée, à partir de 1. */
@@ -106,6 +111,8 @@ final class Lignes extends Reader {
             }
             suivant = 0;
             lus = Math.max(0, entree.read(tampon, 0, TAMPON));
+            total += lus;
+            suivi.accept(total);
         }
         return suivant == lus ? -1 : tampon[suivant++] & 0xFF;
     }

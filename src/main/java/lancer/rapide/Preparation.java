@@ -2,6 +2,7 @@ package lancer.rapide;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
@@ -55,6 +56,11 @@ public final class Preparation {
     /** Au-dessous de ce nombre de sphères, un fil coûte plus à lancer qu'il ne fait gagner. */
     private static final int SPHERES_PAR_FIL = 200;
 
+    /** Ce qui est fait du travail après l'arbre, le rangement et les autres structures, à peu près. */
+    private static final double PART_ARBRE = 0.3;
+    private static final double PART_RANGEMENT = 0.4;
+    private static final double PART_STRUCTURES = 0.9;
+
     /** Ce qu'un test peut imposer, au lieu du choix. */
     enum Genre { AU_CHOIX, MASQUES, CARTES, ARBRE }
 
@@ -81,10 +87,15 @@ public final class Preparation {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
+        return preparer(scene, largeur, hauteur, simple, part -> { });
+    }
+
+    /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
+    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, DoubleConsumer suivi) {
         Camera camera = new Camera(largeur, hauteur);
         boolean boucles = simple || (long) largeur * hauteur * (2 + scene.getLampes().size()) <= QUESTIONS_MIN;
         scene.setRecherche(boucles ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
-                : pour(scene, camera));
+                : pour(scene, camera, Genre.AU_CHOIX, suivi));
         return new LancerSurveille(scene, camera);
     }
 
@@ -94,14 +105,15 @@ public final class Preparation {
      * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
      */
     public static Recherche pour(Scene scene, Camera camera) {
-        return pour(scene, camera, Genre.AU_CHOIX);
+        return pour(scene, camera, Genre.AU_CHOIX, part -> { });
     }
 
-    static Recherche pour(Scene scene, Camera camera, Genre genre) {
-        return new RechercheRapide(new Preparation(scene, camera).faire(genre), new Compteurs());
+    static Recherche pour(Scene scene, Camera camera, Genre genre, DoubleConsumer suivi) {
+        return new RechercheRapide(new Preparation(scene, camera).faire(genre, suivi), new Compteurs());
     }
 
-    private Structures faire(Genre genre) {
+    private Structures faire(Genre genre, DoubleConsumer suivi) {
+        suivi.accept(PART_ARBRE);
         int n = spheres.nombre;
         Boite boite = Boite.de(spheres, spheres.toutes());
         double portee = Math.max(boite.portee(), Camera.FOCALE);
@@ -125,7 +137,9 @@ public final class Preparation {
         if (genre == Genre.AU_CHOIX && n > SPHERES_PAR_PIXEL * pixels) {
             return structures;
         }
+        suivi.accept(PART_RANGEMENT);
         construire();
+        suivi.accept(PART_STRUCTURES);
         return genre == Genre.CARTES ? structures : new Sondage(scene, camera, equipe).choisir(structures);
     }
 

@@ -110,7 +110,7 @@ public final class VersFichiers {
     /** @return le temps de chaque dessin, en nanosecondes */
     private long[] tracer(Lancer lancer, Toile toile, int reflets) {
         long[] traces = new long[options.repeter];
-        BarreProgression barre = new BarreProgression(lancer, erreur);
+        BarreProgression barre = new BarreProgression(lancer::getAvancement, erreur);
         barre.commencer();
         try {
             for (int k = 0; k < traces.length; k++) {
