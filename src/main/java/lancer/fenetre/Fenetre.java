@@ -35,6 +35,7 @@ import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.lecture.Services;
+import lancer.sortie.BarreProgression;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.ReglagesDessin;
@@ -125,7 +126,14 @@ public final class Fenetre implements Atelier {
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
         if (premier != null) {
-            premier.lire();
+            // la fenêtre n'est pas encore là pour le dire
+            BarreProgression barre = new BarreProgression(dessinateur::getAvancement, erreur);
+            barre.commencer();
+            try {
+                premier.lire();
+            } finally {
+                barre.finir();
+            }
             Pannes.avertir(premier.getAvertissements(), erreur);
         }
         exigerEcran();
@@ -192,7 +200,7 @@ public final class Fenetre implements Atelier {
         ecouter();
         titrer();
         dessins.execute(() -> {
-            List<Image> icones = Icone.dessiner();
+            List<Image> icones = Icone.lire();
             EventQueue.invokeLater(() -> cadre.setIconImages(icones));
         });
         if (premier == null) {

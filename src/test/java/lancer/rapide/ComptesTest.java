@@ -120,7 +120,7 @@ class ComptesTest {
     @Test
     void lesStructuresTiennentDansLeurBudget() {
         for (Map.Entry<String, Scene> e : ScenesDEssai.hostiles(3000).entrySet()) {
-            Structures s = ((RechercheRapide) Preparation.pour(e.getValue(), CAMERA, Preparation.Genre.CARTES)).structures;
+            Structures s = ((RechercheRapide) Preparation.pour(e.getValue(), CAMERA, Preparation.Genre.CARTES, part -> { })).structures;
             int n = e.getValue().getObjets().size();
             long references = 0;
             long cases = 0;

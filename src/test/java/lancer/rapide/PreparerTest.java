@@ -8,6 +8,9 @@ import lancer.temoins.LancerSurveille;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
@@ -44,6 +47,15 @@ class PreparerTest {
             System.arraycopy(preparee, j * 3 * 64, sienne, 0, 3 * 64);
             assertArrayEquals(ligne, sienne, "ligne " + j);
         }
+    }
+
+    @Test
+    void laPartPrepareeSeDitApresChaqueEtape() {
+        List<Double> parts = new ArrayList<>();
+        Preparation.preparer(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
+        List<Double> croissantes = new ArrayList<>(new TreeSet<>(parts));
+        assertEquals(croissantes, parts);
+        assertTrue(parts.size() >= 3 && parts.get(0) > 0 && parts.get(parts.size() - 1) <= 1, parts.toString());
     }
 
     @Test
