@@ -175,5 +175,10 @@ public class Lancer {
         public void compter(Couleur couleur, double poids) {
             Ecoute.compte(scene.ecoute, couleur, poids);
         }
+
+        @Override
+        public long rayons() {
+            return sien.scene.getCompteurs().rayons();
+        }
     }
 }

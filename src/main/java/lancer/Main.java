@@ -16,7 +16,7 @@ import lancer.fenetre.Fenetre;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.lecture.LecteurScene;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
@@ -176,7 +176,7 @@ public class Main implements Toile, Dessinateur {
     private Lancer preparer() {
         avancement = 0;
         long debut = System.nanoTime();
-        Lancer nouveau = Preparation.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple,
+        Lancer nouveau = LancerSurveille.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple,
                 part -> avancement = part);
         preparationNs = System.nanoTime() - debut;
         return nouveau;
