@@ -12,12 +12,12 @@ public interface Vue {
      */
     Couleur couleur(double xe, double ye);
 
-    /** Dit, à qui écoute, que cette couleur, qu'a rendue {@link #couleur}, compte tant dans le pixel en cours. */
-    default void compter(Couleur couleur, double poids) {
-    }
-
     /** Les rayons de toutes sortes lancés jusqu'ici par ce fil ; 0 s'ils ne sont pas comptés. */
     default long rayons() {
         return 0;
+    }
+
+    /** Dit, à qui écoute, que cette couleur, qu'a rendue {@link #couleur}, compte tant dans le pixel en cours. */
+    default void compter(Couleur couleur, double poids) {
     }
 }
