@@ -52,7 +52,7 @@ class PreparerTest {
     @Test
     void laPartPrepareeSeDitApresChaqueEtape() {
         List<Double> parts = new ArrayList<>();
-        Preparation.preparer(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
+        LancerSurveille.preparer(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
         List<Double> croissantes = new ArrayList<>(new TreeSet<>(parts));
         assertEquals(croissantes, parts);
         assertTrue(parts.size() >= 3 && parts.get(0) > 0 && parts.get(parts.size() - 1) <= 1, parts.toString());
