@@ -13,14 +13,15 @@ import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.fenetre.Fenetre;
+import lancer.inspection.Inspection;
+import lancer.inspection.Recit;
 import lancer.lecture.LecteurScene;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
 import lancer.sortie.ReglagesDessin;
 import lancer.sortie.Statistiques;
-import lancer.sortie.UnPixel;
 import lancer.sortie.VersFichiers;
 
 /**
@@ -104,7 +105,9 @@ public class Main implements Toile, Dessinateur {
     private void dessinerUnPixel() {
         List<String> avertissements = lireScene(options.scene);
         Camera camera = new Camera(options.largeur, options.hauteur);
-        UnPixel.dessiner(scene, camera, reglages.getReflets(), options.pixelX, options.pixelY).ecrire(sortie);
+        Inspection pixel = new Inspection(scene, camera, reglages.getReflets(), options.pixelX, options.pixelY);
+        pixel.faire();
+        Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
         Pannes.avertir(avertissements, erreur);
     }
 
@@ -173,7 +176,7 @@ public class Main implements Toile, Dessinateur {
     private Lancer preparer() {
         avancement = 0;
         long debut = System.nanoTime();
-        Lancer nouveau = Preparation.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple,
+        Lancer nouveau = LancerSurveille.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple,
                 part -> avancement = part);
         preparationNs = System.nanoTime() - debut;
         return nouveau;

@@ -71,6 +71,7 @@ public final class Fenetre implements Atelier {
     private final Enregistrement enregistrement;
     private final List<Runnable> prevenus = new ArrayList<>();
     private final MenuDessin menuDessin;
+    private Inspecteur inspecteur;
     private final MenuScenes scenes = new MenuScenes(this::ouvrirScene);
     private final Timer retaille = new Timer(REPOS_MS, e -> ajuster());
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
@@ -251,6 +252,8 @@ public final class Fenetre implements Atelier {
             montrerPixel();
             resumer();
         });
+        inspecteur = new Inspecteur(this, panneau);
+        panneau.suivreClics(inspecteur::montrer);
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
@@ -400,9 +403,12 @@ public final class Fenetre implements Atelier {
         return image;
     }
 
-    private void echapper() {
+    @Override
+    public void echapper() {
         if (enCours) {
             arreter();
+        } else if (inspecteur.isVisible()) {
+            inspecteur.fermer();
         } else {
             affichage.quitterLePleinEcran();
         }
@@ -426,6 +432,7 @@ public final class Fenetre implements Atelier {
             courant.arreter();
         }
         surveillance.terminer();
+        inspecteur.terminer();
         dessins.shutdown();
         cadre.dispose();
         enregistrement.terminer(fin);

@@ -22,6 +22,7 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
 import lancer.contrat.Modele;
+import lancer.contrat.Origines;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Nombre;
@@ -55,6 +56,7 @@ public final class LecteurScene {
     private final Services services = Services.cherches();
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
+    private final Origines origines = new Origines();
     private final List<String> avertissements = new ArrayList<>();
     private final Map<String, Section> sectionsVariantes = new HashMap<>();
     /** Chaque nom de section, et sa ligne. */
@@ -84,6 +86,7 @@ public final class LecteurScene {
     public static LecteurScene lire(String fichier, DoubleConsumer suivi) {
         LecteurScene lecteur = new LecteurScene(fichier);
         lecteur.lire(suivi);
+        lecteur.origines.finir();
         lecteur.installer();
         return lecteur;
     }
@@ -190,6 +193,11 @@ public final class LecteurScene {
         return lampes;
     }
 
+    /** De quelles sections ils viennent. */
+    public Origines getOrigines() {
+        return origines;
+    }
+
     /** Ce que les variantes présentes ont changé. */
     public Modele getModele() {
         return modele;
@@ -265,11 +273,14 @@ public final class LecteurScene {
         @Override
         public void endSection() {
             if (lampe) {
-                lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
+                Lampe lue = new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX));
+                lampes.add(lue);
+                origines.ajouter(lue, courante.getNom(), courante.getLigne());
             } else if (objet != null) {
                 Objet3D lu = objet.lire(courante);
                 lireMatiere(lu);
                 objets.add(lu);
+                origines.ajouter(lu, courante.getNom(), courante.getLigne());
             }
         }
 

@@ -6,7 +6,6 @@ import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
@@ -80,32 +79,20 @@ public final class Preparation {
     }
 
     /**
-     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure
-     * aussi.
-     *
-     * @param simple vrai pour les boucles du cours
-     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
-     */
-    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
-        return preparer(scene, largeur, hauteur, simple, part -> { });
-    }
-
-    /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
-    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, DoubleConsumer suivi) {
-        Camera camera = new Camera(largeur, hauteur);
-        boolean boucles = simple || (long) largeur * hauteur * (2 + scene.getLampes().size()) <= QUESTIONS_MIN;
-        scene.setRecherche(boucles ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
-                : pour(scene, camera, Genre.AU_CHOIX, suivi));
-        return new LancerSurveille(scene, camera);
-    }
-
-    /**
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
      */
     public static Recherche pour(Scene scene, Camera camera) {
-        return pour(scene, camera, Genre.AU_CHOIX, part -> { });
+        return pour(scene, camera, part -> { });
+    }
+
+    /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
+    public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
+        long questions = (long) camera.getLargeur() * camera.getHauteur() * (2 + scene.getLampes().size());
+        return questions <= QUESTIONS_MIN ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
+                : pour(scene, camera, Genre.AU_CHOIX, suivi);
     }
 
     static Recherche pour(Scene scene, Camera camera, Genre genre, DoubleConsumer suivi) {
