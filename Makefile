@@ -9,7 +9,7 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
+.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
 	comparer reponses mesure-corriger image-classe image-inspecteur aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
@@ -57,6 +57,14 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	    $(JAVA) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
 	done
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images $(NEUVES)/icones src/main/resources/lancer/fenetre
+
+# Les captures d'écran du README, sur un écran à elles.
+captures: mesures/target/mesures.jar
+	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
+	@rm -rf target/captures && mkdir -p target/captures
+	@xvfb-run -a -s "-screen 0 1600x900x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
+	    -cp mesures/target/mesures.jar lancer.mesures.Captures target/captures
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images target/captures images
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
@@ -145,6 +153,7 @@ aide:
 	@echo "make javadoc               la documentation des classes : target/reports/apidocs/index.html, et de même chaque module"
 	@echo "make lanceurs              lance les tests du cours par douze autres lanceurs JUnit, de la version 1.9.3 à la 1.14.4"
 	@echo "make images                refait les images du README"
+	@echo "make captures              refait les captures d'écran du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
 	@echo "make bench                 dessine de 10 à 1000000 boules, vérifie et mesure ; BANC=\"--scenes foule\" pour choisir"
 	@echo "make noyaux                mesure une intersection, une recherche, un éclairement ; JMH=\"-f 3\" pour ses options"

@@ -199,10 +199,10 @@ public final class Fenetre implements Atelier {
         assembler();
         ecouter();
         titrer();
-        dessins.execute(() -> {
+        new Thread(() -> {
             List<Image> icones = Icone.lire();
             EventQueue.invokeLater(() -> cadre.setIconImages(icones));
-        });
+        }, "lancer-icone").start();
         if (premier == null) {
             panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
             EventQueue.invokeLater(this::choisirScene);
