@@ -99,6 +99,7 @@ final class Dialogues {
     static void montrerTouches(Component parent) {
         JOptionPane.showMessageDialog(parent, "Ctrl+O   ouvrir une scène ; ou déposer son fichier sur la fenêtre\n"
                 + "F5   relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi\n"
+                + "F3   vitesse ou précision : les réglages possibles, à dessiner d'un clic\n"
                 + "Échap   arrêter le dessin\n"
                 + "Ctrl+S   enregistrer l'image\n"
                 + "Ctrl+Q   quitter\n"
