@@ -6,6 +6,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Ecoute;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Temoignage;
@@ -165,7 +166,14 @@ public class Lancer {
         @Override
         public Couleur couleur(double xe, double ye) {
             equipe.verifier();
-            return sien.voir(xe, ye, profondeur);
+            Couleur couleur = sien.voir(xe, ye, profondeur);
+            Ecoute.regard(scene.ecoute, xe, ye, couleur);
+            return couleur;
+        }
+
+        @Override
+        public void compter(Couleur couleur, double poids) {
+            Ecoute.compte(scene.ecoute, couleur, poids);
         }
 
         @Override

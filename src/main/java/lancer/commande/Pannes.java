@@ -2,6 +2,7 @@ package lancer.commande;
 
 import java.io.File;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
@@ -49,6 +50,15 @@ public final class Pannes {
     /** Répond sur la sortie standard. @throws Echec si elle n'a pu être écrite */
     public static void repondre(String texte, PrintStream sortie) {
         sortie.println(texte);
+        verifier(sortie);
+    }
+
+    /** De même, des lignes en UTF-8, que la console en soit ou non. */
+    public static void repondreEnUtf8(List<String> lignes, PrintStream sortie) {
+        for (String ligne : lignes) {
+            byte[] octets = (ligne + System.lineSeparator()).getBytes(StandardCharsets.UTF_8);
+            sortie.write(octets, 0, octets.length);
+        }
         verifier(sortie);
     }
 

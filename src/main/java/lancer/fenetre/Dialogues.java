@@ -100,7 +100,8 @@ final class Dialogues {
         JOptionPane.showMessageDialog(parent, "Ctrl+O   ouvrir une scène ; ou déposer son fichier sur la fenêtre\n"
                 + "F5   relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi\n"
                 + "F3   vitesse ou précision : les réglages possibles, à dessiner d'un clic\n"
-                + "Échap   arrêter le dessin\n"
+                + "Échap   arrêter le dessin ; sinon, fermer l'inspecteur\n"
+                + "Clic sur un pixel   pourquoi il a sa couleur ; flèches   le pixel voisin, Maj   de dix en dix\n"
                 + "Ctrl+S   enregistrer l'image\n"
                 + "Ctrl+Q   quitter\n"
                 + "F1   ces touches", "Touches", JOptionPane.PLAIN_MESSAGE);

@@ -35,6 +35,7 @@ import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.lecture.Services;
+import lancer.sortie.BarreProgression;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.ReglagesDessin;
@@ -71,6 +72,7 @@ public final class Fenetre implements Atelier {
     private final Enregistrement enregistrement;
     private final List<Runnable> prevenus = new ArrayList<>();
     private final MenuDessin menuDessin;
+    private Inspecteur inspecteur;
     private final MenuScenes scenes = new MenuScenes(this::ouvrirScene);
     private final Timer retaille = new Timer(REPOS_MS, e -> ajuster());
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
@@ -126,7 +128,14 @@ public final class Fenetre implements Atelier {
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
         if (premier != null) {
-            premier.lire();
+            // la fenêtre n'est pas encore là pour le dire
+            BarreProgression barre = new BarreProgression(dessinateur::getAvancement, erreur);
+            barre.commencer();
+            try {
+                premier.lire();
+            } finally {
+                barre.finir();
+            }
             Pannes.avertir(premier.getAvertissements(), erreur);
         }
         exigerEcran();
@@ -193,7 +202,7 @@ public final class Fenetre implements Atelier {
         ecouter();
         titrer();
         dessins.execute(() -> {
-            List<Image> icones = Icone.dessiner();
+            List<Image> icones = Icone.lire();
             EventQueue.invokeLater(() -> cadre.setIconImages(icones));
         });
         if (premier == null) {
@@ -245,6 +254,8 @@ public final class Fenetre implements Atelier {
             montrerPixel();
             resumer();
         });
+        inspecteur = new Inspecteur(this, panneau);
+        panneau.suivreClics(inspecteur::montrer);
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
@@ -399,9 +410,12 @@ public final class Fenetre implements Atelier {
         return image;
     }
 
-    private void echapper() {
+    @Override
+    public void echapper() {
         if (enCours) {
             arreter();
+        } else if (inspecteur.isVisible()) {
+            inspecteur.fermer();
         } else {
             affichage.quitterLePleinEcran();
         }
@@ -425,6 +439,7 @@ public final class Fenetre implements Atelier {
             courant.arreter();
         }
         surveillance.terminer();
+        inspecteur.terminer();
         dessins.shutdown();
         cadre.dispose();
         enregistrement.terminer(fin);

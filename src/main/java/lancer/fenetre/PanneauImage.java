@@ -19,7 +19,10 @@ import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
 import lancer.sortie.ImageMemoire;
 
 /**
@@ -45,6 +48,8 @@ final class PanneauImage extends JPanel {
     private transient ImageMemoire tenue;
     private transient BufferedImage devant;
     private String invite;
+    /** Ce qui se peint par-dessus l'image, dont la place est donnée, en pixels de l'écran ; {@code null} : rien. */
+    private transient BiConsumer<Graphics2D, Rectangle> dessus;
     private Point souris;
     private transient Runnable siChange = () -> { };
     /** Ce que la loupe agrandit, 1 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
@@ -208,6 +213,9 @@ final class PanneauImage extends JPanel {
                     : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
             peindre(g2, devant != null ? devant : fond);
             peindre(g2, devant != null ? null : calque);
+            if (dessus != null && montree != null && devant == null) {
+                dessus.accept(g2, getPlace(montree.getLargeur(), montree.getHauteur()));
+            }
         } finally {
             g2.dispose();
         }
@@ -231,6 +239,26 @@ final class PanneauImage extends JPanel {
         bandeau.setSize(getWidth(), Short.MAX_VALUE);
         int hauteur = bandeau.getPreferredSize().height;
         bandeau.setBounds(0, getHeight() - hauteur, getWidth(), hauteur);
+    }
+
+    /** Peint ceci par-dessus l'image, à l'écran seulement ; {@code null} : plus rien. */
+    void superposer(BiConsumer<Graphics2D, Rectangle> voulu) {
+        dessus = voulu;
+        repaint();
+    }
+
+    /** Appelle {@code siClique} avec le pixel de l'image montrée où l'on clique. */
+    void suivreClics(Consumer<Point> siClique) {
+        addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent e) {
+                souris = e.getPoint();
+                Point pixel = getPixelSouris(montree);
+                if (pixel != null && SwingUtilities.isLeftMouseButton(e)) {
+                    siClique.accept(pixel);
+                }
+            }
+        });
     }
 
     /** Appelle {@code siBouge} quand la souris ou la loupe bouge ; la molette, et un bouton tenu, mènent celle-ci. */

@@ -21,8 +21,10 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
 import lancer.contrat.Modele;
+import lancer.contrat.Origines;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
+import lancer.fils.Suivi;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 import org.ini4j.Config;
@@ -54,6 +56,7 @@ public final class LecteurScene {
     private final Services services = Services.cherches();
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
+    private final Origines origines = new Origines();
     private final List<String> avertissements = new ArrayList<>();
     private final Map<String, Section> sectionsVariantes = new HashMap<>();
     /** Chaque nom de section, et sa ligne. */
@@ -76,19 +79,25 @@ public final class LecteurScene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static LecteurScene lire(String fichier) {
+        return lire(fichier, Suivi.AUCUN);
+    }
+
+    /** De même, en disant à {@code suivi} la part lue du fichier, de 0 à 1. */
+    public static LecteurScene lire(String fichier, Suivi suivi) {
         LecteurScene lecteur = new LecteurScene(fichier);
-        lecteur.lire();
+        lecteur.lire(suivi);
+        lecteur.origines.finir();
         lecteur.installer();
         return lecteur;
     }
 
-    private void lire() {
+    private void lire(Suivi suivi) {
         Path chemin = trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
         }
         try (InputStream entree = ouvrir(chemin)) {
-            lignes = new Lignes(entree);
+            lignes = new Lignes(entree, chemin.toFile().length(), suivi);
             new Decoupeur().parse(lignes, new Sections());
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
@@ -183,6 +192,11 @@ public final class LecteurScene {
         return lampes;
     }
 
+    /** De quelles sections ils viennent. */
+    public Origines getOrigines() {
+        return origines;
+    }
+
     /** Ce que les variantes présentes ont changé. */
     public Modele getModele() {
         return modele;
@@ -258,11 +272,14 @@ public final class LecteurScene {
         @Override
         public void endSection() {
             if (lampe) {
-                lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
+                Lampe lue = new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX));
+                lampes.add(lue);
+                origines.ajouter(lue, courante.getNom(), courante.getLigne());
             } else if (objet != null) {
                 Objet3D lu = objet.lire(courante);
                 lireMatiere(lu);
                 objets.add(lu);
+                origines.ajouter(lu, courante.getNom(), courante.getLigne());
             }
         }
 

@@ -4,9 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import lancer.temoins.LancerSurveille;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
@@ -33,7 +37,7 @@ class PreparerTest {
         float[] programme = simple ? Essai.dessiner(dossier, SCENE, taille, "--simple") : Essai.dessiner(dossier, SCENE, taille);
         ImageMemoire image = new ImageMemoire(64, 48, true);
         Scene scene = new Scene(SCENE.toString());
-        Preparation.preparer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
+        LancerSurveille.preparer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
         float[] preparee = image.getLineaire();
         for (int j = 0; j < 48; j++) {
             // un fichier PFM commence par la ligne du bas
@@ -46,9 +50,18 @@ class PreparerTest {
     }
 
     @Test
+    void laPartPrepareeSeDitApresChaqueEtape() {
+        List<Double> parts = new ArrayList<>();
+        Preparation.preparer(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
+        List<Double> croissantes = new ArrayList<>(new TreeSet<>(parts));
+        assertEquals(croissantes, parts);
+        assertTrue(parts.size() >= 3 && parts.get(0) > 0 && parts.get(parts.size() - 1) <= 1, parts.toString());
+    }
+
+    @Test
     void simpleDonneLesBouclesDuCours() {
         Scene scene = new Scene(SCENE.toString());
-        Lancer lancer = Preparation.preparer(scene, 64, 48, true);
+        Lancer lancer = LancerSurveille.preparer(scene, 64, 48, true);
         assertTrue(scene.getRecherche() instanceof RechercheSimple);
         assertEquals(64, lancer.getCamera().getLargeur());
         assertEquals(48, lancer.getCamera().getHauteur());

@@ -33,7 +33,8 @@ final class Chronometre {
     }
 
     /** Celle du programme. */
-    static final Preparation DU_PROGRAMME = (scene, largeur, hauteur) -> lancer.rapide.Preparation.preparer(scene, largeur, hauteur, false);
+    static final Preparation DU_PROGRAMME = (scene, largeur, hauteur) ->
+            lancer.temoins.LancerSurveille.preparer(scene, largeur, hauteur, false);
 
     private final Preparation preparation;
     private final Reglages reglages;

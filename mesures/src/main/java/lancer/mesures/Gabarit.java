@@ -8,7 +8,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 
 /**
  * De quoi mesurer l'erreur d'une image sans calculer la vérité : deux images a et b de la scène sans limite, chacune sans biais et
@@ -35,7 +35,7 @@ final class Gabarit {
     }
 
     private static double[] image(Scene scene, int largeur, int hauteur, long graine) {
-        Lancer lancer = Preparation.preparer(scene.avec(new AuHasard(graine), SEUIL), largeur, hauteur, false);
+        Lancer lancer = LancerSurveille.preparer(scene.avec(new AuHasard(graine), SEUIL), largeur, hauteur, false);
         return ImageLineaire.de(lancer, Verite.PROFONDEUR, Runtime.getRuntime().availableProcessors()).getComposantes();
     }
 

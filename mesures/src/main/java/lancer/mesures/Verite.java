@@ -4,7 +4,7 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 
 /**
  * L'image qu'aurait donnée un calcul sans limite, ou ce qui en approche, et de combien elle s'en écarte peut-être encore : la
@@ -70,7 +70,7 @@ public final class Verite {
     }
 
     private static Lancer preparer(Scene scene, Echantillonnage echantillonnage, int largeur, int hauteur, double seuil) {
-        return Preparation.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, false);
+        return LancerSurveille.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, false);
     }
 
     private static ImageLineaire dessiner(Lancer lancer, int profondeur) {

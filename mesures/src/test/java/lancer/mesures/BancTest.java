@@ -24,7 +24,7 @@ import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -55,7 +55,7 @@ class BancTest {
     /** Mesure ici même, avec cette recherche au lieu de celle du programme ; la plus petite image, le temps le plus court. */
     private static Function<Reglages, Banc.Essai> avec(UnaryOperator<Recherche> autre) {
         Chronometre.Preparation preparation = (scene, largeur, hauteur) -> {
-            Lancer lancer = Preparation.preparer(scene, largeur, hauteur, true);
+            Lancer lancer = LancerSurveille.preparer(scene, largeur, hauteur, true);
             scene.setRecherche(autre.apply(scene.getRecherche()));
             return lancer;
         };
@@ -137,7 +137,7 @@ class BancTest {
     @Test
     void uneSceneTropChereEstSauteeAvecLesPlusGrandesDeSaFamilleSansEtreUneFaute() throws IOException {
         Chronometre.Preparation lente = (scene, largeur, hauteur) -> {
-            Lancer lancer = Preparation.preparer(scene, largeur, hauteur, true);
+            Lancer lancer = LancerSurveille.preparer(scene, largeur, hauteur, true);
             scene.setRecherche(new Lente(scene.getRecherche()));
             return lancer;
         };

@@ -10,7 +10,7 @@ import java.util.List;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui juge {@code --auto}. */
@@ -26,7 +26,7 @@ class MesureAutoTest {
             ImageLineaire verite = Verite.complete(scene, LARGEUR, HAUTEUR, 0.3 / 255).image;
             Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR);
             for (int reflets : new int[] {0, 5}) {
-                ImageLineaire image = ImageLineaire.de(Preparation.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
+                ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
                 double attendue = Gabarit.erreur(image, verite);
                 assertEquals(1, gabarit.erreur(image) / attendue, 0.05, "graine " + graine + ", " + attendue + " niveaux");
             }

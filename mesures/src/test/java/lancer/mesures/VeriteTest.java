@@ -17,7 +17,7 @@ import lancer.antialias.Antialias;
 import lancer.brume.Brume;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
 /** La vérité : la moyenne des couleurs de chaque pixel, de plus en plus de sous-pixels. */
@@ -32,7 +32,7 @@ class VeriteTest {
 
     private static ImageLineaire image(Scene scene, Echantillonnage echantillonnage, int profondeur) {
         Scene copie = Scenes.nue(scene).avec(echantillonnage, Constantes.SEUIL);
-        return ImageLineaire.de(Preparation.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
+        return ImageLineaire.de(LancerSurveille.preparer(copie, LARGEUR, HAUTEUR, false), profondeur, 1);
     }
 
     /** Tous les sous-pixels, partout. */

@@ -10,7 +10,7 @@ import lancer.Camera;
 import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Scene;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import lancer.sortie.ImageMemoire;
 
 /** Une scène, dessinée par nous et par le juge, et ce qui les sépare. */
@@ -45,7 +45,7 @@ final class Jugement {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
             scene.setSeuil(0);
         }
-        Lancer lancer = Preparation.preparer(scene, largeur, hauteur, false);
+        Lancer lancer = LancerSurveille.preparer(scene, largeur, hauteur, false);
         Set<Objet3D> derriere = Ecran.traverses(scene, new Camera(largeur, hauteur));
         TraductionPov traduction = new TraductionPov(scene, reflets, derriere);
         ImageMemoire image = new ImageMemoire(largeur, hauteur, true);

@@ -21,7 +21,7 @@ import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.mesures.Generateur;
 import lancer.mesures.Scenes;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -77,7 +77,7 @@ public class NoyauRecherche {
     void preparer(UnaryOperator<Recherche> remplacement) throws IOException {
         Scene scene = foule();
         Recherche simple = new RechercheSimple(scene.getObjets(), new Compteurs());
-        Preparation.preparer(scene, Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE, recherche.equals("simple"));
+        LancerSurveille.preparer(scene, Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE, recherche.equals("simple"));
         sienne = remplacement.apply(scene.getRecherche().pourUnFil(new Compteurs()));
         lampe = scene.getLampes().get(0);
         Camera camera = new Camera(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);

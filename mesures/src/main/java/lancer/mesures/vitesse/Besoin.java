@@ -21,7 +21,7 @@ import lancer.contrat.Modele;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.Scenes;
 import lancer.mesures.Verite;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import lancer.sortie.ImageMemoire;
 
 /** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
@@ -62,7 +62,7 @@ final class Besoin {
 
     private Lancer preparer(Scene copie, double seuil) {
         copie.setSeuil(seuil);
-        return Preparation.preparer(copie, taille.largeur, taille.hauteur, false);
+        return LancerSurveille.preparer(copie, taille.largeur, taille.hauteur, false);
     }
 
     private int[] codes(Lancer lancer, int profondeur) {

@@ -6,7 +6,7 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Immuable : chaque précision en donne une autre. */
 final class Methode {
@@ -109,7 +109,7 @@ final class Methode {
     }
 
     private Lancer preparer(Scene scene, int largeur, int hauteur, Echantillonnage choisi, boolean boucles) {
-        return Preparation.preparer(changement.apply(scene).avec(choisi, seuil), largeur, hauteur, boucles);
+        return LancerSurveille.preparer(changement.apply(scene).avec(choisi, seuil), largeur, hauteur, boucles);
     }
 
     /** Dessine, une fois. */

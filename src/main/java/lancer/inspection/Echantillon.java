@@ -1,0 +1,24 @@
+package lancer.inspection;
+
+import lancer.Couleur;
+
+/** Un rayon parti de l'écran, et ce qu'il voit. */
+public final class Echantillon {
+
+    /** En pixels depuis le coin en haut à gauche de l'image. */
+    public final double xe;
+    public final double ye;
+
+    public final Couleur couleur;
+
+    Echantillon(double xe, double ye, Couleur couleur) {
+        this.xe = xe;
+        this.ye = ye;
+        this.couleur = couleur;
+    }
+
+    /** Vrai s'il est pris dans ce pixel, et non dans un voisin qui le partage. */
+    public boolean estDans(int x, int y) {
+        return Math.floor(xe) == x && Math.floor(ye) == y;
+    }
+}
