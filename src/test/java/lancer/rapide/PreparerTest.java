@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import lancer.temoins.LancerSurveille;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -17,6 +16,7 @@ import lancer.Scene;
 import lancer.contrat.RechercheSimple;
 import lancer.essai.Essai;
 import lancer.sortie.ImageMemoire;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,7 +52,7 @@ class PreparerTest {
     @Test
     void laPartPrepareeSeDitApresChaqueEtape() {
         List<Double> parts = new ArrayList<>();
-        Preparation.preparer(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
+        LancerSurveille.preparer(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
         List<Double> croissantes = new ArrayList<>(new TreeSet<>(parts));
         assertEquals(croissantes, parts);
         assertTrue(parts.size() >= 3 && parts.get(0) > 0 && parts.get(parts.size() - 1) <= 1, parts.toString());
