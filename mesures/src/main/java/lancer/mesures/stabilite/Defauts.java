@@ -1,5 +1,6 @@
 package lancer.mesures.stabilite;
 
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -17,6 +18,8 @@ import lancer.antialias.Antialias;
 import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Vue;
+import lancer.essai.Analytique;
+import lancer.essai.RechercheNaive;
 
 /**
  * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser. Les mêmes défauts sont dans les classes
@@ -31,14 +34,72 @@ final class Defauts {
     /** Un demi-pas de l'écran : ce qui s'en écarte davantage se voit, ou peut se voir. */
     private static final double VISIBLE = 0.5 / 255;
 
+    /** Nombre de pixels faux au-dessous duquel chacun est grossi. */
+    private static final int RARES = 10;
+
     /** Au milieu d'une scène d'un côté pair, aucun pixel ne regarde exactement l'horizon. */
     private static final int COTE = 100;
     private static final int COTE_IMPAIR = 101;
 
-    private final List<Exactitude> exactitudes = new ArrayList<>();
+    /** Une scène, ce que sa géométrie en donne, ce qu'en fait un défaut, et ce qu'en fait le programme. */
+    static final class Defaut {
+
+        /** Dans le CSV, puis en français. */
+        final String cle;
+        final String nom;
+        private final int cote;
+        private final Couleur[] attendue;
+        private final Couleur[] naive;
+        private final Couleur[] programme;
+
+        Defaut(String cle, String nom, int cote, Couleur[] attendue, Couleur[] naive, Couleur[] programme) {
+            this.cle = cle;
+            this.nom = nom;
+            this.cote = cote;
+            this.attendue = attendue;
+            this.naive = naive;
+            this.programme = programme;
+        }
+
+        private Exactitude comparer(String methode, int rang, Couleur[] obtenue) {
+            int juges = 0;
+            int faux = 0;
+            for (int k = 0; k < attendue.length; k++) {
+                juges += attendue[k] != null ? 1 : 0;
+                faux += estFaux(k, obtenue) ? 1 : 0;
+            }
+            return new Exactitude(FIGURE, methode, rang, 0, juges, faux, 0, 0);
+        }
+
+        private boolean estFaux(int k, Couleur[] obtenue) {
+            return attendue[k] != null && (differe(attendue[k].r, obtenue[k].r) || differe(attendue[k].v, obtenue[k].v)
+                    || differe(attendue[k].b, obtenue[k].b));
+        }
+
+        /** L'image juste, celle du défaut, et où celle-ci est fausse. */
+        BufferedImage image() {
+            BufferedImage image = new BufferedImage(3 * cote + 4, cote, BufferedImage.TYPE_INT_RGB);
+            for (int k = 0; k < attendue.length; k++) {
+                int x = k % cote;
+                image.setRGB(x, k / cote, programme[k].getCode());
+                image.setRGB(x + cote + 2, k / cote, naive[k].getCode());
+                image.setRGB(x + 2 * cote + 4, k / cote, 0xF3F3F3);
+            }
+            // un pixel seul ne se verrait pas
+            int cerne = comparer(cle, 0, naive).faux < RARES ? 2 : 0;
+            for (int k = 0; k < attendue.length; k++) {
+                for (int v = 0; v < (2 * cerne + 1) * (2 * cerne + 1) && estFaux(k, naive); v++) {
+                    image.setRGB(k % cote + 2 * cote + 4 + v % (2 * cerne + 1) - cerne, k / cote + v / (2 * cerne + 1) - cerne, 0xD55E00);
+                }
+            }
+            return image;
+        }
+    }
+
+    private final List<Defaut> defauts = new ArrayList<>();
     private Camera camera = new Camera(COTE, COTE);
 
-    List<Exactitude> compter() {
+    List<Defaut> tous() {
         acne();
         epsilons();
         voisin();
@@ -52,6 +113,17 @@ final class Defauts {
         limites();
         camera = new Camera(COTE_IMPAIR, COTE_IMPAIR);
         lampePosee();
+        return defauts;
+    }
+
+    /** De chacun, les pixels faux, puis ceux du programme. */
+    static List<Exactitude> compter(List<Defaut> defauts) {
+        List<Exactitude> exactitudes = new ArrayList<>();
+        for (Defaut d : defauts) {
+            int rang = exactitudes.size() / 2;
+            exactitudes.add(d.comparer(d.cle, rang, d.naive));
+            exactitudes.add(d.comparer(PROGRAMME, rang, d.programme));
+        }
         return exactitudes;
     }
 
@@ -79,7 +151,8 @@ final class Defauts {
     private void acne() {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
         Scene scene = vueDeLaLampe(boule);
-        noter("acne", scene, 0, naive(scene, RechercheNaive.Ombre.SANS_EXCLURE, 0), forme(boule).vueDeLaLampe(1));
+        noter("acne", "une surface s'ombre elle-même",
+                scene, 0, naive(scene, RechercheNaive.Ombre.SANS_EXCLURE, 0), forme(boule).vueDeLaLampe(1));
     }
 
     /** Trop court pour un sol de 3·10¹⁰ de rayon, trop long pour ce qui est à 5·10⁻⁵ de l'écran. */
@@ -91,17 +164,20 @@ final class Defauts {
             Vecteur V = forme(sol).regard(xe, ye);
             return V.y < 0 ? new Couleur(-0.8 * V.y) : Analytique.ciel(V);
         };
-        noter("epsilon-court", grande, 0, naive(grande, RechercheNaive.Ombre.SANS_EXCLURE, 1e-6), plat);
+        noter("epsilon-court", "epsilon de 10⁻⁶, sol de rayon 3·10¹⁰",
+                grande, 0, naive(grande, RechercheNaive.Ombre.SANS_EXCLURE, 1e-6), plat);
         Sphere proche = boule(0, 0, 100 + 5e-5, 100, 1, 0);
         Scene petite = vueDeLaLampe(proche);
-        noter("epsilon-long", petite, 0, naive(petite, RechercheNaive.Ombre.AUCUNE, 1e-4), forme(proche).vueDeLaLampe(1));
+        noter("epsilon-long", "epsilon de 10⁻⁴, boule à 5·10⁻⁵",
+                petite, 0, naive(petite, RechercheNaive.Ombre.AUCUNE, 1e-4), forme(proche).vueDeLaLampe(1));
     }
 
     /** L'écran est dans deux coques, à 10⁻⁵ l'une de l'autre ; la lampe, dehors, ne doit éclairer que la seconde. */
     private void voisin() {
         Scene scene = new Scene(Arrays.asList(boule(0, 0, 2, 4, 1, 0), boule(0, 0, 2, 4 + 1e-5, 1, 0)),
                 Collections.singletonList(new Lampe(new Point(0, 3, 12), new Couleur(1))));
-        noter("voisin", scene, 0, naive(scene, RechercheNaive.Ombre.SANS_EXCLURE, 1e-4), (xe, ye) -> new Couleur());
+        noter("voisin", "départ exclu par la distance",
+                scene, 0, naive(scene, RechercheNaive.Ombre.SANS_EXCLURE, 1e-4), (xe, ye) -> new Couleur());
     }
 
     private void jumelle() {
@@ -110,13 +186,14 @@ final class Defauts {
         Scene scene = vueDeLaLampe(boule, jumelle);
         Scene naive = vueDeLaLampe(boule, jumelle);
         naive.setRecherche(new RechercheSimple(Arrays.<Objet3D>asList(boule, jumelle), new Compteurs()));
-        noter("jumelle", scene, 0, naive, forme(boule).vueDeLaLampe(1));
+        noter("jumelle", "sphère jumelle gardée", scene, 0, naive, forme(boule).vueDeLaLampe(1));
     }
 
     private void auDela() {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
         Scene scene = vueDeLaLampe(boule, boule(0, 0, -9, 2, 1, 0));
-        noter("au-dela", scene, 0, naive(scene, RechercheNaive.Ombre.SANS_DISTANCE, 0), forme(boule).vueDeLaLampe(1));
+        noter("au-dela", "ombre d'un objet derrière la lampe",
+                scene, 0, naive(scene, RechercheNaive.Ombre.SANS_DISTANCE, 0), forme(boule).vueDeLaLampe(1));
     }
 
     /** Une lampe à un milliard : ses rayons sont parallèles. */
@@ -126,7 +203,7 @@ final class Defauts {
         Scene scene = new Scene(Collections.singletonList(boule),
                 Collections.singletonList(new Lampe(new Point().add(soleil.mul(1e9)), new Couleur(1))));
         Analytique forme = forme(boule);
-        noter("lampe-lointaine", scene, 0, naive(scene, RechercheNaive.Ombre.PREMIER_DU_MANUEL, 0), (xe, ye) -> {
+        noter("lampe-lointaine", "b² − 4ac, lampe à 10⁹", scene, 0, naive(scene, RechercheNaive.Ombre.PREMIER_DU_MANUEL, 0), (xe, ye) -> {
             Vecteur V = forme.regard(xe, ye);
             return forme.touche(V) ? new Couleur(0.75 * Math.max(0, forme.normale(V, false).dot(soleil))) : Analytique.ciel(V);
         });
@@ -136,7 +213,7 @@ final class Defauts {
         Sphere boule = boule(0, 0, 5, 1.5, 0, 0.5);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.<Lampe>emptyList());
         Analytique forme = forme(boule);
-        noter("miroir", scene, 1, naive(scene, RechercheNaive.Ombre.AUCUNE, 0), (xe, ye) -> {
+        noter("miroir", "un miroir se réfléchit lui-même", scene, 1, naive(scene, RechercheNaive.Ombre.AUCUNE, 0), (xe, ye) -> {
             Vecteur V = forme.regard(xe, ye);
             if (!forme.touche(V)) {
                 return Analytique.ciel(V);
@@ -154,7 +231,7 @@ final class Defauts {
         Point lampe = new Point(0, 0, 20);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(lampe, new Couleur(1))));
         Analytique forme = forme(boule);
-        noter("dedans", scene, 0, (xe, ye) -> Analytique.ciel(forme.regard(xe, ye)), (xe, ye) -> {
+        noter("dedans", "première racine seule, vue du dedans", scene, 0, (xe, ye) -> Analytique.ciel(forme.regard(xe, ye)), (xe, ye) -> {
             Vecteur N = forme.normale(forme.regard(xe, ye), true);
             return new Couleur(Math.max(0, N.dot(new Vecteur(forme.point(N), lampe).normalized())));
         });
@@ -167,7 +244,7 @@ final class Defauts {
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(new Point(0, 0, 50),
                 new Couleur(1))));
         Analytique forme = forme(boule);
-        noter("dos", scene, 0, (xe, ye) -> vu(forme, xe, ye, 0.5), (xe, ye) -> vu(forme, xe, ye, 0));
+        noter("dos", "ns = 0 sans regarder N·L", scene, 0, (xe, ye) -> vu(forme, xe, ye, 0.5), (xe, ye) -> vu(forme, xe, ye, 0));
     }
 
     private static Couleur vu(Analytique forme, double xe, double ye, double gris) {
@@ -180,7 +257,8 @@ final class Defauts {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
         Scene scene = vueDeLaLampe(boule);
         Lancer lancer = new Lancer(scene, camera);
-        noter("demi-pixel", scene, 0, (xe, ye) -> lancer.getCouleurPixel(xe - 0.5, ye - 0.5, 0), forme(boule).vueDeLaLampe(1));
+        noter("demi-pixel", "pixels vus en leur coin",
+                scene, 0, (xe, ye) -> lancer.getCouleurPixel(xe - 0.5, ye - 0.5, 0), forme(boule).vueDeLaLampe(1));
     }
 
     /** Une lampe dix fois trop forte, neuf points par pixel : limiter chacun, ou leur moyenne. */
@@ -188,7 +266,8 @@ final class Defauts {
         Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
         Vue points = forme(boule).vueDeLaLampe(10);
-        noter("limiter", scene.avec(Antialias.coins(3, 0), scene.getSeuil()), 0, (xe, ye) -> moyenne(points, xe, ye, 1),
+        noter("limiter", "limiter avant de moyenner",
+                scene.avec(Antialias.coins(3, 0), scene.getSeuil()), 0, (xe, ye) -> moyenne(points, xe, ye, 1),
                 (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
     }
 
@@ -207,7 +286,7 @@ final class Defauts {
         Point lampe = new Point(0, 0, 4);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(lampe, new Couleur(1))));
         Analytique forme = forme(boule);
-        noter("nan", scene, 0, (xe, ye) -> {
+        noter("nan", "lampe posée sur une boule : 0/0", scene, 0, (xe, ye) -> {
             Vecteur V = forme.regard(xe, ye);
             if (!forme.touche(V)) {
                 return Analytique.ciel(V);
@@ -218,21 +297,18 @@ final class Defauts {
         }, (xe, ye) -> vu(forme, xe, ye, 0));
     }
 
-    private void noter(String nom, Scene scene, int reflets, Scene naive, Vue juste) {
+    private void noter(String cle, String nom, Scene scene, int reflets, Scene naive, Vue juste) {
         naive.setSeuil(0);
-        noter(nom, scene, reflets, image(naive, reflets), juste);
+        noter(cle, nom, scene, reflets, image(naive, reflets), juste);
     }
 
-    private void noter(String nom, Scene scene, int reflets, Vue naive, Vue juste) {
-        noter(nom, scene, reflets, image(naive), juste);
+    private void noter(String cle, String nom, Scene scene, int reflets, Vue naive, Vue juste) {
+        noter(cle, nom, scene, reflets, image(naive), juste);
     }
 
-    private void noter(String nom, Scene scene, int reflets, Couleur[] naive, Vue juste) {
+    private void noter(String cle, String nom, Scene scene, int reflets, Couleur[] naive, Vue juste) {
         scene.setSeuil(0);
-        Couleur[] attendue = image(juste);
-        int rang = exactitudes.size() / 2;
-        exactitudes.add(comparer(nom, rang, attendue, naive));
-        exactitudes.add(comparer(PROGRAMME, rang, attendue, image(scene, reflets)));
+        defauts.add(new Defaut(cle, nom, camera.getLargeur(), image(juste), naive, image(scene, reflets)));
     }
 
     private Couleur[] image(Scene scene, int reflets) {
@@ -249,19 +325,6 @@ final class Defauts {
             image[k] = vue.couleur(k % largeur + 0.5, k / largeur + 0.5);
         }
         return image;
-    }
-
-    private static Exactitude comparer(String formule, int rang, Couleur[] attendue, Couleur[] obtenue) {
-        int juges = 0;
-        int faux = 0;
-        for (int k = 0; k < attendue.length; k++) {
-            if (attendue[k] != null) {
-                juges++;
-                faux += differe(attendue[k].r, obtenue[k].r) || differe(attendue[k].v, obtenue[k].v)
-                        || differe(attendue[k].b, obtenue[k].b) ? 1 : 0;
-            }
-        }
-        return new Exactitude(FIGURE, formule, rang, 0, juges, faux, 0, 0);
     }
 
     /** Ce que montre l'écran, limité à [0, 1] ; NaN n'est jamais juste. */

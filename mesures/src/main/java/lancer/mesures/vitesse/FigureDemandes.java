@@ -9,9 +9,9 @@ import java.util.stream.Collectors;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
-import lancer.mesures.trace.Rangees;
 import lancer.mesures.trace.Serie;
 import lancer.mesures.trace.Style;
+import lancer.mesures.trace.Volet;
 
 /** Ce que coûte chaque chose qu'une scène peut demander, comparée à la même scène qui ne la demande pas. */
 final class FigureDemandes {
@@ -36,7 +36,7 @@ final class FigureDemandes {
 
     Planche planche() {
         List<String> noms = demandes.stream().map(FigureDemandes::nom).collect(Collectors.toList());
-        Rangees rangees = new Rangees("1 : " + Noms.scene(base.scene).toLowerCase(Locale.FRENCH) + ", telle quelle : "
+        Volet rangees = Volet.rangees("1 : " + Noms.scene(base.scene).toLowerCase(Locale.FRENCH) + ", telle quelle : "
                 + Style.nombre(base.rayonsParPixel()) + " rayons par pixel, " + Style.nombre(base.medianeMs()) + " ms",
                 "fois autant que la scène telle quelle", noms, 1);
         List<Marque> rayons = new ArrayList<>();

@@ -93,7 +93,7 @@ final class FigureDifferences {
     }
 
     Planche planche() throws IOException {
-        Vignettes vignettes = new Vignettes();
+        Vignettes vignettes = new Vignettes(3);
         vignettes.image(ImageIO.read(fichierDeLaVerite(dossier, scene).toFile()), "la vérité", "la moyenne sur chaque pixel");
         for (int rang = 0; rang < MONTREES.size(); rang++) {
             String cle = scene + "/" + MONTREES.get(rang);

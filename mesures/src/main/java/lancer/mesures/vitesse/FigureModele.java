@@ -6,9 +6,9 @@ import java.util.stream.Collectors;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
-import lancer.mesures.trace.Rangees;
 import lancer.mesures.trace.Serie;
 import lancer.mesures.trace.Style;
+import lancer.mesures.trace.Volet;
 
 /** Blinn est-il plus rapide que Phong, comme le dit le cours ? Deux modèles : aucun n'est l'erreur de l'autre. */
 final class FigureModele {
@@ -36,7 +36,7 @@ final class FigureModele {
                 noms.add(Noms.scene(scene) + (chemin.equals("rapide") ? "" : ", --simple"));
             }
         }
-        Rangees rangees = new Rangees("Mêmes rayons, mêmes sphères essayées : seul le calcul du reflet des lampes diffère. "
+        Volet rangees = Volet.rangees("Mêmes rayons, mêmes sphères essayées : seul le calcul du reflet des lampes diffère. "
                 + "« --simple » : les boucles du cours.", "temps d'une image, celui de Phong valant 1", noms, 1);
         rangees.serie(new Serie("Phong", Style.BLEU, FormeDePoint.CARRE, false, phong));
         rangees.serie(new Serie("Blinn (barres : la moitié centrale des dessins)", Style.VERMILLON, FormeDePoint.ROND, false, blinn));
