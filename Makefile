@@ -63,7 +63,7 @@ scene-geante: mesures/target/mesures.jar
 bench: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --spheres $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
-# Les noyaux, par JMH ; JMH="-f 3 -i 10 Intersection" pour ses options et le choix des noyaux.
+# Le temps de chaque façon de calculer une intersection, par JMH, et la courbe des méthodes ; JMH="-p formule=MANUEL" pour ses options.
 noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux $(JMH)
 
@@ -137,7 +137,7 @@ aide:
 	@echo "make images                refait les images du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
 	@echo "make bench                 dessine de 1 à 1000000 sphères, vérifie et mesure, face aux boucles du cours et à POV-Ray ; dix minutes"
-	@echo "make noyaux                mesure une intersection, une recherche, un éclairement ; JMH=\"-f 3\" pour ses options"
+	@echo "make noyaux                mesure huit façons de calculer une intersection, trois minutes ; JMH=\"-f 5\" pour les options de JMH"
 	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; une vingtaine de minutes"
 	@echo "make mesures RAPIDE=1      une partie, en une minute ou deux, dans mesures/target/vitesse-rapide"
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/tournesol.ini\" pour choisir"

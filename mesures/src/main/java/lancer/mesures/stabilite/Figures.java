@@ -6,28 +6,17 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
-import lancer.mesures.trace.Barres;
 import lancer.mesures.trace.Damier;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Serie;
 import lancer.mesures.trace.Style;
+import lancer.mesures.trace.Vignettes;
 import lancer.mesures.trace.Volet;
 
 /** Les cinq planches de la stabilité. */
 final class Figures {
-
-    /** Ce que {@link Defauts} appelle d'un mot. */
-    private static final String[][] NOMS = {
-        {"acne", "une surface s'ombre elle-même"}, {"epsilon-court", "epsilon de 10⁻⁶, sol de rayon 3·10¹⁰"},
-        {"epsilon-long", "epsilon de 10⁻⁴, boule à 5·10⁻⁵"}, {"voisin", "départ exclu par la distance"},
-        {"jumelle", "sphère jumelle gardée"},
-        {"au-dela", "ombre d'un objet derrière la lampe"}, {"lampe-lointaine", "b² − 4ac, lampe à 10⁹"},
-        {"miroir", "un miroir se réfléchit lui-même"}, {"dedans", "première racine seule, vue du dedans"},
-        {"dos", "ns = 0 sans regarder N·L"}, {"demi-pixel", "pixels vus en leur coin"}, {"limiter", "limiter avant de moyenner"},
-        {"nan", "lampe posée sur une boule : 0/0"},
-    };
 
     private static final String ERREUR = "erreur relative de t, la pire";
 
@@ -37,7 +26,7 @@ final class Figures {
     Figures(Bilan bilan) {
         this.bilan = bilan;
         this.note = "Pire de " + Style.nombre(bilan.tires())
-                + " rayons tirés au sort par abscisse, jugés sans arrondi (70 chiffres) ; ceux qu'un "
+                + " rayons tirés au sort par abscisse, jugés sans arrondi (60 chiffres) ; ceux qu'un "
                 + "arrondi de leur direction fait changer d'avis sont laissés. Un trait s'arrête là où plus d'un rayon sur dix est mal "
                 + "classé. u = 2⁻⁵³. make mesures";
     }
@@ -48,13 +37,12 @@ final class Figures {
                 + ". Programme : jamais plus de " + Style.arrondi(bilan.unites(Mesures.LOIN)) + " unités", "Erreur de la distance",
                 "|P − C| / r", "erreur de t, en unités de κ u t").repere(Cas.K, "K = 8, la borne promise");
         Volet genre = parts(Mesures.LOIN, "|P − C| / r", "À " + Style.puissance(bilan.leBout(Mesures.LOIN)) + " r, le manuel se trompe "
-                + Style.arrondi(100 * bilan.partAuBout(Formule.MANUEL, Mesures.LOIN)) + " fois sur cent, le programme "
-                + fois(bilan.fauxAuBout(Formule.PROGRAMME, Mesures.LOIN)));
+                + Style.arrondi(100 * bilan.partAuBout(Aspect.MANUEL, Mesures.LOIN)) + " fois sur cent, le programme "
+                + fois(bilan.fauxAuBout(Aspect.PROGRAMME, Mesures.LOIN)));
         courbes(erreur, Mesures.LOIN, r -> Math.max(0.1, r.erreurEnUnites));
         return new Planche("De loin : le manuel se perd dès " + Style.puissance(bilan.perdu()) + " r, le programme "
-                + (bilan.fauxDeLoin(Formule.PROGRAMME) == 0 ? "jamais" : "se trompe " + fois(bilan.fauxDeLoin(Formule.PROGRAMME))),
-                note
-                + ". κ u t = u (1 + r/h)(|P − C| + r) : ce qu'un arrondi des données change à t").volet(erreur, 1.2).volet(genre, 1);
+                + (bilan.fauxDeLoin(Aspect.PROGRAMME) == 0 ? "jamais" : "se trompe " + fois(bilan.fauxDeLoin(Aspect.PROGRAMME))),
+                note + ". κ u t = u (1 + r/h) t : ce qu'un arrondi de la direction change à t").volet(erreur, 1.2).volet(genre, 1);
     }
 
     /** B : au ras. */
@@ -83,15 +71,15 @@ final class Figures {
     /** C : le sol, et ce qui est posé dessus. */
     Planche sol() {
         Volet sol = new Volet("Sur un sol de " + Style.puissance(bilan.leBout(Mesures.SOL)) + ", il reste "
-                + bilan.chiffresJustes(Formule.MANUEL) + " chiffres au manuel, "
-                + bilan.chiffresJustes(Formule.PROGRAMME) + " au programme", "Un œil à hauteur 1", "rayon du sol", ERREUR);
+                + bilan.chiffresJustes(Aspect.MANUEL) + " chiffres au manuel, "
+                + bilan.chiffresJustes(Aspect.PROGRAMME) + " au programme", "Un œil à hauteur 1", "rayon du sol", ERREUR);
         courbes(sol, Mesures.SOL, r -> r.erreurRelative);
-        Volet pose = new Volet("À 10⁻¹⁶ r, le manuel se trompe de côté " + fois(bilan.fauxAuRas(Formule.MANUEL)) + ", le programme "
-                + fois(bilan.fauxAuRas(Formule.PROGRAMME)), "Un départ posé sur une surface", "hauteur du départ / rayon",
+        Volet pose = new Volet("À 10⁻¹⁶ r, le manuel se trompe de côté " + fois(bilan.fauxAuRas(Aspect.MANUEL)) + ", le programme "
+                + fois(bilan.fauxAuRas(Aspect.PROGRAMME)), "Un départ posé sur une surface", "hauteur du départ / rayon",
                 ERREUR).versZero();
         courbes(pose, Mesures.POSE, r -> r.erreurRelative);
-        int siens = bilan.chiffresJustes(Formule.PROGRAMME);
-        int autres = bilan.chiffresJustes(Formule.PERPENDICULAIRE);
+        int siens = bilan.chiffresJustes(Aspect.PROGRAMME);
+        int autres = bilan.chiffresJustes(Aspect.PERPENDICULAIRE);
         return new Planche(siens > autres ? "Près d'une surface : " + siens + " chiffres justes au lieu de " + autres
                 : "Près d'une surface, toutes les méthodes se valent : il reste " + siens + " chiffres", note).volet(sol, 1).volet(pose, 1);
     }
@@ -99,68 +87,66 @@ final class Figures {
     /** D : qui touche, qui manque. */
     Planche carte() {
         Planche planche = new Planche("Toucher ou manquer : manuel faux à "
-                + Style.arrondi(100 * bilan.part(Formule.MANUEL, Mesures.CARTE))
-                + " %, programme " + fois(bilan.faux(Formule.PROGRAMME, Mesures.CARTE)),
+                + Style.arrondi(100 * bilan.part(Aspect.MANUEL, Mesures.CARTE))
+                + " %, programme " + fois(bilan.faux(Aspect.PROGRAMME, Mesures.CARTE)),
                 "Part des rayons mal classés, d'un côté de la tangente ou de l'autre ; blanc : aucun. Chaque case : "
                 + bilan.parCase()
                 + " rayons tirés au sort, jugés sans arrondi. Sans objet : un arrondi de la direction change la réponse. "
                 + "make mesures");
-        for (Formule formule : Mesures.DE_LA_CARTE) {
-            List<Exactitude> cases = bilan.de(Mesures.CARTE, formule);
+        for (Aspect methode : Mesures.DE_LA_CARTE) {
+            List<Exactitude> cases = bilan.de(Mesures.CARTE, methode);
             double pas = bilan.pasDeLaCarte();
-            Damier damier = new Damier(Style.nombre(bilan.faux(formule, Mesures.CARTE)) + " faux sur "
-                    + Style.nombre(bilan.essais(formule, Mesures.CARTE)), formule.nom, "|P − C| / r", new double[] {1, 1e12}, pas,
-                    "|1 − l/r| : plus haut, plus près de la tangente", new double[] {1e-14, 1}, pas);
+            Damier damier = new Damier(Style.nombre(bilan.faux(methode, Mesures.CARTE)) + " faux sur "
+                    + Style.nombre(bilan.essais(methode, Mesures.CARTE)), methode.nom, "|P − C| / r",
+                    "|1 − l/r| : plus haut, plus près de la tangente", pas);
             cases.forEach(c -> damier.caseEn(c.x, c.y, c.part()));
             planche.volet(damier, 1);
         }
         return planche;
     }
 
-    /** E : les défauts et leurs pixels. */
-    Planche defauts() {
-        List<Exactitude> naifs = bilan.defauts(false);
-        List<String> noms = naifs.stream().map(r -> nom(r.formule)).collect(Collectors.toList());
-        List<Marque> barres = naifs.stream().map(r -> Marque.en(r.faux, 0).nommee(Style.nombre(r.faux))).collect(Collectors.toList());
-        List<Marque> temoins = bilan.defauts(true).stream().map(r -> Marque.en(r.faux, 0)).collect(Collectors.toList());
-        double max = naifs.stream().mapToDouble(r -> r.faux).max().orElse(1);
-        int faux = bilan.faux(Formule.PROGRAMME, Defauts.FIGURE);
-        return new Planche(noms.size() + " défauts courants, de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à "
-                + Style.nombre(max)
-                + " pixels faux ; le programme, " + (faux == 0 ? "aucun" : Style.nombre(faux)),
-                "Petites scènes dont la géométrie donne chaque couleur ; faux : plus d'un demi-pas de l'écran d'écart. make mesures")
-                .volet(new Barres("Des images de " + Style.nombre(naifs.get(0).essais) + " pixels, et ce que chaque défaut y change",
-                        "pixels faux", noms, new Serie("avec ce défaut", Style.BLEU, FormeDePoint.CARRE, false, barres),
-                        new Serie("le programme", Style.VERMILLON, FormeDePoint.ROND, false, temoins), max), 1);
+    /** E : les défauts, en images. */
+    Planche defauts(List<Defauts.Defaut> images) {
+        List<Exactitude> naifs = bilan.defauts();
+        Vignettes vignettes = new Vignettes(3);
+        for (Exactitude r : naifs) {
+            Defauts.Defaut defaut = images.stream().filter(d -> d.cle.equals(r.formule)).findFirst().get();
+            vignettes.image(defaut.image(), defaut.nom, pixels(r.faux));
+        }
+        int faux = bilan.faux(Aspect.PROGRAMME, Defauts.FIGURE);
+        return new Planche(naifs.size() + " défauts courants : de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à "
+                + pixels(naifs.get(0).faux) + " ; le programme, " + (faux == 0 ? "aucun" : Style.nombre(faux)),
+                "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-pas de "
+                + "l'écran d'écart à ce que donne la géométrie. Images de " + Style.nombre(naifs.get(0).essais) + " pixels. make mesures")
+                .taille(Style.LARGEUR, 1480).volet(vignettes, 1);
     }
 
-    /** Ce défaut, en français. */
-    static String nom(String cle) {
-        return Arrays.stream(NOMS).filter(n -> n[0].equals(cle)).findFirst().orElseThrow(IllegalArgumentException::new)[1];
+    private static String pixels(int faux) {
+        return Style.nombre(faux) + (faux > 1 ? " pixels faux" : " pixel faux");
     }
 
     private Volet parts(String figure, String nomX, String constat) {
         Volet volet = new Volet(constat, "Rayons mal classés", nomX, "rayons mal classés, en %").plancher(0.05);
-        for (Formule formule : Formule.values()) {
-            List<Marque> marques = bilan.de(figure, formule).stream().map(r -> Marque.en(r.x, 100 * r.part()))
+        for (Aspect methode : Mesures.DES_COURBES) {
+            List<Marque> marques = bilan.de(figure, methode).stream().map(r -> Marque.en(r.x, 100 * r.part()))
                     .collect(Collectors.toList());
-            volet.serie(new Serie(formule.nom, formule.couleur, formule.forme, true, marques));
+            volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, true, marques));
         }
         return volet;
     }
 
     /** L'erreur de chaque méthode, jusqu'où elle touche et manque encore comme il faut. */
     private void courbes(Volet volet, String figure, ToDoubleFunction<Exactitude> erreur) {
-        for (Formule formule : Formule.values()) {
-            List<Marque> marques = bilan.de(figure, formule).stream().filter(Bilan::estClasse)
+        for (Aspect methode : Mesures.DES_COURBES) {
+            List<Marque> marques = bilan.de(figure, methode).stream().filter(Bilan::estClasse)
                     .map(r -> Marque.en(r.x, Math.max(Double.MIN_NORMAL, erreur.applyAsDouble(r)))).collect(Collectors.toList());
-            volet.serie(new Serie(formule.nom, formule.couleur, formule.forme, true, marques));
+            volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, true, marques));
         }
     }
 
     private Serie guide(String nom, Color couleur, String figure, double facteur) {
         List<Marque> marques = new ArrayList<>();
-        for (Exactitude r : bilan.de(figure, Formule.PROGRAMME)) {
+        for (Exactitude r : bilan.de(figure, Aspect.PROGRAMME)) {
             // h² = r² − l²
             marques.add(Marque.en(r.x, facteur * Cas.U * (1 + 1 / Math.sqrt(r.x * (2 - r.x)))));
         }

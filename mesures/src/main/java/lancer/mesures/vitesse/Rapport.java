@@ -42,14 +42,14 @@ final class Rapport {
 
     /** @param pages vrai pour réécrire aussi les nombres des pages du projet */
     void ecrire(boolean pages) throws IOException {
-        Figures figures = new Figures(releves, besoins);
+        Planches planches = new Planches(releves, besoins);
         for (String scene : releves.de(Catalogue.METHODES).scenes()) {
-            ecrire(figures.scene(scene, false), scene);
-            ecrire(figures.scene(scene, true), scene + "-vignette");
+            ecrire(planches.scene(scene, false), scene);
+            ecrire(planches.scene(scene, true), scene + "-vignette");
         }
-        ecrire(figures.demandes(), "demandes");
-        ecrire(figures.spheres(), "spheres");
-        ecrire(figures.parcimonie(), "parcimonie");
+        ecrire(planches.demandes(), "demandes");
+        ecrire(planches.spheres(), "spheres");
+        ecrire(planches.parcimonie(), "parcimonie");
         Stabilite.dessiner(dossier);
         Files.write(dossier.resolve("besoins.md"), TableBesoins.markdown(besoins).getBytes(StandardCharsets.UTF_8));
         Map<String, String> valeurs = valeurs();

@@ -15,7 +15,7 @@ import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Volet;
 
 /** Des mesures aux courbes. */
-final class Figures {
+final class Planches {
 
     private static final int LARGEUR_VIGNETTE = 1000;
     private static final int HAUTEUR_VIGNETTE = 800;
@@ -28,7 +28,7 @@ final class Figures {
     private final List<Map<String, String>> besoins;
     private final String note;
 
-    Figures(Releves releves, List<Map<String, String>> besoins) {
+    Planches(Releves releves, List<Map<String, String>> besoins) {
         this.releves = releves;
         this.besoins = besoins;
         constats = new Constats(releves, besoins);

@@ -1,4 +1,4 @@
-package lancer.mesures.stabilite;
+package lancer.essai;
 
 import java.util.List;
 import lancer.Constantes;
@@ -12,10 +12,10 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 
 /** Les boucles du cours, et les façons courantes d'y poser une question d'ombre ou de reflet. */
-final class RechercheNaive implements Recherche {
+public final class RechercheNaive implements Recherche {
 
     /** Ce qui, entre un contact et une lampe, la cache. */
-    enum Ombre {
+    public enum Ombre {
         /** Tout ce que touche le rayon qui quitte le contact, l'objet éclairé compris. */
         SANS_EXCLURE,
         /** Tout autre objet, même derrière la lampe. */
@@ -31,7 +31,7 @@ final class RechercheNaive implements Recherche {
     private final double epsilon;
 
     /** @param epsilon une rencontre plus proche ne compte pas */
-    RechercheNaive(List<? extends Objet3D> objets, Ombre ombre, double epsilon) {
+    public RechercheNaive(List<? extends Objet3D> objets, Ombre ombre, double epsilon) {
         this.objets = objets;
         this.ombre = ombre;
         this.epsilon = epsilon;
