@@ -59,15 +59,15 @@ scene-geante: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Generateur foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
-# Le banc d'essai ; BANC="--scenes foule --secondes 60" pour choisir.
+# Une famille des mesures : de une à un million de sphères, avec et sans étoiles lointaines.
 bench: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Banc $(BANC)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --spheres $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
 # Le temps de chaque façon de calculer une intersection, par JMH, et la courbe des méthodes ; JMH="-p formule=MANUEL" pour ses options.
 noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux $(JMH)
 
-# Les courbes de vitesse et de précision, de mesures faites maintenant ; interrompue, la même commande reprend où elle en était.
+# Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--stabilite ne mesure que la stabilité.
 mesures: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
@@ -136,10 +136,10 @@ aide:
 	@echo "make lanceurs              lance les tests du cours par douze autres lanceurs JUnit, de la version 1.9.3 à la 1.14.4"
 	@echo "make images                refait les images du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
-	@echo "make bench                 dessine de 10 à 1000000 boules, vérifie et mesure ; BANC=\"--scenes foule\" pour choisir"
+	@echo "make bench                 dessine de 1 à 1000000 sphères, vérifie et mesure, face aux boucles du cours et à POV-Ray ; dix minutes"
 	@echo "make noyaux                mesure huit façons de calculer une intersection, trois minutes ; JMH=\"-f 5\" pour les options de JMH"
-	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; dix minutes au plus"
-	@echo "make mesures RAPIDE=1      une partie, en moins d'une minute, dans mesures/target/vitesse-rapide"
+	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; une vingtaine de minutes"
+	@echo "make mesures RAPIDE=1      une partie, en une minute ou deux, dans mesures/target/vitesse-rapide"
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/tournesol.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"

@@ -18,10 +18,7 @@ public final class Antialias implements Reglable {
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
 
-    /**
-     * Du moins cher au plus cher sur les scènes de {@code methodes.csv} : n, méthode, seuils du plus lâche au plus
-     * serré.
-     */
+    /** Du moins cher au plus cher, sur presque toute scène : n, méthode, seuils du plus lâche au plus serré. */
     private static final String[] REGLAGES = {
         "1 coins 0", "3 partage 0.3", "4 partage 0.3", "8 partage 0.3", "3 partage 0.2", "4 partage 0.2",
         "8 partage 0.2", "4 partage 0.15", "8 partage 0.15", "4 partage 0.1", "8 partage 0.1", "16 partage 0.1",

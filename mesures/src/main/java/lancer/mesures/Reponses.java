@@ -27,7 +27,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Specularite;
-import lancer.mesures.vitesse.PagesMesurees;
 
 /**
  * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme.

@@ -9,7 +9,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Paths;
 import javax.imageio.ImageIO;
-import lancer.mesures.vitesse.PagesMesurees;
 import org.junit.jupiter.api.Test;
 
 /** docs/reponses.md et ses figures. */

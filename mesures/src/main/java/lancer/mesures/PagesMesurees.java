@@ -1,4 +1,4 @@
-package lancer.mesures.vitesse;
+package lancer.mesures;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
