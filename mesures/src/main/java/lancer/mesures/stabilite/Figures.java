@@ -20,6 +20,9 @@ final class Figures {
     private static final String ERREUR = "erreur relative de t, la pire";
     private static final String TANGENTE = "1 − l/r, vers la tangente";
 
+    /** Où dessiner une part nulle, en %, sur un axe qui ne saurait l'atteindre. */
+    private static final double AUCUN = 0.05;
+
     private final Bilan bilan;
     private final Map<String, String> nombres;
     private final String note;
@@ -43,9 +46,9 @@ final class Figures {
                 .repere(Cas.K, "K = 8, la borne promise");
         courbes(erreur, Mesures.LOIN, r -> Math.max(0.1, r.erreurEnUnites), true);
         Volet genre = new Volet("À " + nombre("bout") + " r, le manuel se trompe " + nombre("bout.manuel") + " fois sur cent",
-                "Rayons mal classés", "|P − C| / r", "rayons mal classés, en %").plancher(0.05);
-        courbes(genre, Mesures.LOIN, r -> 100 * r.part(), false);
-        return new Planche("De loin, le manuel se perd dès " + nombre("perdu") + " r ; le programme se trompe, lui, "
+                "Rayons mal classés", "|P − C| / r", "rayons mal classés, en %").repere(AUCUN, "aucun");
+        courbes(genre, Mesures.LOIN, r -> Math.max(AUCUN, 100 * r.part()), false);
+        return new Planche("De loin : le manuel se perd dès " + nombre("perdu") + " r ; le programme, "
                 + nombre("loin.programme"), note).volet(erreur, 1.2).volet(genre, 1);
     }
 
@@ -119,7 +122,7 @@ final class Figures {
         for (Aspect methode : Mesures.DES_COURBES) {
             volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, true, bilan.de(figure, methode).stream()
                     .filter(r -> !juste || Bilan.estClasse(r))
-                    .map(r -> Marque.en(r.x, Math.max(juste ? Double.MIN_NORMAL : 0, y.applyAsDouble(r))))
+                    .map(r -> Marque.en(r.x, Math.max(Double.MIN_NORMAL, y.applyAsDouble(r))))
                     .collect(Collectors.toList())));
         }
     }
