@@ -80,13 +80,21 @@ public final class Noyaux {
         return temps;
     }
 
-    /** Écrit les mesures, la courbe et la page, si toutes les méthodes ont été mesurées sans être dérangées. */
+    /**
+     * Écrit les mesures, la courbe et la page, si toutes les méthodes ont été mesurées sans être dérangées.
+     *
+     * @return faux si elles devaient l'être, et n'ont pu
+     */
     static boolean noter(Map<String, double[]> temps, Path resultats, PrintStream sortie) throws IOException {
+        if (!Methodes.estComplet(temps.keySet())) {
+            sortie.println("Toutes les méthodes n'ont pas été mesurées : rien n'est écrit.");
+            return true;
+        }
         long larges = temps.values().stream().filter(t -> !(t[1] <= TROP_LARGE * t[0])).count();
-        if (!Files.isDirectory(resultats) || !Methodes.estComplet(temps.keySet()) || larges > 0) {
-            sortie.println(larges > 0 ? larges + " intervalles dépassent 15 % du temps : la machine n'est pas tranquille, rien n'est écrit."
-                    : Files.isDirectory(resultats) ? "Toutes les méthodes n'ont pas été mesurées : rien n'est écrit."
-                    : "À lancer à la racine du projet : rien n'est écrit, " + resultats + " n'existe pas.");
+        if (larges > 0 || !Files.isDirectory(resultats)) {
+            sortie.println((larges > 0 ? "La machine n'est pas tranquille, " + larges + " intervalles sur " + temps.size()
+                    + " dépassent 15 % du temps" : "À lancer à la racine du projet, " + resultats + " n'existe pas")
+                    + " : rien n'est écrit.");
             return false;
         }
         Methodes.noter(resultats, temps);
