@@ -34,7 +34,7 @@ class NoyauxTest {
         Map<String, double[]> temps = mesurer(ecran, "-f", "0", "-wi", "0", "-i", "2", "-r", "2ms");
         assertEquals(Formule.values().length * Regime.values().length, temps.size());
         assertTrue(Methodes.estComplet(temps.keySet()));
-        assertTrue(sortie.toString("UTF-8").matches("(?s).*\nPROGRAMME +SOL +[0-9.]+ +± [0-9.?]+ +ns/op.*"), sortie.toString("UTF-8"));
+        assertTrue(sortie.toString("UTF-8").matches("(?s).*\nPROGRAMME +SOL +[0-9.]+ +± [0-9.?]+ +ns.*"), sortie.toString("UTF-8"));
         temps.get("sol manuel")[1] = Double.NaN;
         assertFalse(Noyaux.noter(temps, dossier, ecran));
         assertTrue(sortie.toString("UTF-8").contains("n'est pas tranquille"));
