@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.SplittableRandom;
+import lancer.atelier.Generateur;
 import lancer.lecture.LecteurScene;
 
 /** Une scène par son nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 », « etoiles-1000 »…). */

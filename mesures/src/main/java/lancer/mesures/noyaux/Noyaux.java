@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import lancer.mesures.stabilite.Methodes;
 import lancer.mesures.stabilite.Stabilite;
-import lancer.mesures.PagesMesurees;
+import lancer.atelier.PagesMesurees;
 import org.openjdk.jmh.results.Result;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;

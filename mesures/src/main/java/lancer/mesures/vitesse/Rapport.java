@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import lancer.mesures.FichierCsv;
-import lancer.mesures.PagesMesurees;
+import lancer.atelier.PagesMesurees;
 import lancer.mesures.stabilite.Stabilite;
 import lancer.mesures.trace.Planche;
 

@@ -19,7 +19,7 @@ import lancer.contrat.Compteurs;
 import lancer.lecture.LecteurScene;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.ImageLineaire;
-import lancer.mesures.PagesMesurees;
+import lancer.atelier.PagesMesurees;
 import lancer.mesures.SceneMesuree;
 import lancer.mesures.Scenes;
 import org.junit.jupiter.api.Test;
