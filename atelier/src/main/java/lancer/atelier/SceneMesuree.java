@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
@@ -6,7 +6,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.SplittableRandom;
-import lancer.atelier.Generateur;
 import lancer.lecture.LecteurScene;
 
 /** Une scène par son nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 », « etoiles-1000 »…). */
