@@ -29,7 +29,7 @@ lanceurs: outils
 	@MVN="$(MVN)" JAVA="$(JAVA)" outils/lanceurs.sh
 
 VARIANTES_TOUTES := brume antialias blinn
-MODULES := . mesures $(VARIANTES_TOUTES)
+MODULES := . atelier mesures $(VARIANTES_TOUTES)
 
 mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MODULES),$(call sources,$(m))) | outils
 	@echo "Construction de $@"
@@ -51,12 +51,12 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	@$(JAVA) -jar blinn/target/blinn.jar --image $(NEUVES)/blinn-avec.png scenes/bowling.ini
 	@$(JAVA) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
 	@$(JAVA) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images $(NEUVES) images
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images $(NEUVES) images
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Generateur foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Generateur foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
 # Une famille des mesures : de une à un million de sphères, avec et sans étoiles lointaines.
@@ -87,7 +87,7 @@ mutations: mesures/target/mesures.jar
 	@echo "Un millier de fautes, l'une après l'autre : cinq à six minutes"
 	@nice -n 19 $(MVN) -q -f ensemble.xml -Pmutations -pl :lancer,:brume,:blinn,:antialias \
 	    test-compile org.pitest:pitest-maven:mutationCoverage > target/mutations.log 2>&1 || { cat target/mutations.log >&2; exit 1; }
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
 
 CORRECTION := correction/target/correction.jar
 $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(shell find correction/src/main correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
@@ -98,7 +98,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 
 # Les figures et les nombres de docs/reponses.md.
 reponses: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Reponses docs/reponses.md images
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
 
 # Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
 comparer: $(BASE)

@@ -7,6 +7,7 @@ import java.util.Locale;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
+import lancer.atelier.FichierCsv;
 import lancer.auto.Auto;
 import lancer.auto.Reglage;
 import lancer.auto.Souhait;

@@ -11,6 +11,7 @@ import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
+import lancer.atelier.SceneAuHasard;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 
@@ -22,7 +23,8 @@ class MesureAutoTest {
 
     /** La moyenne de 1024 rayons réguliers par pixel, sans limite. */
     private static ImageLineaire verite(Scene scene) {
-        return ImageLineaire.de(Preparation.preparer(scene.avec(Antialias.coins(32, 0), 0), LARGEUR, HAUTEUR, false), Gabarit.PROFONDEUR, 2);
+        Scene fine = scene.avec(Antialias.coins(32, 0), 0);
+        return ImageLineaire.de(Preparation.preparer(fine, LARGEUR, HAUTEUR, false), Gabarit.PROFONDEUR, 2);
     }
 
     @Test

@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Scene;
-import lancer.mesures.SceneMesuree;
-import lancer.mesures.Scenes;
+import lancer.atelier.SceneMesuree;
+import lancer.atelier.Scenes;
 
 /** Une scène à juger : un fichier, ou une scène par son nom, et le nombre de reflets. */
 final class Affaire {

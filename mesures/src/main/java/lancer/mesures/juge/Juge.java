@@ -14,11 +14,11 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.SceneFautive;
+import lancer.atelier.Arguments;
+import lancer.atelier.FichierCsv;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
-import lancer.mesures.Arguments;
-import lancer.mesures.FichierCsv;
 import lancer.mesures.ImageLineaire;
 import lancer.texte.Texte;
 
@@ -108,10 +108,6 @@ public final class Juge {
                 effacer(dossier);
             }
         }
-        sortie.println();
-        sortie.println("dessins : 3 si un Ks est coloré, un par composante, car l'éclat d'une lampe est pour POV-Ray d'une seule");
-        sortie.println("couleur ; le seuil est alors 0 des deux côtés. > 1 pas, > 1/257 : pixels qui s'écartent de plus d'un pas de");
-        sortie.println("8 bits, de 16 bits. D'accord : aucun des premiers, au plus un sur mille des seconds.");
         if (arguments.a("--csv")) {
             Path fichier = Paths.get(arguments.valeur("--csv", ""));
             Files.createDirectories(fichier.toAbsolutePath().getParent());

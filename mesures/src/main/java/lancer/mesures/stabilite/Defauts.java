@@ -22,8 +22,8 @@ import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Vue;
 import lancer.essai.Analytique;
-import lancer.essai.RechercheNaive;
 import lancer.essai.RechercheNaive.Ombre;
+import lancer.essai.RechercheNaive;
 import lancer.mesures.trace.Style;
 
 /**

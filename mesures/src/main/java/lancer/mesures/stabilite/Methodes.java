@@ -13,7 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import lancer.mesures.Circonstances;
+import lancer.atelier.Circonstances;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Serie;

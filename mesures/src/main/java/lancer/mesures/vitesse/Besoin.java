@@ -14,12 +14,12 @@ import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
+import lancer.atelier.FichierCsv;
+import lancer.atelier.Scenes;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
-import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
-import lancer.mesures.Scenes;
 import lancer.rapide.Preparation;
 import lancer.sortie.ImageMemoire;
 

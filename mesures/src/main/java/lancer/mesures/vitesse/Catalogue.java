@@ -4,18 +4,17 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
 import lancer.antialias.Antialias;
+import lancer.atelier.SceneMesuree;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
-import lancer.contrat.Atmosphere;
 import lancer.contrat.Modele;
-import lancer.contrat.Specularite;
 import lancer.mesures.Gabarit;
-import lancer.mesures.SceneMesuree;
 
 /** Tout ce qui se mesure. Le catalogue court en est une partie : {@code make mesures RAPIDE=1}. */
 final class Catalogue {
@@ -42,8 +41,6 @@ final class Catalogue {
 
     /** Jusqu'à ce nombre de sphères, les boucles du cours se mesurent ; une seule fois à celui-ci. */
     static final int BOUCLES_MAX = 10000;
-
-    private static final int PROFONDEUR_AU_PLUS = Gabarit.PROFONDEUR;
 
     private final boolean court;
 
@@ -127,15 +124,15 @@ final class Catalogue {
         for (int p : court ? new int[] {0} : miroirs ? new int[] {0, 2, 10, 20, 40} : new int[] {0, 1, 2, 10}) {
             m.add(new Methode(PROFONDEUR, "p=" + p).limitee(p, Constantes.SEUIL));
         }
-        m.add(new Methode(PROFONDEUR, "p=" + PROFONDEUR_AU_PLUS).limitee(PROFONDEUR_AU_PLUS, Constantes.SEUIL));
+        m.add(new Methode(PROFONDEUR, "p=" + Gabarit.PROFONDEUR).limitee(Gabarit.PROFONDEUR, Constantes.SEUIL));
         for (int s : court ? new int[] {} : new int[] {16, 128}) {
-            m.add(new Methode(SEUIL, "1/" + s).limitee(PROFONDEUR_AU_PLUS, 1.0 / s));
+            m.add(new Methode(SEUIL, "1/" + s).limitee(Gabarit.PROFONDEUR, 1.0 / s));
         }
         if (miroirs) {
             // là seulement le front demande les deux à la fois
             for (int s : new int[] {16, 128, 1024}) {
-                m.add(new Methode(ENSEMBLE, "n=4 seuil=0.1 reflets=" + PROFONDEUR_AU_PLUS + " jusqu'à 1/" + s)
-                        .echantillonnee(Antialias.partage(4, 0.1)).limitee(PROFONDEUR_AU_PLUS, 1.0 / s));
+                m.add(new Methode(ENSEMBLE, "n=4 seuil=0.1 reflets=" + Gabarit.PROFONDEUR + " jusqu'à 1/" + s)
+                        .echantillonnee(Antialias.partage(4, 0.1)).limitee(Gabarit.PROFONDEUR, 1.0 / s));
             }
         }
         for (String erreur : court ? new String[] {"2"} : new String[] {"0.5", "1", "2", "4"}) {
@@ -167,8 +164,8 @@ final class Catalogue {
                 new Methode("lampe", "une de moins").sur(s ->
                         new Scene(s.getObjets(), s.getLampes().subList(1, s.getLampes().size()))),
                 new Methode("reflets", "aucun").limitee(0, Constantes.SEUIL),
-                new Methode("brume", "").sur(s -> variee(s, new Brume(), null)),
-                new Methode("Blinn", "").sur(s -> variee(s, null, new Blinn())),
+                new Methode("brume", "").sur(s -> variee(s, v -> v.setAtmosphere(new Brume()))),
+                new Methode("Blinn", "").sur(s -> variee(s, v -> v.setSpecularite(new Blinn()))),
                 new Methode(COINS, COINS_DEFAUT).echantillonnee(Antialias.coins(3, 0.05))));
         if (!court) {
             m.add(new Methode(PARTAGE, "n=4 seuil=0.1").echantillonnee(Antialias.partage(4, 0.1)));
@@ -188,14 +185,9 @@ final class Catalogue {
         return m;
     }
 
-    private static Scene variee(Scene scene, Atmosphere air, Specularite reflet) {
+    private static Scene variee(Scene scene, Consumer<Modele> variante) {
         Modele modele = new Modele();
-        if (air != null) {
-            modele.setAtmosphere(air);
-        }
-        if (reflet != null) {
-            modele.setSpecularite(reflet);
-        }
+        variante.accept(modele);
         return new Scene(scene.getObjets(), scene.getLampes(), modele);
     }
 

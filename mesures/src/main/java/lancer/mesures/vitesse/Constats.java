@@ -47,12 +47,9 @@ final class Constats {
             valeurs.put(scene + ".coins", duel(scene, methodes(scene).le(Catalogue.COINS, Catalogue.COINS_DEFAUT)));
             valeurs.put(scene + ".povray", povray(scene));
             valeurs.put(scene + ".paliers", paliers(scene));
-            for (String nom : new String[] {"p=1000", "p=0"}) {
-                methodes(scene).peutEtre(Catalogue.PROFONDEUR, nom).ifPresent(r -> valeurs.put(scene + "." + nom, description(r)));
-            }
+            valeurs.put(scene + ".p=1000", description(methodes(scene).le(Catalogue.PROFONDEUR, "p=1000")));
             methodes(scene).peutEtre(Catalogue.GRILLE, "8 × 8").ifPresent(r -> valeurs.put(scene + ".8x8", duel(scene, r)));
             valeurs.put(scene + ".unrayon", Style.nombre(methodes(scene).le(Catalogue.UN_RAYON, "").erreur().valeur));
-            valeurs.put(scene + ".reference", Style.nombre(methodes(scene).referenceMs()));
         }
         valeurs.put("demandes.titre", titreDesDemandes());
         for (Releve r : demandes().get()) {

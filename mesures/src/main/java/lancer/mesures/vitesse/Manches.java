@@ -18,13 +18,19 @@ final class Manches {
 
     /** Au-delà, et si la moitié des manches sont jetées, la machine n'est pas à nous. */
     private static final int ESSAIS = 20;
-    private static final int ESSAIS_DE_L_ETALON = 60;
     private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(60);
 
     private final BooleanSupplier etalon;
     private final boolean agitee;
     private int toutes;
     private int jetees;
+
+    /** De quoi prendre un temps, autant de fois qu'on veut. */
+    interface Echantillon {
+
+        /** D'un dessin, en nanosecondes : réel, et des processeurs (NaN si l'on n'en sait rien). */
+        double[] prendre() throws IOException;
+    }
 
     /** La machine est trop troublée pour qu'on y prenne des temps. */
     static final class Troublee extends IOException {
@@ -75,19 +81,10 @@ final class Manches {
         this.agitee = agitee;
     }
 
-    /** @throws Troublee si la machine ne nous est pas assez souvent laissée */
-    void verifierLeCalme() throws Troublee {
-        int calmes = 0;
-        for (int k = 0; k < ESSAIS_DE_L_ETALON; k++) {
-            calmes += etalon.getAsBoolean() ? 1 : 0;
-        }
-        double part = (double) calmes / ESSAIS_DE_L_ETALON;
-        if (!agitee && part < 0.5) {
-            throw new Troublee(Math.round(100 * (1 - part)) + " % des essais de l'étalon le sont");
-        }
-    }
-
-    /** @param voulues manches à garder */
+    /**
+     * @param voulues manches à garder
+     * @throws Troublee si la machine ne nous est pas assez souvent laissée
+     */
     Temps mesurer(Echantillon reference, Echantillon methode, int voulues) throws IOException {
         List<Double> rapports = new ArrayList<>();
         double meilleure = Double.POSITIVE_INFINITY;

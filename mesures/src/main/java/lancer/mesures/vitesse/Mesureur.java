@@ -17,12 +17,12 @@ import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.Main;
 import lancer.Scene;
-import lancer.mesures.Circonstances;
-import lancer.mesures.FichierCsv;
+import lancer.atelier.Circonstances;
+import lancer.atelier.FichierCsv;
+import lancer.atelier.SceneMesuree;
+import lancer.atelier.Scenes;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
-import lancer.mesures.SceneMesuree;
-import lancer.mesures.Scenes;
 import lancer.mesures.juge.Intraduisible;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
@@ -69,7 +69,6 @@ final class Mesureur {
 
     /** @throws Manches.Troublee si la machine ne nous est pas assez laissée */
     void mesurer(List<Catalogue.Groupe> groupes) throws IOException {
-        manches.verifierLeCalme();
         for (Catalogue.Groupe groupe : groupes) {
             sortie.println(groupe.famille + ", " + groupe.scene);
             Path fichier = SceneMesuree.fichier(groupe.scene, dossier);
@@ -153,10 +152,10 @@ final class Mesureur {
     }
 
     /** Un {@link Ouvrier}, échauffé, et l'image qu'il écrira. */
-    private final class Machine implements Echantillon, AutoCloseable {
+    private final class Machine implements Manches.Echantillon, AutoCloseable {
 
         private final Processus processus;
-        private final Path image = Processus.provisoire(dossier, "image.bin");
+        private final Path image = dossier.resolve("image.bin");
         private final double dessinNs;
         private final int fois;
 
@@ -200,7 +199,7 @@ final class Mesureur {
             Programme programme = new Programme(fichier, methode.options);
             boolean longue = spheres >= Catalogue.BOUCLES_MAX;
             int voulues = methode.boucles && longue ? 1 : court || agitee ? 2 : longue ? 3 : 5;
-            Echantillon echantillon = programme;
+            Manches.Echantillon echantillon = programme;
             if (methode.genre == Methode.Genre.POVRAY) {
                 if (povray == null) {
                     continue;
@@ -209,7 +208,7 @@ final class Mesureur {
             }
             Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues);
             if (echantillon == programme) {
-                programme.statistiques.forEach((nom, valeur) -> champs.put(COLONNES_DES_STATISTIQUES.getOrDefault(nom, nom), valeur));
+                programme.statistiques.forEach((nom, valeur) -> champs.put(colonne(nom), valeur));
                 int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);
                 champs.put("pixels_verifies", pixels == 0 ? 0 : refaire(fichier, pixels, programme.image)[0]);
             }
@@ -221,23 +220,17 @@ final class Mesureur {
         Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));
     }
 
-    private static final Map<String, String> COLONNES_DES_STATISTIQUES = new HashMap<>();
-
-    static {
-        String[][] noms = {{"rayons.primaires", "primaires"}, {"rayons.ombre", "ombre"}, {"rayons.reflechis", "reflechis"},
-            {"tests.spheres", "tests"}, {"noeuds.visites", "noeuds"}, {"pixels.raffines", "raffines"}, {"lecture.ms", "lecture_ms"},
-            {"preparation.ms", "preparation_ms"}, {"trace.ms", "trace_ms"}};
-        for (String[] nom : noms) {
-            COLONNES_DES_STATISTIQUES.put(nom[0], nom[1]);
-        }
+    /** Où noter une statistique du programme : « rayons.ombre » dans ombre, « tests.spheres » dans tests, « trace.ms » dans trace_ms. */
+    private static String colonne(String statistique) {
+        return statistique.replaceFirst("^(rayons|pixels)\\.", "").replaceFirst("^(tests|noeuds)\\..*", "$1").replace('.', '_');
     }
 
     /** Du démarrage de Java au PNG écrit. */
-    private final class Programme implements Echantillon {
+    private final class Programme implements Manches.Echantillon {
 
         private final Path fichier;
         private final String[] options;
-        private final Path image = Processus.provisoire(dossier, "image.png");
+        private final Path image = dossier.resolve("image.png");
         private Map<String, String> statistiques;
 
         Programme(Path fichier, String... options) {
@@ -262,7 +255,7 @@ final class Mesureur {
         }
     }
 
-    private Echantillon povray(Catalogue.Groupe groupe, Path fichier, Methode methode) throws IOException {
+    private Manches.Echantillon povray(Catalogue.Groupe groupe, Path fichier, Methode methode) throws IOException {
         try {
             SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
                     taille.hauteur);
@@ -303,16 +296,17 @@ final class Mesureur {
         Object[] communs = {"machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
             groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
             "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees", temps.jetees,
-            "reference_ms", Releve.reel(temps.referenceNs / 1e6), "processeur_ms", Releve.reel(temps.processeurNs / 1e6), "rapport", Releve.reel(temps.rapport.valeur),
-            "rapport_min", Releve.reel(temps.rapport.min), "rapport_max", Releve.reel(temps.rapport.max)};
+            "reference_ms", Releve.reel(temps.referenceNs / 1e6), "processeur_ms", Releve.reel(temps.processeurNs / 1e6),
+            "rapport", Releve.reel(temps.rapport.valeur), "rapport_min", Releve.reel(temps.rapport.min),
+            "rapport_max", Releve.reel(temps.rapport.max)};
         for (int k = 0; k < communs.length; k += 2) {
             champs.put((String) communs[k], communs[k + 1]);
         }
         String ligne = FichierCsv.ligne(Releve.COLONNES.stream().map(n -> champs.getOrDefault(n, "")).toArray());
         Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
-        double ms = temps.rapport.valeur * temps.referenceNs / 1e6;
-        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  %2d/%d%s", methode.nom, methode.parametres,
-                temps.rapport.valeur, temps.rapport.min, temps.rapport.max, ms, temps.manches - temps.jetees, temps.manches,
+        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  %2d/%d%s", methode.nom,
+                methode.parametres, temps.rapport.valeur, temps.rapport.min, temps.rapport.max,
+                temps.rapport.valeur * temps.referenceNs / 1e6, temps.manches - temps.jetees, temps.manches,
                 champs.containsKey("erreur") ? "  erreur " + champs.get("erreur") : ""));
     }
 }

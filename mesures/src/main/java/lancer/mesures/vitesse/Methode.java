@@ -69,6 +69,7 @@ final class Methode {
         return this;
     }
 
+    /** Par les boucles du cours. */
     Methode enBoucles() {
         boucles = true;
         return this;

@@ -18,11 +18,11 @@ import javax.imageio.ImageIO;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.mesures.ImageLineaire;
-import lancer.mesures.Scenes;
 import lancer.rapide.Preparation;
 
 /**

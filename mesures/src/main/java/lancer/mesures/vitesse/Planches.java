@@ -66,8 +66,8 @@ final class Planches {
                         s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
             }
         }
-        String lire = "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat. Erreur : contre la moyenne de chaque"
-                + " pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un rayon, fois "
+        String lire = "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat. Erreur : contre la moyenne de"
+                + " chaque pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un rayon, fois "
                 + Style.nombre(reference) + " ms. ";
         Planche planche = new Planche(constats.titre(scene), lire + note).volet(volet, 1);
         return vignette ? planche.taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE) : planche;
@@ -148,8 +148,9 @@ final class Planches {
             }
         }
         extrapoler(volet, derniere, reference, nombre);
-        return new Planche(constats.pages().get("spheres.titre"), "Démarrage de Java, lecture, préparation, dessin, écriture, à froid. Au-delà"
-                + " de 10 000 sphères, le temps des boucles n'est pas mesuré : leurs examens sont comptés sur quelques pixels. " + note)
+        return new Planche(constats.pages().get("spheres.titre"), "Démarrage de Java, lecture, préparation, dessin, écriture, à froid."
+                + " Au-delà de 10 000 sphères, le temps des boucles n'est pas mesuré : leurs examens sont comptés sur quelques pixels. "
+                + note)
                 .volet(volet, 1);
     }
 
@@ -193,7 +194,8 @@ final class Planches {
         Volet reflets = Volet.rangees("Des reflets qui comptent : le programme en suit " + Constantes.MAX_REFLETS, "reflets à la suite",
                 besoins.stream().map(b -> b.get("scene")).collect(Collectors.toList()), Constantes.MAX_REFLETS)
                 .serie(new Serie("ce qu'en demande l'écran", Style.BLEU, FormeDePoint.ROND, false, demandees));
-        return new Planche(constats.titreDeLaParcimonie(), "Tout est compté, rien n'est chronométré ; " + besoins.get(0).get("largeur") + " × "
-                + besoins.get(0).get("hauteur") + ", un rayon par pixel. make mesures").volet(rayons, 1.35).volet(reflets, 1);
+        return new Planche(constats.titreDeLaParcimonie(), "Tout est compté, rien n'est chronométré ; un rayon par pixel, "
+                + besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur") + ". make mesures")
+                .volet(rayons, 1.35).volet(reflets, 1);
     }
 }

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -63,12 +62,5 @@ final class Processus implements Closeable {
     public void close() {
         entree.close();
         processus.destroy();
-    }
-
-    /** Pour un fichier qui n'est là que le temps de s'en servir. */
-    static Path provisoire(Path dossier, String nom) {
-        Path fichier = dossier.resolve(nom);
-        fichier.toFile().deleteOnExit();
-        return fichier;
     }
 }

@@ -9,8 +9,8 @@ import java.nio.file.Paths;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import lancer.mesures.FichierCsv;
-import lancer.mesures.PagesMesurees;
+import lancer.atelier.FichierCsv;
+import lancer.atelier.PagesMesurees;
 import lancer.mesures.stabilite.Stabilite;
 import lancer.mesures.trace.Planche;
 

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import lancer.mesures.FichierCsv;
+import lancer.atelier.FichierCsv;
 
 /** Des mesures, et de quoi y retrouver celle qu'on cherche. */
 final class Releves {

@@ -14,9 +14,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Constantes;
 import lancer.SceneFautive;
+import lancer.atelier.Arguments;
 import lancer.commande.Pannes;
 import lancer.lecture.LecteurScene;
-import lancer.mesures.Arguments;
 import lancer.mesures.stabilite.Stabilite;
 
 /**

@@ -15,13 +15,13 @@ import java.util.Random;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import lancer.atelier.FichierCsv;
+import lancer.atelier.PagesMesurees;
+import lancer.atelier.SceneMesuree;
+import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.lecture.LecteurScene;
-import lancer.mesures.FichierCsv;
 import lancer.mesures.ImageLineaire;
-import lancer.mesures.PagesMesurees;
-import lancer.mesures.SceneMesuree;
-import lancer.mesures.Scenes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

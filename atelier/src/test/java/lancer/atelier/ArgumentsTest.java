@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -26,7 +26,8 @@ class ArgumentsTest {
     @Test
     void uneFauteDitLaquelleEtLUsage() {
         for (String[] faute : new String[][] {{"--inconnue", "option inconnue : « --inconnue » ; usage : " + USAGE},
-            {"--valeur", "option sans sa valeur : --valeur ; usage : " + USAGE}, {"--seule --seule", "option donnée deux fois : --seule"}}) {
+            {"--valeur", "option sans sa valeur : --valeur ; usage : " + USAGE},
+            {"--seule --seule", "option donnée deux fois : --seule"}}) {
             assertEquals(faute[1], assertThrows(IllegalArgumentException.class, () -> new Arguments(USAGE, true, faute[0].split(" ")))
                     .getMessage());
         }

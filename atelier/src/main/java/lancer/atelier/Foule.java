@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.io.IOException;
 import java.util.Random;
@@ -32,7 +32,7 @@ final class Foule {
     void ecrire() throws IOException {
         plume.commentaires("Une foule : " + n + " boules au hasard, qui ne se touchent pas.", "",
                 "À regarder : le temps du dessin, et comment il grandit avec le nombre de boules.", "",
-                "Écrite par lancer.mesures.Generateur foule " + n + " " + graine);
+                "Écrite par lancer.atelier.Generateur foule " + n + " " + graine);
         String[] materiaux = new String[MATERIAUX];
         for (int i = 0; i < MATERIAUX; i++) {
             double[] kd = Teinte.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);

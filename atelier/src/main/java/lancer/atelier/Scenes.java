@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.nio.file.Path;
 import lancer.Scene;

@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.io.IOException;
 
@@ -42,7 +42,7 @@ final class Tournesol {
                 "  précédente ; on en compte toujours un nombre de Fibonacci : 21, 34, 55 selon le sens et la distance au cœur ;",
                 "- les ombres et les reflets entre voisines, et la fleur entière dans le sol ;",
                 "- le temps du dessin : chaque rayon a " + n + " boules à essayer si la recherche est simple.", "",
-                "Écrite par lancer.mesures.Generateur tournesol " + n);
+                "Écrite par lancer.atelier.Generateur tournesol " + n);
         double cos = StrictMath.cos(PENTE);
         double sin = StrictMath.sin(PENTE);
         plume.sphere("sol", 0, Y - SOL * cos, Z + SOL * sin, SOL,

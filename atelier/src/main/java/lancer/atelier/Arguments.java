@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.io.BufferedWriter;
 import java.io.FileDescriptor;
@@ -14,9 +14,9 @@ import java.util.Random;
  * Écrit sur la sortie standard une scène aussi grande que l'on veut :
  *
  * <pre>
- * java -cp mesures/target/classes lancer.mesures.Generateur flocon PROFONDEUR
- * java -cp mesures/target/classes lancer.mesures.Generateur foule N [GRAINE]
- * java -cp mesures/target/classes lancer.mesures.Generateur tournesol N
+ * java -cp mesures/target/mesures.jar lancer.atelier.Generateur flocon PROFONDEUR
+ * java -cp mesures/target/mesures.jar lancer.atelier.Generateur foule N [GRAINE]
+ * java -cp mesures/target/mesures.jar lancer.atelier.Generateur tournesol N
  * </pre>
  *
  * Les mêmes arguments donnent le même texte, à l'octet, sur toute machine.

@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -32,7 +32,7 @@ import lancer.contrat.Specularite;
  * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.Reponses docs/reponses.md images
+ * java -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
  * </pre>
  */
 public final class Reponses {

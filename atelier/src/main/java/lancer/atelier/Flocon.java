@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.io.IOException;
 
@@ -43,7 +43,7 @@ final class Flocon {
                         + profondeur + " fois.", "",
                 "À regarder : les reflets de chaque génération dans les autres. Pour mesurer : le nombre de sphères est",
                 "multiplié par neuf à chaque génération, le temps bien moins si la recherche est rapide.", "",
-                "Écrite par lancer.mesures.Generateur flocon " + profondeur);
+                "Écrite par lancer.atelier.Generateur flocon " + profondeur);
         double norme = Math.sqrt(0.2 * 0.2 + 0.8 * 0.8 + 0.55 * 0.55);
         boule(0, Y, Z, RAYON, 0.2 / norme, 0.8 / norme, -0.55 / norme, 0);
         plume.lampe("principale", -40, 60, -50, 1, 0.95, 0.86);

@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 /** Des couleurs par leur teinte, leur vivacité et leur clarté, plus faciles à accorder que rouge, vert et bleu. */
 final class Teinte {

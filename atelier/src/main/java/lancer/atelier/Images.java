@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -17,7 +17,7 @@ import javax.imageio.ImageIO;
  * la bibliothèque de compression de la machine.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.Images target/images images
+ * java -cp mesures/target/mesures.jar lancer.atelier.Images target/images images
  * </pre>
  */
 public final class Images {

@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -19,7 +19,7 @@ import java.util.regex.Pattern;
  * Un mutant est reconnu à sa méthode, à sa mutation et au texte de sa ligne, non au numéro de celle-ci.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.Mutations docs/mutations.md . brume blinn antialias
+ * java -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md . brume blinn antialias
  * </pre>
  */
 public final class Mutations {

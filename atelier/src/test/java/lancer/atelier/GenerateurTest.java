@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
