@@ -20,6 +20,11 @@ import org.openjdk.jmh.runner.options.CommandLineOptions;
 /** Les noyaux. */
 class NoyauxTest {
 
+    static {
+        // ces tests ne jugent aucun temps : une mesure faite ailleurs sur la machine ne doit pas les empêcher
+        System.setProperty("jmh.ignoreLock", "true");
+    }
+
     @TempDir
     Path dossier;
 
