@@ -66,8 +66,8 @@ class MesureAutoTest {
         PromesseAuto promesse = new PromesseAuto("essai", scene, LARGEUR, HAUTEUR, new Gabarit(scene, LARGEUR, HAUTEUR), 8);
         assertTrue(promesse.promise && promesse.estTenue(), promesse.csv());
         assertTrue(promesse.csv().startsWith("essai,8.0,\"[Antialias] n="), promesse.csv());
-        // une virgule dans deux colonnes, entre guillemets
-        assertEquals(PromesseAuto.COLONNES.split(",").length + 2, promesse.csv().split(",").length);
+        // une virgule dans une colonne, entre guillemets
+        assertEquals(PromesseAuto.COLONNES.split(",").length + 1, promesse.csv().split(",").length);
         List<PromesseAuto> seule = Arrays.asList(promesse);
         assertTrue(PromesseAuto.bilan(seule).startsWith("erreur voulue tenue 1 fois sur 1 ; promise 1 fois, dont tenue 1,"));
         assertFalse(PromesseAuto.bilan(seule).contains("NaN"));
