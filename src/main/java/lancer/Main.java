@@ -16,7 +16,7 @@ import lancer.fenetre.Fenetre;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.lecture.LecteurScene;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
@@ -168,7 +168,7 @@ public class Main implements Toile, Dessinateur {
     /** Prépare la scène lue pour l'image à dessiner. */
     private Lancer preparer() {
         long debut = System.nanoTime();
-        Lancer nouveau = Preparation.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple);
+        Lancer nouveau = LancerSurveille.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple);
         preparationNs = System.nanoTime() - debut;
         return nouveau;
     }

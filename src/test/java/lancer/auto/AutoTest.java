@@ -25,7 +25,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Reglable;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -40,7 +40,7 @@ class AutoTest {
     private static final int LARGEUR = 40;
 
     private static Auto auto(Scene scene, int largeur, int hauteur, List<Variante> variantes, Souhait souhait) {
-        return Auto.choisir(Preparation.preparer(scene, largeur, hauteur, false), souhait, 2, variantes);
+        return Auto.choisir(LancerSurveille.preparer(scene, largeur, hauteur, false), souhait, 2, variantes);
     }
 
     private static Auto auto(Scene scene, Souhait souhait) {
@@ -188,7 +188,7 @@ class AutoTest {
             String attendu = null;
             for (int fils : new int[] {1, 2, 7}) {
                 // assez de pavés pour que chaque fil en ait
-                Auto auto = Auto.choisir(Preparation.preparer(scene, 80, 70, false), Souhait.erreur(erreur), fils, grilles());
+                Auto auto = Auto.choisir(LancerSurveille.preparer(scene, 80, 70, false), Souhait.erreur(erreur), fils, grilles());
                 Reglage r = auto.getChoisi();
                 String choix = r + " " + r.getErreur() + " " + r.getErreurAuPlus() + " " + r.getRayons() + " " + r.getPrix();
                 attendu = attendu == null ? choix : attendu;
@@ -312,7 +312,7 @@ class AutoTest {
 
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> fautive = variante(Collections.singletonList(Section.reglage("Grille", "m", "3")));
         SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, fautive));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
@@ -320,7 +320,7 @@ class AutoTest {
 
     @Test
     void uneVarianteSansListeDeReglagesEstNommee() {
-        Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> muette = variante(null);
         NullPointerException e = assertThrows(NullPointerException.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, muette));
         assertEquals(muette.get(0).getClass().getName() + ".getReglages a rendu null", e.getMessage());

@@ -21,7 +21,7 @@ import lancer.antialias.Antialias;
 import lancer.contrat.Pave;
 import lancer.contrat.Variante;
 import lancer.essai.Essai;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -55,7 +55,7 @@ class AutoAntialiasTest {
     @Test
     void ceQuiEstEssayeEstCeQuiSeraDessine() {
         Scene lue = new Scene(scene.toString());
-        Lancer prepare = Preparation.preparer(lue, 90, 70, false);
+        Lancer prepare = LancerSurveille.preparer(lue, 90, 70, false);
         Essais essais = new Essais(prepare, 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
         assertEquals(9, finesses.size());
@@ -81,7 +81,7 @@ class AutoAntialiasTest {
     @Test
     void lesRayonsAttendusSontCeuxDuDessin() {
         Scene lue = new Scene(scene.toString());
-        Essais essais = new Essais(Preparation.preparer(lue, 80, 60, false), 2);
+        Essais essais = new Essais(LancerSurveille.preparer(lue, 80, 60, false), 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
         EssaiFinesses essai = new EssaiFinesses(essais, essais.semer(4000, false), limites());
         essai.affiner(Double.POSITIVE_INFINITY, 1e7);

@@ -11,7 +11,7 @@ import lancer.atelier.FichierCsv;
 import lancer.auto.Auto;
 import lancer.auto.Souhait;
 import lancer.contrat.Variante;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 
 /** Ce que {@code --auto erreur=E} a promis pour une scène, et ce qu'il en est contre la vérité. */
 final class PromesseAuto {
@@ -39,7 +39,7 @@ final class PromesseAuto {
     PromesseAuto(String nom, Scene scene, int largeur, int hauteur, Gabarit gabarit, double voulue) {
         this.scene = nom;
         this.voulue = voulue;
-        auto = Auto.choisir(Preparation.preparer(scene, largeur, hauteur, false), Souhait.erreur(voulue),
+        auto = Auto.choisir(LancerSurveille.preparer(scene, largeur, hauteur, false), Souhait.erreur(voulue),
                 Runtime.getRuntime().availableProcessors(), Collections.<Variante>singletonList(new Antialias()));
         promise = auto.estTenable();
         ImageLineaire image = new ImageLineaire(largeur, hauteur);

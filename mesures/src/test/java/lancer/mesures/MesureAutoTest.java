@@ -12,7 +12,7 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.atelier.SceneAuHasard;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui juge {@code --auto}. */
@@ -24,7 +24,7 @@ class MesureAutoTest {
     /** La moyenne de 1024 rayons réguliers par pixel, sans limite. */
     private static ImageLineaire verite(Scene scene) {
         Scene fine = scene.avec(Antialias.coins(32, 0), 0);
-        return ImageLineaire.de(Preparation.preparer(fine, LARGEUR, HAUTEUR, false), Gabarit.PROFONDEUR, 2);
+        return ImageLineaire.de(LancerSurveille.preparer(fine, LARGEUR, HAUTEUR, false), Gabarit.PROFONDEUR, 2);
     }
 
     @Test
@@ -34,7 +34,7 @@ class MesureAutoTest {
             ImageLineaire verite = verite(scene);
             Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR);
             for (int reflets : new int[] {0, 5}) {
-                ImageLineaire image = ImageLineaire.de(Preparation.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
+                ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
                 double attendue = Gabarit.erreur(image, verite);
                 assertEquals(1, gabarit.erreur(image) / attendue, 0.05, "graine " + graine + ", " + attendue + " niveaux");
             }
