@@ -1,6 +1,7 @@
 package lancer.atelier;
 
 import java.io.IOException;
+import java.math.BigDecimal;
 
 /**
  * Écrit une scène au fil de l'eau : quelques dizaines de kilo-octets en mémoire, quel que soit le nombre de sphères. Les
@@ -19,7 +20,6 @@ final class Plume {
 
     private final Appendable sortie;
     private final StringBuilder tampon = new StringBuilder(TAMPON + 1024);
-    private final char[] chiffres = new char[DECIMALES];
     private int spheres;
 
     Plume(Appendable sortie) {
@@ -86,26 +86,7 @@ final class Plume {
         if (!(Math.abs(valeur) < MAX)) {
             throw new IllegalArgumentException("nombre trop grand : " + valeur);
         }
-        long unites = Math.round(valeur * UNITE);
-        if (unites < 0) {
-            tampon.append('-');
-            unites = -unites;
-        }
-        long entier = unites / (long) UNITE;
-        long reste = unites % (long) UNITE;
-        tampon.append(entier);
-        if (reste == 0) {
-            return;
-        }
-        int fin = 0;
-        for (int i = DECIMALES - 1; i >= 0; i--) {
-            chiffres[i] = (char) ('0' + reste % 10);
-            if (fin == 0 && chiffres[i] != '0') {
-                fin = i + 1;
-            }
-            reste /= 10;
-        }
-        tampon.append('.').append(chiffres, 0, fin);
+        tampon.append(BigDecimal.valueOf(Math.round(valeur * UNITE), DECIMALES).stripTrailingZeros().toPlainString());
     }
 
     void vider() throws IOException {

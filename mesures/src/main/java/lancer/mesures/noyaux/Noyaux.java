@@ -5,6 +5,7 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Locale;
 import java.util.Map;
@@ -12,7 +13,6 @@ import java.util.TreeMap;
 import lancer.atelier.PagesMesurees;
 import lancer.mesures.stabilite.Methodes;
 import lancer.mesures.stabilite.Stabilite;
-import org.openjdk.jmh.results.Result;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
@@ -22,8 +22,10 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.VerboseMode;
 
 /**
- * Mesure par JMH ce que coûte chaque façon de calculer une intersection, et en fait la courbe des méthodes. Chaque temps a son
- * intervalle, où la moyenne se trouve à 99,9 % ; s'il est trop large, la machine n'était pas tranquille, et rien n'est écrit.
+ * Mesure par JMH ce que coûte chaque façon de calculer une intersection, et en fait la courbe des méthodes. De chaque machine virtuelle
+ * est retenue la plus courte de ses mesures, qui sont brèves : un autre travail les interrompt moins souvent qu'il ne les allonge. Le temps
+ * est leur moyenne, et son intervalle dit où elle se trouve 19 fois sur 20 ; s'il est trop large, la machine n'était pas tranquille, et rien
+ * n'est écrit.
  *
  * <pre>
  * java -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux [options de JMH]
@@ -37,6 +39,9 @@ public final class Noyaux {
 
     /** Part du temps que son intervalle ne doit pas dépasser, de part et d'autre. */
     private static final double TROP_LARGE = 0.15;
+
+    /** Le quantile à 97,5 % de la loi de Student, de 1 à 7 degrés de liberté. */
+    private static final double[] STUDENT = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365};
 
     private Noyaux() {
     }
@@ -71,22 +76,42 @@ public final class Noyaux {
         Collection<RunResult> resultats = new Runner(mesure.build()).run();
         sortie.print(String.format(LIGNE, "méthode", "régime", "temps", "erreur", "unité"));
         for (RunResult resultat : resultats) {
-            Result<?> r = resultat.getPrimaryResult();
+            double[] t = temps(resultat);
             String formule = resultat.getParams().getParam("formule");
             String regime = resultat.getParams().getParam("regime");
-            temps.put(Methodes.cle(regime, formule), new double[] {r.getScore(), r.getScoreError()});
-            sortie.print(String.format(LIGNE, formule, regime, nombre(r.getScore()), "± " + nombre(r.getScoreError()), r.getScoreUnit()));
+            temps.put(Methodes.cle(regime, formule), t);
+            sortie.print(String.format(LIGNE, formule, regime, nombre(t[0]), "± " + nombre(t[1]), "ns"));
         }
         return temps;
     }
 
-    /** Écrit les mesures, la courbe et la page, si toutes les méthodes ont été mesurées sans être dérangées. */
+    /** La moyenne des plus courtes mesures de chaque machine virtuelle, et ce qu'il y a de part et d'autre dans son intervalle. */
+    private static double[] temps(RunResult resultat) {
+        double[] courtes = resultat.getBenchmarkResults().stream().mapToDouble(machine -> machine.getIterationResults().stream()
+                .mapToDouble(mesure -> mesure.getPrimaryResult().getScore()).min().orElse(Double.NaN)).toArray();
+        double moyenne = Arrays.stream(courtes).average().orElse(Double.NaN);
+        double carres = Arrays.stream(courtes).map(t -> (t - moyenne) * (t - moyenne)).sum();
+        int libertes = courtes.length - 1;
+        double demi = libertes == 0 ? Double.NaN
+                : STUDENT[Math.min(libertes, STUDENT.length) - 1] * Math.sqrt(carres / libertes / courtes.length);
+        return new double[] {moyenne, demi};
+    }
+
+    /**
+     * Écrit les mesures, la courbe et la page, si toutes les méthodes ont été mesurées sans être dérangées.
+     *
+     * @return faux si elles devaient l'être, et n'ont pu
+     */
     static boolean noter(Map<String, double[]> temps, Path resultats, PrintStream sortie) throws IOException {
+        if (!Methodes.estComplet(temps.keySet())) {
+            sortie.println("Toutes les méthodes n'ont pas été mesurées : rien n'est écrit.");
+            return true;
+        }
         long larges = temps.values().stream().filter(t -> !(t[1] <= TROP_LARGE * t[0])).count();
-        if (!Files.isDirectory(resultats) || !Methodes.estComplet(temps.keySet()) || larges > 0) {
-            sortie.println(larges > 0 ? larges + " intervalles dépassent 15 % du temps : la machine n'est pas tranquille, rien n'est écrit."
-                    : Files.isDirectory(resultats) ? "Toutes les méthodes n'ont pas été mesurées : rien n'est écrit."
-                    : "À lancer à la racine du projet : rien n'est écrit, " + resultats + " n'existe pas.");
+        if (larges > 0 || !Files.isDirectory(resultats)) {
+            sortie.println((larges > 0 ? "La machine n'est pas tranquille, " + larges + " intervalles sur " + temps.size()
+                    + " dépassent 15 % du temps" : "À lancer à la racine du projet, " + resultats + " n'existe pas")
+                    + " : rien n'est écrit.");
             return false;
         }
         Methodes.noter(resultats, temps);

@@ -14,7 +14,7 @@ final class Exactitude {
     private static final String FIN = ",essais,faux,erreur_relative,erreur_unites";
     static final String STABILITE = "figure,methode,x,y" + FIN;
 
-    /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans l'intervalle à 99,9 %. */
+    /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans son intervalle, 19 fois sur 20. */
     static final String METHODES = "regime,methode,ns,plus_ou_moins" + FIN;
 
     /** Ce qui commence, en dernière ligne, ce qu'il faut savoir pour comparer. */

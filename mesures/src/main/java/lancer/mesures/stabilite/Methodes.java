@@ -77,9 +77,9 @@ public final class Methodes {
     }
 
     Planche planche() {
-        Planche planche = new Planche("Le temps du manuel, multiplié : perpendiculaire " + cout(Regime.ORDINAIRE, Aspect.PERPENDICULAIRE)
+        Planche planche = new Planche("Le temps, comparé au manuel : perpendiculaire " + cout(Regime.ORDINAIRE, Aspect.PERPENDICULAIRE)
                 + " ; programme " + cout(Regime.ORDINAIRE, Aspect.PROGRAMME) + ", au-dessus d'un sol "
-                + cout(Regime.SOL, Aspect.PROGRAMME), "Temps d'une intersection, par JMH, intervalle à 99,9 % ; erreur : la pire de "
+                + cout(Regime.SOL, Aspect.PROGRAMME), "Temps d'une intersection, par JMH ; barres : 19 fois sur 20 ; erreur : la pire de "
                 + Style.nombre(Regime.RAYONS) + " rayons, jugés sans arrondi ; 1 est l'effet d'un arrondi de la direction, κ u t = "
                 + "u (1 + r/h) t. En creux : plus d'un rayon sur dix est mal classé, et l'erreur ne dit que celle des autres. " + note
                 + ". make noyaux")

@@ -48,7 +48,7 @@ public final class Stabilite {
 
     /** Les nombres que montrent les pages, par leurs noms. */
     public static Map<String, String> pages(Path dossier) throws IOException {
-        Map<String, String> valeurs = lire(dossier).pages();
+        Map<String, String> valeurs = lire(dossier).nombres();
         if (Files.exists(dossier.resolve(Methodes.CSV))) {
             valeurs.putAll(new Methodes(dossier).pages());
         }

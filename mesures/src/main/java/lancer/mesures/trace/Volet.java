@@ -35,11 +35,7 @@ public final class Volet extends Courbe {
     private String[] rangees;
     private double zone;
     private double repereX;
-    private double plancherY;
     private boolean versZero;
-
-    /** Ce qui est au-dessous est dessiné à la place de zéro ; 0 s'il n'y a rien. */
-    private double enBas;
     private Axe axeX;
     private ValueAxis axeY;
 
@@ -66,12 +62,6 @@ public final class Volet extends Courbe {
         volet.rangees = noms.toArray(new String[0]);
         volet.repereX = repere;
         return volet;
-    }
-
-    /** @param plancher ce qui est plus petit est dessiné dans une bande à part, celle de zéro ; 0 : pas de bande */
-    public Volet plancher(double plancher) {
-        plancherY = plancher;
-        return this;
     }
 
     /** Les abscisses décroissent vers la droite : ce qui est difficile est à droite de ce qui est facile. */
@@ -125,8 +115,8 @@ public final class Volet extends Courbe {
         plot.setDataset(1, donnees(series));
         plot.setRenderer(1, new Points(series));
         plot.setBackgroundPaint(null);
-        if (zone > 0 || enBas > 0) {
-            plot.addRangeMarker(new IntervalMarker(axeY.getLowerBound(), Math.max(zone, enBas), Style.BANDE), Layer.BACKGROUND);
+        if (zone > 0) {
+            plot.addRangeMarker(new IntervalMarker(axeY.getLowerBound(), zone, Style.BANDE), Layer.BACKGROUND);
         }
         niveaux.forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
         if (repereX > 0) {
@@ -140,30 +130,23 @@ public final class Volet extends Courbe {
         double maxX = repereX;
         double minY = zone > 0 ? zone / 2 : Double.POSITIVE_INFINITY;
         double maxY = zone;
-        boolean zero = false;
         for (Serie serie : series) {
             for (Marque m : serie.marques) {
                 minX = Math.min(minX, m.xMin);
                 maxX = Math.max(maxX, m.xMax);
                 maxY = Math.max(maxY, m.yMax);
-                minY = m.y > plancherY ? Math.min(minY, m.yMin) : minY;
-                zero |= m.y <= plancherY;
+                minY = Math.min(minY, m.yMin);
             }
         }
-        axeX = new Axe(nomX, minX / jeu(minX, maxX), maxX * jeu(minX, maxX), 0);
+        axeX = new Axe(nomX, minX / jeu(minX, maxX), maxX * jeu(minX, maxX));
         axeX.setInverted(versZero);
+        axeY = new Axe(nomY, minY / jeu(minY, maxY), maxY * jeu(minY, maxY));
         if (rangees != null) {
             SymbolAxis noms = new SymbolAxis(null, rangees);
             noms.setGridBandsVisible(false);
             noms.setInverted(true);
             axeY = noms;
-            return;
         }
-        minY = minY > maxY ? maxY / 10 : minY;
-        enBas = zero ? plancherY : 0;
-        double bas = enBas > 0 ? enBas : minY / jeu(minY, maxY);
-        double haut = maxY * jeu(minY, maxY);
-        axeY = new Axe(nomY, bas, haut, enBas > 0 ? bas / Math.pow(haut / bas, 0.05) : 0);
     }
 
     /** De combien l'axe dépasse ce qui s'y montre : une marque au bord doit y tenir. */
@@ -183,9 +166,9 @@ public final class Volet extends Courbe {
         return donnees;
     }
 
-    /** L'ordonnée d'une marque sur l'axe : zéro à sa place ; dans une rangée, les séries l'une sous l'autre. */
+    /** L'ordonnée d'une marque sur l'axe : dans une rangée, les séries sont l'une sous l'autre. */
     private double y(double y, int serie) {
-        return rangees == null ? ((Axe) axeY).place(y) : y + (serie - (series.size() - 1) / 2.0) * 0.8 / series.size();
+        return rangees == null ? y : y + (serie - (series.size() - 1) / 2.0) * 0.8 / series.size();
     }
 
     /** Les traits, puis les points et leurs barres ; en creux ceux qui ne valent pas la peine. */

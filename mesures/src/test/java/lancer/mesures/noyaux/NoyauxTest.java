@@ -20,6 +20,11 @@ import org.openjdk.jmh.runner.options.CommandLineOptions;
 /** Les noyaux. */
 class NoyauxTest {
 
+    static {
+        // ces tests ne jugent aucun temps : une mesure faite ailleurs sur la machine ne doit pas les empêcher
+        System.setProperty("jmh.ignoreLock", "true");
+    }
+
     @TempDir
     Path dossier;
 
@@ -34,11 +39,14 @@ class NoyauxTest {
         Map<String, double[]> temps = mesurer(ecran, "-f", "0", "-wi", "0", "-i", "2", "-r", "2ms");
         assertEquals(Formule.values().length * Regime.values().length, temps.size());
         assertTrue(Methodes.estComplet(temps.keySet()));
-        assertTrue(sortie.toString("UTF-8").matches("(?s).*\nPROGRAMME +SOL +[0-9.]+ +± [0-9.?]+ +ns/op.*"), sortie.toString("UTF-8"));
+        assertTrue(sortie.toString("UTF-8").matches("(?s).*\nPROGRAMME +SOL +[0-9.]+ +± [0-9.?]+ +ns.*"), sortie.toString("UTF-8"));
         temps.get("sol manuel")[1] = Double.NaN;
         assertFalse(Noyaux.noter(temps, dossier, ecran));
         assertTrue(sortie.toString("UTF-8").contains("n'est pas tranquille"));
         assertFalse(Files.exists(dossier.resolve(Methodes.CSV)));
+        temps.values().forEach(t -> t[1] = 0);
+        assertFalse(Noyaux.noter(temps, dossier.resolve("absent"), ecran));
+        assertTrue(sortie.toString("UTF-8").contains("À lancer à la racine"));
     }
 
     @Test
@@ -46,11 +54,9 @@ class NoyauxTest {
         ByteArrayOutputStream sortie = new ByteArrayOutputStream();
         PrintStream ecran = new PrintStream(sortie, true, "UTF-8");
         Map<String, double[]> temps = mesurer(ecran, "-f", "0", "-wi", "0", "-i", "2", "-r", "2ms", "-p", "formule=MANUEL");
-        temps.values().forEach(t -> t[1] = 0);
-        assertFalse(Noyaux.noter(temps, dossier, ecran));
+        assertTrue(Noyaux.noter(temps, dossier, ecran), "c'est ce qui était demandé");
         assertTrue(sortie.toString("UTF-8").contains("Toutes les méthodes n'ont pas été mesurées"));
-        assertFalse(Noyaux.noter(temps, dossier.resolve("absent"), ecran));
-        assertTrue(sortie.toString("UTF-8").contains("à la racine") || sortie.toString("UTF-8").contains("À lancer"));
+        assertFalse(Files.exists(dossier.resolve(Methodes.CSV)));
     }
 
     @Test
