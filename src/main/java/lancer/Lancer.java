@@ -6,6 +6,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Ecoute;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Temoignage;
@@ -50,6 +51,7 @@ public class Lancer {
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
         scene.getCompteurs().primaires++;
+        Ecoute.depart(scene.ecoute, xe, ye);
         Rayon initial = camera.getRayon(xe, ye);
         return scene.getCouleurVue(initial, null, profondeur);
     }
@@ -166,6 +168,11 @@ public class Lancer {
         public Couleur couleur(double xe, double ye) {
             equipe.verifier();
             return sien.voir(xe, ye, profondeur);
+        }
+
+        @Override
+        public long rayons() {
+            return sien.scene.getCompteurs().rayons();
         }
     }
 }

@@ -12,15 +12,16 @@ import lancer.commande.Pannes;
 import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
-import lancer.contrat.Variante;
 import lancer.fenetre.Fenetre;
+import lancer.inspection.Inspection;
+import lancer.inspection.Recit;
 import lancer.lecture.LecteurScene;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
+import lancer.sortie.ReglagesDessin;
 import lancer.sortie.Statistiques;
-import lancer.sortie.UnPixel;
 import lancer.sortie.VersFichiers;
 
 /**
@@ -37,7 +38,7 @@ public class Main implements Toile, Dessinateur {
     private final PrintStream erreur;
     private volatile Scene scene;
     private volatile String fichier;
-    private List<Variante> variantesLibres;
+    private volatile ReglagesDessin reglages;
     private long lectureNs;
     private long preparationNs;
     private volatile ImageMemoire image;
@@ -93,7 +94,8 @@ public class Main implements Toile, Dessinateur {
         VersFichiers fichiers = VersFichiers.pourDessiner(options, sortie, erreur);
         List<String> avertissements = lireScene(options.scene);
         image = fichiers.creerImage();
-        Lancer dessine = fichiers.dessiner(preparer(), variantesLibres, this, image, lectureNs, preparationNs);
+        Lancer dessine = fichiers.dessiner(preparer(), reglages.getVariantesLibres(), this, image, lectureNs,
+                preparationNs);
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
         Pannes.avertir(avertissements, erreur);
         direEcart(dessine);
@@ -102,7 +104,9 @@ public class Main implements Toile, Dessinateur {
     private void dessinerUnPixel() {
         List<String> avertissements = lireScene(options.scene);
         Camera camera = new Camera(options.largeur, options.hauteur);
-        UnPixel.dessiner(scene, camera, options.reflets, options.pixelX, options.pixelY).ecrire(sortie);
+        Inspection pixel = new Inspection(scene, camera, reglages.getReflets(), options.pixelX, options.pixelY);
+        pixel.faire();
+        Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
         Pannes.avertir(avertissements, erreur);
     }
 
@@ -115,7 +119,7 @@ public class Main implements Toile, Dessinateur {
         } else {
             lireScene(options.scene);
             image = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
-            preparer().TracerPixels(this, options.reflets, options.fils);
+            preparer().TracerPixels(this, reglages.getReflets(), options.fils);
         }
         return fichiers.comparer(image, attendue);
     }
@@ -124,16 +128,27 @@ public class Main implements Toile, Dessinateur {
     public List<String> lireScene(String nomFichier) {
         long debut = System.nanoTime();
         LecteurScene lu = LecteurScene.lire(nomFichier);
-        Scene nouvelle = new Scene(lu);
+        ReglagesDessin demandes = ReglagesDessin.de(lu, options);
+        Scene nouvelle = demandes.regler(new Scene(lu));
         if (Thread.currentThread().isInterrupted()) {
             throw new CancellationException("lecture abandonnée : la scène d'avant reste");
         }
         lectureNs = System.nanoTime() - debut;
-        nouvelle.setSeuil(options.seuil);
         scene = nouvelle;
         fichier = nomFichier;
-        variantesLibres = lu.getVariantesLibres();
+        reglages = demandes;
         return lu.getAvertissements();
+    }
+
+    @Override
+    public ReglagesDessin getReglages() {
+        return reglages;
+    }
+
+    @Override
+    public void regler(ReglagesDessin voulus) {
+        scene = voulus.regler(scene);
+        reglages = voulus;
     }
 
     /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
@@ -146,14 +161,14 @@ public class Main implements Toile, Dessinateur {
     private Echec nommer(PixelFautif panne) {
         int largeur = image == null ? options.largeur : image.getLargeur();
         int hauteur = image == null ? options.hauteur : image.getHauteur();
-        PixelFautif precise = Diagnostic.preciser(panne, scene, new Camera(largeur, hauteur), options.reflets);
-        return new Echec(CodeSortie.PANNE, Pannes.duPixel(precise, options, fichier, largeur, hauteur));
+        PixelFautif precise = Diagnostic.preciser(panne, scene, new Camera(largeur, hauteur), reglages.getReflets());
+        return new Echec(CodeSortie.PANNE, Pannes.duPixel(precise, reglages.getOptions(), fichier, largeur, hauteur));
     }
 
     /** Prépare la scène lue pour l'image à dessiner. */
     private Lancer preparer() {
         long debut = System.nanoTime();
-        Lancer nouveau = Preparation.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple);
+        Lancer nouveau = LancerSurveille.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple);
         preparationNs = System.nanoTime() - debut;
         return nouveau;
     }
@@ -167,7 +182,7 @@ public class Main implements Toile, Dessinateur {
         Lancer nouveau = preparer();
         lancer = nouveau;
         try {
-            nouveau.TracerImage(this, options.reflets, options.fils);
+            nouveau.TracerImage(this, reglages.getReflets(), options.fils);
         } catch (PixelFautif e) {
             throw nommer(e);
         }

@@ -1,5 +1,7 @@
 package lancer;
 
+import lancer.contrat.Ecoute;
+
 /**
  * Ce qu'un rayon peut rencontrer : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme
  * nouvelle n'a que deux méthodes à donner : {@link #getIntersectionDistance} et {@link #getNormale} ; une troisième,
@@ -39,15 +41,22 @@ public abstract class Objet3D {
         Vecteur V = incident.getV();
         Vecteur N = getNormale(contact);
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();
-        Lumiere lumiere = new Lumiere();
+        Ecoute.contact(scene.ecoute, contact, N, R);
+        Lumiere lumiere = new Lumiere(scene.ecoute);
         for (Lampe lampe : scene.lampes) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
             // le signe de N·L se lit avant de normaliser : une lampe exactement sur le contact s'arrête ici aussi
-            if (N.dot(versLampe) > 0) {
+            double devant = N.dot(versLampe);
+            Ecoute.lampe(scene.ecoute, lampe, devant);
+            if (devant > 0) {
                 Vecteur L = versLampe.normalized();
                 Couleur KL = lampe.getCouleur();
                 double eclat = Ks.estNoire() ? 0 : scene.getSpecularite().eclat(V, N, L, R, ns);
-                Couleur apport = Kd.mul(KL).mul(Math.min(1, N.dot(L))).add(Ks.mul(KL).mul(eclat));
+                double cosinus = Math.min(1, N.dot(L));
+                Couleur diffus = Kd.mul(KL).mul(cosinus);
+                Couleur reflet = Ks.mul(KL).mul(eclat);
+                Ecoute.eclairement(scene.ecoute, cosinus, eclat, diffus, reflet);
+                Couleur apport = diffus.add(reflet);
                 if (!apport.estNoire() && !scene.estCachee(lampe, contact, L, versLampe.norme(), this)) {
                     lumiere.ajouter(apport);
                 }
@@ -55,6 +64,7 @@ public abstract class Objet3D {
         }
         if (profondeur > 0 && !Ks.estNoire()) {
             Couleur produitKs = incident.getProduitKs().mul(Ks);
+            Ecoute.poids(scene.ecoute, produitKs);
             if (produitKs.max() >= scene.getSeuil()) {
                 scene.getCompteurs().reflechis++;
                 Rayon reflechi = new Rayon(contact, R, produitKs);

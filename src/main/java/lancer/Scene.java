@@ -6,7 +6,9 @@ import java.util.List;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
+import lancer.contrat.Origines;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Specularite;
@@ -22,9 +24,12 @@ public final class Scene {
     private final List<Objet3D> objets;
     /** En tableau, que chaque contact parcourt. */
     final Lampe[] lampes;
+    /** Qui écoute ce fil calculer ; d'ordinaire {@code null}. */
+    final Ecoute ecoute;
     private final Atmosphere atmosphere;
     private final Specularite specularite;
     private final Echantillonnage echantillonnage;
+    private final Origines origines;
     private final Compteurs compteurs = new Compteurs();
     private Recherche recherche;
     private double seuil = Constantes.SEUIL;
@@ -41,7 +46,7 @@ public final class Scene {
 
     /** La scène d'un fichier déjà lu. */
     public Scene(LecteurScene lu) {
-        this(lu.getObjets(), lu.getLampes(), lu.getModele());
+        this(lu.getObjets(), lu.getLampes(), lu.getModele(), lu.getOrigines());
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente est laissée de côté. */
@@ -51,22 +56,31 @@ public final class Scene {
 
     /** Une scène sans fichier, où {@code modele} dit ce que des variantes changent. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, Modele modele) {
+        this(objets, lampes, modele, new Origines());
+    }
+
+    private Scene(List<? extends Objet3D> objets, List<Lampe> lampes, Modele modele, Origines origines) {
         this.objets = Collections.unmodifiableList(Jumelles.sans(objets));
         this.lampes = lampes.toArray(new Lampe[0]);
         atmosphere = modele.getAtmosphere();
         specularite = modele.getSpecularite();
         echantillonnage = modele.getEchantillonnage();
+        this.origines = origines;
+        ecoute = null;
         recherche = new RechercheSimple(this.objets, compteurs);
     }
 
-    private Scene(Scene autre, Echantillonnage echantillonnage, double seuil) {
+    private Scene(Scene autre, Atmosphere atmosphere, Specularite specularite, Echantillonnage echantillonnage,
+            double seuil, Ecoute ecoute) {
         objets = autre.objets;
         lampes = autre.lampes;
-        atmosphere = autre.atmosphere;
-        specularite = autre.specularite;
+        this.atmosphere = atmosphere;
+        this.specularite = specularite;
         this.echantillonnage = echantillonnage;
         recherche = autre.recherche.pourUnFil(compteurs);
         this.seuil = seuil;
+        origines = autre.origines;
+        this.ecoute = ecoute;
     }
 
     /** La même scène pour un fil de plus, avec ses propres compteurs. */
@@ -80,7 +94,18 @@ public final class Scene {
      * @param seuil voir {@link #setSeuil}
      */
     public Scene avec(Echantillonnage echantillonnage, double seuil) {
-        return new Scene(this, echantillonnage, seuil);
+        return new Scene(this, atmosphere, specularite, echantillonnage, seuil, ecoute);
+    }
+
+    /** La même scène, qui dit à {@code ecoute} ce qu'elle calcule. */
+    public Scene ecoutee(Ecoute ecoute) {
+        return new Scene(this, atmosphere.ecoutee(ecoute), specularite, echantillonnage, seuil, ecoute);
+    }
+
+    /** De même, et ce que des variantes en changent est ce que dit {@code modele}. */
+    public Scene avec(Modele modele, double seuil) {
+        return new Scene(this, modele.getAtmosphere(), modele.getSpecularite(), modele.getEchantillonnage(), seuil,
+                ecoute);
     }
 
     /** Le premier objet que rencontre ce rayon. Voir {@link #getClosestIntersection(Rayon, Objet3D)}. */
@@ -109,6 +134,7 @@ public final class Scene {
      */
     public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
         compteurs.ombre++;
+        Ecoute.ombre(ecoute, L, distance);
         if (estLointaine(lampe)) {
             double milieu = distance / 2;
             return recherche.estCachee(lampe, contact, L, milieu, objet)
@@ -131,11 +157,11 @@ public final class Scene {
      */
     public Couleur getCouleurVue(Rayon rayon, Objet3D saufLui, int profondeur) {
         PointContact contact = getClosestIntersection(rayon, saufLui);
-        if (contact == null) {
-            return atmosphere.traverser(rayon.getSkyColor(), Constantes.INFINI);
-        }
-        Couleur couleur = contact.objet.getColor(this, rayon, contact, profondeur);
-        return atmosphere.traverser(couleur, contact.distance);
+        Couleur couleur = contact == null ? rayon.getSkyColor()
+                : contact.objet.getColor(this, rayon, contact, profondeur);
+        Couleur vue = atmosphere.traverser(couleur, contact == null ? Constantes.INFINI : contact.distance);
+        Ecoute.vue(ecoute, contact, couleur, vue);
+        return vue;
     }
 
     /** Les objets, dans l'ordre du fichier ; la liste ne change pas. */
@@ -146,6 +172,11 @@ public final class Scene {
     /** Les lampes, dans l'ordre du fichier ; la liste ne change pas. */
     public List<Lampe> getLampes() {
         return Collections.unmodifiableList(Arrays.asList(lampes));
+    }
+
+    /** De quelles sections viennent les objets et les lampes. */
+    public Origines getOrigines() {
+        return origines;
     }
 
     /** Ce que ce fil a compté. */

@@ -21,18 +21,19 @@ import org.junit.jupiter.api.TestMethodOrder;
 
 /**
  * Les vérifications élémentaires du cours, étape par étape, dans l'ordre de l'énoncé. À lancer avec le <i>runner</i>
- * JUnit 5. Elles
- * ne demandent que ce que l'énoncé demande, et chaque échec dit ce qui était attendu et ce qui est venu. Une étape que
- * l'on n'a pas
- * commencée ({@code getColor} rend encore du jaune vif, {@code getClosestIntersection} ne trouve rien) est abandonnée,
- * pas ratée.
+ * JUnit 5. Elles ne demandent que ce que l'énoncé demande, et chaque échec dit ce qui était attendu et ce qui est venu.
+ * Une étape que l'on n'a pas commencée ({@code getColor} rend encore du jaune vif, {@code getClosestIntersection} ne
+ * trouve rien) est abandonnée, pas ratée.
  */
 @DisplayName("Vérifications élémentaires du TP")
 @TestClassOrder(ClassOrderer.OrderAnnotation.class)
 public class Tests {
 
-    /** Deux réels égaux à quelques arrondis près. */
-    private static final double PRES = 1e-9;
+    /** Ce qui sépare deux réels que l'on tient pour égaux : le cours ne cherche ici que des erreurs très grossières. */
+    private static final double PRES = 1e-5;
+
+    /** La même chose pour une composante d'une couleur : un quart de ce qui se voit à l'écran. */
+    private static final double PRES_COULEUR = 1e-3;
 
     private static final Couleur NOIR = new Couleur(0, 0, 0);
     private static final Couleur BLANC = new Couleur(1, 1, 1);
@@ -45,7 +46,8 @@ public class Tests {
     }
 
     private static boolean pres(Couleur c, Couleur d) {
-        return pres(c.r, d.r) && pres(c.v, d.v) && pres(c.b, d.b);
+        return Math.abs(c.r - d.r) <= PRES_COULEUR && Math.abs(c.v - d.v) <= PRES_COULEUR
+                && Math.abs(c.b - d.b) <= PRES_COULEUR;
     }
 
     private static void verifier(String demande, double attendu, double obtenu) {
@@ -901,7 +903,8 @@ public class Tests {
         /** Deux miroirs face à face, l'éclairement c de chacun : c (1 + 1/2 + 1/4 + ...). */
         private void miroirs(int profondeur) {
             Couleur demi = new Couleur(0.5, 0.5, 0.5);
-            Scene scene = scene(lampe(0, 3, 4), boule(0, 0, 9, 1, BLANC, demi, 1), boule(0, 0, -1, 1, BLANC, demi, 1));
+            // des couleurs qui restent sous 1, où l'on peut vouloir les limiter
+            Scene scene = scene(lampe(0, 3, 4), boule(0, 0, 9, 1, demi, demi, 20), boule(0, 0, -1, 1, demi, demi, 20));
             try {
                 Couleur seule = vue(scene, rayon(0, 0, 4, 0, 0, 1), 0);
                 double somme = 2 - Math.pow(0.5, profondeur);

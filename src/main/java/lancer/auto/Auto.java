@@ -2,57 +2,68 @@ package lancer.auto;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Iterator;
 import java.util.List;
+import java.util.function.Consumer;
 import lancer.Lancer;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 
 /**
- * {@code --auto} : choisit comment dessiner une scène, d'après quelques pixels essayés de toutes les façons permises,
- * et contrôle ensuite l'image sur d'autres. L'erreur est celle d'{@link Estimation}, contre la moyenne du pixel sans
- * limite de réflexions ; le prix se compte en rayons. Pour une erreur voulue, le choix ne dépend que de la scène, de la
- * taille et de ce qui est voulu ou fixé ; pour un temps voulu, il dépend aussi de la machine. Le brouillon n'est jamais
- * choisi : ce n'est pas une image.
+ * {@code --auto} : choisit comment dessiner une scène, d'après quelques pixels essayés de plusieurs façons, et contrôle
+ * ensuite l'image sur d'autres. L'erreur est celle d'{@link Estimation}, contre la moyenne du pixel sans limite de
+ * réflexions ; le prix se compte en rayons. Du réglage le moins cher, on va vers les plus justes, toujours par le même
+ * chemin, jusqu'à ce qui est voulu : vouloir moins d'erreur ne peut donc en annoncer plus. Pour une erreur voulue, le
+ * choix ne dépend que de la scène, de la taille et de ce qui est voulu ou fixé ; pour un temps voulu, il dépend aussi
+ * de la machine. Le brouillon n'est jamais choisi : ce n'est pas une image.
  */
 public final class Auto {
 
-    /** Échantillonnages essayés à la fois, avant de regarder si l'un convient. */
-    private static final int LOT = 8;
+    /** Blocs où s'essaient les limites et se cherche le contraste. */
+    private static final int BLOCS_MIN = 200;
+    private static final int BLOCS_MAX = 4000;
 
-    /** Part de l'erreur voulue que les limites peuvent prendre sans gêner la mesure des échantillonnages. */
-    private static final double PART_DES_LIMITES = 0.25;
+    /** Part des rayons du choix qui va à ces blocs, et ce que chacun y demande de points. */
+    private static final double PART_DES_BLOCS = 0.3;
+    private static final int POINTS_PAR_BLOC = EssaiFinesses.POINTS + 6;
 
-    /** L'erreur qu'il faut savoir mesurer quand c'est un temps qui est voulu, en niveaux. */
-    private static final double ERREUR_VISEE = 1;
+    /** Part de ce qui reste que prennent les blocs tirés pour mesurer une erreur ; une moindre en tirera d'autres. */
+    private static final double PART_DES_TIRAGES = 0.7;
+
+    /** L'erreur que les limites peuvent faire sans gêner la mesure des échantillonnages, en niveaux. */
+    private static final double GENE = 0.25;
 
     private static final double NS_PAR_S = 1e9;
-    private static final double NS_PAR_MS = 1e6;
+    private static final double MS_PAR_S = 1e3;
 
     private final Souhait souhait;
-    private final double erreurVisee;
     private final Essais essais;
-    private final Semis semis;
-    private final EssaiLimites limites;
+    private final Budget budget;
     private final List<Finesse> finesses;
-    private final Reseau reseau;
+    private final Consumer<Auto> suivi;
+    private EssaiLimites limites;
+    private EssaiFinesses essai;
+
+    /** De moins en moins d'erreur, attendue comme au plus. */
+    private final List<Reglage> front = new ArrayList<>();
+    private final List<Reglage> essayes = new ArrayList<>();
+    private int semes;
+    private int finessesVues;
     private Reglage choisi;
     private double tempsAttendu;
-    private int pixelsEssayes;
-    private long essaisNs;
+    private double essaisS;
     private Lancer lancer;
-    private Tirage controle;
+    private EssaiFinesses controle;
     private Prelevement prelevement;
     private Estimation mesuree;
 
-    private Auto(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes) {
+    private Auto(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes, Consumer<Auto> suivi) {
         this.souhait = souhait;
-        erreurVisee = souhait.erreur > 0 ? souhait.erreur : ERREUR_VISEE;
+        this.suivi = suivi;
         essais = new Essais(prepare, fils);
-        semis = new Semis(essais.camera.getLargeur(), essais.camera.getHauteur());
-        limites = new EssaiLimites(essais, semis.choix);
+        budget = new Budget(souhait, essais);
         finesses = Finesse.possibles(prepare.getScene(), variantes);
-        reseau = Reseau.pour(erreurVisee);
     }
 
     /**
@@ -63,57 +74,120 @@ public final class Auto {
      * @throws lancer.SceneFautive si une variante propose un réglage fautif
      */
     public static Auto choisir(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes) {
-        long debut = System.nanoTime();
-        Auto auto = new Auto(prepare, souhait, fils, variantes);
+        return choisir(prepare, souhait, fils, variantes, auto -> { });
+    }
+
+    /**
+     * Choisit, en disant où il en est.
+     *
+     * @param suivi appelé dans ce fil après chaque pas
+     * @throws java.util.concurrent.CancellationException si ce fil est interrompu
+     */
+    public static Auto choisir(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes,
+            Consumer<Auto> suivi) {
+        Auto auto = new Auto(prepare, souhait, fils, variantes, suivi);
+        auto.semer();
+        auto.monter();
         auto.choisir();
-        auto.essaisNs = System.nanoTime() - debut;
+        auto.essaisS = auto.budget.ecoule();
         return auto;
     }
 
+    /** Sème autant de blocs que le plus petit dessin le permet, et y essaie ce qui ne dépend pas d'une finesse. */
+    private void semer() {
+        List<Pave> blocs = essais.semer(BLOCS_MIN, false);
+        limites = new EssaiLimites(essais, blocs, souhait);
+        double prix = limites.exactes.rayons;
+        double permis = PART_DES_BLOCS * budget.pourChoisir(prix) / (POINTS_PAR_BLOC * prix);
+        if (permis > BLOCS_MIN) {
+            blocs = essais.semer((int) Math.min(BLOCS_MAX, permis), false);
+            limites = new EssaiLimites(essais, blocs, souhait);
+        }
+        LimitesDesReflets communes = limites.permises.stream().filter(l -> l.erreur.auPlus() <= GENE).findFirst()
+                .orElse(limites.exactes);
+        semes = blocs.size();
+        essai = new EssaiFinesses(essais, blocs, communes);
+        affiner(Double.POSITIVE_INFINITY, limites.permises.get(0).rayons);
+    }
+
+    /** Du moins cher au plus juste : à chaque pas, ce qui retire le plus d'erreur par rayon de plus. */
+    private void monter() {
+        Iterator<Finesse> suivantes = finesses.iterator();
+        int profondeur = 0;
+        Finesse suivante = null;
+        Finesse finesse = essayer(suivantes.next());
+        while (true) {
+            Reglage ici = noter(approfondir(finesse, profondeur), profondeur);
+            if (front.isEmpty() || ici.estPlusJusteQue(front.get(front.size() - 1))) {
+                front.add(ici);
+            }
+            suivi.accept(this);
+            if (suffit(front.get(front.size() - 1))) {
+                return;
+            }
+            while (suivantes.hasNext() && (suivante == null || suivante.erreur.carre() >= finesse.erreur.carre())) {
+                suivante = essayer(suivantes.next());
+            }
+            boolean plusFin = suivante != null && suivante.erreur.carre() < finesse.erreur.carre();
+            boolean plusLoin = profondeur + 1 < limites.permises.size();
+            if (plusFin && plusLoin) {
+                plusLoin = noter(finesse, profondeur + 1).gain(ici) > noter(suivante, profondeur).gain(ici);
+            }
+            if (plusLoin) {
+                profondeur++;
+            } else if (plusFin) {
+                finesse = suivante;
+            } else {
+                return;
+            }
+        }
+    }
+
+    private Finesse essayer(Finesse finesse) {
+        essai.essayer(finesse);
+        finessesVues++;
+        return finesse;
+    }
+
+    /** La même, contre des références aussi fines que son erreur le demande. */
+    private Finesse approfondir(Finesse finesse, int profondeur) {
+        double prix = finesse.prix * essai.rayonsParRayon(limites.permises.get(profondeur));
+        while (affiner(finesse.erreur.erreur(), prix)) {
+            essai.essayer(finesse);
+        }
+        return finesse;
+    }
+
+    private boolean affiner(double erreur, double prix) {
+        return essai.affiner(erreur, PART_DES_TIRAGES * budget.pourChoisir(prix));
+    }
+
+    private Reglage noter(Finesse finesse, int profondeur) {
+        LimitesDesReflets l = limites.permises.get(profondeur);
+        Reglage reglage = new Reglage(finesse, l, essai.rayonsParRayon(l));
+        essayes.add(reglage);
+        return reglage;
+    }
+
+    private boolean suffit(Reglage reglage) {
+        return souhait.temps > 0 ? budget.pourChoisir(0) <= essai.prochain() || !tient(reglage)
+                : reglage.getErreurAuPlus() <= souhait.erreur;
+    }
+
+    private boolean tient(Reglage reglage) {
+        return budget.ecoule() + budget.dessin(reglage.getPrix()) <= souhait.temps;
+    }
+
+    /** Pour une erreur, le premier qui la tient, ou le plus juste ; pour un temps, le plus juste qui le tient. */
     private void choisir() {
-        limites.essayer(souhait);
-        EssaiFinesses essai = EssaiFinesses.parmi(semis.choix, essais, limitesCommunes(), reseau);
-        choisi = souhait.erreur > 0 ? pourUneErreur(essai) : pourUnTemps(essai);
-        if (!choisi.finesse.sure) {
-            essai.approfondir(choisi.finesse);
+        int k = front.size() - 1;
+        while (souhait.temps > 0 && k > 0 && !tient(front.get(k))) {
+            k--;
         }
-        pixelsEssayes = essai.pixels();
+        choisi = front.get(k);
+        essai.chiffrer(choisi.finesse, choisi.limites, budget.pourControler(choisi.getPrix()) / 2);
+        tempsAttendu = souhait.temps > 0 ? budget.ecoule() + budget.dessin(choisi.getPrix()) : 0;
         lancer = getLancer(choisi);
-    }
-
-    /** Le moins cher de ceux qui tiennent l'erreur voulue ; le plus juste de tous si aucun ne la tient. */
-    private Reglage pourUneErreur(EssaiFinesses essai) {
-        for (int k = 0; k < finesses.size(); k += LOT) {
-            essai.essayer(finesses.subList(k, Math.min(k + LOT, finesses.size())));
-            Reglage semble = Choix.moinsCher(getEssayes(), souhait.erreur);
-            while (semble != null && !semble.finesse.sure) {
-                essai.approfondir(semble.finesse);
-                semble = Choix.moinsCher(getEssayes(), souhait.erreur);
-            }
-            if (semble != null) {
-                return semble;
-            }
-        }
-        return Choix.plusJuste(getEssayes(), Double.POSITIVE_INFINITY);
-    }
-
-    private Reglage pourUnTemps(EssaiFinesses essai) {
-        EssaiTemps temps = new EssaiTemps(essais);
-        essai.essayer(finesses);
-        Reglage juste = temps.choisir(getEssayes(), souhait.temps);
-        tempsAttendu = temps.attendu;
-        return juste;
-    }
-
-    /** Les limites où s'essaient les échantillonnages : les moins chères qui n'y changent presque rien. */
-    private LimitesDesReflets limitesCommunes() {
-        LimitesDesReflets communes = limites.exactes;
-        for (LimitesDesReflets l : limites.permises) {
-            if (l.erreur.auPlus() <= PART_DES_LIMITES * erreurVisee && l.rayons < communes.rayons) {
-                communes = l;
-            }
-        }
-        return communes;
     }
 
     /** Ce qui est choisi. */
@@ -133,13 +207,27 @@ public final class Auto {
 
     /** Les réglages essayés, avec ce qui en est attendu. */
     public List<Reglage> getEssayes() {
-        List<Reglage> reglages = new ArrayList<>();
-        for (Finesse finesse : finesses) {
-            if (finesse.erreur != null) {
-                limites.permises.forEach(l -> reglages.add(new Reglage(finesse, l)));
-            }
-        }
-        return reglages;
+        return essayes;
+    }
+
+    /** Ceux que rien d'essayé ne domine, du moins cher au plus juste. */
+    public List<Reglage> getFront() {
+        return front;
+    }
+
+    /** Échantillonnages qui restent à essayer, au plus. */
+    public int getRestants() {
+        return finesses.size() - finessesVues;
+    }
+
+    /** Secondes que demande un rayon de plus, d'après les essais. */
+    public double getSecondesParRayon() {
+        return essais.parRayon();
+    }
+
+    /** Les rayons des essais, contrôle compris. */
+    public long getRayonsDesEssais() {
+        return essais.rayons();
     }
 
     /** Vrai si ce qui est voulu devrait être tenu. */
@@ -149,21 +237,21 @@ public final class Auto {
 
     /** @return ce qu'il faut donner à dessiner pour que {@code toile} le soit, et que l'image puisse être contrôlée */
     public Toile surveiller(Toile toile) {
+        double debut = budget.ecoule();
+        List<Pave> blocs = essais.semer(semes, true);
         // une image d'un seul bloc n'en a pas d'autre
-        List<Pave> blocs = semis.controle.isEmpty() ? semis.choix : semis.controle;
-        controle = EssaiFinesses.tirer(essais, blocs, limites.exactes);
-        prelevement = new Prelevement(toile, essais.camera.getLargeur(), controle.blocs);
+        controle = new EssaiFinesses(essais, blocs.isEmpty() ? essais.semer(1, false) : blocs, limites.exactes);
+        controle.affiner(choisi.getErreur(), budget.pourControler(choisi.getPrix()));
+        prelevement = new Prelevement(toile, essais.camera.getLargeur(), controle.tirage().blocs);
+        essaisS += budget.ecoule() - debut;
         return prelevement;
     }
 
     /** Mesure l'image dessinée, sur d'autres pixels que ceux du choix s'il y en a. */
     public void controler() {
-        long debut = System.nanoTime();
-        double[] ecarts = new double[controle.blocs.size()];
-        essais.passer(controle.blocs, limites.exactes.reflets, 0, (rang, bloc, pave, vue) ->
-                ecarts[rang] = prelevement.de(bloc).ecart(Niveaux.references(bloc, vue, reseau)));
-        mesuree = controle.estimer(ecarts);
-        essaisNs += System.nanoTime() - debut;
+        double debut = budget.ecoule();
+        mesuree = controle.mesurer(prelevement);
+        essaisS += budget.ecoule() - debut;
     }
 
     /** L'erreur de l'image, mesurée par {@link #controler}, en niveaux. */
@@ -173,17 +261,15 @@ public final class Auto {
 
     /** Trois lignes : le choix, pourquoi, et ce qu'il en est. */
     public List<String> getLignes() {
-        String pixels = CompteRendu.pixels(controle.pixels(), !semis.controle.isEmpty(), pixelsEssayes);
-        int possibles = finesses.size() * limites.permises.size();
         return Arrays.asList("auto, choisi : " + choisi,
-                "auto, attendu : " + CompteRendu.attente(souhait, choisi, possibles, tempsAttendu),
-                "auto, mesuré : " + CompteRendu.controle(souhait, mesuree, pixels, lancer.getDureeNs() / NS_PAR_S,
-                        essaisNs / NS_PAR_S));
+                "auto, attendu : " + CompteRendu.attente(souhait, choisi, essayes.size(), tempsAttendu),
+                "auto, mesuré : " + CompteRendu.controle(souhait, mesuree, controle.tirage().pixels(),
+                        lancer.getDureeNs() / NS_PAR_S, essaisS));
     }
 
     /** Des lignes de plus pour {@code --statistiques}. */
     public String getStatistiques() {
-        return CompteRendu.texte("auto.erreur.attendue: %.2f%nauto.erreur.mesuree: %.2f%nauto.essais.ms: %.3f",
-                choisi.getErreur(), mesuree.erreur(), essaisNs / NS_PAR_MS);
+        return CompteRendu.texte("auto.erreur.attendue: %.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%n"
+                + "auto.essais.ms: %.3f", choisi.getErreur(), mesuree.erreur(), essais.rayons(), essaisS * MS_PAR_S);
     }
 }

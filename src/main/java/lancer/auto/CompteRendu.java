@@ -9,46 +9,45 @@ final class CompteRendu {
     }
 
     /**
-     * @param possibles nombre de réglages entre lesquels choisir
+     * @param essayes nombre de réglages entre lesquels choisir
      * @param temps attendu, en secondes ; 0 si aucun n'est voulu
      */
-    static String attente(Souhait souhait, Reglage choisi, int possibles, double temps) {
-        return texte("erreur de %.2f, au plus %.2f ; %.2f rayons de l'écran par pixel, %.2f avec les ombres et les "
-                + "reflets", choisi.getErreur(), choisi.getErreurAuPlus(), choisi.getRayons(), choisi.getPrix())
-                + (temps > 0 ? texte(" ; %.3f s de dessin", temps) : "")
-                + " ; " + raison(souhait, souhait.estTenu(choisi.getErreurAuPlus(), temps), possibles);
+    static String attente(Souhait souhait, Reglage choisi, int essayes, double temps) {
+        return texte("erreur d'au plus %.2f, sans doute %.2f ; %.2f rayons de l'écran par pixel, %.2f avec les ombres "
+                + "et les reflets", choisi.getErreurAuPlus(), choisi.getErreur(), choisi.getRayons(), choisi.getPrix())
+                + (temps > 0 ? texte(" ; %.3f s, essais compris", temps) : "")
+                + " ; " + raison(souhait, souhait.estTenu(choisi.getErreurAuPlus(), temps), essayes);
     }
 
-    private static String raison(Souhait souhait, boolean tenable, int possibles) {
-        if (possibles == 1) {
-            return "seul réglage permis, qui " + (tenable ? "promet " : "ne promet pas ") + souhait;
+    private static String raison(Souhait souhait, boolean tenable, int essayes) {
+        if (essayes == 1) {
+            return "seul réglage essayé, qui " + (tenable ? "promet " : "ne promet pas ") + souhait;
         }
         boolean erreur = souhait.erreur > 0;
-        return tenable ? (erreur ? "le moins cher" : "le plus juste") + " de " + possibles + " réglages pour " + souhait
-                : "aucun de " + possibles + " réglages ne promet " + souhait + ", voici le plus "
+        return tenable ? (erreur ? "le moins cher" : "le plus juste") + " de " + essayes + " réglages essayés pour "
+                + souhait : "aucun de " + essayes + " réglages essayés ne promet " + souhait + ", voici le plus "
                 + (erreur ? "juste" : "rapide");
     }
 
     /**
-     * @param pixels où l'erreur est mesurée, voir {@link #pixels}
+     * @param erreur {@code null} si le temps manquait pour la mesurer
+     * @param pixels nombre de ceux où elle est mesurée
      * @param dessin le temps du dessin, et {@code essais} celui des essais, contrôle compris, en secondes
      */
-    static String controle(Souhait souhait, Estimation erreur, String pixels, double dessin, double essais) {
-        String tenu = souhait.estTenu(erreur.erreur(), dessin) ? "tenu" : "dépassé";
-        return texte("erreur de %.2f ± %.2f sur %s ; dessin en %.3f s, essais en %.3f s ; ", erreur.erreur(),
-                erreur.ecartType(), pixels, dessin, essais)
-                + (souhait.erreur > 0 ? "erreur voulue " + tenu + "e" : "temps voulu " + tenu);
+    static String controle(Souhait souhait, Estimation erreur, int pixels, double dessin, double essais) {
+        String mesure = erreur == null ? "erreur non mesurée, faute de temps"
+                : texte("erreur de %.2f ± %.2f, sur %d pixels", erreur.erreur(), erreur.incertitude(), pixels);
+        return mesure + texte(" ; dessin en %.3f s, essais en %.3f s ; ", dessin, essais)
+                + (souhait.erreur > 0 ? verdict(souhait.erreur, erreur)
+                : "temps voulu " + (dessin + essais <= souhait.temps ? "tenu" : "dépassé"));
     }
 
-    /** @param autres faux si l'image est trop petite pour en avoir d'autres que ceux du choix */
-    static String pixels(int controles, boolean autres, int essayes) {
-        boolean un = controles == 1;
-        if (!autres) {
-            return un ? "le seul pixel de l'image, celui du choix"
-                    : "les " + controles + " pixels de l'image, ceux du choix";
+    private static String verdict(double voulue, Estimation erreur) {
+        if (erreur.erreur() + erreur.incertitude() <= voulue) {
+            return "erreur voulue tenue";
         }
-        return controles + (un ? " pixel de l'image, autre" : " pixels de l'image, autres") + " que "
-                + (essayes == 1 ? "celui" : "les " + essayes) + " du choix";
+        return erreur.erreur() - erreur.incertitude() > voulue ? "erreur voulue dépassée"
+                : "on ne peut dire si l'erreur voulue est tenue";
     }
 
     /** Toujours avec un point, quelle que soit la langue. */

@@ -1,5 +1,7 @@
 package lancer.auto;
 
+import java.util.Arrays;
+
 /**
  * Une erreur quadratique moyenne, estimée sur quelques blocs d'une image : la racine de la moyenne, sur les pixels et
  * les trois composantes, du carré de l'écart entre couleurs limitées à [0, 1], en niveaux (1/255). C'est celle qui
@@ -30,16 +32,9 @@ final class Estimation {
      * @param mesures chacune d'espérance le carré cherché, en niveaux²
      */
     static Estimation de(double[] mesures) {
-        double somme = 0;
-        for (double mesure : mesures) {
-            somme += mesure;
-        }
-        double moyenne = somme / mesures.length;
-        double ecarts = 0;
-        for (double mesure : mesures) {
-            ecarts += (mesure - moyenne) * (mesure - moyenne);
-        }
-        return new Estimation(moyenne, ecarts / ((double) mesures.length * Math.max(1, mesures.length - 1)));
+        double moyenne = Arrays.stream(mesures).average().getAsDouble();
+        double carres = Arrays.stream(mesures).map(mesure -> (mesure - moyenne) * (mesure - moyenne)).sum();
+        return new Estimation(moyenne, carres / ((double) mesures.length * Math.max(1, mesures.length - 1)));
     }
 
     /** L'erreur de deux causes sans rapport : les carrés s'ajoutent, comme leurs incertitudes. */
@@ -52,13 +47,17 @@ final class Estimation {
         return Math.sqrt(carre);
     }
 
-    /** L'incertitude de cette erreur, en niveaux. */
-    double ecartType() {
-        return carre == 0 ? Math.sqrt(Math.sqrt(variance)) : Math.sqrt(variance) / (2 * erreur());
+    double carre() {
+        return carre;
     }
 
     /** Ce que l'erreur ne devrait pas dépasser, en niveaux. */
     double auPlus() {
         return Math.sqrt(carre + PRUDENCE * Math.sqrt(variance));
+    }
+
+    /** Ce dont elle peut s'écarter, en niveaux, à deux écarts types : dix-neuf fois sur vingt. */
+    double incertitude() {
+        return (auPlus() - Math.sqrt(Math.max(0, carre - PRUDENCE * Math.sqrt(variance)))) / 2;
     }
 }

@@ -26,9 +26,6 @@ final class Finesse {
     /** De ces rayons, reflets et ombres compris, celui de l'image d'un rayon par pixel étant 1. */
     double prix;
 
-    /** Vrai si l'essai a porté sur assez de pixels pour qu'on s'y fie. */
-    boolean sure;
-
     private Finesse(String texte, Echantillonnage echantillonnage) {
         this.texte = texte;
         this.echantillonnage = echantillonnage;
@@ -58,13 +55,5 @@ final class Finesse {
             finesses.add(new Finesse(nom, fixe));
         }
         return finesses;
-    }
-
-    /** Ce que dit un essai. */
-    void noter(Estimation erreur, double rayons, double prix, boolean sure) {
-        this.erreur = erreur;
-        this.rayons = rayons;
-        this.prix = prix;
-        this.sure = sure;
     }
 }

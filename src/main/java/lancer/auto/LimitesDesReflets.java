@@ -21,11 +21,6 @@ final class LimitesDesReflets {
         this.rayons = rayons;
     }
 
-    /** Cette profondeur, et un seuil essayé sans elle : un rayon s'arrête à la première des deux limites. */
-    LimitesDesReflets et(LimitesDesReflets autre) {
-        return new LimitesDesReflets(reflets, autre.seuil, erreur.plus(autre.erreur), Math.min(rayons, autre.rayons));
-    }
-
     @Override
     public String toString() {
         // sans reflets, aucun seuil ne compte

@@ -10,6 +10,12 @@ import lancer.contrat.Vue;
 final class Niveaux implements Toile {
 
     private static final double NIVEAUX = 255;
+    private static final double POINTS_POUR_UN_NIVEAU = 9;
+    private static final int POINTS_MIN = 13;
+    private static final int POINTS_MAX = 89;
+
+    /** Le nombre plastique, solution de x³ = x + 1. */
+    private static final double PLASTIQUE = 1.3247179572447460;
 
     private final Pave bloc;
     private final double[] niveaux = new double[3 * Essais.COTE * Essais.COTE];
@@ -18,28 +24,43 @@ final class Niveaux implements Toile {
         this.bloc = bloc;
     }
 
+    /** Combien de points pour chacune des références d'une erreur de cet ordre : le double produit s'y annule assez. */
+    static int pointsPour(double erreur) {
+        return (int) Math.max(POINTS_MIN, Math.min(POINTS_MAX, POINTS_POUR_UN_NIVEAU * Math.pow(erreur, -4.0 / 3)));
+    }
+
+    /** L'abscisse du point k d'une suite bien répartie dans le carré unité (Roberts, suite R2, 2018). */
+    static double x(int k, double decalage) {
+        return (decalage + k / PLASTIQUE) % 1;
+    }
+
+    /** Son ordonnée. */
+    static double y(int k, double decalage) {
+        return (decalage + k / PLASTIQUE / PLASTIQUE) % 1;
+    }
+
     /**
      * Deux références du bloc : les couleurs moyennes de ses pixels, chacune à une erreur près, sans biais et sans
      * rapport avec celle de l'autre. Toujours les mêmes pour un bloc.
      *
-     * @param reseau les points d'un pixel ; aucune grille régulière n'a les siens, et n'en est donc favorisée
+     * @param points d'un pixel ; aucune grille régulière n'a les leurs, et n'en est donc favorisée
      */
-    static Niveaux[] references(Pave bloc, Vue vue, Reseau reseau) {
+    static Niveaux[] references(Pave bloc, Vue vue, int points) {
         SplittableRandom hasard = new SplittableRandom((long) bloc.j0 << Integer.SIZE | bloc.i0);
-        return new Niveaux[] {reference(bloc, vue, reseau, hasard), reference(bloc, vue, reseau, hasard)};
+        return new Niveaux[] {reference(bloc, vue, points, hasard), reference(bloc, vue, points, hasard)};
     }
 
-    private static Niveaux reference(Pave bloc, Vue vue, Reseau reseau, SplittableRandom hasard) {
+    private static Niveaux reference(Pave bloc, Vue vue, int points, SplittableRandom hasard) {
         Niveaux reference = new Niveaux(bloc);
         for (int j = bloc.j0; j < bloc.j1; j++) {
             for (int i = bloc.i0; i < bloc.i1; i++) {
                 double dx = hasard.nextDouble();
                 double dy = hasard.nextDouble();
                 Couleur somme = new Couleur();
-                for (int k = 0; k < reseau.points; k++) {
-                    somme = somme.add(vue.couleur(i + reseau.x(k, dx), j + reseau.y(k, dy)));
+                for (int k = 0; k < points; k++) {
+                    somme = somme.add(vue.couleur(i + x(k, dx), j + y(k, dy)));
                 }
-                reference.drawPixel(somme.div(reseau.points), i, j);
+                reference.drawPixel(somme.div(points), i, j);
             }
         }
         return reference;

@@ -1,34 +1,30 @@
 package lancer.auto;
 
-/** Un échantillonnage et des limites : tout ce qu'il faut pour dessiner, l'erreur attendue et le prix. */
+/** Un échantillonnage et des limites : de quoi dessiner, l'erreur attendue et le prix. */
 public final class Reglage {
 
     final Finesse finesse;
     final LimitesDesReflets limites;
+    private final Estimation erreur;
+    private final double rayonsParRayon;
 
-    Reglage(Finesse finesse, LimitesDesReflets limites) {
+    /** @param rayonsParRayon de toutes sortes pour un rayon de l'écran, sous ces limites */
+    Reglage(Finesse finesse, LimitesDesReflets limites, double rayonsParRayon) {
         this.finesse = finesse;
         this.limites = limites;
-    }
-
-    private Estimation erreur() {
+        this.rayonsParRayon = rayonsParRayon;
         // ce qui manque aux reflets et ce qui manque aux pixels sont sans rapport
-        return finesse.erreur.plus(limites.erreur);
+        erreur = finesse.erreur.plus(limites.erreur);
     }
 
     /** L'erreur attendue, en niveaux, contre la moyenne du pixel sans limite de réflexions. */
     public double getErreur() {
-        return erreur().erreur();
+        return erreur.erreur();
     }
 
     /** Ce que l'erreur ne devrait pas dépasser, en niveaux. */
     public double getErreurAuPlus() {
-        return erreur().auPlus();
-    }
-
-    /** L'erreur sur laquelle choisir : celle à ne pas dépasser s'il est bien essayé, celle qu'il semble faire sinon. */
-    double getErreurRetenue() {
-        return finesse.sure ? getErreurAuPlus() : getErreur();
+        return erreur.auPlus();
     }
 
     /** Rayons de l'écran par pixel, attendus. */
@@ -38,12 +34,24 @@ public final class Reglage {
 
     /** Rayons de toutes sortes par pixel, attendus. */
     public double getPrix() {
-        return finesse.prix * limites.rayons;
+        return finesse.prix * rayonsParRayon;
     }
 
     /** Le nombre de réflexions d'un rayon. */
     public int getReflets() {
         return limites.reflets;
+    }
+
+    /** Vrai si l'erreur attendue est moindre, et celle à ne pas dépasser aussi. */
+    boolean estPlusJusteQue(Reglage autre) {
+        return getErreur() < autre.getErreur() && getErreurAuPlus() < autre.getErreurAuPlus();
+    }
+
+    /** Ce que chaque rayon de plus que l'autre retire de carré de l'erreur. */
+    double gain(Reglage autre) {
+        double retire = autre.erreur.carre() - erreur.carre();
+        double prix = getPrix() - autre.getPrix();
+        return prix > 0 ? retire / prix : Math.copySign(Double.POSITIVE_INFINITY, retire);
     }
 
     /** Comme on le demanderait soi-même : la section à écrire dans la scène, et les options. */

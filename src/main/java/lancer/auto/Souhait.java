@@ -8,7 +8,7 @@ public final class Souhait {
     /** L'erreur voulue, en niveaux ; 0 si c'est un temps qui est voulu. */
     final double erreur;
 
-    /** Le temps de dessin voulu, en secondes. */
+    /** Le temps voulu, essais et dessin, en secondes. */
     final double temps;
 
     /** {@code null} : à choisir. */
@@ -27,7 +27,7 @@ public final class Souhait {
         return new Souhait(niveaux, 0, null, null);
     }
 
-    /** Au plus juste, un dessin d'au plus tant de secondes. */
+    /** Au plus juste, une image en au plus tant de secondes, essais compris. */
     public static Souhait temps(double secondes) {
         return new Souhait(0, secondes, null, null);
     }
@@ -45,6 +45,6 @@ public final class Souhait {
     @Override
     public String toString() {
         return erreur > 0 ? String.format(Locale.ROOT, "une erreur de %.2f", erreur)
-                : String.format(Locale.ROOT, "%.3f s de dessin", temps);
+                : String.format(Locale.ROOT, "%.3f s", temps);
     }
 }

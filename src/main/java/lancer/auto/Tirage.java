@@ -11,7 +11,13 @@ import lancer.contrat.Pave;
  */
 final class Tirage {
 
-    private final int tirages;
+    /**
+     * Dispersion des carrés que l'on suppose au moins, rapportée au carré de leur moyenne : quelques blocs font presque
+     * toute l'erreur d'un bon échantillonnage, et ils peuvent tous manquer au tirage.
+     */
+    private static final double RARETE = 25;
+
+    final int tirages;
     private final int semes;
 
     /** Les blocs tirés, chacun une fois. */
@@ -64,11 +70,12 @@ final class Tirage {
         double duTirage = (carres / tirages - moyenne * moyenne) / (tirages - 1);
         // ceux parmi lesquels on tire ne sont eux-mêmes que quelques-uns de l'image
         double duSemis = (carresDesBlocs / tirages - moyenne * moyenne) / semes;
-        return new Estimation(Math.max(0, moyenne), Math.max(0, duTirage) + Math.max(0, duSemis));
+        double rare = RARETE * moyenne * moyenne / tirages;
+        return new Estimation(Math.max(0, moyenne), Math.max(rare, Math.max(0, duTirage) + Math.max(0, duSemis)));
     }
 
     /** Par pixel de l'image, un nombre compté sur chaque bloc tiré : exact si tous les pixels se valent. */
-    double parPixel(int[] comptes) {
+    double parPixel(double[] comptes) {
         double somme = 0;
         double pixels = 0;
         for (int k = 0; k < comptes.length; k++) {

@@ -1,6 +1,9 @@
 package lancer.commande;
 
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import lancer.Constantes;
@@ -75,6 +78,9 @@ public final class Options {
     /** Vrai si le nombre de réflexions, ou le seuil, est demandé : {@code --auto} n'y touche pas. */
     public boolean refletsDonnes;
     public boolean seuilDonne;
+
+    /** Les variantes présentes à débrancher. */
+    public List<String> sans = Collections.emptyList();
 
     /** La scène, {@code null} si aucune n'est nommée. */
     public String scene;
@@ -191,6 +197,9 @@ public final class Options {
             case "--seuil":
                 seuil = positif(nom, "un nombre positif ou nul, par exemple 0.001");
                 seuilDonne = true;
+                break;
+            case "--sans":
+                sans = Arrays.asList(valeur(nom, "une variante, par exemple Brume").split(","));
                 break;
             case "--fils":
                 fils = entier(nom, 1, FILS_MAX);

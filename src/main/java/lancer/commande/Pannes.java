@@ -2,6 +2,7 @@ package lancer.commande;
 
 import java.io.File;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
@@ -52,6 +53,15 @@ public final class Pannes {
         verifier(sortie);
     }
 
+    /** De même, des lignes en UTF-8, que la console en soit ou non. */
+    public static void repondreEnUtf8(List<String> lignes, PrintStream sortie) {
+        for (String ligne : lignes) {
+            byte[] octets = (ligne + System.lineSeparator()).getBytes(StandardCharsets.UTF_8);
+            sortie.write(octets, 0, octets.length);
+        }
+        verifier(sortie);
+    }
+
     /** @throws Echec si la sortie standard n'a pu être écrite : un {@code PrintStream} ne le dit pas de lui-même */
     public static void verifier(PrintStream sortie) {
         if (sortie.checkError()) {
@@ -63,24 +73,21 @@ public final class Pannes {
      * Une ligne : le pixel et la scène, la cause la plus profonde et l'endroit du code, et la commande qui dessine ce
      * pixel de nouveau.
      *
-     * @param options celles du dessin
+     * @param options celles que disent les réglages du dessin
      * @param scene le fichier dessiné
      * @param largeur la taille de l'image, en pixels
      */
-    public static String duPixel(PixelFautif panne, Options options, String scene, int largeur, int hauteur) {
-        StringBuilder s = new StringBuilder("pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene)
-                + " : " + Texte.cause(panne, HORS_DE_JAVA) + " ; pour le revoir : " + programme());
-        s.append(" --pixel ").append(panne.x).append(',').append(panne.y);
-        if (largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE) {
-            s.append(" --taille ").append(largeur).append('x').append(hauteur);
-        }
-        if (options.refletsDonnes) {
-            s.append(" --reflets ").append(options.reflets);
-        }
-        if (options.seuilDonne) {
-            s.append(" --seuil ").append(options.seuil);
-        }
-        return s.append(' ').append(motDeCommande(scene)).toString();
+    public static String duPixel(PixelFautif panne, String options, String scene, int largeur, int hauteur) {
+        return "pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : "
+                + Texte.cause(panne, HORS_DE_JAVA) + " ; pour le revoir : "
+                + commande(" --pixel " + panne.x + "," + panne.y, options, scene, largeur, hauteur);
+    }
+
+    /** La commande qui dessine cette scène. @param options celles que disent ses réglages, d'abord {@code avant} */
+    public static String commande(String avant, String options, String scene, int largeur, int hauteur) {
+        boolean autreTaille = largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE;
+        return programme() + avant + (autreTaille ? " --taille " + largeur + "x" + hauteur : "") + options + ' '
+                + motDeCommande(scene);
     }
 
     private static String programme() {

@@ -18,6 +18,11 @@ public interface Atmosphere {
      */
     Couleur traverser(Couleur vue, double distance);
 
+    /** Le même air, qui dit à {@code ecoute} ce qu'il fait ({@link Ecoute#aLAir}) ; par défaut, il ne dit rien. */
+    default Atmosphere ecoutee(Ecoute ecoute) {
+        return this;
+    }
+
     /** L'air transparent ; une classe nommée, car la première lambda coûterait au démarrage. */
     final class Claire implements Atmosphere {
         @Override

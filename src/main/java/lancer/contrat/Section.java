@@ -28,6 +28,9 @@ public final class Section {
     /** Aucune section n'en connaît tant ; au-delà, chercher les doublons coûterait trop cher. */
     private static final int CLES_MAX = Long.SIZE;
 
+    /** Ce qui tient lieu de fichier à une section qui n'est dans aucun. */
+    private static final String REGLAGE = "réglage";
+
     private final String fichier;
     private final String nom;
     private final int ligne;
@@ -61,7 +64,7 @@ public final class Section {
      * @param clesEtValeurs une clé, sa valeur, une autre clé, sa valeur…
      */
     public static Section reglage(String type, String... clesEtValeurs) {
-        Section section = new Section("réglage de --auto", type, 0);
+        Section section = new Section(REGLAGE, type, 0);
         for (int k = 0; k + 1 < clesEtValeurs.length; k += 2) {
             section.ajouter(clesEtValeurs[k], clesEtValeurs[k + 1], 0);
         }
@@ -314,11 +317,38 @@ public final class Section {
     /** Telle qu'on l'écrirait dans un fichier, sur une ligne : {@code [Antialias] n=8 methode=partage}. */
     @Override
     public String toString() {
+        return ecrire(" ");
+    }
+
+    /** Telle qu'on l'écrirait dans un fichier, {@code separateur} entre deux clés. */
+    public String ecrire(String separateur) {
         StringBuilder s = new StringBuilder("[" + nom + "]");
         for (int k = 0; k < cles.size(); k++) {
-            s.append(' ').append(cles.get(k)).append('=').append(valeurs.get(k));
+            s.append(separateur).append(cles.get(k)).append('=').append(valeurs.get(k));
         }
         return s.toString();
+    }
+
+    /** La valeur de cette clé, telle qu'écrite, {@code null} si elle n'est pas donnée ; ce n'est pas la demander. */
+    public String valeur(String cle) {
+        int k = rang(cle);
+        return k < 0 ? null : valeurs.get(k);
+    }
+
+    /**
+     * La même section, où cette clé a cette valeur.
+     *
+     * @param sans une clé à ôter, ou {@code null}
+     */
+    public Section avec(String cle, String valeur, String sans) {
+        Section autre = new Section(REGLAGE, nom, 0);
+        for (int k = 0; k < cles.size(); k++) {
+            if (k != rang(cle) && (sans == null || k != rang(sans))) {
+                autre.ajouter(cles.get(k), valeurs.get(k), 0);
+            }
+        }
+        autre.ajouter(cle, valeur, 0);
+        return autre;
     }
 
     public SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {

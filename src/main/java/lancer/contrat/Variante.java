@@ -1,5 +1,8 @@
 package lancer.contrat;
 
+import java.util.Collections;
+import java.util.List;
+
 /**
  * Une variante du programme, dans un module à côté de la base. Elle met en œuvre un contrat ({@link Atmosphere},
  * {@link Specularite} ou {@link Echantillonnage}) et se fait connaître par une ligne du fichier
@@ -20,4 +23,9 @@ public interface Variante {
      * @throws lancer.SceneFautive si une valeur ne va pas
      */
     void installer(Section valeurs, Modele modele);
+
+    /** Les clés de sa section que la fenêtre laisse régler ; sans elles, la variante s'y branche et s'y débranche. */
+    default List<Parametre> getParametres() {
+        return Collections.emptyList();
+    }
 }

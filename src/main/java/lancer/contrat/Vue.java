@@ -11,4 +11,9 @@ public interface Vue {
      * @return la couleur, non limitée
      */
     Couleur couleur(double xe, double ye);
+
+    /** Les rayons de toutes sortes lancés jusqu'ici par ce fil ; 0 s'ils ne sont pas comptés. */
+    default long rayons() {
+        return 0;
+    }
 }

@@ -30,6 +30,7 @@ final class Bandeau extends JTextArea {
     private String faute = "";
     private String message = "";
     private boolean erreur;
+    private boolean fautesSeules;
 
     Bandeau() {
         setName("message");
@@ -75,6 +76,12 @@ final class Bandeau extends JTextArea {
         dire(texte, false);
     }
 
+    /** @param seules vrai pour ne plus montrer les avis */
+    void fautesSeules(boolean seules) {
+        fautesSeules = seules;
+        montrer();
+    }
+
     void effacerErreur() {
         if (erreur) {
             avis("");
@@ -95,7 +102,8 @@ final class Bandeau extends JTextArea {
         boolean grave = erreur || !faute.isEmpty();
         setBackground(grave ? FOND_ERREUR : FOND_AVIS);
         setForeground(grave ? Color.WHITE : Color.BLACK);
-        String texte = faute.isEmpty() || message.isEmpty() ? faute + message : faute + "\n" + message;
+        String dit = erreur || !fautesSeules ? message : "";
+        String texte = faute.isEmpty() || dit.isEmpty() ? faute + dit : faute + "\n" + dit;
         if (!texte.equals(getText())) {
             setText(texte);
             setVisible(!texte.isEmpty());

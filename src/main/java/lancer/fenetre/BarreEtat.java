@@ -12,7 +12,6 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import javax.swing.SwingConstants;
 import lancer.Lancer;
 import lancer.sortie.ImageMemoire;
 
@@ -47,14 +46,12 @@ final class BarreEtat extends JPanel {
         // la largeur du plus long de ses deux textes, pour que la barre ne bouge pas
         bouton.setPreferredSize(bouton.getPreferredSize());
         JPanel textes = new JPanel(new BorderLayout(MARGE, 0));
-        // dans une fenêtre étroite, c'est le résumé qui est coupé, pas la couleur du pixel
-        resume.setHorizontalAlignment(SwingConstants.TRAILING);
         Box gauche = Box.createHorizontalBox();
         gauche.add(pastille);
         gauche.add(Box.createHorizontalStrut(MARGE));
         gauche.add(pixel);
+        textes.add(resume, BorderLayout.PAGE_START);
         textes.add(gauche, BorderLayout.LINE_START);
-        textes.add(resume, BorderLayout.CENTER);
         add(textes, BorderLayout.PAGE_START);
         add(avancement, BorderLayout.CENTER);
         add(bouton, BorderLayout.LINE_END);
@@ -87,7 +84,8 @@ final class BarreEtat extends JPanel {
      * @param cout avec quoi elle a été dessinée, et ce qu'elle a coûté
      */
     void resumer(ImageMemoire image, double reduction, String cout) {
-        String reduite = reduction < 1 ? " montrés à " + Math.round(100 * reduction) + " %" : "";
+        String reduite = reduction < 1 ? " montrés à " + Math.round(100 * reduction) + " %"
+                : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
         resume.setText(image == null ? " "
                 : image.getLargeur() + " × " + image.getHauteur() + " pixels" + reduite + ", " + cout);
         resume.setToolTipText(image == null ? null : resume.getText());

@@ -9,7 +9,6 @@ import java.awt.HeadlessException;
 import java.awt.Image;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.Toolkit;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
@@ -18,6 +17,7 @@ import java.awt.event.WindowEvent;
 import java.io.File;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -25,7 +25,6 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
-import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
@@ -38,23 +37,29 @@ import lancer.commande.Pannes;
 import lancer.lecture.Services;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
+import lancer.sortie.ReglagesDessin;
 
 /**
  * La fenêtre : elle montre l'image pendant que {@link Tracage} la dessine. Le fil des événements ne calcule pas, ne lit
  * pas, n'écrit pas et n'attend pas ; une horloge lui fait regarder trente fois par seconde où en est le dessin.
  */
-public final class Fenetre {
+public final class Fenetre implements Atelier {
 
     /** Temps entre deux regards sur le dessin en cours, en millisecondes. */
     private static final int PERIODE_MS = 33;
 
+    /** Temps sans changement de taille avant de redessiner à la nouvelle, en millisecondes. */
+    private static final int REPOS_MS = 200;
+
     /** Temps laissé à un brouillon avant de montrer ses morceaux, en nanosecondes. */
     private static final long PATIENCE_NS = 300_000_000;
 
+    /** Au-delà de tant de pixels, l'image d'avant ne se garde pas : elle prendrait autant que celle de maintenant. */
+    private static final int PIXELS_GARDES = 16_000_000;
+
     private final Dessinateur dessinateur;
-    private final Dimension taille;
+    private final MenuAffichage affichage;
     private final String programme;
-    private final String reglages;
     private final Runnable fin;
     private final ExecutorService dessins;
     private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
@@ -63,8 +68,11 @@ public final class Fenetre {
     private final BarreEtat barre = new BarreEtat(this::arreterOuRecharger);
     private final JFrame cadre = new JFrame();
     private final Enregistrement enregistrement;
-    private JMenuItem relire;
-    private JMenuItem arreter;
+    private final List<Runnable> prevenus = new ArrayList<>();
+    private final MenuDessin menuDessin;
+    private Inspecteur inspecteur;
+    private final MenuScenes scenes = new MenuScenes(this::ouvrirScene);
+    private final Timer retaille = new Timer(REPOS_MS, e -> ajuster());
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
 
     /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
@@ -73,26 +81,32 @@ public final class Fenetre {
     private String lu;
     private Tracage courant;
     private Tracage adopte;
+    private ReglagesDessin reglages;
     /** Les sections que la scène montrée a de laissées de côté, pour le résumé. */
     private String ignorees = "";
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
+    /** La dernière image achevée, celle d'avant elle, et ce que chacune a coûté. */
     private ImageMemoire complete;
     private String cout;
+    private ImageMemoire avant;
+    private String coutAvant;
+    /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
+    private boolean enAttente;
     private boolean fermee;
 
     private Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
             Runnable fin) {
         this.dessinateur = dessinateur;
-        taille = new Dimension(options.largeur, options.hauteur);
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
-        String reflets = options.reflets + (options.reflets > 1 ? " réflexions" : " réflexion");
-        reglages = variantes.isEmpty() ? reflets : reflets + ", " + String.join(", ", variantes);
         this.dessins = dessins;
         this.fin = fin;
+        Dimension taille = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(taille);
+        affichage = new MenuAffichage(cadre, panneau, barre, taille, this::ajuster);
         bandeau = panneau.getBandeau();
         enregistrement = new Enregistrement(cadre, bandeau);
+        menuDessin = new MenuDessin(this, variantes, this::recharger, this::arreter);
     }
 
     /**
@@ -109,7 +123,7 @@ public final class Fenetre {
     /** De même, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
     public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
         Dimension taille = new Dimension(options.largeur, options.hauteur);
-        Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille);
+        Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
         if (premier != null) {
             premier.lire();
             Pannes.avertir(premier.getAvertissements(), erreur);
@@ -157,35 +171,19 @@ public final class Fenetre {
     }
 
     private JMenuBar menus() {
-        // Ctrl, ou Commande sur un Mac ; la forme en Ex est de Java 10
-        int ctrl = Toolkit.getDefaultToolkit().getMenuShortcutKeyMask();
         JMenuBar menus = new JMenuBar();
-        JMenu menu = menu(menus, "Fichier");
-        article(menu, "Ouvrir une scène…", KeyStroke.getKeyStroke(KeyEvent.VK_O, ctrl), this::choisirScene);
-        article(menu, "Enregistrer l'image…", KeyStroke.getKeyStroke(KeyEvent.VK_S, ctrl), this::enregistrer);
+        JMenu menu = menus.add(Menus.menu("Fichier"));
+        Menus.article(menu, "Ouvrir une scène…", Menus.ctrl(KeyEvent.VK_O), this::choisirScene);
+        Menus.article(menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S), this::enregistrer);
+        Menus.article(menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C), this::copier);
         menu.addSeparator();
-        article(menu, "Quitter", KeyStroke.getKeyStroke(KeyEvent.VK_Q, ctrl), this::fermer);
-        menu = menu(menus, "Dessin");
-        relire = article(menu, "Relire la scène et redessiner", KeyStroke.getKeyStroke(KeyEvent.VK_F5, 0),
-                this::recharger);
-        // la touche est liée plus bas : Java l'afficherait « Escape »
-        arreter = article(menu, "Arrêter (Échap)", null, this::arreter);
-        menu = menu(menus, "Aide");
-        article(menu, "Touches", KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0), () -> Dialogues.montrerTouches(cadre));
+        Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
+        menus.add(affichage.getMenu());
+        menus.add(menuDessin.getMenu());
+        menus.add(scenes.getMenu());
+        menu = menus.add(Menus.menu("Aide"));
+        Menus.article(menu, "Touches", Menus.touche(KeyEvent.VK_F1), () -> Dialogues.montrerTouches(cadre));
         return menus;
-    }
-
-    private static JMenu menu(JMenuBar menus, String nom) {
-        JMenu menu = menus.add(new JMenu(nom));
-        menu.setMnemonic(nom.charAt(0));
-        return menu;
-    }
-
-    private static JMenuItem article(JMenu menu, String nom, KeyStroke touche, Runnable action) {
-        JMenuItem article = menu.add(new JMenuItem(nom, nom.charAt(0)));
-        article.setAccelerator(touche);
-        article.addActionListener(e -> action.run());
-        return article;
     }
 
     /** @param premier le dessin qu'il y a déjà à montrer, ou {@code null} */
@@ -198,8 +196,6 @@ public final class Fenetre {
             EventQueue.invokeLater(() -> cadre.setIconImages(icones));
         });
         if (premier == null) {
-            relire.setEnabled(false);
-            arreter.setEnabled(false);
             panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
             EventQueue.invokeLater(this::choisirScene);
         } else {
@@ -224,36 +220,119 @@ public final class Fenetre {
     private void ecouter() {
         surveillance.commencer();
         cadre.getRootPane().setTransferHandler(new DepotFichier(this::ouvrirScene, bandeau::avis));
-        cadre.getRootPane().registerKeyboardAction(e -> arreter(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+        cadre.getRootPane().registerKeyboardAction(e -> echapper(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
                 JComponent.WHEN_IN_FOCUSED_WINDOW);
         cadre.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
                 fermer();
             }
+
+            @Override
+            public void windowDeactivated(WindowEvent e) {
+                tenir(false);
+            }
         });
-        panneau.suivreSouris(this::montrerPixel);
+        affichage.lierTouches(cadre.getRootPane());
+        menuDessin.lierTouches(cadre.getRootPane());
+        for (boolean lachee : new boolean[] {false, true}) {
+            cadre.getRootPane().registerKeyboardAction(e -> tenir(!lachee),
+                    KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        }
+        retaille.setRepeats(false);
+        panneau.suivreSouris(() -> {
+            montrerPixel();
+            resumer();
+        });
+        inspecteur = new Inspecteur(this, panneau);
+        panneau.suivreClics(inspecteur::montrer);
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
                 resumer();
+                retaille.restart();
             }
         });
     }
 
     /** Le cadre, qui contient tout ce qui se voit. */
+    @Override
     public JFrame getCadre() {
         return cadre;
     }
 
     /** L'image montrée si elle est achevée ; {@code null} tant qu'un dessin est en cours, ou s'il a été arrêté. */
+    @Override
     public ImageMemoire getImageComplete() {
         return !enCours && complete == panneau.getImage() ? complete : null;
     }
 
     /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
+    @Override
     public boolean enCours() {
         return enCours;
+    }
+
+    @Override
+    public ReglagesDessin getReglages() {
+        return reglages;
+    }
+
+    @Override
+    public Lancer getLancer() {
+        return courant == null ? null : courant.getLancer();
+    }
+
+    @Override
+    public String getCommande() {
+        Dimension taille = affichage.getTaille();
+        return Pannes.commande("", reglages.getOptions(), fichier, taille.width, taille.height);
+    }
+
+    @Override
+    public void prevenir(Runnable siChange) {
+        prevenus.add(siChange);
+    }
+
+    @Override
+    public void dessiner(ReglagesDessin voulus, boolean suite) {
+        reglages = voulus;
+        if (suite && enCours && !courant.isBrouillonFait()) {
+            enAttente = true;
+        } else {
+            redessiner(suite);
+        }
+    }
+
+    private void redessiner(boolean suite) {
+        if (!suite) {
+            retenir();
+        }
+        // une scène qui se lit se relit ; celle qui est lue n'est pas toujours celle qui se voit
+        boolean autre = enCours && courant.getFichier() != null && courant != adopte;
+        lancer(autre ? courant.getFichier() : fichier.equals(lu) ? null : fichier);
+    }
+
+    /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
+    private void retenir() {
+        boolean gardee = complete != null && complete.getCodes().length <= PIXELS_GARDES;
+        avant = gardee ? complete : null;
+        coutAvant = cout;
+    }
+
+    /** Redessine, si ce n'est plus à cette taille qu'il faut dessiner. */
+    private void ajuster() {
+        if (courant != null && fichier != null && !affichage.getTaille().equals(courant.getTaille())) {
+            redessiner(true);
+        }
+        resumer();
+    }
+
+    /** Montre l'image d'avant, ou de nouveau celle de maintenant. */
+    private void tenir(boolean tenue) {
+        panneau.tenir(tenue ? avant : null);
+        resumer();
+        montrerPixel();
     }
 
     private void choisirScene() {
@@ -292,12 +371,38 @@ public final class Fenetre {
     }
 
     private void enregistrer() {
+        ImageMemoire image = imageOuAvis();
+        if (image != null) {
+            enregistrement.commencer(image, fichier);
+        }
+    }
+
+    private void copier() {
+        ImageMemoire image = imageOuAvis();
+        if (image != null) {
+            cadre.getToolkit().getSystemClipboard().setContents(new ImageCopiee(PanneauImage.copie(image)), null);
+            bandeau.avis("image copiée, " + image.getLargeur() + " × " + image.getHauteur() + " pixels");
+        }
+    }
+
+    /** L'image achevée ; à défaut, dit pourquoi il n'y en a pas. */
+    private ImageMemoire imageOuAvis() {
         ImageMemoire image = getImageComplete();
         if (image == null) {
-            bandeau.avis(enCours ? "L'image se dessine encore : elle pourra être enregistrée une fois achevée."
-                    : "Pas d'image achevée à enregistrer ; F5 pour la dessiner.");
+            bandeau.avis(enCours ? "L'image se dessine encore : elle servira une fois achevée."
+                    : "Pas d'image achevée ; F5 pour la dessiner.");
+        }
+        return image;
+    }
+
+    @Override
+    public void echapper() {
+        if (enCours) {
+            arreter();
+        } else if (inspecteur.isVisible()) {
+            inspecteur.fermer();
         } else {
-            enregistrement.commencer(image, fichier);
+            affichage.quitterLePleinEcran();
         }
     }
 
@@ -319,6 +424,7 @@ public final class Fenetre {
             courant.arreter();
         }
         surveillance.terminer();
+        inspecteur.terminer();
         dessins.shutdown();
         cadre.dispose();
         enregistrement.terminer(fin);
@@ -330,13 +436,19 @@ public final class Fenetre {
      * @param aLire la scène à lire d'abord, {@code null} pour celle qui l'est déjà
      */
     private void dessiner(String aLire) {
+        retenir();
+        lancer(aLire);
+    }
+
+    private void lancer(String aLire) {
+        enAttente = false;
         if (fermee) {
             return;
         }
         if (courant != null) {
             courant.arreter();
         }
-        Tracage tracage = new Tracage(dessinateur, aLire, taille);
+        Tracage tracage = new Tracage(dessinateur, aLire, affichage.getTaille(), reglages);
         dessins.execute(tracage);
         suivre(tracage);
     }
@@ -346,6 +458,7 @@ public final class Fenetre {
         enCours = true;
         horloge.start();
         resumer();
+        prevenus.forEach(Runnable::run);
         observer();
     }
 
@@ -364,26 +477,30 @@ public final class Fenetre {
             adopter(courant);
         }
         barre.avancer(courant);
-        relire.setEnabled(fichier != null);
-        arreter.setEnabled(!fini);
         montrerPixel();
         if (fini && enCours) {
             finir();
+        }
+        if (enAttente && (fini || courant.isBrouillonFait())) {
+            redessiner(true);
         }
     }
 
     /** La scène que ce dessin a lue devient celle qui est montrée. */
     private void adopter(Tracage tracage) {
         adopte = tracage;
+        reglages = tracage.getReglages() != null ? tracage.getReglages() : dessinateur.getReglages();
         fichier = tracage.getFichier();
         surveillance.suivre(fichier, tracage.getVersion());
         titrer();
+        scenes.montrer(fichier);
         bandeau.faute("");
         bandeau.avis(String.join("\n", tracage.getAvertissements()));
         ignorees = "";
         for (String avertissement : tracage.getAvertissements()) {
             ignorees += avertissement.replaceFirst(".*, ligne \\d+, (\\[[^]]*]).*", ", $1 ignorée");
         }
+        prevenus.forEach(Runnable::run);
     }
 
     /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
@@ -393,19 +510,24 @@ public final class Fenetre {
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
             complete = dessinateur.getImage();
-            cout = reglages + ignorees + ", " + BarreEtat.cout(courant.getLancer());
+            cout = BarreEtat.cout(courant.getLancer()) + ", " + courant.getReglages() + ignorees;
             bandeau.effacerErreur();
             String ecart = courant.getLancer().getTemoignage().ecart;
             if (ecart != null) {
                 bandeau.avis(ecart);
             }
         } else if (panne instanceof SceneFautive) {
-            refuser(courant, Pannes.message(panne));
+            if (courant.getFichier() == null) {
+                bandeau.erreur(Pannes.message(panne));
+            } else {
+                refuser(courant, Pannes.message(panne));
+            }
         } else if (panne != null) {
             bandeau.erreur(Pannes.message(panne));
         }
         resumer();
         montrerPixel();
+        prevenus.forEach(Runnable::run);
     }
 
     /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */
@@ -424,18 +546,19 @@ public final class Fenetre {
 
     /** Dit ce qu'a coûté l'image montrée, si elle est achevée. */
     private void resumer() {
-        ImageMemoire image = getImageComplete();
-        barre.resumer(image, image == null ? 1 : panneau.getReduction(), cout);
+        ImageMemoire image = panneau.getTenue() != null ? avant : getImageComplete();
+        barre.resumer(image, image == null ? 1 : panneau.getReduction(image), image == avant ? coutAvant : cout);
     }
 
     private void montrerPixel() {
-        ImageMemoire image = panneau.getNaissante();
+        boolean tenue = panneau.getTenue() != null;
+        ImageMemoire image = tenue ? panneau.getTenue() : panneau.getNaissante();
         Point pixel = panneau.getPixelSouris(image);
-        if (pixel == null) {
+        if (pixel == null && !tenue) {
             image = panneau.getImage();
             pixel = panneau.getPixelSouris(image);
         }
-        barre.montrerPixel(pixel, image, image != complete);
+        barre.montrerPixel(pixel, image, !tenue && image != complete);
     }
 
     private void titrer() {

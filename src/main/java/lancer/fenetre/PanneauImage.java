@@ -11,6 +11,7 @@ import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
@@ -18,7 +19,10 @@ import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
 import lancer.sortie.ImageMemoire;
 
 /**
@@ -32,14 +36,26 @@ final class PanneauImage extends JPanel {
     private static final Color GRIS = new Color(0x777777);
     private static final DirectColorModel OPAQUE = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
 
+    private static final int LOUPE_MAX = 16;
+
     private final Bandeau bandeau = new Bandeau();
     /** L'image montrée, et celle qui se dessine par-dessus tant que son brouillon n'est pas complet. */
     private transient ImageMemoire montree;
     private transient BufferedImage fond;
     private transient ImageMemoire naissante;
     private transient BufferedImage calque;
+    /** L'image d'avant, tant qu'on la tient à la place des autres. */
+    private transient ImageMemoire tenue;
+    private transient BufferedImage devant;
     private String invite;
+    /** Ce qui se peint par-dessus l'image, dont la place est donnée, en pixels de l'écran ; {@code null} : rien. */
+    private transient BiConsumer<Graphics2D, Rectangle> dessus;
     private Point souris;
+    private transient Runnable siChange = () -> { };
+    /** Ce que la loupe agrandit, 1 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
+    private int loupe = 1;
+    private double centreX = 0.5;
+    private double centreY = 0.5;
 
     /** @param image la taille de l'image à montrer, en pixels */
     PanneauImage(Dimension image) {
@@ -66,6 +82,17 @@ final class PanneauImage extends JPanel {
         return montree;
     }
 
+    /** Montre cette image à la place des autres, qui peuvent changer pendant ce temps ; {@code null} : plus aucune. */
+    void tenir(ImageMemoire image) {
+        tenue = image;
+        devant = image == null ? null : surCodes(image, OPAQUE);
+        repaint();
+    }
+
+    ImageMemoire getTenue() {
+        return tenue;
+    }
+
     /** Celle qui se dessine par-dessus, {@code null} s'il n'y en a pas. */
     ImageMemoire getNaissante() {
         return naissante;
@@ -78,20 +105,64 @@ final class PanneauImage extends JPanel {
                 .getDefaultTransform();
     }
 
-    /** Où va une image de cette taille, en pixels de l'écran. */
-    private Rectangle getPlace(int largeur, int hauteur) {
+    /** La place qu'il y a pour l'image, en pixels de l'écran. */
+    private Dimension getLibre() {
         AffineTransform ecran = getEchelle();
-        double libreX = getWidth() * ecran.getScaleX();
-        double libreY = getHeight() * ecran.getScaleY();
-        double reduction = Math.min(1, Math.min(libreX / largeur, libreY / hauteur));
-        int l = (int) Math.round(reduction * largeur);
-        int h = (int) Math.round(reduction * hauteur);
-        return new Rectangle((int) (libreX - l) / 2, (int) (libreY - h) / 2, l, h);
+        return new Dimension((int) (getWidth() * ecran.getScaleX()), (int) (getHeight() * ecran.getScaleY()));
     }
 
-    /** Le rapport de la taille à laquelle l'image est montrée à la sienne, au plus 1. */
-    double getReduction() {
-        return (double) getPlace(montree.getLargeur(), montree.getHauteur()).width / montree.getLargeur();
+    /** La plus grande taille de mêmes proportions qui tienne ici, en pixels de l'écran. */
+    Dimension getTailleMax(Dimension proportions) {
+        Dimension libre = getLibre();
+        double rapport = Math.min((double) libre.width / proportions.width, (double) libre.height / proportions.height);
+        return new Dimension(Math.max(1, (int) Math.round(rapport * proportions.width)),
+                Math.max(1, (int) Math.round(rapport * proportions.height)));
+    }
+
+    /** Où va une image de cette taille, en pixels de l'écran ; à la loupe, elle déborde. */
+    private Rectangle getPlace(int largeur, int hauteur) {
+        Dimension libre = getLibre();
+        Dimension max = getTailleMax(new Dimension(largeur, hauteur));
+        if (loupe > 1) {
+            int l = loupe * largeur;
+            int h = loupe * hauteur;
+            return new Rectangle((int) (libre.width / 2 - centreX * l), (int) (libre.height / 2 - centreY * h), l, h);
+        }
+        int l = Math.min(largeur, max.width);
+        int h = Math.min(hauteur, max.height);
+        return new Rectangle((libre.width - l) / 2, (libre.height - h) / 2, l, h);
+    }
+
+    /** Le rapport de la taille à laquelle l'image est montrée à la sienne. */
+    double getReduction(ImageMemoire image) {
+        return (double) getPlace(image.getLargeur(), image.getHauteur()).width / image.getLargeur();
+    }
+
+    /** Agrandit deux fois plus, ou deux fois moins, autour de la souris, ou du milieu si elle n'est pas là. */
+    void approcher(boolean plus) {
+        int autre = plus ? Math.min(LOUPE_MAX, 2 * loupe) : Math.max(1, loupe / 2);
+        if (montree != null && autre != loupe) {
+            Dimension libre = getLibre();
+            AffineTransform ecran = getEchelle();
+            double x = souris == null ? libre.width / 2.0 : souris.x * ecran.getScaleX();
+            double y = souris == null ? libre.height / 2.0 : souris.y * ecran.getScaleY();
+            Rectangle place = getPlace(montree.getLargeur(), montree.getHauteur());
+            loupe = autre;
+            centrer((x - place.x) / place.width - (x - libre.width / 2.0) / (loupe * montree.getLargeur()),
+                    (y - place.y) / place.height - (y - libre.height / 2.0) / (loupe * montree.getHauteur()));
+        }
+    }
+
+    private void centrer(double x, double y) {
+        centreX = Math.max(0, Math.min(1, x));
+        centreY = Math.max(0, Math.min(1, y));
+        repaint();
+        siChange.run();
+    }
+
+    /** De quoi mettre cette image dans le presse-papiers. */
+    static BufferedImage copie(ImageMemoire image) {
+        return surCodes(image, OPAQUE);
     }
 
     /**
@@ -137,9 +208,14 @@ final class PanneauImage extends JPanel {
             AffineTransform t = g2.getTransform();
             g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
                     Math.round(t.getTranslateY())));
-            g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-            peindre(g2, fond);
-            peindre(g2, calque);
+            g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, loupe > 1
+                    ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR
+                    : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+            peindre(g2, devant != null ? devant : fond);
+            peindre(g2, devant != null ? null : calque);
+            if (dessus != null && montree != null && devant == null) {
+                dessus.accept(g2, getPlace(montree.getLargeur(), montree.getHauteur()));
+            }
         } finally {
             g2.dispose();
         }
@@ -165,7 +241,29 @@ final class PanneauImage extends JPanel {
         bandeau.setBounds(0, getHeight() - hauteur, getWidth(), hauteur);
     }
 
+    /** Peint ceci par-dessus l'image, à l'écran seulement ; {@code null} : plus rien. */
+    void superposer(BiConsumer<Graphics2D, Rectangle> voulu) {
+        dessus = voulu;
+        repaint();
+    }
+
+    /** Appelle {@code siClique} avec le pixel de l'image montrée où l'on clique. */
+    void suivreClics(Consumer<Point> siClique) {
+        addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent e) {
+                souris = e.getPoint();
+                Point pixel = getPixelSouris(montree);
+                if (pixel != null && SwingUtilities.isLeftMouseButton(e)) {
+                    siClique.accept(pixel);
+                }
+            }
+        });
+    }
+
+    /** Appelle {@code siBouge} quand la souris ou la loupe bouge ; la molette, et un bouton tenu, mènent celle-ci. */
     void suivreSouris(Runnable siBouge) {
+        siChange = siBouge;
         MouseAdapter suiveur = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
@@ -178,9 +276,30 @@ final class PanneauImage extends JPanel {
                 souris = null;
                 siBouge.run();
             }
+
+            @Override
+            public void mouseDragged(MouseEvent e) {
+                if (loupe > 1 && souris != null) {
+                    AffineTransform ecran = getEchelle();
+                    double dx = (e.getX() - souris.x) * ecran.getScaleX();
+                    double dy = (e.getY() - souris.y) * ecran.getScaleY();
+                    souris = e.getPoint();
+                    centrer(centreX - dx / (loupe * montree.getLargeur()),
+                            centreY - dy / (loupe * montree.getHauteur()));
+                }
+            }
+
+            @Override
+            public void mouseWheelMoved(MouseWheelEvent e) {
+                souris = e.getPoint();
+                if (e.getWheelRotation() != 0) {
+                    approcher(e.getWheelRotation() < 0);
+                }
+            }
         };
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
+        addMouseWheelListener(suiveur);
     }
 
     /** Le pixel de cette image qui est sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas dessiné. */

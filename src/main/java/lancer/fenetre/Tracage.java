@@ -8,6 +8,7 @@ import javax.swing.SwingWorker;
 import lancer.Lancer;
 import lancer.SceneFautive;
 import lancer.sortie.Dessinateur;
+import lancer.sortie.ReglagesDessin;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
@@ -17,20 +18,24 @@ final class Tracage extends SwingWorker<Void, Void> {
     private final Dessinateur dessinateur;
     private final String fichier;
     private final Dimension taille;
+    private final ReglagesDessin voulus;
     private final long debut = System.nanoTime();
     private volatile long fin;
     private volatile String version;
     private volatile List<String> avertissements;
+    private volatile ReglagesDessin reglages;
     private volatile boolean dessine;
 
     /**
      * @param fichier la scène à lire, {@code null} pour redessiner celle qui est déjà lue
      * @param taille celle de l'image, en pixels
+     * @param voulus ses réglages, {@code null} pour ceux de la ligne de commande et du fichier
      */
-    Tracage(Dessinateur dessinateur, String fichier, Dimension taille) {
+    Tracage(Dessinateur dessinateur, String fichier, Dimension taille, ReglagesDessin voulus) {
         this.dessinateur = dessinateur;
         this.fichier = fichier;
         this.taille = taille;
+        this.voulus = voulus;
     }
 
     /** Lit la scène, dans le fil de l'appelant. */
@@ -46,6 +51,7 @@ final class Tracage extends SwingWorker<Void, Void> {
                 lire();
             }
             if (!isCancelled()) {
+                regler();
                 dessine = true;
                 dessinateur.doTracerImage(taille.width, taille.height);
             }
@@ -53,6 +59,13 @@ final class Tracage extends SwingWorker<Void, Void> {
         } finally {
             fin = System.nanoTime();
         }
+    }
+
+    private void regler() {
+        if (voulus != null) {
+            dessinateur.regler(fichier == null ? voulus : voulus.pour(dessinateur.getReglages()));
+        }
+        reglages = dessinateur.getReglages();
     }
 
     void arreter() {
@@ -90,6 +103,17 @@ final class Tracage extends SwingWorker<Void, Void> {
         return dessine ? dessinateur.getLancer() : null;
     }
 
+    /** La taille de l'image, en pixels. */
+    Dimension getTaille() {
+        return taille;
+    }
+
+    /** Vrai si chaque pixel de l'image a une couleur. */
+    boolean isBrouillonFait() {
+        Lancer lancer = getLancer();
+        return lancer != null && lancer.isBrouillonFait();
+    }
+
     /** Le fichier de la scène à lire, {@code null} s'il n'y en a pas. */
     String getFichier() {
         return fichier;
@@ -105,6 +129,11 @@ final class Tracage extends SwingWorker<Void, Void> {
         return avertissements;
     }
 
+    /** Ceux avec lesquels il se dessine, {@code null} tant que la scène n'est pas lue. */
+    ReglagesDessin getReglages() {
+        return reglages;
+    }
+
     private boolean resteALire() {
         return fichier != null && avertissements == null;
     }
@@ -116,14 +145,13 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** La part faite de l'image, de 0 à 1. */
     double getAvancement() {
-        Lancer lancer = getLancer();
-        return lancer == null || !lancer.isBrouillonFait() ? 0 : lancer.getAvancement();
+        return isBrouillonFait() ? getLancer().getAvancement() : 0;
     }
 
     /** Où il en est, et depuis combien de temps. */
     String getEtat() {
         if (getPanne() instanceof SceneFautive) {
-            return "scène fautive";
+            return fichier == null ? "réglage impossible" : "scène fautive";
         }
         return getEtape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / NS_PAR_S);
     }

@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lancer.Couleur;
@@ -20,6 +21,7 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
 import lancer.contrat.Modele;
+import lancer.contrat.Origines;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Nombre;
@@ -53,6 +55,7 @@ public final class LecteurScene {
     private final Services services = Services.cherches();
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
+    private final Origines origines = new Origines();
     private final List<String> avertissements = new ArrayList<>();
     private final Map<String, Section> sectionsVariantes = new HashMap<>();
     /** Chaque nom de section, et sa ligne. */
@@ -60,7 +63,7 @@ public final class LecteurScene {
     /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
     private final Modele modele = new Modele();
-    private final List<Variante> variantesLibres = new ArrayList<>();
+    private final Map<Variante, Section> variantes = new LinkedHashMap<>();
     private Lignes lignes;
     private Section courante;
 
@@ -77,6 +80,7 @@ public final class LecteurScene {
     public static LecteurScene lire(String fichier) {
         LecteurScene lecteur = new LecteurScene(fichier);
         lecteur.lire();
+        lecteur.origines.finir();
         lecteur.installer();
         return lecteur;
     }
@@ -116,8 +120,8 @@ public final class LecteurScene {
             Section section = sectionsVariantes.get(presente.getKey());
             if (section == null) {
                 section = new Section(fichier, variante.getSection(), 0);
-                variantesLibres.add(variante);
             }
+            variantes.put(variante, section);
             variante.installer(section, modele);
             section.verifierCles();
         }
@@ -182,6 +186,11 @@ public final class LecteurScene {
         return lampes;
     }
 
+    /** De quelles sections ils viennent. */
+    public Origines getOrigines() {
+        return origines;
+    }
+
     /** Ce que les variantes présentes ont changé. */
     public Modele getModele() {
         return modele;
@@ -192,9 +201,9 @@ public final class LecteurScene {
         return avertissements;
     }
 
-    /** Les variantes présentes dont le fichier n'a pas la section. */
-    public List<Variante> getVariantesLibres() {
-        return variantesLibres;
+    /** Les variantes présentes, chacune avec sa section, de ligne 0 si le fichier ne l'a pas. */
+    public Map<Variante, Section> getVariantes() {
+        return variantes;
     }
 
     /** Ini4j sans ses échappements ; le constructeur évite la recherche de services. */
@@ -257,11 +266,14 @@ public final class LecteurScene {
         @Override
         public void endSection() {
             if (lampe) {
-                lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
+                Lampe lue = new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX));
+                lampes.add(lue);
+                origines.ajouter(lue, courante.getNom(), courante.getLigne());
             } else if (objet != null) {
                 Objet3D lu = objet.lire(courante);
                 lireMatiere(lu);
                 objets.add(lu);
+                origines.ajouter(lu, courante.getNom(), courante.getLigne());
             }
         }
 

@@ -133,7 +133,7 @@ public final class Services implements Runnable {
     }
 
     /** Vrai si ce type de section est celui d'une variante de la maison, présente ou non. */
-    static boolean varianteConnue(String type) {
+    public static boolean varianteConnue(String type) {
         for (String connue : VARIANTES_CONNUES) {
             if (Texte.memeMot(connue, type)) {
                 return true;

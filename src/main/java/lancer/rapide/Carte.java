@@ -112,6 +112,8 @@ final class Carte implements Intersections {
             x /= loin;
             y /= loin;
             z /= loin;
+            // nul rayon n'entre dans une sphère plus loin que ceux qui la frôlent
+            float tangente = enHaut(loin * Math.sqrt(1 - r * r) * (1 + MARGE_COUPE));
             boolean peutCouper = secours == null || g[s + 2] - g[s + 3] > 1e-9 * (loin + g[s + 3]);
             for (int f = 0; f < faces.length; f++) {
                 Face face = faces[f];
@@ -121,19 +123,16 @@ final class Carte implements Intersections {
                 for (int j = face.ligne0; j <= face.ligne1; j++) {
                     int ligne = f * parFace + j * face.colonnes;
                     int a = face.a[j];
-                    travail -= face.examinees + Math.max(0, a - face.de[j]);
+                    travail -= 1 + Math.max(0, a - face.de[j]);
                     for (int i = face.de[j]; i <= a; i++) {
                         int c = ligne + i;
                         if (proche > coupe[c]) {
                             continue;
                         }
                         liste.noter(c, k, proche);
-                        if (peutCouper && i >= face.couvertDe[j] && i <= face.couvertA[j]) {
-                            float d = enHaut(face.entree(i, j, x, y, z, r) * loin * (1 + MARGE_COUPE));
-                            if (d < coupe[c]) {
-                                coupe[c] = d;
-                                coupeuse[c] = k;
-                            }
+                        if (peutCouper && tangente < coupe[c] && i >= face.couvertDe[j] && i <= face.couvertA[j]) {
+                            coupe[c] = tangente;
+                            coupeuse[c] = k;
                         }
                     }
                 }
@@ -174,8 +173,7 @@ final class Carte implements Intersections {
             double proche = d - r - 1e-9 * (d + r);
             ordre[k] = (long) Float.floatToRawIntBits(proche > 0 && d < LOIN_MAX ? enBas(proche) : 0) << 32 | k;
         }
-        Arrays.sort(ordre);
-        return ordre;
+        return Tri.parMoitieHaute(ordre);
     }
 
     /**

@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import java.util.Arrays;
 import lancer.Camera;
 import lancer.Constantes;
 
@@ -35,14 +36,9 @@ final class Face {
     final int colonnes;
     final int lignes;
 
-    /** Demi-angle d'un cône qui contient une case, au plus. */
-    private final double demiCase;
-
     /** La silhouette en cours : première et dernière ligne, et pour chacune les colonnes touchées et couvertes. */
     int ligne0;
     int ligne1;
-    /** Cases examinées à part, pour chacune de ces lignes. */
-    int examinees;
     int[] de;
     int[] a;
     int[] couvertDe;
@@ -60,7 +56,6 @@ final class Face {
         dv = (v1 - v0) / lignes;
         parDu = 1 / du;
         parDv = 1 / dv;
-        demiCase = Math.sqrt(du * du + dv * dv) / 2 + MARGE;
         de = new int[lignes];
         a = new int[lignes];
         couvertDe = new int[lignes];
@@ -121,8 +116,7 @@ final class Face {
             return false;
         }
         boolean ellipse = cz > r + RASANTE;
-        examinees = ellipse ? 1 : colonnes;
-        return ellipse ? ellipse(cx, cy, cz, r) : cone(cx, cy, cz, r);
+        return ellipse ? ellipse(cx, cy, cz, r) : partout();
     }
 
     /**
@@ -199,58 +193,15 @@ final class Face {
         return true;
     }
 
-    /** Une sphère si grosse que sa silhouette n'est pas une ellipse : son cône contre celui de chaque case. */
-    private boolean cone(double cx, double cy, double cz, double r) {
-        double alpha = Math.asin(Math.min(1, r));
-        double touche = alpha + demiCase < Math.PI ? Math.cos(alpha + demiCase) : -1;
-        double couvre = alpha > demiCase ? Math.cos(alpha - demiCase) : 2;
+    /** La silhouette d'une sphère si grosse, ou si près, que ce n'est pas une ellipse : tout, et rien de couvert. */
+    private boolean partout() {
         ligne0 = 0;
         ligne1 = lignes - 1;
-        for (int j = 0; j < lignes; j++) {
-            double v = v0 + (j + 0.5) * dv;
-            int premier = colonnes;
-            int dernier = -1;
-            int premierCouvert = colonnes;
-            int dernierCouvert = -1;
-            for (int i = 0; i < colonnes; i++) {
-                double u = u0 + (i + 0.5) * du;
-                double cosinus = (cx * u + cy * v + cz) / Math.sqrt(u * u + v * v + 1);
-                if (cosinus >= touche) {
-                    premier = Math.min(premier, i);
-                    dernier = i;
-                }
-                if (cosinus >= couvre) {
-                    premierCouvert = Math.min(premierCouvert, i);
-                    dernierCouvert = i;
-                }
-            }
-            // une silhouette est convexe : entre deux cases couvertes, tout l'est
-            de[j] = premier;
-            a[j] = dernier;
-            couvertDe[j] = premierCouvert;
-            couvertA[j] = dernierCouvert;
-        }
+        Arrays.fill(de, 0);
+        Arrays.fill(a, colonnes - 1);
+        Arrays.fill(couvertDe, 0);
+        Arrays.fill(couvertA, -1);
         return true;
-    }
-
-    /**
-     * La plus grande distance, vue du point, à laquelle un rayon de cette case entre dans la sphère qui la couvre.
-     * C'est à un coin : la distance d'entrée croît avec l'angle au centre.
-     */
-    double entree(int i, int j, double x, double y, double z, double r) {
-        double cx = e[0] * x + e[1] * y + e[2] * z;
-        double cy = e[3] * x + e[4] * y + e[5] * z;
-        double cz = e[6] * x + e[7] * y + e[8] * z;
-        double ua = u0 + i * du;
-        double ub = ua + du;
-        double va = v0 + j * dv;
-        double vb = va + dv;
-        double b = Math.min(Math.min((cx * ua + cy * va + cz) / Math.sqrt(ua * ua + va * va + 1),
-                (cx * ub + cy * va + cz) / Math.sqrt(ub * ub + va * va + 1)),
-                Math.min((cx * ua + cy * vb + cz) / Math.sqrt(ua * ua + vb * vb + 1),
-                (cx * ub + cy * vb + cz) / Math.sqrt(ub * ub + vb * vb + 1)));
-        double k = 1 - r * r;
-        return k / (b + Math.sqrt(Math.max(0, b * b - k)));
     }
 
     private static int rang(double x, int n) {

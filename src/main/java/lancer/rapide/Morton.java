@@ -1,7 +1,5 @@
 package lancer.rapide;
 
-import java.util.Arrays;
-
 /**
  * Un ordre où des sphères voisines dans l'espace le sont en mémoire : les bits de x, y et z entrelacés (Morton, 1966).
  */
@@ -18,16 +16,16 @@ final class Morton {
         long[] cles = new long[spheres.nombre];
         double cote = Math.max(boite.xMax - boite.xMin, Math.max(boite.yMax - boite.yMin, boite.zMax - boite.zMin));
         double echelle = (1 << BITS) / cote;
-        for (int k = 0; k < cles.length; k++) {
-            int s = Spheres.PAS * k;
+        for (int c = 0; c < cles.length; c++) {
+            int s = Spheres.PAS * c;
             long code = etale((g[s] - boite.xMin) * echelle) | etale((g[s + 1] - boite.yMin) * echelle) << 1
                     | etale((g[s + 2] - boite.zMin) * echelle) << 2;
-            cles[k] = code << 32 | k;
+            cles[c] = code << 32 | c;
         }
-        Arrays.sort(cles);
         int[] ordre = new int[cles.length];
-        for (int k = 0; k < ordre.length; k++) {
-            ordre[k] = (int) cles[k];
+        int k = 0;
+        for (long cle : Tri.parMoitieHaute(cles)) {
+            ordre[k++] = (int) cle;
         }
         return ordre;
     }

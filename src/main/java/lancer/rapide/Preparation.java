@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
@@ -74,27 +73,15 @@ public final class Preparation {
     }
 
     /**
-     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure
-     * aussi.
-     *
-     * @param simple vrai pour les boucles du cours
-     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
-     */
-    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
-        Camera camera = new Camera(largeur, hauteur);
-        boolean boucles = simple || (long) largeur * hauteur * (2 + scene.getLampes().size()) <= QUESTIONS_MIN;
-        scene.setRecherche(boucles ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
-                : pour(scene, camera));
-        return new LancerSurveille(scene, camera);
-    }
-
-    /**
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
      */
     public static Recherche pour(Scene scene, Camera camera) {
-        return pour(scene, camera, Genre.AU_CHOIX);
+        long questions = (long) camera.getLargeur() * camera.getHauteur() * (2 + scene.getLampes().size());
+        return questions <= QUESTIONS_MIN ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
+                : pour(scene, camera, Genre.AU_CHOIX);
     }
 
     static Recherche pour(Scene scene, Camera camera, Genre genre) {

@@ -15,7 +15,7 @@ import lancer.contrat.RechercheSimple;
  * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a sa
  * {@link Parcours}.
  */
-final class RechercheRapide implements Recherche {
+public final class RechercheRapide implements Recherche {
 
     final Structures structures;
     private final Spheres spheres;
@@ -56,7 +56,7 @@ final class RechercheRapide implements Recherche {
     }
 
     /** La même, qui laisse toujours répondre l'autre. */
-    RechercheRapide remplacee(Recherche autre) {
+    public RechercheRapide remplacee(Recherche autre) {
         return new RechercheRapide(structures, parcours.compteurs, autre);
     }
 
@@ -141,7 +141,7 @@ final class RechercheRapide implements Recherche {
     }
 
     /** Sphères et cases examinées pour choisir les structures. */
-    long getEssais() {
+    public long getEssais() {
         return structures.essais;
     }
 

@@ -20,6 +20,16 @@ public interface Dessinateur {
      */
     List<String> lireScene(String fichier);
 
+    /** Comment dessiner la scène lue, tant que {@link #regler} n'en dit pas plus. */
+    ReglagesDessin getReglages();
+
+    /**
+     * Dit comment dessiner la scène lue, jusqu'à la suivante.
+     *
+     * @throws SceneFautive si ces réglages ne vont pas ; rien n'est alors changé
+     */
+    void regler(ReglagesDessin reglages);
+
     /**
      * Dessine la scène lue, brouillon puis image.
      *

@@ -25,7 +25,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Reglable;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -40,7 +40,7 @@ class AutoTest {
     private static final int LARGEUR = 40;
 
     private static Auto auto(Scene scene, int largeur, int hauteur, List<Variante> variantes, Souhait souhait) {
-        return Auto.choisir(Preparation.preparer(scene, largeur, hauteur, false), souhait, 2, variantes);
+        return Auto.choisir(LancerSurveille.preparer(scene, largeur, hauteur, false), souhait, 2, variantes);
     }
 
     private static Auto auto(Scene scene, Souhait souhait) {
@@ -188,7 +188,7 @@ class AutoTest {
             String attendu = null;
             for (int fils : new int[] {1, 2, 7}) {
                 // assez de pavés pour que chaque fil en ait
-                Auto auto = Auto.choisir(Preparation.preparer(scene, 80, 70, false), Souhait.erreur(erreur), fils, grilles());
+                Auto auto = Auto.choisir(LancerSurveille.preparer(scene, 80, 70, false), Souhait.erreur(erreur), fils, grilles());
                 Reglage r = auto.getChoisi();
                 String choix = r + " " + r.getErreur() + " " + r.getErreurAuPlus() + " " + r.getRayons() + " " + r.getPrix();
                 attendu = attendu == null ? choix : attendu;
@@ -201,7 +201,7 @@ class AutoTest {
     void lErreurMesureeEstCelleDeToutePart() {
         // une erreur égale sur tous les pixels se mesure sans incertitude
         Auto auto = autoEntreDeuxMurs(0.5, Souhait.erreur(255).fixer(2, 0.0));
-        auto.getLancer().TracerPixels(auto.surveiller(Essais.AVEUGLE), auto.getChoisi().getReflets(), 2);
+        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }), auto.getChoisi().getReflets(), 2);
         auto.controler();
         // à ce que vaut « sans limite » près
         assertEquals(255 * 0.9 / 8, auto.getErreurMesuree(), 1e-3);
@@ -211,7 +211,7 @@ class AutoTest {
     @CsvSource({"1, 1", "1, 7", "2, 2", "3, 1", "33, 65", "201, 151"})
     void touteTailleDImageConvient(int largeur, int hauteur) {
         Auto auto = auto(scene(boule(0, 0, 8, 2, 0.5)), largeur, hauteur, grilles(), Souhait.erreur(1));
-        auto.getLancer().TracerPixels(auto.surveiller(Essais.AVEUGLE), auto.getChoisi().getReflets(), 2);
+        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }), auto.getChoisi().getReflets(), 2);
         auto.controler();
         assertEquals(3, auto.getLignes().size());
         assertTrue(auto.getErreurMesuree() < 10, auto.getLignes().toString());
@@ -261,24 +261,66 @@ class AutoTest {
 
     @Test
     void lesReglagesDUneVarianteSontEssayesEtSesRayonsComptes() {
-        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, grilles(), Souhait.temps(0.001));
-        double[] rayons = auto.getEssayes().stream().mapToDouble(Reglage::getRayons).toArray();
+        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, grilles(), Souhait.erreur(0.01));
+        double[] rayons = auto.getFront().stream().mapToDouble(Reglage::getRayons).toArray();
         assertEquals("[1.0, 4.0, 16.0, 256.0]", Arrays.toString(rayons));
-        double[] erreurs = auto.getEssayes().stream().mapToDouble(Reglage::getErreur).toArray();
+        double[] erreurs = auto.getFront().stream().mapToDouble(Reglage::getErreur).toArray();
         assertTrue(erreurs[0] > erreurs[1] && erreurs[1] > erreurs[2] && erreurs[2] > erreurs[3], Arrays.toString(erreurs));
     }
 
     @Test
+    void vouloirMoinsDErreurNEnAnnoncePasPlus() {
+        for (Scene scene : Arrays.asList(damier(), scene(boule(-1, 0, 8, 1.2, 0.5), boule(1.2, 0.4, 7, 0.7, 0.8),
+                boule(0, -1001.5, 8, 1000, 0.3)))) {
+            double attendue = Double.POSITIVE_INFINITY;
+            double auPlus = Double.POSITIVE_INFINITY;
+            for (double voulue = 16; voulue > 0.1; voulue /= 1.5) {
+                Reglage choisi = auto(scene, LARGEUR, HAUTEUR, grilles(), Souhait.erreur(voulue)).getChoisi();
+                assertTrue(choisi.getErreur() <= attendue && choisi.getErreurAuPlus() <= auPlus, choisi + " pour " + voulue);
+                attendue = choisi.getErreur();
+                auPlus = choisi.getErreurAuPlus();
+            }
+        }
+    }
+
+    /** Trois verdicts, et « dépassée » jamais en deçà de l'incertitude. */
+    @Test
+    void ceQueLIncertitudeNePermetPasDeDireNEstPasDit() {
+        Souhait souhait = Souhait.erreur(2);
+        Estimation erreur = new Estimation(4, 0.25);
+        assertEquals(0.25, erreur.incertitude(), 0.01);
+        assertTrue(CompteRendu.controle(Souhait.erreur(2.3), erreur, 9, 1, 1).endsWith(" ; erreur voulue tenue"));
+        assertTrue(CompteRendu.controle(souhait, erreur, 9, 1, 1).endsWith(" ; on ne peut dire si l'erreur voulue est tenue"));
+        assertTrue(CompteRendu.controle(Souhait.erreur(1.7), erreur, 9, 1, 1).endsWith(" ; erreur voulue dépassée"));
+        // les essais sont compris dans le temps voulu
+        assertTrue(CompteRendu.controle(Souhait.temps(2), erreur, 9, 1, 1.1).endsWith(" ; temps voulu dépassé"));
+    }
+
+    /** Les essais d'un grand dessin en coûtent moins de la moitié ; ceux d'un petit, moins que rien ne demande 0,2 s. */
+    @ParameterizedTest
+    @CsvSource({"4, 40, 30", "1, 40, 30", "4, 1600, 1200", "1, 1600, 1200"})
+    void lesEssaisCoutentAuPlusLaMoitieDuDessinOuTresPeu(double voulue, int largeur, int hauteur) {
+        Scene scene = scene(boule(-1, 0, 8, 1.2, 0.5), boule(1.2, 0.4, 7, 0.7, 0.8), boule(0, -1001.5, 8, 1000, 0.3));
+        List<Variante> modestes = variante(Arrays.asList(Section.reglage("Grille", "n", "1"), Section.reglage("Grille", "n", "2"),
+                Section.reglage("Grille", "n", "3")));
+        Auto auto = auto(scene, largeur, hauteur, modestes, Souhait.erreur(voulue));
+        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }), auto.getChoisi().getReflets(), 2);
+        auto.controler();
+        double permis = Math.max(600_000, auto.getLancer().getCompteurs().rayons() / 2.0);
+        assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis);
+    }
+
+    @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> fautive = variante(Collections.singletonList(Section.reglage("Grille", "m", "3")));
         SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, fautive));
-        assertEquals("réglage de --auto, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
+        assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
 
     @Test
     void uneVarianteSansListeDeReglagesEstNommee() {
-        Lancer lancer = Preparation.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> muette = variante(null);
         NullPointerException e = assertThrows(NullPointerException.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, muette));
         assertEquals(muette.get(0).getClass().getName() + ".getReglages a rendu null", e.getMessage());

@@ -5,11 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import lancer.Camera;
 import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Scene;
 import lancer.contrat.Pave;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,22 +27,29 @@ class SemisTest {
     @ParameterizedTest
     @CsvSource({"1, 1", "2, 2", "3, 2", "1, 16384", "200, 150", "201, 151", "800, 600", "10000, 10000"})
     void lesBlocsDuChoixEtDuControleSontDansLImageEtTousDifferents(int largeur, int hauteur) {
-        Semis semis = new Semis(largeur, hauteur);
+        Essais essais = essais(largeur, hauteur);
+        List<Pave> choix = essais.semer(4000, false);
+        List<Pave> autres = essais.semer(4000, true);
         Set<Integer> vus = new HashSet<>();
-        for (List<Pave> blocs : Arrays.asList(semis.choix, semis.controle)) {
+        for (List<Pave> blocs : Arrays.asList(choix, autres)) {
             for (Pave bloc : blocs) {
                 assertTrue(0 <= bloc.i0 && bloc.i0 < bloc.i1 && bloc.i1 <= largeur && 0 <= bloc.j0 && bloc.j0 < bloc.j1
                         && bloc.j1 <= hauteur);
                 assertTrue(vus.add(bloc.j0 * largeur + bloc.i0), "un bloc deux fois");
             }
         }
-        assertEquals(Math.max(1, Math.min(4000, Pave.nombre(largeur, hauteur, Essais.COTE) / 2)), semis.choix.size());
-        assertEquals(Pave.nombre(largeur, hauteur, Essais.COTE) == 1 ? 0 : semis.choix.size(), semis.controle.size());
+        assertEquals(Math.max(1, Math.min(4000, Pave.nombre(largeur, hauteur, Essais.COTE) / 2)), choix.size());
+        assertEquals(Pave.nombre(largeur, hauteur, Essais.COTE) == 1 ? 0 : choix.size(), autres.size());
+    }
+
+    private static Essais essais(int largeur, int hauteur) {
+        Scene vide = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
+        return new Essais(new Lancer(vide, new Camera(largeur, hauteur)), 1);
     }
 
     @Test
     void uneMesureQuiSuitLesPromessesEstEstimeeSansErreur() {
-        List<Pave> blocs = new Semis(200, 150).choix;
+        List<Pave> blocs = essais(200, 150).semer(4000, false);
         Random hasard = new Random(3);
         double[] promesses = hasard.doubles(blocs.size(), 0.05, 1).toArray();
         Tirage tirage = new Tirage(100, blocs, promesses, 1);
@@ -55,7 +68,7 @@ class SemisTest {
         double somme = 0;
         for (int graine = 0; graine < semis; graine++) {
             Random hasard = new Random(graine);
-            List<Pave> blocs = new Semis(200, 150).choix;
+            List<Pave> blocs = essais(200, 150).semer(4000, false);
             double[] promesses = hasard.doubles(blocs.size(), 0.05, 1).toArray();
             Tirage tirage = new Tirage(100, blocs, promesses, 1);
             double carre = tirage.estimer(hasard.doubles(tirage.blocs.size(), 0, 2).toArray()).erreur();
@@ -71,55 +84,35 @@ class SemisTest {
         Estimation e = Estimation.de(mesures);
         // moyenne 6 et variance 12² / 12 d'un nombre au hasard de 0 à 12
         assertEquals(Math.sqrt(6), e.erreur(), 0.02);
-        assertEquals(Math.sqrt(12 / 10_000.0) / (2 * Math.sqrt(6)), e.ecartType(), 1e-4);
+        // deux écarts types du carré, sur l'erreur
+        assertEquals(2 * Math.sqrt(12 / 10_000.0) / (2 * Math.sqrt(6)), e.incertitude(), 1e-4);
         assertEquals(Math.sqrt(6 + 2 * Math.sqrt(12 / 10_000.0)), e.auPlus(), 0.02);
         assertEquals(5, new Estimation(9, 0).plus(new Estimation(16, 0)).erreur());
     }
 
+    /** Aucun quart du pixel, dans les deux sens, n'a plus de deux points de plus ou de moins que sa part. */
     @ParameterizedTest
-    @CsvSource({"13, 13", "14, 21", "55, 55", "233, 233"})
-    void unReseauAUnPointParColonneEtParLigne(int auMoins, int points) {
-        Reseau reseau = new Reseau(auMoins);
-        assertEquals(points, reseau.points);
+    @CsvSource({"8", "13", "34", "89"})
+    void lesPointsDUneReferenceSontBienRepartis(int points) {
         for (double decalage : new double[] {0, 0.37, 0.999}) {
-            Set<Integer> colonnes = new HashSet<>();
-            Set<Integer> lignes = new HashSet<>();
+            int[] comptes = new int[16];
             for (int k = 0; k < points; k++) {
-                assertTrue(reseau.x(k, decalage) >= 0 && reseau.x(k, decalage) < 1);
-                assertTrue(reseau.y(k, decalage) >= 0 && reseau.y(k, decalage) < 1);
-                colonnes.add((int) Math.floor((reseau.x(k, decalage) - decalage + 1) * points) % points);
-                lignes.add((int) Math.floor((reseau.y(k, decalage) - decalage + 1) * points) % points);
+                double x = Niveaux.x(k, decalage);
+                double y = Niveaux.y(k, decalage);
+                assertTrue(x >= 0 && x < 1 && y >= 0 && y < 1);
+                comptes[4 * (int) (4 * y) + (int) (4 * x)]++;
             }
-            assertEquals(points, colonnes.size());
-            assertEquals(points, lignes.size());
-        }
-    }
-
-    @Test
-    void unSouvenirNeDemandeChaquePointQuUneFois() {
-        int[] demandes = new int[1];
-        Pave bloc = Pave.deRang(0, 10, 10, Essais.COTE);
-        Souvenir souvenir = new Souvenir(bloc, (x, y) -> {
-            demandes[0]++;
-            return new Couleur(x, y, x * y);
-        });
-        for (int fois = 0; fois < 3; fois++) {
-            for (int k = 0; k < 5000; k++) {
-                double x = k % 100 / 20.0;
-                double y = k / 100 / 10.0;
-                assertEquals(new Couleur(x, y, x * y), souvenir.couleur(x, y));
+            for (int compte : comptes) {
+                assertEquals(points / 16.0, compte, 2, points + " points, " + Arrays.toString(comptes));
             }
-            // 40 colonnes et 20 lignes de points sont dans les deux pixels sur deux du bloc
-            assertEquals(40 * 20, souvenir.vus());
         }
-        assertEquals(5000, demandes[0]);
     }
 
     @Test
     void deuxReferencesDUnPaveSontToujoursLesMemesEtDifferentEntreElles() {
         Pave bloc = Pave.deRang(7, 100, 100, Essais.COTE);
-        Niveaux[] premieres = Niveaux.references(bloc, (x, y) -> new Couleur(x * y % 1), new Reseau(13));
-        Niveaux[] secondes = Niveaux.references(bloc, (x, y) -> new Couleur(x * y % 1), new Reseau(13));
+        Niveaux[] premieres = Niveaux.references(bloc, (x, y) -> new Couleur(x * y % 1), 13);
+        Niveaux[] secondes = Niveaux.references(bloc, (x, y) -> new Couleur(x * y % 1), 13);
         assertEquals(0, premieres[0].ecart(new Niveaux[] {secondes[0], secondes[0]}));
         assertEquals(0, premieres[1].ecart(new Niveaux[] {secondes[1], secondes[1]}));
         assertFalse(premieres[0].ecart(new Niveaux[] {premieres[1], premieres[1]}) == 0);

@@ -45,7 +45,8 @@ public final class EssaiPixel {
                 Essai pixel = executer(programme, communs, "--pixel=" + x + "," + y);
                 assertEquals(image.erreur, pixel.erreur);
                 assertEquals(0, pixel.code);
-                String[] mots = pixel.sortie.split(" ");
+                String[] lignes = pixel.sortie.split(System.lineSeparator());
+                String[] mots = lignes[lignes.length - 1].split(" ");
                 float[] dits = {Float.NaN, Float.NaN, Float.NaN};
                 for (int c = 0; c < 3; c++) {
                     dits[c] = (float) Double.parseDouble(mots[1 + c]);
@@ -53,7 +54,7 @@ public final class EssaiPixel {
                 int debut = 3 * ((hauteur - 1 - y) * largeur + x);
                 String cas = "pixel " + x + ", " + y + " de " + scene;
                 assertEquals(Arrays.toString(Arrays.copyOfRange(lineaire, debut, debut + 3)), Arrays.toString(dits), cas);
-                assertEquals(String.format("#%06X", codes.getRGB(x, y) & 0xFFFFFF) + System.lineSeparator(), mots[5], cas);
+                assertEquals(String.format("#%06X", codes.getRGB(x, y) & 0xFFFFFF), mots[5], cas);
             }
         }
     }

@@ -16,6 +16,8 @@ import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
@@ -52,6 +54,15 @@ final class BancFenetre {
 
     /** Bien plus que ce qu'il faut à une machine chargée : au-delà, cela n'arrivera plus. */
     private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(40);
+
+    static {
+        try {
+            // les scènes récentes de qui essaie le programme restent les siennes
+            System.setProperty("java.util.prefs.userRoot", Files.createTempDirectory("preferences").toString());
+        } catch (IOException e) {
+            throw new ExceptionInInitializerError(e);
+        }
+    }
 
     final ByteArrayOutputStream sortie;
     final ByteArrayOutputStream erreur;
@@ -249,6 +260,12 @@ final class BancFenetre {
                 : bandeau.isVisible() && bandeau.getText().startsWith(debut));
     }
 
+    /** Le texte copié, vide s'il n'y en a pas. */
+    static String copie() throws Exception {
+        Clipboard presse = Toolkit.getDefaultToolkit().getSystemClipboard();
+        return presse.isDataFlavorAvailable(DataFlavor.stringFlavor) ? (String) presse.getData(DataFlavor.stringFlavor) : "";
+    }
+
     /** Ferme la fenêtre comme le fait son bouton, et attend que le programme se dise fini. */
     void fermer() throws Exception {
         surFilEvenements(() -> {
@@ -314,14 +331,16 @@ final class BancFenetre {
     }
 
     /** Les pixels que le même programme écrit avec {@code --image}. */
-    static int[] pixelsSansFenetre(Path dossier, Path scene, int largeur, int hauteur) throws IOException {
-        return codes(ImageIO.read(pngSansFenetre(dossier, scene, largeur, hauteur).toFile()));
+    static int[] pixelsSansFenetre(Path dossier, Path scene, int largeur, int hauteur, String... options) throws IOException {
+        return codes(ImageIO.read(pngSansFenetre(dossier, scene, largeur, hauteur, options).toFile()));
     }
 
-    static Path pngSansFenetre(Path dossier, Path scene, int largeur, int hauteur) throws IOException {
+    static Path pngSansFenetre(Path dossier, Path scene, int largeur, int hauteur, String... options) throws IOException {
         Path png = Files.createTempFile(dossier, "attendu", ".png");
         ByteArrayOutputStream dit = new ByteArrayOutputStream();
-        if (Essai.executer(flux(dit), flux(dit), "--image", png.toString(), "--taille", largeur + "x" + hauteur, scene.toString()) != 0) {
+        List<String> args = new ArrayList<>(Arrays.asList(options));
+        args.addAll(Arrays.asList("--image", png.toString(), "--taille", largeur + "x" + hauteur, scene.toString()));
+        if (Essai.executer(flux(dit), flux(dit), args.toArray(new String[0])) != 0) {
             fail(texte(dit));
         }
         return png;

@@ -283,7 +283,7 @@ class FenetreTest extends EssaiFenetre {
             return pixel.getText().startsWith(debut);
         });
         JLabel resume = chercher("resume", JLabel.class);
-        String cout = "320 × 240 pixels, 5 réflexions, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s";
+        String cout = "320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s, 5 réflexions";
         attendre("le coût se dit", () -> resume.getText().matches(cout));
         banc.frapper(KeyEvent.VK_F5);
         attendre("la seconde image se compte aussi", () -> texte(banc.sortie).split("\n").length == 26);
@@ -353,14 +353,14 @@ class FenetreTest extends EssaiFenetre {
         ecrire(ROUGE + "[Brume dense]\n");
         banc = new BancFenetre(lente("--reflets=1"));
         JLabel resume = chercher("resume", JLabel.class);
-        attendre("le résumé les dit", () -> resume.getText().matches("320 × 240 pixels, 1 réflexion, \\[Brume dense] ignorée, .*"));
+        attendre("le résumé les dit", () -> resume.getText().matches("320 × 240 pixels, .* s, 1 réflexion, \\[Brume dense] ignorée"));
         assertTrue(texte(banc.erreur).startsWith("lancer : " + scene + ", ligne 16, [Brume dense] : "), texte(banc.erreur));
     }
 
     @Test
     void unArticleDeMenuQuiNePeutRienEstGrise() throws Exception {
         banc = new BancFenetre(lente().lent());
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(1);
+        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
         attendre("on peut arrêter", () -> dessin.getItem(1).isEnabled());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("il n'y a plus rien à arrêter", () -> !dessin.getItem(1).isEnabled());

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import lancer.temoins.LancerSurveille;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -152,11 +153,11 @@ class ComptesTest {
     @Test
     void lesEssaisDuChoixSeComptentAPart() {
         Scene foule = ScenesDEssai.foule(7, 3000, 0).scene();
-        Lancer lancer = Preparation.preparer(foule, 80, 60, false);
+        Lancer lancer = LancerSurveille.preparer(foule, 80, 60, false);
         lancer.TracerPixels((couleur, i, j) -> { }, 3, 1);
         assertTrue(lancer.getCompteurs().examensEssais > 500, lancer.getCompteurs().examensEssais + " examens");
         Scene petite = new Scene(Collections.singletonList(boule(6, 1, 0)), Collections.<Lampe>emptyList());
-        lancer = Preparation.preparer(petite, 80, 60, false);
+        lancer = LancerSurveille.preparer(petite, 80, 60, false);
         lancer.TracerPixels((couleur, i, j) -> { }, 3, 1);
         assertEquals(0, lancer.getCompteurs().examensEssais);
     }

@@ -56,7 +56,7 @@ class ModificationsTest {
 
     @ParameterizedTest(name = "{0} : {2}")
     @CsvSource(delimiter = '|', value = {
-        "Objet3D | new Lumiere(); | new Lumiere(); lumiere.ajouter(Kd.mul(0.1));",
+        "Objet3D | new Lumiere(scene.ecoute); | new Lumiere(scene.ecoute); lumiere.ajouter(Kd.mul(0.1));",
         "Objet3D | && !scene.estCachee(lampe, contact, L, versLampe.norme(), this) | ",
         "Objet3D | Math.min(1, N.dot(L)) | 1",
         "Objet3D | V.add(-2 * V.dot(N), N) | V.add(-1.9 * V.dot(N), N)",
@@ -71,7 +71,7 @@ class ModificationsTest {
         "Rayon | Constantes.CIEL.b * bas + V.y | Constantes.CIEL.b * bas",
         "Rayon | Constantes.SOL.v + Constantes | Constantes.SOL.v - Constantes",
         "Scene | recherche.plusProche(incident, saufLui) | recherche.plusProche(incident, null)",
-        "Scene | atmosphere.traverser(couleur, contact.distance) | atmosphere.traverser(couleur.mul(0.5), contact.distance)",
+        "Scene | atmosphere.traverser(couleur, | atmosphere.traverser(couleur.mul(0.5),",
         "Scene | return recherche.estCachee( | return !recherche.estCachee(",
         "Lancer | camera.getRayon(xe, ye) | camera.getRayon(xe + 0.3, ye)",
         "Camera | new Point(getX(xe), getY(ye), 0) | new Point(getX(xe), getY(ye), 0.1)",

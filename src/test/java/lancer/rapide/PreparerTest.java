@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import lancer.temoins.LancerSurveille;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -33,7 +34,7 @@ class PreparerTest {
         float[] programme = simple ? Essai.dessiner(dossier, SCENE, taille, "--simple") : Essai.dessiner(dossier, SCENE, taille);
         ImageMemoire image = new ImageMemoire(64, 48, true);
         Scene scene = new Scene(SCENE.toString());
-        Preparation.preparer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
+        LancerSurveille.preparer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
         float[] preparee = image.getLineaire();
         for (int j = 0; j < 48; j++) {
             // un fichier PFM commence par la ligne du bas
@@ -48,7 +49,7 @@ class PreparerTest {
     @Test
     void simpleDonneLesBouclesDuCours() {
         Scene scene = new Scene(SCENE.toString());
-        Lancer lancer = Preparation.preparer(scene, 64, 48, true);
+        Lancer lancer = LancerSurveille.preparer(scene, 64, 48, true);
         assertTrue(scene.getRecherche() instanceof RechercheSimple);
         assertEquals(64, lancer.getCamera().getLargeur());
         assertEquals(48, lancer.getCamera().getHauteur());

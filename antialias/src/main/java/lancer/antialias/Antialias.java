@@ -1,9 +1,11 @@
 package lancer.antialias;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Parametre;
 import lancer.contrat.Reglable;
 import lancer.contrat.Section;
 import lancer.texte.Texte;
@@ -18,14 +20,10 @@ public final class Antialias implements Reglable {
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
 
-    /** Du moins cher au plus cher, sur presque toute scène : n, méthode, seuils du plus lâche au plus serré. */
+    /** Du moins cher au plus cher : n, méthode, seuil. Ce que l'un de ceux-ci domine presque partout n'y est pas. */
     private static final String[] REGLAGES = {
-        "1 coins 0", "3 partage 0.3", "4 partage 0.3", "8 partage 0.3", "3 partage 0.2", "4 partage 0.2",
-        "8 partage 0.2", "4 partage 0.15", "8 partage 0.15", "4 partage 0.1", "8 partage 0.1", "16 partage 0.1",
-        "2 coins 0", "4 partage 0.06", "8 partage 0.06", "16 partage 0.06", "3 coins 0.2", "3 coins 0.1",
-        "3 coins 0.05", "4 coins 0.2", "4 coins 0.1", "4 coins 0.05", "8 partage 0.03", "16 partage 0.03", "3 coins 0",
-        "8 coins 0.2", "8 coins 0.1", "8 coins 0.05", "4 coins 0", "16 partage 0.015", "8 coins 0", "16 partage 0.005",
-        "16 coins 0"};
+        "1 coins 0", "3 partage 0.3", "4 partage 0.2", "8 partage 0.15", "8 partage 0.1", "8 partage 0.06",
+        "16 partage 0.03", "16 partage 0.015", "16 partage 0.005"};
 
     /**
      * La méthode du cours : quatre coins d'abord, tous les sous-pixels s'ils diffèrent.
@@ -57,6 +55,12 @@ public final class Antialias implements Reglable {
         int n = valeurs.entier("n", N, 1, N_MAX);
         double seuil = valeurs.reel("seuil", SEUIL, 0, Double.MAX_VALUE);
         modele.setEchantillonnage(methode(valeurs, n, seuil));
+    }
+
+    @Override
+    public List<Parametre> getParametres() {
+        return Arrays.asList(Parametre.nombre("n", (double) N, 1, 16, 1),
+                Parametre.nombre("seuil", SEUIL, 0, 0.5, 0.005), Parametre.mot("methode", "coins", "partage"));
     }
 
     @Override

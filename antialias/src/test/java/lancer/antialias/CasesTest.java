@@ -115,7 +115,7 @@ class CasesTest {
     void lesReglagesProposesSontTousPossibles() {
         Antialias antialias = new Antialias();
         List<Section> reglages = antialias.getReglages();
-        assertTrue(reglages.size() > 10);
+        assertTrue(reglages.size() > 5);
         for (Section reglage : reglages) {
             Modele modele = new Modele();
             antialias.installer(reglage, modele);

@@ -21,7 +21,7 @@ import lancer.antialias.Antialias;
 import lancer.contrat.Pave;
 import lancer.contrat.Variante;
 import lancer.essai.Essai;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -55,10 +55,10 @@ class AutoAntialiasTest {
     @Test
     void ceQuiEstEssayeEstCeQuiSeraDessine() {
         Scene lue = new Scene(scene.toString());
-        Lancer prepare = Preparation.preparer(lue, 90, 70, false);
+        Lancer prepare = LancerSurveille.preparer(lue, 90, 70, false);
         Essais essais = new Essais(prepare, 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
-        assertEquals(33, finesses.size());
+        assertEquals(9, finesses.size());
         for (Finesse finesse : finesses) {
             Couleur[][] image = new Couleur[70][90];
             essais.lancer(finesse.echantillonnage, 0).TracerPixels((c, i, j) -> image[j][i] = c, 3, 2);
@@ -66,8 +66,8 @@ class AutoAntialiasTest {
             // les quatre blocs autour d'un coin de pavés, un du bord de l'image, et un de l'intérieur
             for (int k : new int[] {15 + 15 * 45, 16 + 15 * 45, 15 + 16 * 45, 16 + 16 * 45, 44 + 34 * 45, 22 + 20 * 45}) {
                 Pave bloc = Pave.deRang(k, 90, 70, Essais.COTE);
-                essais.passer(Collections.singletonList(bloc), 3, 0, (rang, b, pave, vue) ->
-                        finesse.echantillonnage.tracer(Essais.entoure(b, pave), vue, (c, i, j) -> {
+                essais.passer(Collections.singletonList(bloc), new LimitesDesReflets(3, 0, null, 1), (rang, b, pave, vue) ->
+                        finesse.echantillonnage.tracer(Essais.entoure(b, pave, finesse.echantillonnage), vue, (c, i, j) -> {
                             if (bloc.contient(i, j)) {
                                 assertEquals(image[j][i], c, finesse.texte + ", pixel " + i + ", " + j);
                                 vus[0]++;
@@ -81,14 +81,14 @@ class AutoAntialiasTest {
     @Test
     void lesRayonsAttendusSontCeuxDuDessin() {
         Scene lue = new Scene(scene.toString());
-        Essais essais = new Essais(Preparation.preparer(lue, 80, 60, false), 2);
+        Essais essais = new Essais(LancerSurveille.preparer(lue, 80, 60, false), 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
-        EssaiFinesses essai = EssaiFinesses.parmi(new Semis(80, 60).choix, essais, limites(), new Reseau(13));
+        EssaiFinesses essai = new EssaiFinesses(essais, essais.semer(4000, false), limites());
+        essai.affiner(Double.POSITIVE_INFINITY, 1e7);
         for (Finesse finesse : finesses) {
-            essai.essayer(Collections.singletonList(finesse));
-            essai.approfondir(finesse);
+            essai.essayer(finesse);
             Lancer lancer = essais.lancer(finesse.echantillonnage, 1.0 / 1024);
-            lancer.TracerPixels(Essais.AVEUGLE, 5, 2);
+            lancer.TracerPixels((couleur, xe, ye) -> { }, 5, 2);
             double rayons = lancer.getCompteurs().primaires / (80.0 * 60);
             assertEquals(1, finesse.rayons / rayons, 0.2, finesse.texte);
         }

@@ -1,7 +1,10 @@
 package lancer.blinn;
 
+import java.util.Collections;
+import java.util.List;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
+import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Specularite;
 import lancer.contrat.Variante;
@@ -34,6 +37,11 @@ public final class Blinn implements Variante, Specularite {
     @Override
     public void installer(Section valeurs, Modele modele) {
         modele.setSpecularite(new Blinn(valeurs.reelPositif("facteur", FACTEUR, Double.MAX_VALUE)));
+    }
+
+    @Override
+    public List<Parametre> getParametres() {
+        return Collections.singletonList(Parametre.nombre("facteur", FACTEUR, 0.1, 10, 0.1));
     }
 
     @Override

@@ -1,9 +1,13 @@
 package lancer.brume;
 
+import java.util.Arrays;
+import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.contrat.Atmosphere;
+import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
+import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Texte;
@@ -21,6 +25,8 @@ public final class Brume implements Variante, Atmosphere {
 
     private final Couleur couleur;
     private final LoiBrume loi;
+    /** Qui écoute, d'ordinaire {@code null}. */
+    private final Ecoute ecoute;
 
     /** La brume d'une scène qui n'en dit rien. */
     public Brume() {
@@ -28,8 +34,13 @@ public final class Brume implements Variante, Atmosphere {
     }
 
     Brume(Couleur couleur, LoiBrume loi) {
+        this(couleur, loi, null);
+    }
+
+    private Brume(Couleur couleur, LoiBrume loi, Ecoute ecoute) {
         this.couleur = couleur;
         this.loi = loi;
+        this.ecoute = ecoute;
     }
 
     @Override
@@ -40,6 +51,13 @@ public final class Brume implements Variante, Atmosphere {
     @Override
     public void installer(Section valeurs, Modele modele) {
         modele.setAtmosphere(new Brume(valeurs.couleur("couleur", COULEUR, COULEUR_MAX), loi(valeurs)));
+    }
+
+    @Override
+    public List<Parametre> getParametres() {
+        return Arrays.asList(Parametre.nombre("debut", DEBUT, 0, 30, 0.5),
+                Parametre.nombre("fin", FIN, 1, 100, 1).sans("densite"),
+                Parametre.nombre("densite", null, 0, 0.5, 0.005).sans("fin"));
     }
 
     /** La loi demandée, par {@code densite} si elle est donnée, sinon par {@code fin}. */
@@ -66,6 +84,14 @@ public final class Brume implements Variante, Atmosphere {
     @Override
     public Couleur traverser(Couleur vue, double distance) {
         double k = distance == Constantes.INFINI ? 1 : loi.k(distance);
-        return couleur.mul(k).add(vue.mul(1 - k));
+        Couleur brume = couleur.mul(k);
+        Couleur reste = vue.mul(1 - k);
+        Ecoute.air(ecoute, k, brume, reste);
+        return brume.add(reste);
+    }
+
+    @Override
+    public Atmosphere ecoutee(Ecoute autre) {
+        return new Brume(couleur, loi, autre);
     }
 }

@@ -5,9 +5,11 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Confinement;
@@ -99,7 +101,11 @@ public final class Correction {
             new Pages(grille, bareme, jury.getReference(), confinement).ecrire(dossier, eleves);
             sortie.println("La classe : " + dossier.resolve("index.html"));
             if (feuille != null) {
-                feuille.ecrire(dossier, eleves, bareme);
+                Collection<Eleve> sansNote = feuille.ecrire(dossier, eleves, bareme);
+                if (!sansNote.isEmpty()) {
+                    suivi.println("correction : absents de la feuille, ou que Moodle y a verrouillés : "
+                            + sansNote.stream().map(e -> qui(e.rendu)).collect(Collectors.joining(", ")));
+                }
                 sortie.println("À déposer dans Moodle : " + dossier.resolve("notes-a-deposer.csv") + " et "
                         + dossier.resolve("retours.zip"));
             }

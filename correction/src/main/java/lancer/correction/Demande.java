@@ -46,13 +46,16 @@ final class Demande {
                     demande.sansConfinement = true;
                     break;
                 case "--notes":
+                    demande.notes = Paths.get(valeur(arguments, ++k));
+                    break;
                 case "--sortie":
+                    demande.sortie = Paths.get(valeur(arguments, ++k));
+                    break;
                 case "--bareme":
+                    demande.bareme = Paths.get(valeur(arguments, ++k));
+                    break;
                 case "--squelette":
-                    if (k + 1 == arguments.length || arguments[k + 1].isEmpty()) {
-                        throw new Panne(2, "option sans sa valeur : " + nom);
-                    }
-                    demande.valeur(nom, arguments[++k]);
+                    demande.squelette = valeur(arguments, ++k);
                     break;
                 default:
                     if (nom.startsWith("-")) {
@@ -72,19 +75,10 @@ final class Demande {
         return demande;
     }
 
-    private void valeur(String nom, String valeur) {
-        switch (nom) {
-            case "--notes":
-                notes = Paths.get(valeur);
-                break;
-            case "--sortie":
-                sortie = Paths.get(valeur);
-                break;
-            case "--bareme":
-                bareme = Paths.get(valeur);
-                break;
-            default:
-                squelette = valeur;
+    private static String valeur(String[] arguments, int k) {
+        if (k >= arguments.length || arguments[k].isEmpty()) {
+            throw new Panne(2, "option sans sa valeur : " + arguments[k - 1]);
         }
+        return arguments[k];
     }
 }

@@ -86,11 +86,13 @@ class ClasseTest extends ClasseEssai {
         contient(page(dossier, "105"), "se renvoient le rayon sans fin");
     }
 
+    /** Il s'écarte un peu de ses surfaces, limite ses couleurs à 1, et affiche chacun de ses reflets. */
     @Test
     void unRenduCompletALaNoteMaximale() {
         assertEquals("20.00", classe.get("106").get("note"));
         assertEquals("oui", classe.get("106").get("image identique"));
-        assertEquals("Extension : reflet de Blinn", classe.get("106").get("étape atteinte"));
+        assertEquals("Reflets des objets ; extensions : brume, anticrénelage, reflet de Blinn",
+                classe.get("106").get("étape atteinte"));
     }
 
     @Test
@@ -101,12 +103,26 @@ class ClasseTest extends ClasseEssai {
         assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
                 ligne.get("image identique")));
         contient(ligne.get("refus"), "tp.7z : format non pris en charge");
+        contient(index(autre.resolve("notes")), "1 rendu", "À ouvrir à la main : Étudiant 9 (tp.7z");
+    }
+
+    private static String index(Path dossier) throws IOException {
+        return new String(Files.readAllBytes(dossier.resolve("index.html")), StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void unMessageQuiSeRepeteNEstDeplieQuUneFois() throws IOException {
+        String page = page(dossier, "103");
+        assertEquals(1, page.split("<details open><summary><span class=\"e rate\">raté</span> [^<]*</summary><code>ne se compile pas", -1)
+                .length - 1, "la même cause, à chaque vérification de la méthode");
     }
 
     @Test
     void lesPagesNOntRienQuiVienneDAilleurs() throws IOException {
-        String index = new String(Files.readAllBytes(dossier.resolve("index.html")), StandardCharsets.UTF_8);
+        String index = index(dossier);
         contient(index, "L'étape qui arrête le plus d'étudiants", "6 rendus");
+        assertFalse(index.matches("(?s).*le plus d'étudiants : <strong>[^<]*(Extension|image).*"),
+                "une étape du cours, non une extension que personne n'a encore faite");
         for (String page : List.of(index, page(dossier, "104"))) {
             assertFalse(page.matches("(?s).*(?:src|href)=\"(?!data:|etudiants/).*"), "une adresse");
             assertFalse(page.contains("<script"));
@@ -146,7 +162,9 @@ class ClasseTest extends ClasseEssai {
                 + prefixe + "105,Étudiant 5,x,,20.00," + non + ",hier,-,,\n"
                 + prefixe + "999,Étudiant absent,x,,20.00," + oui + ",,-,,\n";
         Files.write(feuille, (entete + lignes).getBytes(StandardCharsets.UTF_8));
-        noter(RENDUS.resolve("classe"), dossier, "--notes", feuille);
+        Essai essai = executer("--sortie", dossier, "--sans-confinement", "--notes", feuille, RENDUS.resolve("classe"));
+        contient(essai.erreur, "absents de la feuille, ou que Moodle y a verrouillés : Étudiant 1 (101), Étudiant 2 (102), "
+                + "Étudiant 3 (103), Étudiant 5 (105)\n");
         String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), StandardCharsets.UTF_8);
         assertEquals(entete.startsWith("\uFEFF"), ecrit.startsWith("\uFEFF"));
         List<org.apache.commons.csv.CSVRecord> avant = CSVParser.parse(entete + lignes, CSVFormat.DEFAULT).getRecords();
@@ -160,7 +178,7 @@ class ClasseTest extends ClasseEssai {
             }
         }
         assertEquals("10.00", apres.get(1).get(3), "ramenée à la note maximale de la feuille");
-        contient(apres.get(1).get(9), "Extension : reflet de Blinn");
+        contient(apres.get(1).get(9), "Reflets des objets ; extensions : brume");
         assertTrue(apres.get(2).get(9).startsWith("Très bien ! "), "ce que l'enseignant a écrit reste");
         try (ZipFile zip = new ZipFile(dossier.resolve("retours.zip").toFile())) {
             assertTrue(zip.getEntry("Étudiant 4_104_assignsubmission_file/correction.html") != null);

@@ -10,7 +10,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 
 /**
  * De quoi mesurer l'erreur d'une image sans calculer la vérité, qui est la moyenne de chaque pixel, sans limite de réflexions :
@@ -63,7 +63,7 @@ public final class Gabarit {
     }
 
     private static ImageLineaire image(Scene scene, int largeur, int hauteur, boolean[] semes, long graine) {
-        Lancer lancer = Preparation.preparer(scene.avec(new AuHasard(graine, largeur, semes), 0), largeur, hauteur, false);
+        Lancer lancer = LancerSurveille.preparer(scene.avec(new AuHasard(graine, largeur, semes), 0), largeur, hauteur, false);
         return ImageLineaire.de(lancer, PROFONDEUR, Runtime.getRuntime().availableProcessors());
     }
 

@@ -9,7 +9,7 @@ import lancer.Scene;
 import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 import lancer.lecture.LecteurScene;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
 /** L'erreur d'une image, contre deux images au hasard. */
@@ -19,7 +19,7 @@ class GabaritTest {
     private static final int HAUTEUR = 120;
 
     private static ImageLineaire image(Scene scene, int reflets) {
-        return ImageLineaire.de(Preparation.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
+        return ImageLineaire.de(LancerSurveille.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
     }
 
     @Test

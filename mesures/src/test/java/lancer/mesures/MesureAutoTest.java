@@ -12,7 +12,7 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.atelier.SceneAuHasard;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui juge {@code --auto}. */
@@ -24,7 +24,7 @@ class MesureAutoTest {
     /** La moyenne de 1024 rayons réguliers par pixel, sans limite. */
     private static ImageLineaire verite(Scene scene) {
         Scene fine = scene.avec(Antialias.coins(32, 0), 0);
-        return ImageLineaire.de(Preparation.preparer(fine, LARGEUR, HAUTEUR, false), Gabarit.PROFONDEUR, 2);
+        return ImageLineaire.de(LancerSurveille.preparer(fine, LARGEUR, HAUTEUR, false), Gabarit.PROFONDEUR, 2);
     }
 
     @Test
@@ -34,7 +34,7 @@ class MesureAutoTest {
             ImageLineaire verite = verite(scene);
             Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR);
             for (int reflets : new int[] {0, 5}) {
-                ImageLineaire image = ImageLineaire.de(Preparation.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
+                ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
                 double attendue = Gabarit.erreur(image, verite);
                 assertEquals(1, gabarit.erreur(image) / attendue, 0.05, "graine " + graine + ", " + attendue + " niveaux");
             }
@@ -66,8 +66,8 @@ class MesureAutoTest {
         PromesseAuto promesse = new PromesseAuto("essai", scene, LARGEUR, HAUTEUR, new Gabarit(scene, LARGEUR, HAUTEUR), 8);
         assertTrue(promesse.promise && promesse.estTenue(), promesse.csv());
         assertTrue(promesse.csv().startsWith("essai,8.0,\"[Antialias] n="), promesse.csv());
-        // une virgule dans deux colonnes, entre guillemets
-        assertEquals(PromesseAuto.COLONNES.split(",").length + 2, promesse.csv().split(",").length);
+        // une virgule dans une colonne, entre guillemets
+        assertEquals(PromesseAuto.COLONNES.split(",").length + 1, promesse.csv().split(",").length);
         List<PromesseAuto> seule = Arrays.asList(promesse);
         assertTrue(PromesseAuto.bilan(seule).startsWith("erreur voulue tenue 1 fois sur 1 ; promise 1 fois, dont tenue 1,"));
         assertFalse(PromesseAuto.bilan(seule).contains("NaN"));

@@ -26,6 +26,7 @@ public final class Depot {
 
     private static final int SOURCE_MAX = 1 << 20;
     private static final int EMBOITEMENT_MAX = 3;
+    private static final int ENTREES_MAX = 20_000;
     private static final Pattern AUTRE_ARCHIVE =
             Pattern.compile(".*\\.(rar|7z|tar|tgz|tar\\.(gz|xz|bz2)|gz|xz|bz2|zipx)");
     /** Ce que les systèmes et les outils ajoutent, et qui n'est le travail de personne. */
@@ -224,7 +225,7 @@ public final class Depot {
             try (Archive archive = new Archive(fichier)) {
                 deplier(rendu, chemin.substring(0, chemin.length() - 4), archive, niveau + 1);
             } catch (IOException e) {
-                rendu.getRefus().add(chemin + " : archive illisible (" + e.getMessage() + ")");
+                rendu.getRefus().add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe (" + e.getMessage() + ")");
             }
         } else if (AUTRE_ARCHIVE.matcher(bas).matches()) {
             refuserFormat(rendu, chemin);
@@ -232,6 +233,10 @@ public final class Depot {
     }
 
     private void deplier(Rendu rendu, String prefixe, Archive archive, int niveau) throws IOException {
+        if (archive.taille() > ENTREES_MAX) {
+            rendu.getRefus().add("plus de " + ENTREES_MAX + " fichiers dans une archive");
+            return;
+        }
         for (int k = 0; k < archive.taille() && rendu.compter(0); k++) {
             if (!DEBRIS.matcher(archive.chemin(k)).matches()) {
                 entree(rendu, joindre(prefixe, archive.chemin(k)), archive, k, niveau);

@@ -61,7 +61,7 @@ final class Ponts {
     }
 
     private static String ajouter(Forme forme, String texte, List<String> remarques) {
-        Matcher m = Pattern.compile("((?:\\b(?:public|protected|private|static|final|abstract|synchronized)\\s+)*)\\b("
+        Matcher m = Pattern.compile("((?:\\b(?:public|protected|private|static|final|abstract|synchronized)\\s+){0,6})\\b("
                 + (forme.rend.equals("double") ? REELS : forme.rend) + ")(\\s+" + forme.nom
                 + "\\s*)\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]").matcher(Source.sansCommentaires(texte));
         String pont = null;

@@ -80,8 +80,8 @@ public final class Projet {
         });
         Map<String, String> classes = new TreeMap<>();
         for (String racine : racines) {
-            boolean premiere = racine.equals(racines.get(0));
-            if (!premiere && duCours(groupes.get(racine)) > 2) {
+            long deja = groupes.get(racine).stream().filter(s -> classes.containsKey("lancer/" + s.classe)).count();
+            if (deja > 2) {
                 remarques.add("plusieurs copies du projet : jugée, « " + racines.get(0) + " » ; laissée, « " + racine
                         + " »");
                 continue;

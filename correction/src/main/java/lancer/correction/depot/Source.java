@@ -16,14 +16,16 @@ import lancer.correction.modele.Modele;
  */
 public final class Source {
 
-    private static final Pattern PAQUET = Pattern.compile("(?m)^\\s*package\\s+([\\w.]+)\\s*;");
+    private static final Pattern PAQUET = Pattern.compile("(?m)^[ \\t]*package\\s+([\\w.]+)\\s*;");
     private static final Pattern DECLARATION = Pattern.compile("\\b(?:class|interface|enum|record)\\s+(\\w+)");
     /** Une méthode telle que le squelette les écrit : la marge de son accolade fermante est celle des membres. */
     private static final Pattern METHODE =
             Pattern.compile("(?ms)^    \\w[^;{}=]*?(\\w+)\\([^()]*\\) \\{\n(.*?)^    \\}");
     private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
             + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
-    private static final Pattern COMMENTAIRES = Pattern.compile("/\\*.*?\\*/|//[^\n]*", Pattern.DOTALL);
+    /** Ce qui n'est pas du code : un commentaire, un texte, un caractère. Possessif : sans quoi un long texte épuise la pile. */
+    private static final Pattern HORS_CODE = Pattern.compile("/\\*.*?(?:\\*/|\\z)|//[^\n]*"
+            + "|\"(?:\\\\.|[^\"\\\\\n])*+\"|'(?:\\\\.|[^'\\\\\n])*+'", Pattern.DOTALL);
 
     final String chemin;
     final String classe;
@@ -81,7 +83,8 @@ public final class Source {
 
     /** Le même texte, les commentaires remplacés par autant de blancs. */
     static String sansCommentaires(String texte) {
-        return COMMENTAIRES.matcher(texte).replaceAll(m -> m.group().replaceAll("[^\n]", " "));
+        return HORS_CODE.matcher(texte).replaceAll(m -> m.group().startsWith("/") ? m.group().replaceAll("[^\n]", " ")
+                : Matcher.quoteReplacement(m.group()));
     }
 
     /** Pourquoi ce fichier est à laisser de côté : ce qu'il déclare cacherait ce qui ne lui appartient pas. */
@@ -89,10 +92,11 @@ public final class Source {
         if (RESERVES.matcher(paquet).matches()) {
             return "le paquet « " + paquet + " » n'est pas à vous";
         }
-        String dehors = sansCommentaires(texte).replaceAll("\"(\\\\.|[^\"\\\\\n])*\"", "\"\"");
-        for (String avant = ""; !avant.equals(dehors);) {
-            avant = dehors;
-            dehors = avant.replaceAll("\\{[^{}]*\\}", ";");
+        StringBuilder dehors = new StringBuilder();
+        int niveau = 0;
+        for (char c : HORS_CODE.matcher(texte).replaceAll(" ").toCharArray()) {
+            niveau = Math.max(0, niveau + (c == '{' ? 1 : c == '}' ? -1 : 0));
+            dehors.append(niveau == 0 ? c : ' ');
         }
         Matcher m = DECLARATION.matcher(dehors);
         while (paquet.equals("lancer") && m.find()) {

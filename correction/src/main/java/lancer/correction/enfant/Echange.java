@@ -6,12 +6,6 @@ public final class Echange {
     /** Ce par quoi commence une réponse ; une autre ligne n'en est pas une. Ce n'est pas un secret. */
     public static final String REPONSE = "réponse\t";
 
-    /** Statut de sortie d'un rendu qui imprime sans fin. */
-    public static final int TROP_IMPRIME = 88;
-
-    /** Ce qu'un rendu peut imprimer, en octets. */
-    public static final long IMPRESSION_MAX = 1 << 20;
-
     private static final int LONGUEUR_MAX = 2000;
 
     private Echange() {

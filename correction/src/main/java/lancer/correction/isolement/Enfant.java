@@ -15,7 +15,6 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import lancer.correction.Panne;
-import lancer.correction.enfant.Echange;
 
 /**
  * Une machine virtuelle à part, à qui l'on demande une chose après l'autre. Elle est surveillée du dehors : ce qu'elle
@@ -175,7 +174,7 @@ public final class Enfant implements AutoCloseable {
             statut = -1;
         }
         close();
-        return new Arret(sortieDemesuree || statut == Echange.TROP_IMPRIME ? "arrêté : imprime sans fin"
+        return new Arret(sortieDemesuree ? "arrêté : imprime sans fin"
                 : statut == 3 ? "mémoire épuisée" : "le programme s'est arrêté de lui-même (System.exit ?), statut "
                 + statut);
     }

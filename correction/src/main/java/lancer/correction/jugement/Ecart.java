@@ -8,7 +8,7 @@ public final class Ecart implements Serializable {
     private static final long serialVersionUID = 1;
 
     /** À partir d'autant de niveaux, un pixel est faux. */
-    private static final double FAUX = 8;
+    private static final double FAUX = 2;
 
     /** Part de pixels faux que les arrondis, aux bords des boules et des ombres, suffisent à expliquer. */
     private static final double PART_PERMISE = 0.005;
@@ -51,6 +51,11 @@ public final class Ecart implements Serializable {
             d = Math.max(d, Math.abs(a.niveau(pixel, k) - b.niveau(pixel, k)));
         }
         return d;
+    }
+
+    /** « 1 pixel faux », « 12 pixels faux ». */
+    public String combien() {
+        return faux + (faux > 1 ? " pixels faux" : " pixel faux");
     }
 
     /** Vrai si c'est la même image, à des arrondis près. */

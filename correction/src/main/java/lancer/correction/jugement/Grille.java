@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import lancer.correction.depot.Projet;
 
 /**
  * Ce qui se note : les étapes de l'énoncé, dans son ordre, l'image, puis les variantes ; et pour chacune, ce qui
@@ -31,11 +32,22 @@ public final class Grille {
 
         public final String nom;
         public final String titre;
+        /** Vrai pour une variante, que l'on fait si l'on veut, dans l'ordre que l'on veut. */
+        public final boolean extension;
+        /** Vrai pour une étape de l'énoncé, que l'on fait dans l'ordre : ni l'image, ni une extension. */
+        public final boolean duCours;
         public final List<Critere> criteres = new ArrayList<>();
 
         Etape(String nom, String titre) {
             this.nom = nom;
             this.titre = titre;
+            this.extension = Projet.VARIANTES.contains(nom);
+            this.duCours = !extension && !IMAGE.startsWith(nom);
+        }
+
+        /** Son titre là où l'on sait déjà que c'est une extension. */
+        public String court() {
+            return titre.replaceFirst("^Extension : ", "");
         }
     }
 

@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -267,7 +266,7 @@ final class Juge implements AutoCloseable {
             boolean meme = resultat.ecart.memeImage();
             resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "")
                     : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
-                    String.format(Locale.FRANCE, "%d pixels faux sur %d", resultat.ecart.faux, resultat.ecart.pixels)));
+                    resultat.ecart.combien() + " sur " + resultat.ecart.pixels));
             if (!meme && commencee(image)) {
                 chercherLaFaute(image);
             }

@@ -2,6 +2,7 @@ package lancer.correction.jugement;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -145,7 +146,7 @@ public final class Jury implements AutoCloseable {
             resultat = juge.juger();
         } catch (Arret e) {
             resultat = refuse(rendu, List.of("la compilation n'a pas abouti : " + e.getMessage()));
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | StackOverflowError e) {
             // un rendu que nous n'avons pas su traiter ne doit pas coûter leur note aux autres
             resultat = refuse(rendu, List.of("échec du correcteur sur ce rendu, à juger à la main : " + e));
         } finally {
@@ -182,11 +183,7 @@ public final class Jury implements AutoCloseable {
     }
 
     private static String hexa(byte[] octets) {
-        StringBuilder texte = new StringBuilder();
-        for (byte b : octets) {
-            texte.append(String.format("%02x", b));
-        }
-        return texte.toString();
+        return String.format("%064x", new BigInteger(1, octets));
     }
 
     @Override

@@ -44,6 +44,7 @@ final class Variantes {
             new Critere("brume", "Extension : brume", "croissante", "k croît avec la distance"),
             new Critere("brume", "Extension : brume", "melange",
             "la couleur est k fois celle de la brume, plus (1 - k) fois celle de l'objet"),
+            new Critere("brume", "Extension : brume", "reflets", "ce que l'on voit dans un miroir est aussi dans la brume"),
             new Critere("antialias", "Extension : anticrénelage", "bords",
             "les bords approchent la moyenne de plusieurs rayons par pixel"),
             new Critere("antialias", "Extension : anticrénelage", "ailleurs", "hors des bords, l'image ne change pas"),
@@ -173,6 +174,28 @@ final class Variantes {
                 brumeMin > brumeMax ? "pas assez de brume pour en voir la couleur : " + suite
                 : String.format(Locale.FRANCE,
                 "attendu : une même couleur de brume à toute distance ; obtenu : de %.3f à %.3f", brumeMin, brumeMax));
+        double vu = reflet(assemblage) / reflet(base);
+        if (!(Math.abs(vu) <= 2) || k[0] > 0.9 || k[k.length - 1] < 0.1) {
+            verdicts.put("brume.reflets", new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de « Reflets », "
+                    + "et d'une brume légère de près, épaisse de loin : " + suite));
+        } else {
+            double direct = 1 - k[0];
+            dire("brume.reflets", vu < direct * (1 - k[k.length - 1] / 2), String.format(Locale.FRANCE,
+                    "une boule à 80 d'un miroir à 3 : il en reste %.3f ; attendu : %.3f, obtenu sans brume au-delà du "
+                    + "miroir : %.3f", vu, direct * (1 - k[k.length - 1]), direct));
+        }
+    }
+
+    /** Dans un miroir à la première des distances, une boule à la dernière : ce que change sa couleur à celle du pixel. */
+    private double reflet(Assemblage assemblage) throws Arret {
+        double[] vues = new double[2];
+        for (int i = 0; i < 2; i++) {
+            vues[i] = image(assemblage, scene("brume-reflets", "[Sphere miroir]\ncentre=0 -7.071067812 10.071067812\n"
+                    + "rayon=10\nKs=1 1 1\nns=1000\n[Sphere]\ncentre=0 100 3\nrayon=20\nKd="
+                    + (i == 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1") + "\n[Lampe]\nposition=0 40 -40\ncouleur=1 1 1\n"), 1)
+                    .brut(Juge.HAUTEUR / 2 * Juge.LARGEUR + Juge.LARGEUR / 2, 0);
+        }
+        return vues[0] - vues[1];
     }
 
     private void antialias(Assemblage assemblage) throws Arret {

@@ -2,7 +2,6 @@ package lancer.correction.modele;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -32,24 +31,20 @@ public final class Squelette {
             }
             Path sources = Files.createDirectories(racine.resolve("src/main/java/lancer"));
             for (String classe : Modele.classes()) {
-                ecrire(sources.resolve(classe + ".java"), Modele.squelette(classe));
+                Files.writeString(sources.resolve(classe + ".java"), Modele.squelette(classe));
             }
-            ecrire(Files.createDirectories(racine.resolve("src/test/java/lancer")).resolve("Tests.java"),
+            Files.writeString(Files.createDirectories(racine.resolve("src/test/java/lancer")).resolve("Tests.java"),
                     Modele.tests());
             Path scenes = Files.createDirectories(racine.resolve("scenes"));
             for (String scene : Modele.SCENES) {
-                ecrire(scenes.resolve(scene + ".ini"), Modele.scene(scene));
+                Files.writeString(scenes.resolve(scene + ".ini"), Modele.scene(scene));
             }
             for (String fichier : List.of("pom.xml", "Makefile", "LISEZMOI.md")) {
-                ecrire(racine.resolve(fichier), Modele.projet(fichier));
+                Files.writeString(racine.resolve(fichier), Modele.projet(fichier));
             }
         } catch (IOException e) {
             throw new Panne(1, "écriture impossible : " + e);
         }
         sortie.println("Le projet à compléter est dans " + racine);
-    }
-
-    private static void ecrire(Path fichier, String texte) throws IOException {
-        Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
     }
 }

@@ -10,7 +10,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -85,9 +86,13 @@ public final class FeuilleMoodle {
         return k;
     }
 
-    /** Écrit {@code notes-a-deposer.csv} et {@code retours.zip}. */
-    public void ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
-        Map<String, Eleve> parId = new HashMap<>();
+    /**
+     * Écrit {@code notes-a-deposer.csv} et {@code retours.zip}.
+     *
+     * @return les rendus jugés dont la note n'est pas dans la feuille : elle ne les connaît pas, ou la leur est verrouillée
+     */
+    public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
+        Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.rendu.getId(), e));
         try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"),
                 StandardCharsets.UTF_8)) {
@@ -107,14 +112,18 @@ public final class FeuilleMoodle {
             }
         }
         retours(dossier, eleves);
+        parId.values().removeIf(Eleve::illisible);
+        return parId.values();
     }
 
+    /** Note cette ligne, si elle est celle d'un de ces élèves, et se change ; il n'est alors plus à noter. */
     private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme) {
         Matcher m = NUMERO.matcher(ligne.size() > identifiant ? ligne.get(identifiant) : "");
         Eleve eleve = m.matches() ? parId.get(m.group(1)) : null;
         if (eleve == null || ligne.size() <= note || !modifiable(ligne)) {
             return;
         }
+        parId.remove(m.group(1));
         if (!eleve.illisible()) {
             double sur = maximum(ligne, bareme.total());
             ligne.set(note, String.format(Locale.ROOT, "%.2f",

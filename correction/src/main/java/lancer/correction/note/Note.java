@@ -19,16 +19,15 @@ public final class Note {
 
         public final int reussis;
         public final int comptent;
-        public final int nonEvaluables;
-        public final int nonCommences;
+        /** Combien ne sont ni réussis, ni ratés. */
+        public final int aFaire;
         public final double points;
         public final double poids;
 
-        Part(int reussis, int comptent, int nonEvaluables, int nonCommences, double poids) {
+        Part(int reussis, int comptent, int aFaire, double poids) {
             this.reussis = reussis;
             this.comptent = comptent;
-            this.nonEvaluables = nonEvaluables;
-            this.nonCommences = nonCommences;
+            this.aFaire = aFaire;
             this.poids = poids;
             this.points = comptent == 0 ? 0 : poids * reussis / comptent;
         }
@@ -45,34 +44,35 @@ public final class Note {
         String derniere = "";
         List<String> avant = new ArrayList<>();
         List<String> manquent = new ArrayList<>();
+        List<String> extensions = new ArrayList<>();
         for (Grille.Etape etape : grille.getEtapes()) {
             int reussis = 0;
             int comptent = 0;
-            int nonEvaluables = 0;
-            int nonCommences = 0;
+            int aFaire = 0;
             for (Grille.Critere critere : etape.criteres) {
                 Verdict verdict = resultat.verdicts.get(critere.id);
                 if (critere.compte) {
                     comptent++;
                     reussis += verdict != null && verdict.compte() ? 1 : 0;
-                    nonEvaluables += verdict != null && verdict.etat == Verdict.Etat.NON_EVALUABLE ? 1 : 0;
-                    nonCommences += verdict == null || verdict.etat == Verdict.Etat.NON_COMMENCE ? 1 : 0;
+                    aFaire += verdict == null || verdict.etat == Verdict.Etat.NON_COMMENCE
+                            || verdict.etat == Verdict.Etat.NON_EVALUABLE ? 1 : 0;
                 }
             }
-            Part part = new Part(reussis, comptent, nonEvaluables, nonCommences, bareme.poids(etape.nom));
+            Part part = new Part(reussis, comptent, aFaire, bareme.poids(etape.nom));
             parts.put(etape.nom, part);
-            if (!etape.nom.equals("image")) {
-                if (part.complete()) {
-                    derniere = etape.titre;
-                    manquent.addAll(avant);
-                    avant.clear();
-                } else {
-                    avant.add(etape.titre);
-                }
+            if (etape.duCours && part.complete()) {
+                derniere = etape.titre;
+                manquent.addAll(avant);
+                avant.clear();
+            } else if (etape.duCours) {
+                avant.add(etape.titre);
+            } else if (part.complete() && etape.extension) {
+                extensions.add(etape.court());
             }
         }
         atteinte = (derniere.isEmpty() ? total() > 0 ? "aucune en entier" : "aucune" : derniere)
-                + (manquent.isEmpty() ? "" : ", mais il manque à : " + String.join(", ", manquent));
+                + (manquent.isEmpty() ? "" : ", mais reste à compléter : " + String.join(", ", manquent))
+                + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions));
     }
 
     public Part part(String etape) {
@@ -84,7 +84,7 @@ public final class Note {
         return parts.values().stream().mapToDouble(p -> p.points).sum();
     }
 
-    /** La dernière étape dont tout réussit, et celles d'avant où il manque quelque chose. */
+    /** La dernière étape dont tout réussit, celles d'avant où il manque quelque chose, et les extensions réussies. */
     public String getAtteinte() {
         return atteinte;
     }

@@ -114,7 +114,7 @@ final class Html {
             + ".avis{background:#fdecc8;padding:.5em .8em;border-radius:4px}.vignette img{width:80px;height:60px}svg "
             + "text{font-size:12px;fill:#1d2129}"
             + ".classe{width:100%}.classe th{vertical-align:bottom}.classe td,.classe th{padding:.25em .3em}"
-            + ".classe td:not([rowspan]):not([colspan]){border:0}"
+            + ".classe td:not([rowspan]):not([colspan]){border:0}.classe td:nth-child(2){min-width:9em}"
             + ".debout{text-align:center}.debout span{writing-mode:vertical-rl;transform:rotate(180deg);"
             + "display:inline-block;max-height:9.5em}";
 }

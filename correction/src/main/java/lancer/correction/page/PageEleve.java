@@ -25,6 +25,8 @@ final class PageEleve {
     private final Reference reference;
     private final Eleve eleve;
     private final Html html = new Html();
+    /** Ce qui explique le dernier échec montré : déplié là, pas aux suivants qui disent la même chose. */
+    private String deplie = "";
 
     PageEleve(Grille grille, Bareme bareme, Reference reference, Eleve eleve) {
         this.grille = grille;
@@ -111,7 +113,9 @@ final class PageEleve {
         String css = etat == Verdict.Etat.REUSSI ? "reussi" : etat == Verdict.Etat.CACHE ? "cache"
                 : etat == Verdict.Etat.RATE ? "rate" : "vide";
         boolean muet = verdict == null || verdict.message.isEmpty();
-        html.brut(muet ? "<div>" : "<details" + (etat == Verdict.Etat.RATE ? " open" : "") + "><summary>")
+        boolean ouvert = etat == Verdict.Etat.RATE && !muet && !verdict.message.equals(deplie);
+        deplie = ouvert ? verdict.message : deplie;
+        html.brut(muet ? "<div>" : "<details" + (ouvert ? " open" : "") + "><summary>")
                 .brut("<span class=\"e " + css + "\">").dire(etat.texte).brut("</span> ").dire(critere.titre)
                 .dire(critere.compte ? "" : " (ne compte pas : déjà dans le projet à compléter)");
         if (muet) {
@@ -122,8 +126,8 @@ final class PageEleve {
     }
 
     static String classe(Note.Part part) {
-        return part.complete() ? "complet" : part.reussis > 0 ? "partiel" : part.nonEvaluables
-                + part.nonCommences == part.comptent ? "vide" : "rate";
+        return part.complete() ? "complet" : part.reussis > 0 ? "partiel"
+                : part.aFaire == part.comptent ? "vide" : "rate";
     }
 
     private void images() {
@@ -139,8 +143,8 @@ final class PageEleve {
         html.brut("<p>").dire(ecart.memeImage() ? "La même image que celle du corrigé"
                 : "Une autre image que celle du corrigé")
                 .dire(String.format(Locale.FRANCE,
-                " : écart quadratique moyen %.2f niveaux sur 255, %d pixels faux sur %d (plus de 8 niveaux)",
-                        ecart.rmse, ecart.faux, ecart.pixels))
+                " : écart quadratique moyen %.2f niveaux sur 255, %s sur %d (plus de 2 niveaux)",
+                        ecart.rmse, ecart.combien(), ecart.pixels))
                 .dire(resultat.centre ? ". Votre getCouleurPixel vise un demi-pixel plus loin que (xe, ye), au centre "
                 + "du pixel : le corrigé aussi, ici." : ".");
         if (!resultat.classesFautives.isEmpty()) {

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.Eleve;
 import lancer.correction.isolement.Confinement;
@@ -98,17 +99,23 @@ public final class Pages {
                     .mapToDouble(e -> e.note.total()).average().orElse(0)) + " sur " + Html.nombre(bareme.total()));
         }
         html.brut("</p>\n");
+        if (lisibles < eleves.size()) {
+            html.element("p class=\"avis\"", "À ouvrir à la main : " + eleves.stream().filter(Eleve::illisible)
+                    .map(e -> e.rendu.getNom() + " (" + String.join(" ; ", e.resultat.refus) + ")")
+                    .collect(Collectors.joining(", ")));
+        }
         if (!confinement.estConfine()) {
             html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : "
                     + confinement.getManque()
                     + ". Il a pu lire et écrire les fichiers de cette machine, ces résultats compris.");
         }
-        html.element("h2", "Où la classe s'arrête").brut(graphique(eleves));
+        html.element("h2", "Où la classe s'arrête").brut(graphique(eleves.stream().filter(e -> !e.illisible())
+                .collect(Collectors.toList())));
         html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
                 .brut(vignette(reference.getImage(false), "l'image du corrigé")).brut("celle du corrigé"
                 + "<th>nom<th class=\"n\">note<th>étape atteinte");
         for (Grille.Etape etape : grille.getEtapes()) {
-            html.brut("<th class=\"debout\"><span>").dire(etape.titre.replaceFirst("^Extension : ", ""))
+            html.brut("<th class=\"debout\"><span>").dire(etape.court())
                     .brut("</span>");
         }
         html.brut("</tr>\n");
@@ -153,7 +160,7 @@ public final class Pages {
         return Html.image(image.largeur / 2, image.hauteur / 2, (x, y) -> image.code(2 * x, 2 * y), legende);
     }
 
-    /** Pour chaque étape, combien ont tout, une partie, rien. */
+    /** Pour chaque étape, combien des rendus jugés ont tout, une partie, rien. */
     private String graphique(List<Eleve> eleves) {
         int pas = 26;
         int gauche = 260;
@@ -164,21 +171,8 @@ public final class Pages {
                 + "\" role=\"img\" aria-label=\"pour chaque étape, combien d'étudiants réussissent tout, une partie, "
                 + "rien\">");
         int perteMax = 0;
-        int precedents = eleves.size();
         List<String> arretent = new ArrayList<>();
-        List<Integer> complets = new ArrayList<>();
-        for (Grille.Etape etape : etapes) {
-            int n = (int) eleves.stream().filter(e -> !e.illisible() && jusque(e, etape)).count();
-            complets.add(n);
-            if (bareme.poids(etape.nom) > 0 && precedents - n >= Math.max(1, perteMax)) {
-                if (precedents - n > perteMax) {
-                    arretent.clear();
-                }
-                perteMax = precedents - n;
-                arretent.add(etape.titre);
-            }
-            precedents = n;
-        }
+        List<Eleve> suivent = new ArrayList<>(eleves);
         for (int k = 0; k < etapes.size(); k++) {
             Grille.Etape etape = etapes.get(k);
             int[] n = new int[3];
@@ -200,7 +194,18 @@ public final class Pages {
                 }
                 x += n[c] * large;
             }
-            svg.append("<text x=\"830\" y=\"" + (y + 15) + "\">" + complets.get(k) + " jusque-là</text>");
+            if (etape.duCours) {
+                int avant = suivent.size();
+                suivent.removeIf(e -> !e.note.part(etape.nom).complete());
+                svg.append("<text x=\"830\" y=\"" + (y + 15) + "\">" + suivent.size() + " jusque-là</text>");
+                if (bareme.poids(etape.nom) > 0 && avant - suivent.size() >= Math.max(1, perteMax)) {
+                    if (avant - suivent.size() > perteMax) {
+                        arretent.clear();
+                    }
+                    perteMax = avant - suivent.size();
+                    arretent.add(etape.titre);
+                }
+            }
         }
         return (perteMax > 0 ? "<p>" + (arretent.size() > 1 ? "Les étapes qui arrêtent" : "L'étape qui arrête")
                 + " le plus d'étudiants : <strong>" + Html.echappe(String.join(", ", arretent))
@@ -208,17 +213,5 @@ public final class Pages {
                 + svg + "</svg>\n<p class=\"petit gris\">Vert : toute l'étape réussie ; jaune : une partie ; gris : "
                 + "rien. "
                 + "À droite, combien ont tout réussi jusqu'à cette étape comprise.</p>\n";
-    }
-
-    private boolean jusque(Eleve eleve, Grille.Etape derniere) {
-        for (Grille.Etape etape : grille.getEtapes()) {
-            if (!eleve.note.part(etape.nom).complete()) {
-                return false;
-            }
-            if (etape == derniere) {
-                break;
-            }
-        }
-        return true;
     }
 }

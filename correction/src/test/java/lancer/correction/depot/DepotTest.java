@@ -207,6 +207,52 @@ class DepotTest {
     }
 
     @Test
+    void desSourcesEnDeuxDossiersSontUnSeulProjetEtUneAncienneVersionEstLaissee() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file");
+        for (String classe : List.of("src/Vecteur", "src/Point", "src/Rayon", "src/Camera", "src2/Sphere", "src2/Scene", "src2/Objet3D",
+                "vieux/Vecteur", "vieux/Point", "vieux/Rayon")) {
+            ecrire(projet.resolve(classe.replace("/", "/lancer/") + ".java"), "package lancer; // " + classe);
+        }
+        Projet lu = Projet.lire(lire(rendus).get("11"));
+        assertEquals(7, lu.getBase().size(), lu.getBase().keySet().toString());
+        assertEquals("package lancer; // src/Vecteur", lu.texte("Vecteur"));
+        assertEquals(List.of("plusieurs copies du projet : jugée, « src/ » ; laissée, « vieux/ »"), lu.getRemarques());
+    }
+
+    @Test
+    void unTexteDemesureSeLitCommeUnAutre() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
+        ecrire(projet.resolve("A.java"), "\n".repeat(900_000));
+        ecrire(projet.resolve("B.java"), "package lancer; class B { String s = \"" + "ab".repeat(300_000) + "\"; }");
+        ecrire(projet.resolve("C.java"), "package lancer; class C { void f() " + "{".repeat(300_000) + "}".repeat(300_000) + " }");
+        ecrire(projet.resolve("D.java"), "package lancer; class D { " + "/*".repeat(3) + " /*".repeat(300_000));
+        ecrire(projet.resolve("Vecteur.java"), "package lancer; class Vecteur { " + "public ".repeat(100_000) + "}");
+        assertEquals(5, Projet.lire(lire(rendus).get("11")).getBase().size());
+    }
+
+    @Test
+    void ceQuiCacheUneClasseDeJavaEstLaisseDeCoteOuQuIlSoitDansLeFichier() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
+        ecrire(projet.resolve("A.java"), "package lancer; class A { char c = '{'; String s = \"{ // \"; } /* { */ class Math { }");
+        ecrire(projet.resolve("B.java"), "package lancer; class B { static class Math { } String s = \"} class Math\"; }");
+        assertEquals(List.of("lancer/B"), List.copyOf(Projet.lire(lire(rendus).get("11")).getBase().keySet()));
+    }
+
+    @Test
+    void beaucoupDeFichiersEnToutNeSontPasTropPourUneClasse() throws IOException {
+        Path moodle = dossier.resolve("moodle.zip");
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(moodle))) {
+            for (int k = 0; k < 20_001; k++) {
+                zip.putNextEntry(new ZipEntry("Étudiant_" + k % 30 + "_assignsubmission_file/.git/" + k));
+            }
+            zip.putNextEntry(new ZipEntry("Étudiant_7_assignsubmission_file/lancer/Vecteur.java"));
+            zip.write(CLASSE.getBytes(StandardCharsets.UTF_8));
+        }
+        Map<String, Rendu> lus = lire(moodle);
+        verifier(lus.get("7"), "Étudiant");
+    }
+
+    @Test
     void unAutreOrdreDeParametresEstUneRemarqueEtNonUneFaute() throws IOException {
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Objet3D.java"),
                 "package lancer;\nabstract class Objet3D {\n    public Couleur getColor(Rayon r, Scene s, PointContact c, int p) {\n"

@@ -39,6 +39,10 @@ class FautesTest extends JuryEssai {
             }
         }
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume"), rendus.resolve("image-renversee/brume"));
+        copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Lancer.java"),
+                rendus.resolve("racine-negative/brume/src/main/java/lancer/Lancer.java"));
+        copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Brume.java"),
+                rendus.resolve("racine-negative/brume/src/main/java/lancer/Brume.java"));
         resultats = juger(rendus, dossier.resolve("travail"), Confinement.essayer());
     }
 
@@ -52,7 +56,7 @@ class FautesTest extends JuryEssai {
 
     @Test
     void uneRacineNegativeEstUneFauteDeLaSphere() {
-        verifier("racine-negative", "sphere");
+        verifier("racine-negative", "sphere", "brume");
         assertEquals(List.of("Sphere"), resultats.get("racine-negative").classesFautives);
     }
 
@@ -73,6 +77,14 @@ class FautesTest extends JuryEssai {
         verifier("image-renversee", "rayons");
         assertEquals(List.of("Camera"), resultats.get("image-renversee").classesFautives);
         assertEquals("rayon, départ P", resultats.get("image-renversee").chemin.getPremierEcart().nom);
+    }
+
+    @Test
+    void uneBrumeQuiNEstPasDansLesRefletsSeVoit() {
+        Map<String, Verdict> verdicts = resultats.get("racine-negative").verdicts;
+        assertTrue(verdicts.get("brume.croissante").compte(), verdicts.get("brume.croissante").message);
+        assertEquals(Verdict.Etat.RATE, verdicts.get("brume.reflets").etat, verdicts.get("brume.reflets").message);
+        assertTrue(resultats.get("image-renversee").verdicts.get("brume.reflets").compte());
     }
 
     @Test

@@ -7,7 +7,7 @@ import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.mesures.ImageLineaire;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 
 /** Une scène prête à être dessinée, par nous et par le juge. */
 public final class SceneJugee {
@@ -45,7 +45,7 @@ public final class SceneJugee {
         }
         dessins = grise ? 1 : Composante.values().length;
         textes = new String[dessins];
-        lancer = Preparation.preparer(scene, largeur, hauteur, false);
+        lancer = LancerSurveille.preparer(scene, largeur, hauteur, false);
         traduction = new TraductionPov(scene, reflets, Ecran.traverses(scene, new Camera(largeur, hauteur)));
     }
 

@@ -20,8 +20,8 @@ import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.mesures.Gabarit;
-import lancer.rapide.Preparation;
 import lancer.sortie.ImageMemoire;
+import lancer.temoins.LancerSurveille;
 
 /** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
 final class Besoin {
@@ -63,7 +63,7 @@ final class Besoin {
 
     private Lancer preparer(Scene copie, double seuil) {
         copie.setSeuil(seuil);
-        return Preparation.preparer(copie, taille.largeur, taille.hauteur, false);
+        return LancerSurveille.preparer(copie, taille.largeur, taille.hauteur, false);
     }
 
     private int[] codes(Lancer lancer, int profondeur) {

@@ -210,7 +210,7 @@ final class Mesureur {
             if (echantillon == programme) {
                 programme.statistiques.forEach((nom, valeur) -> champs.put(colonne(nom), valeur));
                 int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);
-                champs.put("pixels_verifies", pixels == 0 ? 0 : refaire(fichier, pixels, programme.image)[0]);
+                champs.put("pixels_verifies", pixels == 0 ? 0L : (long) refaire(fichier, pixels, programme.image)[0]);
             }
             noter(groupe, methode, spheres, champs, temps);
         }

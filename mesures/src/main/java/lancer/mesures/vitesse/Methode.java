@@ -11,7 +11,7 @@ import lancer.auto.Souhait;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
 final class Methode {
@@ -104,7 +104,7 @@ final class Methode {
 
         Dessin(Scene lue, int largeur, int hauteur) {
             scene = changement.apply(lue);
-            Lancer prepare = Preparation.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, boucles);
+            Lancer prepare = LancerSurveille.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, boucles);
             if (erreurVoulue > 0) {
                 Auto auto = Auto.choisir(prepare, Souhait.erreur(erreurVoulue), Runtime.getRuntime().availableProcessors(),
                         Collections.<Variante>singletonList(new Antialias()));
@@ -127,7 +127,7 @@ final class Methode {
         /** Par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Echantillonnage partiel = filtre.apply(choisi);
-            Preparation.preparer(scene.avec(partiel, lancer.getScene().getSeuil()), lancer.getCamera().getLargeur(),
+            LancerSurveille.preparer(scene.avec(partiel, lancer.getScene().getSeuil()), lancer.getCamera().getLargeur(),
                     lancer.getCamera().getHauteur(), true).parcourir(partiel, toile, reflets, fils);
         }
     }

@@ -23,7 +23,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.mesures.ImageLineaire;
-import lancer.rapide.Preparation;
+import lancer.temoins.LancerSurveille;
 
 /**
  * Une machine virtuelle qui ne dessine que d'une façon, et le fait quand on le lui demande, sur son entrée : « echauffer », puis un
@@ -148,7 +148,7 @@ final class Ouvrier {
      * @return combien de pixels, et combien de sphères ils ont fait essayer
      */
     static String pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
-        Lancer lancer = Preparation.preparer(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
+        Lancer lancer = LancerSurveille.preparer(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
         BufferedImage image = png == null ? null : ImageIO.read(png.toFile());
         for (int k : new Random(GRAINE).ints(nombre, 0, taille.pixels()).toArray()) {
             int i = k % taille.largeur;

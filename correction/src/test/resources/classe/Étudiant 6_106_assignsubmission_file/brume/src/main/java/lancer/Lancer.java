@@ -24,10 +24,9 @@ public class Lancer {
         Rayon initial = camera.getRayon(xe, ye);
         PointContact contact = scene.getClosestIntersection(initial);
         if (contact == null) {
-            return new Couleur(0.8, 0.8, 0.8);
+            return Brume.COULEUR;
         }
-        double k = Math.min(1, Math.max(0, contact.distance / 30));
-        return new Couleur(0.8, 0.8, 0.8).mul(k).add(contact.objet.getColor(scene, initial, contact, profondeur).mul(1 - k));
+        return Brume.voiler(contact.objet.getColor(scene, initial, contact, profondeur), contact.distance);
     }
 
     /** Dessine un brouillon, un rayon pour 4 x 4 pixels, puis chaque pixel, au centre duquel passe un rayon. */

@@ -35,13 +35,14 @@ public abstract class Objet3D {
             }
         }
         if (profondeur > 0) {
-            Rayon reflechi = new Rayon(contact, R);
+            System.out.println("reflet de " + contact);
+            Rayon reflechi = new Rayon(contact.add(N.mul(1e-4)), R);
             PointContact suivant = scene.getClosestIntersection(reflechi, (Sphere) this);
             Couleur reflet = suivant == null ? reflechi.getSkyColor()
                     : suivant.objet.getColor(scene, reflechi, suivant, profondeur - 1);
             couleur = couleur.add(Ks.mul(reflet));
         }
-        return couleur;
+        return new Couleur(Math.min(1, couleur.r), Math.min(1, couleur.v), Math.min(1, couleur.b));
     }
 
     /** Un rayon part de la lampe vers le contact : si un autre objet l'arrête avant, le contact est à l'ombre. */

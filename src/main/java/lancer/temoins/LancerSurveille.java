@@ -1,4 +1,4 @@
-package lancer.rapide;
+package lancer.temoins;
 
 import java.util.Collections;
 import java.util.function.IntConsumer;
@@ -11,6 +11,8 @@ import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.fils.Equipe;
+import lancer.rapide.Preparation;
+import lancer.rapide.RechercheRapide;
 
 /** Un {@link Lancer} dont des {@link Temoins} jugent la recherche ; si elle se trompe, les boucles dessinent. */
 public final class LancerSurveille extends Lancer {
@@ -25,6 +27,20 @@ public final class LancerSurveille extends Lancer {
 
     public LancerSurveille(Scene scene, Camera camera) {
         super(scene, camera);
+    }
+
+    /**
+     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure
+     * aussi.
+     *
+     * @param simple vrai pour les boucles du cours
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
+     */
+    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
+        Camera camera = new Camera(largeur, hauteur);
+        scene.setRecherche(simple ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
+                : Preparation.pour(scene, camera));
+        return new LancerSurveille(scene, camera);
     }
 
     @Override

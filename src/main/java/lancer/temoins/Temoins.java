@@ -1,4 +1,4 @@
-package lancer.rapide;
+package lancer.temoins;
 
 import java.util.Arrays;
 import java.util.HashSet;
@@ -19,6 +19,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
+import lancer.rapide.RechercheRapide;
 
 /**
  * Les pixels témoins : quelques-uns sont dessinés par les boucles du cours aussi, et comparés au bit près. Ils jugent

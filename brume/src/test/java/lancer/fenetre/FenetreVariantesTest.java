@@ -1,0 +1,201 @@
+package lancer.fenetre;
+
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.chercher;
+import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Graphics;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.util.Arrays;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
+import javax.swing.JSlider;
+import org.junit.jupiter.api.Test;
+
+/** Une variante dans la fenêtre : sa boîte, les glissières de ses paramètres, et l'image d'avant. */
+class FenetreVariantesTest extends EssaiFenetre {
+
+    private int[] sansFenetre(String texte, String... options) throws Exception {
+        byte[] avant = Files.readAllBytes(scene);
+        ecrire(texte);
+        int[] codes = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, options);
+        Files.write(scene, avant);
+        return codes;
+    }
+
+    private void ouvrir() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+    }
+
+    private JSlider glissiere(String nom) throws Exception {
+        if (chercher(nom, JSlider.class) == null) {
+            banc.frapper(KeyEvent.VK_F2);
+        }
+        return composant(nom, JSlider.class);
+    }
+
+    private static void placer(JSlider glissiere, int cran) throws Exception {
+        surFilEvenements(() -> {
+            glissiere.setValue(cran);
+            return null;
+        });
+    }
+
+    private JMenuItem article(String nom) {
+        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
+        for (int k = 0; k < dessin.getItemCount(); k++) {
+            if (dessin.getItem(k) != null && dessin.getItem(k).getText().equals(nom)) {
+                return dessin.getItem(k);
+            }
+        }
+        throw new AssertionError("pas d'article " + nom);
+    }
+
+    private void cliquer(JMenuItem article) throws Exception {
+        surFilEvenements(() -> {
+            article.doClick();
+            return null;
+        });
+    }
+
+    @Test
+    void saBoiteLaDebrancheEtLaRebranche() throws Exception {
+        int[] avec = sansFenetre(ROUGE);
+        int[] sans = sansFenetre(ROUGE, "--sans=brume");
+        ouvrir();
+        banc.attendreImage("avec la brume", avec);
+        JLabel resume = chercher("resume", JLabel.class);
+        attendre("elle se dit", () -> resume.getText().endsWith(", 5 réflexions, [Brume] debut=0 fin=30"));
+        cliquer(article("Brume"));
+        banc.attendreImage("sans elle", sans);
+        attendre("elle ne se dit plus", () -> !resume.getText().contains("Brume"));
+        JSlider densite = glissiere("Brume.densite");
+        JCheckBox boite = composant("Brume", JCheckBox.class);
+        assertFalse(boite.isSelected() || densite.isEnabled());
+        surFilEvenements(() -> {
+            boite.doClick();
+            return null;
+        });
+        banc.attendreImage("de nouveau avec", avec);
+        assertTrue(surFilEvenements(() -> article("Brume").isSelected() && densite.isEnabled()));
+    }
+
+    @Test
+    void uneGlissiereDonneLImageDeLaSectionQuElleEcriraitEtLaCopieLeDit() throws Exception {
+        String avant = ROUGE + "[Brume du matin]\ncouleur=0.9 0.8 0.7\ndebut=2\nfin=9.75\n";
+        String section = "[Brume du matin]\ncouleur=0.9 0.8 0.7\ndebut=2\ndensite=0.095\n";
+        int[] attendue = sansFenetre(ROUGE + section, "--reflets=10");
+        ecrire(avant);
+        ouvrir();
+        JSlider densite = glissiere("Brume.densite");
+        JSlider debut = composant("Brume.debut", JSlider.class);
+        assertEquals(4, surFilEvenements(debut::getValue));
+        placer(densite, 19);
+        banc.frapper(KeyEvent.VK_ADD);
+        banc.attendreImage("l'image suit", attendue);
+        assertArrayEquals(avant.getBytes("UTF-8"), Files.readAllBytes(scene));
+        JLabel resume = chercher("resume", JLabel.class);
+        attendre("le résumé aussi", () -> resume.getText().contains("[Brume du matin] couleur=0.9 0.8 0.7 debut=2 densite=0.095"));
+        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
+        attendre("la copie donne la section et la commande", () -> {
+            String copie = BancFenetre.copie();
+            return copie.startsWith(section + "\n; java ") && copie.endsWith(" --taille 320x240 --reflets 10 " + scene + "\n");
+        });
+    }
+
+    @Test
+    void uneSectionChangeeDansLeFichierReprendLaMain() throws Exception {
+        ouvrir();
+        placer(glissiere("Brume.fin"), 11);
+        banc.attendreImage("la glissière d'abord", sansFenetre(ROUGE + "[Brume]\nfin=12\n"));
+        ecrire(BLEUE);
+        banc.attendreImage("elle reste quand le reste de la scène change", sansFenetre(BLEUE + "[Brume]\nfin=12\n"));
+        String neuve = BLEUE + "[Brume]\nfin=20\n";
+        int[] attendue = sansFenetre(neuve);
+        ecrire(neuve);
+        banc.attendreImage("la section du fichier ensuite", attendue);
+    }
+
+    @Test
+    void unReglageImpossibleSeLitEtLImageReste() throws Exception {
+        ouvrir();
+        int[] avant = banc.imageAchevee().getCodes();
+        placer(glissiere("Brume.fin"), 4);
+        attendre("fin est réglée", () -> !banc.fenetre.enCours());
+        int[] cinq = sansFenetre(ROUGE + "[Brume]\nfin=5\n");
+        banc.attendreImage("fin est réglée", cinq);
+        placer(composant("Brume.debut", JSlider.class), 10);
+        banc.attendreMessage("réglage, [Brume], debut : la brume commencerait à « 5 » et finirait à « 5 »");
+        assertArrayEquals(cinq, BancFenetre.codes(surFilEvenements(() -> peinte())));
+        placer(composant("Brume.debut", JSlider.class), 0);
+        banc.attendreImage("on en revient", cinq);
+        banc.attendreMessage("");
+        assertFalse(Arrays.equals(avant, cinq));
+    }
+
+    private BufferedImage peinte() {
+        BufferedImage image = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
+        Graphics g = image.createGraphics();
+        // le message couvre le bas ; seule l'image nous importe
+        Component message = ((Container) banc.panneau).getComponent(0);
+        message.setVisible(false);
+        g.translate(-(banc.panneau.getWidth() - L) / 2, -(banc.panneau.getHeight() - H) / 2);
+        banc.panneau.paint(g);
+        message.setVisible(true);
+        return image;
+    }
+
+    @Test
+    void tenirEspaceMontreLImageDAvantAvecSesReglages() throws Exception {
+        int[] avec = sansFenetre(ROUGE);
+        int[] sans = sansFenetre(ROUGE, "--sans=brume");
+        ouvrir();
+        cliquer(article("Brume"));
+        banc.attendreImage("sans la brume", sans);
+        banc.frapper();
+        banc.robot.keyPress(KeyEvent.VK_SPACE);
+        attendre("celle d'avant, au même endroit", () -> BancFenetre.trouver(avec, L) != null);
+        JLabel resume = chercher("resume", JLabel.class);
+        attendre("ses réglages et son coût", () -> resume.getText().matches(".* rayons, .* s, .*, \\[Brume] .*"));
+        banc.robot.keyRelease(KeyEvent.VK_SPACE);
+        attendre("puis celle de maintenant", () -> BancFenetre.trouver(sans, L) != null);
+        attendre("et les siens", () -> !resume.getText().contains("Brume"));
+    }
+
+    @Test
+    void unGesteDeGlissiereEstUnSeulChangement() throws Exception {
+        ouvrir();
+        int[] avant = banc.imageAchevee().getCodes();
+        JSlider fin = glissiere("Brume.fin");
+        surFilEvenements(() -> {
+            fin.setValueIsAdjusting(true);
+            return null;
+        });
+        for (int cran : new int[] {25, 20, 15, 10}) {
+            placer(fin, cran);
+            attendre("chaque cran se dessine", () -> !banc.fenetre.enCours()
+                    && banc.fenetre.getReglages().toString().contains("fin=" + (cran + 1)));
+        }
+        surFilEvenements(() -> {
+            fin.setValueIsAdjusting(false);
+            return null;
+        });
+        banc.imageAchevee();
+        banc.frapper();
+        banc.robot.keyPress(KeyEvent.VK_SPACE);
+        attendre("l'image d'avant est celle d'avant le geste", () -> BancFenetre.trouver(avant, L) != null);
+        banc.robot.keyRelease(KeyEvent.VK_SPACE);
+    }
+}

@@ -1,0 +1,90 @@
+package lancer.contrat;
+
+import java.math.BigDecimal;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import lancer.texte.Nombre;
+
+/**
+ * Une clé de la section d'une variante, que la fenêtre laisse régler à la souris. L'intervalle est celui où il est
+ * utile de la promener ; le fichier de scène peut donner toute valeur que la variante accepte. Immuable.
+ */
+public final class Parametre {
+
+    private final String cle;
+    private final String defaut;
+    private final BigDecimal min;
+    private final BigDecimal pas;
+    private final int crans;
+    private final List<String> mots;
+    private final String autre;
+
+    private Parametre(String cle, String defaut, BigDecimal min, BigDecimal pas, int crans, List<String> mots,
+            String autre) {
+        this.cle = cle;
+        this.defaut = defaut;
+        this.min = min;
+        this.pas = pas;
+        this.crans = crans;
+        this.mots = mots;
+        this.autre = autre;
+    }
+
+    /**
+     * Un nombre, de {@code min} à {@code max}, de {@code pas} en {@code pas}.
+     *
+     * @param defaut sa valeur là où la section ne le donne pas ; {@code null} s'il n'y en a alors pas
+     */
+    public static Parametre nombre(String cle, Double defaut, double min, double max, double pas) {
+        return new Parametre(cle, defaut == null ? null : ecrire(BigDecimal.valueOf(defaut)), BigDecimal.valueOf(min),
+                BigDecimal.valueOf(pas), (int) Math.round((max - min) / pas), Collections.emptyList(), null);
+    }
+
+    /** Un mot parmi ceux-ci, dont le premier est la valeur par défaut. */
+    public static Parametre mot(String cle, String... mots) {
+        return new Parametre(cle, mots[0], null, null, mots.length - 1, Arrays.asList(mots), null);
+    }
+
+    /** Le même, qui ne peut être donné en même temps que cette autre clé. */
+    public Parametre sans(String autreCle) {
+        return new Parametre(cle, defaut, min, pas, crans, mots, autreCle);
+    }
+
+    public String getCle() {
+        return cle;
+    }
+
+    /** La valeur là où la section ne la donne pas, telle qu'on l'écrirait ; {@code null} s'il n'y en a pas. */
+    public String getDefaut() {
+        return defaut;
+    }
+
+    /** La clé qui ne va pas avec celle-ci, {@code null} s'il n'y en a pas. */
+    public String getAutre() {
+        return autre;
+    }
+
+    /** Le nombre de pas d'un bout à l'autre. */
+    public int getCrans() {
+        return crans;
+    }
+
+    /** La valeur de ce cran, de 0 à {@link #getCrans()}, telle qu'on l'écrirait dans un fichier de scène. */
+    public String getValeur(int cran) {
+        return mots.isEmpty() ? ecrire(min.add(pas.multiply(BigDecimal.valueOf(cran)))) : mots.get(cran);
+    }
+
+    /** Le cran le plus proche de cette valeur, que le fichier peut avoir écrite autrement. */
+    public int getCran(String valeur) {
+        if (!mots.isEmpty()) {
+            return Math.max(0, mots.indexOf(valeur));
+        }
+        double cran = (Nombre.lire(valeur) - min.doubleValue()) / pas.doubleValue();
+        return (int) Math.round(Math.max(0, Math.min(crans, cran)));
+    }
+
+    private static String ecrire(BigDecimal nombre) {
+        return nombre.signum() == 0 ? "0" : nombre.stripTrailingZeros().toPlainString();
+    }
+}

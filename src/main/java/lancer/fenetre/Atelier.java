@@ -1,0 +1,41 @@
+package lancer.fenetre;
+
+import javax.swing.JFrame;
+import lancer.Lancer;
+import lancer.sortie.ImageMemoire;
+import lancer.sortie.ReglagesDessin;
+
+/** Ce que la fenêtre offre à ce qui s'ouvre à côté d'elle ; tout s'appelle, et répond, dans le fil des événements. */
+interface Atelier {
+
+    /** Le cadre, à côté de qui s'ouvrir. */
+    JFrame getCadre();
+
+    /** Les réglages de la scène montrée, que son dessin soit achevé ou non ; {@code null} avant la première. */
+    ReglagesDessin getReglages();
+
+    /**
+     * Dessine la scène montrée avec ces réglages ; ce qui se dessinait est abandonné.
+     *
+     * @param suite vrai si ce n'est que la suite d'un même geste : l'image « d'avant » reste alors celle d'avant lui
+     */
+    void dessiner(ReglagesDessin reglages, boolean suite);
+
+    /** La commande qui dessine la scène montrée avec ces réglages, sections changées mises dans son fichier. */
+    String getCommande();
+
+    /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
+    boolean enCours();
+
+    /** Ce que fait la touche Échap : arrêter un dessin en cours, sinon fermer ce qui s'est ouvert à côté. */
+    void echapper();
+
+    /** L'image montrée si elle est achevée, sinon {@code null}. */
+    ImageMemoire getImageComplete();
+
+    /** Ce qui a dessiné l'image achevée ou la dessine, scène préparée comprise ; {@code null} s'il n'y en a pas. */
+    Lancer getLancer();
+
+    /** Appelle {@code siChange} chaque fois qu'un dessin commence, s'achève ou s'arrête, et qu'une scène est lue. */
+    void prevenir(Runnable siChange);
+}

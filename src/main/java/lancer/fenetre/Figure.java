@@ -1,0 +1,206 @@
+package lancer.fenetre;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.Stroke;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.util.ArrayList;
+import java.util.List;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
+import lancer.inspection.Eclairage;
+import lancer.inspection.Etape;
+import lancer.inspection.Inspection;
+
+/** La chaîne d'un pixel, tracée par-dessus l'image : ses contacts, ses rayons, ses lampes. Calculée une fois, peinte souvent. */
+final class Figure {
+
+    private static final Color REFLET = new Color(0x66E0FF);
+    private static final Color LAMPE = new Color(0xFFE040);
+    private static final Color OMBRE = new Color(0xFF8A3C);
+    private static final Color LISERE = new Color(0, 0, 0, 120);
+
+    /** Morceaux d'un trait, chacun plein ou tireté. */
+    private static final int MORCEAUX = 48;
+    /** De quoi ne pas tirer un trait depuis l'œil même, ni vers l'infini, en unités de la scène. */
+    private static final double PRES = 1e-3;
+    private static final double LOIN = 1e6;
+    /** Part de la distance en deçà de laquelle un objet est devant, et non la surface où le trait s'arrête. */
+    private static final double DEVANT = 1 - 1e-4;
+
+    private static final int RAYON_ANNEAU = 9;
+    private static final double POINTE = 9;
+
+    private final Camera camera;
+    private final Scene scene;
+    private final List<Trait> traits = new ArrayList<>();
+    private final List<double[]> anneaux = new ArrayList<>();
+
+    /** À calculer ailleurs que dans le fil des événements : ce qui est devant se demande à la scène. */
+    Figure(Inspection pixel) {
+        camera = pixel.camera;
+        scene = pixel.scene.pourUnFil();
+        Point depart = null;
+        Vecteur V = null;
+        for (Etape etape : pixel.getEtapes()) {
+            if (depart != null) {
+                tracer(depart, etape.contact == null ? depart.add(LOIN, V) : etape.contact, REFLET,
+                        etape.contact == null);
+            }
+            depart = etape.contact;
+            V = etape.getReflechi();
+            if (depart != null) {
+                double[] ou = projeter(depart);
+                anneaux.add(new double[] {ou[0], ou[1], etape.numero});
+                etape.lampes.forEach(lampe -> tracer(etape.contact, lampe));
+            }
+        }
+    }
+
+    private void tracer(Point contact, Eclairage lampe) {
+        Point position = lampe.lampe.getPosition();
+        if (lampe.eclaire()) {
+            tracer(contact, position, LAMPE, false);
+        } else if (lampe.getCache() != null) {
+            tracer(lampe.getCache(), position, Color.BLACK, false);
+            tracer(contact, lampe.getCache(), OMBRE, false);
+        }
+    }
+
+    /** L'endroit de l'image où se voit un point, et sa profondeur depuis l'œil. */
+    private double[] projeter(Point p) {
+        double profondeur = p.z + Camera.FOCALE;
+        double pixels = camera.getLargeur() / Constantes.ECHELLE * Camera.FOCALE / profondeur;
+        return new double[] {camera.getLargeur() / 2.0 + p.x * pixels, camera.getHauteur() / 2.0 - p.y * pixels,
+            profondeur};
+    }
+
+    private void tracer(Point a, Point b, Color couleur, boolean sansFin) {
+        Vecteur ab = new Vecteur(a, b);
+        if (a.z + Camera.FOCALE < PRES) {
+            return;
+        }
+        boolean derriere = b.z + Camera.FOCALE < PRES;
+        double[] de = projeter(a);
+        double[] vers = projeter(derriere ? a.add((PRES - Camera.FOCALE - a.z) / ab.z, ab) : b);
+        double[] parts = couper(de, vers, camera.getLargeur(), camera.getHauteur());
+        if (parts[0] < parts[1]) {
+            traits.add(new Trait(de, vers, parts, couleur, derriere || sansFin || parts[1] < 1));
+        }
+    }
+
+    /** Les parts du segment entre lesquelles il est dans l'image (Liang et Barsky, 1984). */
+    private static double[] couper(double[] de, double[] vers, double largeur, double hauteur) {
+        double debut = 0;
+        double fin = 1;
+        double[] tailles = {largeur, hauteur};
+        for (int axe = 0; axe < 2; axe++) {
+            double pas = vers[axe] - de[axe];
+            double entree = (pas > 0 ? -de[axe] : tailles[axe] - de[axe]) / pas;
+            double sortie = (pas > 0 ? tailles[axe] - de[axe] : -de[axe]) / pas;
+            if (pas != 0) {
+                debut = Math.max(debut, entree);
+                fin = Math.min(fin, sortie);
+            } else if (de[axe] < 0 || de[axe] > tailles[axe]) {
+                fin = 0;
+            }
+        }
+        return new double[] {debut, fin};
+    }
+
+    /** La part de l'image d'un segment : de petits morceaux, chacun derrière quelque chose ou non. */
+    private final class Trait {
+
+        final double[] x = new double[MORCEAUX + 1];
+        final double[] y = new double[MORCEAUX + 1];
+        final boolean[] derriere = new boolean[MORCEAUX];
+        final Color couleur;
+        final boolean fleche;
+
+        Trait(double[] de, double[] vers, double[] parts, Color couleur, boolean fleche) {
+            this.couleur = couleur;
+            this.fleche = fleche;
+            for (int k = 0; k <= MORCEAUX; k++) {
+                double part = parts[0] + (parts[1] - parts[0]) * k / MORCEAUX;
+                x[k] = de[0] + part * (vers[0] - de[0]);
+                y[k] = de[1] + part * (vers[1] - de[1]);
+                if (k > 0) {
+                    double milieu = part - (parts[1] - parts[0]) / (2 * MORCEAUX);
+                    double profondeur = 1 / ((1 - milieu) / de[2] + milieu / vers[2]);
+                    derriere[k - 1] = estDerriere((x[k - 1] + x[k]) / 2, (y[k - 1] + y[k]) / 2, profondeur);
+                }
+            }
+        }
+
+        private boolean estDerriere(double xe, double ye, double profondeur) {
+            Rayon rayon = camera.getRayon(xe, ye);
+            scene.getClosestIntersection(rayon);
+            return rayon.getDistance() < DEVANT * (profondeur - Camera.FOCALE) / rayon.getV().z;
+        }
+
+        void peindre(Graphics2D g, Rectangle place, double echelle) {
+            Stroke plein = new BasicStroke(1.5f);
+            Stroke tirete = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1, new float[] {3, 4}, 0);
+            int debut = 0;
+            for (int k = 1; k <= MORCEAUX; k++) {
+                if (k == MORCEAUX || derriere[k] != derriere[debut]) {
+                    Line2D ligne = new Line2D.Double(place.x + echelle * x[debut], place.y + echelle * y[debut],
+                            place.x + echelle * x[k], place.y + echelle * y[k]);
+                    if (!derriere[debut]) {
+                        g.setStroke(new BasicStroke(3.5f));
+                        g.setColor(LISERE);
+                        g.draw(ligne);
+                    }
+                    g.setStroke(derriere[debut] ? tirete : plein);
+                    g.setColor(couleur);
+                    g.draw(ligne);
+                    debut = k;
+                }
+            }
+            if (fleche) {
+                g.setStroke(plein);
+                peindrePointe(g, place.x + echelle * x[MORCEAUX], place.y + echelle * y[MORCEAUX]);
+            }
+        }
+
+        private void peindrePointe(Graphics2D g, double bout, double hauteur) {
+            double angle = Math.atan2(y[MORCEAUX] - y[0], x[MORCEAUX] - x[0]);
+            for (double ecart : new double[] {-0.4, 0.4}) {
+                g.draw(new Line2D.Double(bout, hauteur, bout - POINTE * Math.cos(angle + ecart),
+                        hauteur - POINTE * Math.sin(angle + ecart)));
+            }
+        }
+    }
+
+    /** @param place celle de l'image, en pixels de l'écran */
+    void peindre(Graphics2D g, Rectangle place) {
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        double echelle = (double) place.width / camera.getLargeur();
+        traits.forEach(trait -> trait.peindre(g, place, echelle));
+        for (double[] anneau : anneaux) {
+            double x = place.x + echelle * anneau[0];
+            double y = place.y + echelle * anneau[1];
+            Ellipse2D rond = new Ellipse2D.Double(x - RAYON_ANNEAU, y - RAYON_ANNEAU, 2 * RAYON_ANNEAU, 2 * RAYON_ANNEAU);
+            g.setStroke(new BasicStroke(3.5f));
+            g.setColor(LISERE);
+            g.draw(rond);
+            g.setStroke(new BasicStroke(1.5f));
+            g.setColor(Color.WHITE);
+            g.draw(rond);
+            String numero = String.valueOf((int) anneau[2]);
+            int decalage = RAYON_ANNEAU + 2;
+            g.setColor(Color.BLACK);
+            g.drawString(numero, (float) x + decalage + 1, (float) y - decalage + 1);
+            g.setColor(Color.WHITE);
+            g.drawString(numero, (float) x + decalage, (float) y - decalage);
+        }
+    }
+}

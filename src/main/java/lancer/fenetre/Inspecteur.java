@@ -1,0 +1,296 @@
+package lancer.fenetre;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.EventQueue;
+import java.awt.Font;
+import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.DefaultHighlighter;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.commande.Pannes;
+import lancer.inspection.Inspection;
+import lancer.inspection.Recit;
+import lancer.sortie.ImageMemoire;
+
+/**
+ * Pourquoi un pixel a sa couleur, dans une fenêtre à côté de l'image, qui suit ce pixel d'un dessin à l'autre. Tout se
+ * calcule dans un fil à part.
+ */
+final class Inspecteur extends JDialog {
+
+    private static final long serialVersionUID = 1;
+
+    private static final int MARGE = 6;
+    private static final int LARGEUR = 520;
+    private static final int LARGEUR_MIN = 320;
+    /** Les nombres gardent l'un ou l'autre, le plus fin des deux. */
+    private static final int CHIFFRES = 4;
+    private static final int DECIMALES = 3;
+    private static final double PETIT = 1e-4;
+    private static final double GRAND = 1e6;
+    private static final int SAUT = 10;
+    private static final Color CHANGE = new Color(0xFFE9A8);
+    private static final String ARRONDI = "(nombres arrondis ; --pixel les écrit en entier)";
+
+    private final transient Atelier atelier;
+    private final PanneauImage panneau;
+    private final JTextArea texte = new JTextArea(30, 60);
+    private final JLabel verdict = new JLabel(" ");
+    private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
+    private final VueDeCote cote = new VueDeCote();
+    private final transient ExecutorService fil = Executors.newSingleThreadExecutor(tache -> {
+        Thread t = new Thread(tache, "lancer-inspection");
+        t.setDaemon(true);
+        return t;
+    });
+    private Point pixel;
+    private int rang = Inspection.AU_CENTRE;
+    private transient Inspection enCours;
+    private transient Inspection faite;
+
+    Inspecteur(Atelier atelier, PanneauImage panneau) {
+        super(atelier.getCadre());
+        this.atelier = atelier;
+        this.panneau = panneau;
+        setName("inspecteur");
+        texte.setName("recit");
+        verdict.setName("verdict");
+        texte.setEditable(false);
+        texte.setFont(new Font(Font.MONOSPACED, Font.PLAIN, texte.getFont().getSize()));
+        texte.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
+        JPopupMenu menu = new JPopupMenu();
+        menu.add("Copier").addActionListener(e -> copier());
+        texte.setComponentPopupMenu(menu);
+        verdict.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
+        JPanel bas = new JPanel(new BorderLayout(MARGE, MARGE));
+        bas.add(cote, BorderLayout.CENTER);
+        bas.add(grille, BorderLayout.LINE_END);
+        add(verdict, BorderLayout.PAGE_START);
+        add(new JScrollPane(texte), BorderLayout.CENTER);
+        add(bas, BorderLayout.PAGE_END);
+        lierFleches(getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        lierFleches(texte, JComponent.WHEN_FOCUSED);
+        lierFleches(atelier.getCadre().getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        lier(getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                atelier::echapper);
+        for (int sens : new int[] {-1, 1}) {
+            KeyStroke touche = KeyStroke.getKeyStroke(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN, 0);
+            lier(texte, JComponent.WHEN_FOCUSED, touche, () -> choisir(grille.voisin(sens)));
+        }
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent e) {
+                fermer();
+            }
+        });
+        atelier.prevenir(this::calculer);
+    }
+
+    private static void lier(JComponent ou, int quand, KeyStroke touche, Runnable action) {
+        ou.getInputMap(quand).put(touche, touche);
+        ou.getActionMap().put(touche, new AbstractAction() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            public void actionPerformed(ActionEvent e) {
+                action.run();
+            }
+        });
+    }
+
+    private void lierFleches(JComponent ou, int quand) {
+        int[] touches = {KeyEvent.VK_LEFT, KeyEvent.VK_RIGHT, KeyEvent.VK_UP, KeyEvent.VK_DOWN};
+        for (int pas : new int[] {1, SAUT}) {
+            for (int k = 0; k < touches.length; k++) {
+                int d = k % 2 == 0 ? -pas : pas;
+                int dx = k < 2 ? d : 0;
+                int dy = k < 2 ? 0 : d;
+                lier(ou, quand, KeyStroke.getKeyStroke(touches[k], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK),
+                        () -> deplacer(dx, dy));
+            }
+        }
+    }
+
+    private void deplacer(int dx, int dy) {
+        if (isVisible()) {
+            montrer(new Point(pixel.x + dx, pixel.y + dy));
+        }
+    }
+
+    /** Ouvre la fenêtre sur ce pixel, ou l'y mène. */
+    void montrer(Point voulu) {
+        pixel = voulu;
+        rang = Inspection.AU_CENTRE;
+        if (!isVisible()) {
+            placer();
+            setVisible(true);
+        }
+        calculer();
+    }
+
+    /** À droite du cadre, que l'on pousse à gauche s'il le faut et s'il y a de quoi : l'image garde sa taille. */
+    private void placer() {
+        JFrame cadre = atelier.getCadre();
+        Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())),
+                Math.min(cadre.getHeight(), ecran.height));
+        int depasse = cadre.getX() + cadre.getWidth() + getWidth() - ecran.x - ecran.width;
+        if (depasse > 0 && cadre.getX() > ecran.x) {
+            cadre.setLocation(Math.max(ecran.x, cadre.getX() - depasse), cadre.getY());
+        }
+        Menus.aCote(this, cadre);
+    }
+
+    private void choisir(int voulu) {
+        rang = voulu;
+        calculer();
+    }
+
+    void fermer() {
+        setVisible(false);
+        abandonner();
+        faite = null;
+        panneau.superposer(null);
+    }
+
+    /** La fenêtre du programme se ferme. */
+    void terminer() {
+        abandonner();
+        fil.shutdown();
+        dispose();
+    }
+
+    private void abandonner() {
+        if (enCours != null) {
+            enCours.arreter();
+            enCours = null;
+        }
+    }
+
+    /** Explique le pixel, tel que le dessine ce qui dessine maintenant. */
+    private void calculer() {
+        Lancer lancer = atelier.getLancer();
+        if (!isVisible() || lancer == null) {
+            return;
+        }
+        abandonner();
+        Camera camera = lancer.getCamera();
+        pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, pixel.x)),
+                Math.max(0, Math.min(camera.getHauteur() - 1, pixel.y)));
+        setTitle("Rayons du pixel " + pixel.x + ", " + pixel.y);
+        Inspection nouvelle = new Inspection(lancer.getScene(), camera, atelier.getReglages().getReflets(), pixel.x,
+                pixel.y);
+        int voulu = rang;
+        enCours = nouvelle;
+        fil.execute(() -> {
+            try {
+                nouvelle.faire(voulu);
+                List<String> lignes = new Recit(nouvelle, Inspecteur::arrondi).lignes();
+                Figure figure = new Figure(nouvelle);
+                EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure));
+            } catch (CancellationException e) {
+                // un autre pixel est demandé
+            } catch (RuntimeException | Error e) {
+                EventQueue.invokeLater(() -> verdict.setText(Pannes.message(e)));
+            }
+        });
+    }
+
+    private void recevoir(Inspection nouvelle, List<String> lignes, Figure figure) {
+        if (nouvelle != enCours) {
+            return;
+        }
+        enCours = null;
+        List<String> avant = new ArrayList<>();
+        if (faite != null && faite.x == nouvelle.x && faite.y == nouvelle.y) {
+            avant = new Recit(faite, Inspecteur::arrondi).lignes();
+        }
+        faite = nouvelle;
+        lignes.add(1, ARRONDI);
+        texte.setText(String.join("\n", lignes));
+        texte.setCaretPosition(0);
+        surligner(avant);
+        verdict.setText(comparer(nouvelle.getCouleur()));
+        grille.montrer(nouvelle);
+        cote.montrer(nouvelle);
+        panneau.superposer(figure::peindre);
+    }
+
+    /** Marque les lignes que ce dessin a changées. */
+    private void surligner(List<String> avant) {
+        texte.getHighlighter().removeAllHighlights();
+        try {
+            for (int k = 0; k < texte.getLineCount() && !avant.isEmpty(); k++) {
+                int debut = texte.getLineStartOffset(k);
+                int fin = texte.getLineEndOffset(k);
+                String ligne = texte.getText(debut, fin - debut).replace("\n", "");
+                if (!avant.contains(ligne) && !ligne.equals(ARRONDI)) {
+                    texte.getHighlighter().addHighlight(debut, fin,
+                            new DefaultHighlighter.DefaultHighlightPainter(CHANGE));
+                }
+            }
+        } catch (BadLocationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** Compare cette couleur à celle qui est dessinée, au bit près. */
+    private String comparer(Couleur couleur) {
+        ImageMemoire image = atelier.getImageComplete();
+        if (image == null) {
+            return "L'image n'est pas achevée : rien encore à quoi comparer.";
+        }
+        int k = pixel.y * image.getLargeur() + pixel.x;
+        float[] vu = image.getLineaire();
+        boolean pareil = image.getCodes()[k] == couleur.getCode() && (vu == null || vu[3 * k] == (float) couleur.r
+                && vu[3 * k + 1] == (float) couleur.v && vu[3 * k + 2] == (float) couleur.b);
+        String dessine = String.format("#%06X", image.getCodes()[k] & 0xFFFFFF);
+        return pareil ? "Au bit près, la couleur du pixel dessiné : " + dessine
+                : "Différent du pixel dessiné, qui est " + dessine
+                        + (vu == null ? "" : " = " + vu[3 * k] + " " + vu[3 * k + 1] + " " + vu[3 * k + 2]);
+    }
+
+    private void copier() {
+        if (texte.getSelectedText() == null) {
+            texte.selectAll();
+        }
+        texte.copy();
+    }
+
+    static String arrondi(double x) {
+        double taille = Math.abs(x);
+        BigDecimal quatre = new BigDecimal(x).round(new MathContext(CHIFFRES));
+        return x == 0 ? "0" : taille < PETIT || taille > GRAND ? Double.toString(quatre.doubleValue())
+                : new BigDecimal(x).setScale(Math.max(DECIMALES, quatre.scale()), RoundingMode.HALF_EVEN)
+                        .stripTrailingZeros().toPlainString();
+    }
+}

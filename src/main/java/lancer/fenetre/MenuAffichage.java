@@ -1,0 +1,106 @@
+package lancer.fenetre;
+
+import java.awt.Dimension;
+import java.awt.GraphicsDevice;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.ButtonGroup;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
+import javax.swing.JRootPane;
+
+/** Le menu de la taille : celle où l'image se dessine, celle où elle se montre, et le plein écran. */
+final class MenuAffichage {
+
+    private final JMenu menu = Menus.menu("Affichage");
+    private final JFrame cadre;
+    private final PanneauImage panneau;
+    private final JComponent barre;
+    private final Dimension demandee;
+    private final Runnable siChange;
+    private final JMenuItem demander;
+    private final JMenuItem remplir;
+    private final JCheckBoxMenuItem plein;
+
+    /**
+     * @param barre ce que le plein écran cache, avec les menus
+     * @param demandee la taille de l'image que dit la ligne de commande
+     * @param siChange appelé quand {@link #getTaille} a peut-être changé
+     */
+    MenuAffichage(JFrame cadre, PanneauImage panneau, JComponent barre, Dimension demandee, Runnable siChange) {
+        this.cadre = cadre;
+        this.panneau = panneau;
+        this.barre = barre;
+        this.demandee = demandee;
+        this.siChange = siChange;
+        ButtonGroup tailles = new ButtonGroup();
+        demander = Menus.choix(menu, tailles, "Taille demandée, " + demandee.width + " × " + demandee.height,
+                Menus.ctrl(KeyEvent.VK_1), siChange);
+        demander.setSelected(true);
+        remplir = Menus.choix(menu, tailles, "Remplir la fenêtre", Menus.ctrl(KeyEvent.VK_0), siChange);
+        plein = Menus.coche(menu, "Plein écran", Menus.touche(KeyEvent.VK_F11), this::basculer);
+        menu.addSeparator();
+        Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
+        Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
+    }
+
+    JMenu getMenu() {
+        return menu;
+    }
+
+    /** Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique. */
+    void lierTouches(JRootPane racine) {
+        Object[][] touches = {{'&', demander}, {KeyEvent.VK_NUMPAD1, demander}, {'à', remplir},
+            {KeyEvent.VK_NUMPAD0, remplir}};
+        for (Object[] t : touches) {
+            int touche = t[0] instanceof Character ? KeyEvent.getExtendedKeyCodeForChar((char) t[0]) : (int) t[0];
+            racine.registerKeyboardAction(e -> ((JMenuItem) t[1]).doClick(), Menus.ctrl(touche),
+                    JComponent.WHEN_IN_FOCUSED_WINDOW);
+        }
+    }
+
+    /** La taille où dessiner l'image, en pixels. */
+    Dimension getTaille() {
+        return remplir.isSelected() || plein.isSelected() ? panneau.getTailleMax(demandee) : demandee;
+    }
+
+    /** @return vrai s'il y avait un plein écran à quitter */
+    boolean quitterLePleinEcran() {
+        boolean quitte = plein.isSelected();
+        if (quitte) {
+            plein.setSelected(false);
+            basculer();
+        }
+        return quitte;
+    }
+
+    private void basculer() {
+        boolean entre = plein.isSelected();
+        GraphicsDevice ecran = cadre.getGraphicsConfiguration().getDevice();
+        List<Window> ouvertes = new ArrayList<>();
+        for (Window fenetre : cadre.getOwnedWindows()) {
+            if (fenetre.isVisible()) {
+                ouvertes.add(fenetre);
+            }
+        }
+        // un cadre garde sa barre de titre, même en plein écran, et n'en change que fermé
+        cadre.dispose();
+        cadre.setUndecorated(entre);
+        // cachés, des menus ne répondraient plus à leurs touches
+        cadre.getJMenuBar().setPreferredSize(entre ? new Dimension() : null);
+        barre.setVisible(!entre);
+        panneau.getBandeau().fautesSeules(entre);
+        ecran.setFullScreenWindow(entre ? cadre : null);
+        cadre.setVisible(true);
+        cadre.requestFocus();
+        for (Window fenetre : ouvertes) {
+            fenetre.setVisible(true);
+        }
+        siChange.run();
+    }
+}

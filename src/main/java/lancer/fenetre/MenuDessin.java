@@ -1,0 +1,146 @@
+package lancer.fenetre;
+
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.ButtonGroup;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
+import javax.swing.JRootPane;
+import javax.swing.KeyStroke;
+import lancer.contrat.Section;
+import lancer.contrat.Variante;
+import lancer.sortie.ReglagesDessin;
+
+/** Le menu des réglages du dessin : réflexions et variantes, sans jamais toucher au fichier de la scène. */
+final class MenuDessin {
+
+    private static final int[] REFLEXIONS = {0, 1, 2, 5, 10};
+
+    private final JMenu menu = Menus.menu("Dessin");
+    private final JMenu reflexions = Menus.menu("Réflexions");
+    private final ButtonGroup nombres = new ButtonGroup();
+    private final Map<String, JCheckBoxMenuItem> cases = new LinkedHashMap<>();
+    private final Atelier atelier;
+    private final JMenuItem relire;
+    private final JMenuItem arreter;
+    private final JMenuItem regler;
+    private final JMenuItem defaire;
+    private PanneauVariantes panneau;
+    private final JMenuItem copier;
+
+    /**
+     * @param variantes les noms de celles qui sont présentes
+     * @param relire ce que fait F5
+     * @param arreter ce que fait Échap
+     */
+    MenuDessin(Atelier atelier, List<String> variantes, Runnable relire, Runnable arreter) {
+        this.atelier = atelier;
+        this.relire = Menus.article(menu, "Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5), relire);
+        // la touche est liée ailleurs : Java l'afficherait « Escape »
+        this.arreter = Menus.article(menu, "Arrêter (Échap)", null, arreter);
+        menu.addSeparator();
+        for (int n : REFLEXIONS) {
+            Menus.choix(reflexions, nombres, String.valueOf(n), null, () -> reflechir(n));
+        }
+        menu.add(reflexions);
+        reflexions.setMnemonic('x');
+        reflexions.setToolTipText("touches + et −");
+        for (String nom : variantes) {
+            cases.put(nom, Menus.coche(menu, nom, null, () -> basculer(nom)));
+        }
+        regler = Menus.article(menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), this::regler);
+        regler.setVisible(!variantes.isEmpty());
+        menu.addSeparator();
+        defaire = Menus.article(menu, "Revenir aux réglages de la scène", null,
+                () -> atelier.dessiner(atelier.getReglages().initiaux(), false));
+        copier = Menus.article(menu, "Copier ces réglages",
+                KeyStroke.getKeyStroke(KeyEvent.VK_C, Menus.ctrl(0).getModifiers() | InputEvent.SHIFT_DOWN_MASK),
+                this::copier);
+        atelier.prevenir(this::montrer);
+        montrer();
+    }
+
+    JMenu getMenu() {
+        return menu;
+    }
+
+    /** Lie les touches qui ne sont pas celles d'un article. */
+    void lierTouches(JRootPane racine) {
+        racine.registerKeyboardAction(e -> reflechir(voisin(true)), KeyStroke.getKeyStroke('+'),
+                JComponent.WHEN_IN_FOCUSED_WINDOW);
+        racine.registerKeyboardAction(e -> reflechir(voisin(false)), KeyStroke.getKeyStroke('-'),
+                JComponent.WHEN_IN_FOCUSED_WINDOW);
+    }
+
+    private int voisin(boolean plus) {
+        ReglagesDessin reglages = atelier.getReglages();
+        int actuel = reglages == null ? 0 : reglages.getReflets();
+        int voisin = actuel;
+        for (int n : REFLEXIONS) {
+            if (plus ? n > actuel : n < actuel) {
+                voisin = n;
+                if (plus) {
+                    break;
+                }
+            }
+        }
+        return voisin;
+    }
+
+    private void reflechir(int n) {
+        ReglagesDessin reglages = atelier.getReglages();
+        if (reglages != null && n != reglages.getReflets()) {
+            atelier.dessiner(reglages.avec(n, reglages.getSeuil()), false);
+        }
+    }
+
+    private void basculer(String nom) {
+        ReglagesDessin reglages = atelier.getReglages();
+        Variante variante = reglages.getVariante(nom);
+        atelier.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);
+    }
+
+    private void regler() {
+        if (panneau == null) {
+            panneau = new PanneauVariantes(atelier);
+        }
+        Menus.aCote(panneau, atelier.getCadre());
+        panneau.setVisible(true);
+    }
+
+    /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */
+    private void copier() {
+        StringBuilder s = new StringBuilder();
+        for (Section section : atelier.getReglages().getSectionsChangees()) {
+            s.append(section.ecrire("\n")).append("\n\n");
+        }
+        s.append("; ").append(atelier.getCommande()).append('\n');
+        menu.getToolkit().getSystemClipboard().setContents(new StringSelection(s.toString()), null);
+    }
+
+    private void montrer() {
+        ReglagesDessin reglages = atelier.getReglages();
+        relire.setEnabled(reglages != null);
+        arreter.setEnabled(atelier.enCours());
+        reflexions.setEnabled(reglages != null);
+        regler.setEnabled(reglages != null);
+        defaire.setEnabled(reglages != null);
+        copier.setEnabled(reglages != null);
+        nombres.clearSelection();
+        for (int k = 0; k < REFLEXIONS.length && reglages != null; k++) {
+            if (REFLEXIONS[k] == reglages.getReflets()) {
+                reflexions.getItem(k).setSelected(true);
+            }
+        }
+        cases.forEach((nom, coche) -> {
+            coche.setEnabled(reglages != null);
+            coche.setSelected(reglages != null && reglages.estBranchee(reglages.getVariante(nom)));
+        });
+    }
+}

@@ -1,0 +1,162 @@
+package lancer.fenetre;
+
+import java.awt.EventQueue;
+import java.awt.event.KeyEvent;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import java.util.prefs.Preferences;
+import javax.swing.ButtonGroup;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
+import lancer.SceneFautive;
+import lancer.lecture.LecteurScene;
+import lancer.texte.Texte;
+
+/** Le menu des scènes : celles du dossier de la scène montrée, et les dernières ouvertes, d'une fois à l'autre. */
+final class MenuScenes {
+
+    private static final int SCENES_MAX = 40;
+    private static final int RECENTES_MAX = 8;
+    private static final int OCTETS_LUS = 2048;
+    private static final int COMMENTAIRE_MAX = 80;
+    private static final String CLE = "scenes";
+
+    private final JMenu menu = Menus.menu("Scènes");
+    private final Consumer<File> ouvrir;
+    private volatile String montree;
+    /** Retenu pour le rester : muet, car qu'un dossier personnel se refuse n'est pas l'affaire de qui dessine. */
+    private Logger journal;
+    private List<File> voisines = new ArrayList<>();
+    private int rang;
+
+    MenuScenes(Consumer<File> ouvrir) {
+        this.ouvrir = ouvrir;
+        montrer(null);
+    }
+
+    JMenu getMenu() {
+        return menu;
+    }
+
+    /** @param fichier la scène montrée, {@code null} s'il n'y en a pas encore */
+    void montrer(String fichier) {
+        montree = fichier;
+        Thread liste = new Thread(() -> {
+            List<File> scenes = fichier == null ? new ArrayList<>() : voisines(fichier);
+            List<String> noms = new ArrayList<>();
+            for (File scene : scenes) {
+                String commentaire = commentaire(scene.toPath());
+                noms.add(Texte.echappe(scene.getName()) + (commentaire.isEmpty() ? "" : " — " + commentaire));
+            }
+            List<String> recentes = recentes(fichier);
+            EventQueue.invokeLater(() -> {
+                if (montree == fichier) {
+                    remplir(scenes, noms, recentes);
+                }
+            });
+        }, "lancer-scenes");
+        liste.setDaemon(true);
+        liste.start();
+    }
+
+    private static List<File> voisines(String fichier) {
+        try {
+            Path scene = LecteurScene.trouver(fichier);
+            File dossier = scene.toAbsolutePath().getParent().toFile();
+            String[] noms = dossier.list((d, nom) ->
+                    nom.toLowerCase(Locale.ROOT).endsWith(".ini") && !new File(d, nom).isDirectory());
+            List<File> voisines = new ArrayList<>();
+            if (noms != null) {
+                Arrays.sort(noms);
+                for (String nom : noms) {
+                    voisines.add(scene.resolveSibling(nom).toFile());
+                }
+            }
+            return voisines;
+        } catch (SceneFautive e) {
+            return new ArrayList<>();
+        }
+    }
+
+    /** Le commentaire par lequel commence ce fichier, vide s'il commence autrement ou ne peut être lu. */
+    private static String commentaire(Path fichier) {
+        byte[] octets = new byte[OCTETS_LUS];
+        int lus = 0;
+        if (Files.isRegularFile(fichier)) {
+            try (InputStream entree = Files.newInputStream(fichier)) {
+                lus = Math.max(0, entree.read(octets));
+            } catch (IOException e) {
+                // elle se dira illisible quand on l'ouvrira
+            }
+        }
+        String ligne = new String(octets, 0, lus, StandardCharsets.UTF_8).replace("\uFEFF", "").trim().split("\\R")[0];
+        String texte = ligne.matches("[;#].*") ? Texte.echappe(ligne.replaceFirst("[;#]+\\s*", "")) : "";
+        return texte.length() > COMMENTAIRE_MAX ? texte.substring(0, COMMENTAIRE_MAX) + "…" : texte;
+    }
+
+    /** Les dernières ouvertes, la scène montrée d'abord. */
+    private synchronized List<String> recentes(String fichier) {
+        journal = Logger.getLogger("java.util.prefs");
+        journal.setLevel(Level.OFF);
+        Preferences preferences = Preferences.userRoot().node("lancer");
+        Set<String> recentes = new LinkedHashSet<>();
+        if (fichier != null && fichier.indexOf('\n') < 0) {
+            recentes.add(new File(fichier).getAbsolutePath());
+        }
+        recentes.addAll(Arrays.asList(preferences.get(CLE, "").split("\n")));
+        recentes.remove("");
+        List<String> gardees = new ArrayList<>(recentes);
+        gardees.subList(Math.min(RECENTES_MAX, gardees.size()), gardees.size()).clear();
+        while (String.join("\n", gardees).length() > Preferences.MAX_VALUE_LENGTH) {
+            gardees.remove(gardees.size() - 1);
+        }
+        preferences.put(CLE, String.join("\n", gardees));
+        return gardees;
+    }
+
+    private void remplir(List<File> scenes, List<String> noms, List<String> recentes) {
+        voisines = scenes;
+        rang = -1;
+        menu.removeAll();
+        ButtonGroup groupe = new ButtonGroup();
+        for (int k = 0; k < scenes.size(); k++) {
+            File scene = scenes.get(k);
+            boolean ici = scene.getName().equals(new File(montree).getName());
+            rang = ici ? k : rang;
+            if (k < SCENES_MAX) {
+                JMenuItem article = Menus.choix(menu, groupe, noms.get(k), null, () -> ouvrir.accept(scene));
+                article.setSelected(ici);
+            }
+        }
+        menu.addSeparator();
+        Menus.article(menu, "Scène suivante", Menus.touche(KeyEvent.VK_PAGE_DOWN), () -> voisine(1))
+                .setEnabled(rang >= 0 && rang + 1 < scenes.size());
+        Menus.article(menu, "Scène précédente", Menus.touche(KeyEvent.VK_PAGE_UP), () -> voisine(-1))
+                .setEnabled(rang > 0);
+        menu.addSeparator();
+        for (String recente : recentes) {
+            File scene = new File(recente);
+            Menus.article(menu, Texte.echappe(recente), null, () -> ouvrir.accept(scene));
+        }
+    }
+
+    private void voisine(int pas) {
+        if (rang + pas >= 0 && rang + pas < voisines.size()) {
+            rang += pas;
+            ouvrir.accept(voisines.get(rang));
+        }
+    }
+}

@@ -1,0 +1,83 @@
+package lancer.fenetre;
+
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import javax.swing.ButtonGroup;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
+import javax.swing.JRadioButtonMenuItem;
+import javax.swing.KeyStroke;
+
+/** De quoi faire des menus, où chaque article se choisit aussi par une lettre que ses voisins n'ont pas. */
+final class Menus {
+
+    private Menus() {
+    }
+
+    static JMenu menu(String nom) {
+        JMenu menu = new JMenu(nom);
+        menu.setMnemonic(nom.charAt(0));
+        return menu;
+    }
+
+    /** La touche Ctrl, ou Commande sur un Mac, et une autre. */
+    static KeyStroke ctrl(int touche) {
+        // la forme en Ex est de Java 10
+        return KeyStroke.getKeyStroke(touche, Toolkit.getDefaultToolkit().getMenuShortcutKeyMask());
+    }
+
+    static KeyStroke touche(int touche) {
+        return KeyStroke.getKeyStroke(touche, 0);
+    }
+
+    /** @param touche celle qui le choisit sans le menu, ou {@code null} */
+    static JMenuItem article(JMenu menu, String nom, KeyStroke touche, Runnable action) {
+        return article(menu, new JMenuItem(nom), touche, action);
+    }
+
+    static JCheckBoxMenuItem coche(JMenu menu, String nom, KeyStroke touche, Runnable action) {
+        return article(menu, new JCheckBoxMenuItem(nom), touche, action);
+    }
+
+    static JRadioButtonMenuItem choix(JMenu menu, ButtonGroup groupe, String nom, KeyStroke touche, Runnable action) {
+        JRadioButtonMenuItem choix = article(menu, new JRadioButtonMenuItem(nom), touche, action);
+        groupe.add(choix);
+        return choix;
+    }
+
+    private static <T extends JMenuItem> T article(JMenu menu, T article, KeyStroke touche, Runnable action) {
+        article.setMnemonic(lettreLibre(menu, article.getText()));
+        article.setAccelerator(touche);
+        article.addActionListener(e -> action.run());
+        menu.add(article);
+        return article;
+    }
+
+    /** Met cette fenêtre au bord droit de l'autre, ou à défaut de place par-dessus, sans sortir de l'écran. */
+    static void aCote(Window fenetre, Window autre) {
+        if (!fenetre.isVisible()) {
+            Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+            Rectangle place = autre.getBounds();
+            fenetre.setLocation(Math.min(place.x + place.width, ecran.x + ecran.width - fenetre.getWidth()),
+                    Math.max(ecran.y, Math.min(place.y, ecran.y + ecran.height - fenetre.getHeight())));
+        }
+    }
+
+    private static int lettreLibre(JMenu menu, String nom) {
+        for (char c : nom.toCharArray()) {
+            int touche = KeyEvent.getExtendedKeyCodeForChar(c);
+            boolean libre = Character.isLetterOrDigit(c) && touche < 128;
+            for (int k = 0; k < menu.getItemCount() && libre; k++) {
+                libre = menu.getItem(k) == null || menu.getItem(k).getMnemonic() != touche;
+            }
+            if (libre) {
+                return touche;
+            }
+        }
+        return KeyEvent.VK_UNDEFINED;
+    }
+}

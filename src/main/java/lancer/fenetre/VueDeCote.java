@@ -1,0 +1,140 @@
+package lancer.fenetre;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import javax.swing.JComponent;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.inspection.Eclairage;
+import lancer.inspection.Etape;
+import lancer.inspection.Inspection;
+
+/** La figure du cours : l'œil, l'écran, les sphères rencontrées et les rayons, vus de côté (z vers la droite, y vers le haut). */
+final class VueDeCote extends JComponent {
+
+    private static final long serialVersionUID = 1;
+
+    private static final int HAUTEUR = 180;
+    private static final int MARGE = 14;
+    private static final Color RAYON = new Color(0x0070C0);
+    private static final Color SPHERE = new Color(0x909090);
+    private static final Color LAMPE = new Color(0xC08000);
+
+    private transient Inspection pixel;
+    private double echelle;
+    private double z0;
+    private double y0;
+
+    VueDeCote() {
+        setName("cote");
+        setPreferredSize(new Dimension(HAUTEUR, HAUTEUR));
+        setToolTipText("vue de côté : z vers la droite, y vers le haut");
+    }
+
+    void montrer(Inspection nouvelle) {
+        pixel = nouvelle;
+        repaint();
+    }
+
+    @Override
+    protected void paintComponent(Graphics g) {
+        g.setColor(Color.WHITE);
+        g.fillRect(0, 0, getWidth(), getHeight());
+        if (pixel != null) {
+            Graphics2D g2 = (Graphics2D) g.create();
+            g2.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            cadrer();
+            peindre(g2);
+            g2.dispose();
+        }
+    }
+
+    /** Prend une échelle où l'œil, l'écran et les contacts tiennent. */
+    private void cadrer() {
+        double demi = demiEcran();
+        double zMax = 0;
+        double yMin = -demi;
+        double yMax = demi;
+        for (Etape etape : pixel.getEtapes()) {
+            if (etape.contact != null) {
+                zMax = Math.max(zMax, etape.contact.z);
+                yMin = Math.min(yMin, etape.contact.y);
+                yMax = Math.max(yMax, etape.contact.y);
+            }
+        }
+        // de quoi voir le bord de ce qui est touché
+        double marge = 1 + zMax / 10;
+        echelle = Math.min((getWidth() - 2 * MARGE) / (zMax + marge + Camera.FOCALE),
+                (getHeight() - 2 * MARGE) / (yMax - yMin + 2 * marge));
+        z0 = -Camera.FOCALE;
+        y0 = (yMin + yMax) / 2;
+    }
+
+    private double demiEcran() {
+        return Constantes.ECHELLE / 2 * pixel.camera.getHauteur() / pixel.camera.getLargeur();
+    }
+
+    private Line2D ligne(Point a, Point b) {
+        return new Line2D.Double(h(a.z), v(a.y), h(b.z), v(b.y));
+    }
+
+    private double h(double z) {
+        return MARGE + (z - z0) * echelle;
+    }
+
+    private double v(double y) {
+        return getHeight() / 2.0 - (y - y0) * echelle;
+    }
+
+    private void peindre(Graphics2D g) {
+        Set<Objet3D> touches = new LinkedHashSet<>();
+        for (Etape etape : pixel.getEtapes()) {
+            if (etape.contact != null) {
+                touches.add(etape.contact.objet);
+                etape.lampes.stream().filter(l -> l.getCache() != null).forEach(l -> touches.add(l.getCache().objet));
+            }
+        }
+        g.setColor(SPHERE);
+        for (Objet3D objet : touches) {
+            if (objet instanceof Sphere) {
+                Sphere s = (Sphere) objet;
+                double r = s.getRayon() * echelle;
+                g.draw(new Ellipse2D.Double(h(s.getCentre().z) - r, v(s.getCentre().y) - r, 2 * r, 2 * r));
+            }
+        }
+        g.setColor(Color.BLACK);
+        g.draw(new Line2D.Double(h(0), v(-demiEcran()), h(0), v(demiEcran())));
+        g.fill(new Ellipse2D.Double(h(-Camera.FOCALE) - 3, v(0) - 3, 6, 6));
+        g.drawString("œil", (float) h(-Camera.FOCALE), (float) v(0) - 6);
+        Point depart = Camera.OEIL;
+        Vecteur V = pixel.getChoisi() == null ? null
+                : pixel.camera.getRayon(pixel.getChoisi().xe, pixel.getChoisi().ye).getV();
+        for (Etape etape : pixel.getEtapes()) {
+            Point bout = etape.contact == null ? depart.add(getWidth() / echelle, V) : etape.contact;
+            for (Eclairage lampe : etape.lampes) {
+                if (lampe.eclaire()) {
+                    g.setColor(LAMPE);
+                    g.draw(ligne(bout, lampe.lampe.getPosition()));
+                }
+            }
+            g.setColor(RAYON);
+            g.draw(ligne(depart, bout));
+            if (etape.contact != null) {
+                g.drawString(String.valueOf(etape.numero), (float) h(bout.z) + 4, (float) v(bout.y) - 4);
+            }
+            depart = bout;
+            V = etape.getReflechi();
+        }
+    }
+}

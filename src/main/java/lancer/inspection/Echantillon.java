@@ -1,0 +1,27 @@
+package lancer.inspection;
+
+import lancer.Couleur;
+
+/** Un rayon parti de l'écran, et ce qu'il voit. */
+public final class Echantillon {
+
+    /** En pixels depuis le coin en haut à gauche de l'image. */
+    public final double xe;
+    public final double ye;
+
+    Couleur couleur;
+
+    Echantillon(double xe, double ye) {
+        this.xe = xe;
+        this.ye = ye;
+    }
+
+    public Couleur getCouleur() {
+        return couleur;
+    }
+
+    /** Vrai s'il est pris dans ce pixel, et non dans un voisin qui le partage. */
+    public boolean estDans(int x, int y) {
+        return Math.floor(xe) == x && Math.floor(ye) == y;
+    }
+}

@@ -1,0 +1,52 @@
+package lancer.inspection;
+
+import java.util.ArrayList;
+import java.util.List;
+import lancer.Couleur;
+import lancer.PointContact;
+import lancer.Vecteur;
+
+/** Ce que voit un rayon de la chaîne : un contact et ses lampes, ou le ciel. Ce qui n'a pas été calculé est nul. */
+public final class Etape {
+
+    /** 1 pour le rayon parti de l'écran. */
+    public final int numero;
+
+    /** {@code null} pour le ciel. */
+    public final PointContact contact;
+
+    public final List<Eclairage> lampes = new ArrayList<>();
+    Vecteur N;
+    Vecteur R;
+
+    /** Le produit des Ks, si un reflet était permis ; et ce reflet, Ks ⊗ ce que voit l'étape suivante. */
+    Couleur poids;
+    Couleur reflet;
+    Couleur somme;
+
+    /** Ce que l'air en a dit. */
+    double k;
+    Couleur air;
+    Couleur reste;
+    Couleur vue;
+
+    Etape(int numero, PointContact contact) {
+        this.numero = numero;
+        this.contact = contact;
+    }
+
+    /** La direction du reflet, {@code null} s'il n'a pas été suivi. */
+    public Vecteur getReflechi() {
+        return reflet == null ? null : R;
+    }
+
+    /** Vrai si ce que voit le rayon n'est pas la somme telle quelle. */
+    boolean aTraversLAir() {
+        return air != null || !vue.equals(somme);
+    }
+
+    /** Le nom, dans le récit, de ce que voit ce rayon. */
+    String nomDeLaVue() {
+        return (aTraversLAir() ? "vue " : "somme ") + numero;
+    }
+}

@@ -1,0 +1,38 @@
+package lancer.rapide;
+
+/**
+ * Le tri par base (Hollerith, 1887), en trois passages : un million de clés tient dans le temps d'une interruption.
+ */
+final class Tri {
+
+    private static final int BITS = 11;
+
+    private Tri() {
+    }
+
+    /** Ces clés rangées par leur moitié haute, positive ; à égalité, dans l'ordre où elles sont. */
+    static long[] parMoitieHaute(long[] cles) {
+        long[] de = cles;
+        long[] vers = new long[cles.length];
+        for (int base = Integer.SIZE; base < Long.SIZE; base += BITS) {
+            int[] places = new int[(1 << BITS) + 1];
+            for (long cle : de) {
+                places[1 + chiffre(cle, base)]++;
+            }
+            for (int c = 0; c < 1 << BITS; c++) {
+                places[c + 1] += places[c];
+            }
+            for (long cle : de) {
+                vers[places[chiffre(cle, base)]++] = cle;
+            }
+            long[] libre = de;
+            de = vers;
+            vers = libre;
+        }
+        return de;
+    }
+
+    private static int chiffre(long cle, int base) {
+        return (int) (cle >>> base) & (1 << BITS) - 1;
+    }
+}

@@ -1,0 +1,228 @@
+package lancer.sortie;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import lancer.Constantes;
+import lancer.Scene;
+import lancer.commande.CodeSortie;
+import lancer.commande.Echec;
+import lancer.commande.Options;
+import lancer.contrat.Modele;
+import lancer.contrat.Parametre;
+import lancer.contrat.Section;
+import lancer.contrat.Variante;
+import lancer.lecture.LecteurScene;
+import lancer.lecture.Services;
+import lancer.texte.Texte;
+
+/**
+ * Comment dessiner une scène lue : les réflexions, le seuil, et chaque variante présente, branchée ou non, avec sa
+ * section. Le fichier de la scène n'en est pas changé. Immuable.
+ */
+public final class ReglagesDessin {
+
+    private final int reflets;
+    private final double seuil;
+    /** De chaque variante présente, la section du fichier, de ligne 0 s'il ne l'a pas. */
+    private final Map<Variante, Section> lues;
+    /** Par type, les sections mises à la place de celles du fichier, et les variantes débranchées. */
+    private final Map<String, Section> changees;
+    private final Set<String> debranchees;
+
+    /** Ceux de la ligne de commande et du fichier, {@code null} si ce sont eux. */
+    private final ReglagesDessin initiaux;
+
+    private ReglagesDessin(int reflets, double seuil, Map<Variante, Section> lues, Map<String, Section> changees,
+            Set<String> debranchees, ReglagesDessin initiaux) {
+        this.reflets = reflets;
+        this.seuil = seuil;
+        this.lues = lues;
+        this.changees = changees;
+        this.debranchees = debranchees;
+        this.initiaux = initiaux;
+    }
+
+    /**
+     * Ceux que demandent la ligne de commande et le fichier.
+     *
+     * @throws Echec si une variante à débrancher n'existe pas
+     */
+    public static ReglagesDessin de(LecteurScene lu, Options options) {
+        Set<String> debranchees = new HashSet<>();
+        for (String type : options.sans) {
+            boolean connue = Services.varianteConnue(type);
+            for (Variante presente : lu.getVariantes().keySet()) {
+                connue |= Texte.memeMot(presente.getSection(), type);
+            }
+            if (!connue) {
+                throw new Echec(CodeSortie.DEMANDE, "valeur impossible pour --sans : " + Texte.cite(type)
+                        + " ; attendu : une variante, par exemple Brume");
+            }
+            debranchees.add(Texte.minuscules(type));
+        }
+        return new ReglagesDessin(options.reflets, options.seuil, lu.getVariantes(), new HashMap<>(), debranchees,
+                null);
+    }
+
+    /** Ceux de la ligne de commande et du fichier. */
+    public ReglagesDessin initiaux() {
+        return initiaux == null ? this : initiaux;
+    }
+
+    public int getReflets() {
+        return reflets;
+    }
+
+    public double getSeuil() {
+        return seuil;
+    }
+
+    /** Les variantes présentes, branchées ou non. */
+    public Set<Variante> getVariantes() {
+        return lues.keySet();
+    }
+
+    /** La variante de cette section : chaque lecture en fait une neuve. */
+    public Variante getVariante(String section) {
+        for (Variante presente : lues.keySet()) {
+            if (presente.getSection().equals(section)) {
+                return presente;
+            }
+        }
+        throw new IllegalArgumentException(section);
+    }
+
+    public boolean estBranchee(Variante variante) {
+        return !debranchees.contains(type(variante));
+    }
+
+    /** La section avec laquelle cette variante dessine, ou dessinerait. */
+    public Section getSection(Variante variante) {
+        return changees.getOrDefault(type(variante), lues.get(variante));
+    }
+
+    /** La valeur de ce paramètre, donnée ou par défaut ; {@code null} si une autre clé en tient lieu. */
+    public String getValeur(Variante variante, Parametre parametre) {
+        Section section = getSection(variante);
+        String donnee = section.valeur(parametre.getCle());
+        boolean ailleurs = parametre.getAutre() != null && section.valeur(parametre.getAutre()) != null;
+        return donnee != null || ailleurs ? donnee : parametre.getDefaut();
+    }
+
+    /** Celles des variantes branchées que rien ne règle : {@code --auto} peut les régler. */
+    public List<Variante> getVariantesLibres() {
+        List<Variante> libres = new ArrayList<>();
+        for (Variante variante : lues.keySet()) {
+            Section section = getSection(variante);
+            if (estBranchee(variante) && section == lues.get(variante) && section.getLigne() == 0) {
+                libres.add(variante);
+            }
+        }
+        return libres;
+    }
+
+    private static String type(Variante variante) {
+        return Texte.minuscules(variante.getSection());
+    }
+
+    /** Les mêmes, à tant de réflexions et à ce seuil. */
+    public ReglagesDessin avec(int autresReflets, double autreSeuil) {
+        return new ReglagesDessin(autresReflets, autreSeuil, lues, changees, debranchees, initiaux());
+    }
+
+    /** Les mêmes, cette variante étant branchée ou non. */
+    public ReglagesDessin avec(Variante variante, boolean branchee) {
+        Set<String> autres = new HashSet<>(debranchees);
+        if (branchee) {
+            autres.remove(type(variante));
+        } else {
+            autres.add(type(variante));
+        }
+        return new ReglagesDessin(reflets, seuil, lues, changees, autres, initiaux());
+    }
+
+    /** Les mêmes, cette variante étant réglée par cette section. */
+    public ReglagesDessin avec(Variante variante, Section section) {
+        Map<String, Section> autres = new HashMap<>(changees);
+        autres.put(type(variante), section);
+        return new ReglagesDessin(reflets, seuil, lues, autres, debranchees, initiaux());
+    }
+
+    /**
+     * Ceux-ci, pour une scène qui vient d'être lue : une section du fichier n'est remplacée que si elle est restée
+     * celle qu'on avait remplacée.
+     *
+     * @param luesApres ceux de cette scène
+     */
+    public ReglagesDessin pour(ReglagesDessin luesApres) {
+        Map<String, Section> gardees = new HashMap<>();
+        for (Variante apres : luesApres.lues.keySet()) {
+            for (Variante avant : lues.keySet()) {
+                if (type(avant).equals(type(apres)) && changees.containsKey(type(avant))
+                        && lues.get(avant).toString().equals(luesApres.lues.get(apres).toString())) {
+                    gardees.put(type(avant), changees.get(type(avant)));
+                }
+            }
+        }
+        return new ReglagesDessin(reflets, seuil, luesApres.lues, gardees, debranchees, luesApres);
+    }
+
+    /**
+     * La même scène, dessinée ainsi.
+     *
+     * @throws lancer.SceneFautive si une section ne va pas
+     */
+    public Scene regler(Scene scene) {
+        Modele modele = new Modele();
+        for (Variante variante : lues.keySet()) {
+            if (estBranchee(variante)) {
+                variante.installer(getSection(variante), modele);
+                getSection(variante).verifierCles();
+            }
+        }
+        return scene.avec(modele, seuil);
+    }
+
+    /** Les sections à mettre dans le fichier pour dessiner ainsi, à la place des siennes. */
+    public List<Section> getSectionsChangees() {
+        List<Section> sections = new ArrayList<>();
+        for (Variante variante : lues.keySet()) {
+            if (estBranchee(variante) && getSection(variante) != lues.get(variante)) {
+                sections.add(getSection(variante));
+            }
+        }
+        return sections;
+    }
+
+    /** Les options à donner au programme pour dessiner ainsi ; vide, ou un blanc puis ce texte. */
+    public String getOptions() {
+        return (reflets == Constantes.MAX_REFLETS ? "" : " --reflets " + reflets)
+                + (seuil == Constantes.SEUIL ? "" : " --seuil " + seuil)
+                + (debranchees.isEmpty() ? "" : " --sans " + String.join(",", new TreeSet<>(debranchees)));
+    }
+
+    /** Pour être lus : {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */
+    @Override
+    public String toString() {
+        StringBuilder s = new StringBuilder(reflets + (reflets > 1 ? " réflexions" : " réflexion"));
+        if (seuil != Constantes.SEUIL) {
+            s.append(", seuil ").append(seuil);
+        }
+        for (Variante variante : lues.keySet()) {
+            if (estBranchee(variante)) {
+                s.append(", ").append(getSection(variante));
+                for (Parametre parametre : variante.getParametres()) {
+                    boolean donne = getSection(variante).valeur(parametre.getCle()) != null;
+                    String valeur = donne ? null : getValeur(variante, parametre);
+                    s.append(valeur == null ? "" : " " + parametre.getCle() + "=" + valeur);
+                }
+            }
+        }
+        return s.toString();
+    }
+}

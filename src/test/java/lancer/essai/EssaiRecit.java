@@ -1,0 +1,329 @@
+package lancer.essai;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.DoubleUnaryOperator;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Tuple;
+
+/**
+ * Ce que dit {@code --pixel}, refait à part sur des triplets de nombres : chaque terme par les équations de l'énoncé, chaque somme
+ * au bit près.
+ */
+public final class EssaiRecit {
+
+    private static final double[] BLANC = {1, 1, 1};
+
+    private final Scene scene;
+    private final int largeur;
+    private final int hauteur;
+    private final int reflets;
+
+    /** La part de l'air selon la distance, et sa couleur ; {@code null} s'il n'y a pas de brume. */
+    private final DoubleUnaryOperator k;
+    private final double[] air;
+
+    /** Ce qui multiplie ns dans le reflet de Blinn ; 0 pour Phong. */
+    private final double blinn;
+    private final Map<String, Object> parNom = new HashMap<>();
+
+    private List<String> lignes;
+    private int suivante;
+    private double[] P;
+    private double[] V;
+    private double[] produit;
+
+    /** Tous les contacts dits, les lampes éclairées, celles qui sont cachées, et les raisons de s'arrêter. */
+    public int contacts;
+    public int eclairees;
+    public int cachees;
+    public final Map<String, Integer> arrets = new HashMap<>();
+
+    public EssaiRecit(Scene scene, int largeur, int hauteur, int reflets, DoubleUnaryOperator k, double[] air, double blinn) {
+        this.scene = scene;
+        this.largeur = largeur;
+        this.hauteur = hauteur;
+        this.reflets = reflets;
+        this.k = k;
+        this.air = air;
+        this.blinn = blinn;
+        scene.getObjets().forEach(o -> parNom.put(scene.getOrigines().de(o), o));
+        scene.getLampes().forEach(l -> parNom.put(scene.getOrigines().de(l), l));
+    }
+
+    public void verifier(int x, int y, String sortie) {
+        lignes = Arrays.asList(sortie.split("\\R"));
+        suivante = 0;
+        assertEquals("pixel " + x + ", " + y, lignes.get(suivante++));
+        double xe = x + 0.5;
+        double ye = y + 0.5;
+        double[] moyenne = null;
+        if (actuelle().matches("\\d+ échantillons, .*")) {
+            moyenne = moyenne();
+            double[] point = nombres(lignes.get(suivante++).replace(",", ""));
+            xe = point[0];
+            ye = point[1];
+        }
+        double[] ecran = {(xe - largeur / 2.0) * 2 / largeur, (hauteur / 2.0 - ye) * 2 / largeur, 0};
+        P = ecran;
+        V = unite(new double[] {ecran[0], ecran[1], 1 / Math.tan(Math.PI / 12)});
+        produit = BLANC;
+        double[] vue = etape(1, null);
+        assertEquals(lignes.size() - 1, suivante, "une ligne de trop : " + actuelle());
+        assertTrue(actuelle().matches("somme \\S+ \\S+ \\S+ = #[0-9A-F]{6}"), actuelle());
+        double[] somme = nombres(actuelle().replaceAll("=.*", ""));
+        assertArrayEquals(moyenne == null ? vue : moyenne, somme, actuelle());
+        assertTrue(actuelle().endsWith(String.format("#%06X", new Couleur(somme[0], somme[1], somme[2]).getCode() & 0xFFFFFF)), actuelle());
+    }
+
+    private String actuelle() {
+        return lignes.get(suivante);
+    }
+
+    private double[] moyenne() {
+        int n = Integer.parseInt(lignes.get(suivante++).replaceAll("\\D.*", ""));
+        double[] somme = new double[3];
+        for (int e = 0; e < n; e++) {
+            double[] vue = nombres(lignes.get(suivante++).replaceAll(".* : ", ""));
+            for (int c = 0; c < 3; c++) {
+                somme[c] += vue[c];
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            somme[c] /= n;
+        }
+        return somme;
+    }
+
+    /** @return ce que voit le rayon (P, V) */
+    private double[] etape(int numero, Objet3D sauf) {
+        String titre = lignes.get(suivante++);
+        Sphere proche = null;
+        double d = Double.POSITIVE_INFINITY;
+        for (Objet3D o : scene.getObjets()) {
+            double di = o == sauf ? Double.POSITIVE_INFINITY : distance(P, V, (Sphere) o);
+            if (di < d) {
+                proche = (Sphere) o;
+                d = di;
+            }
+        }
+        double[] somme;
+        double poids;
+        if (proche == null) {
+            assertEquals(numero + "  ciel", titre);
+            somme = V[1] > 0 ? new double[] {0.7 * (1 - V[1]), 0.7 * (1 - V[1]), 1} : new double[] {0.5, 0.4 + 0.2 * V[1], 0.1};
+            proche(somme, lire("   somme " + numero + " = "));
+            somme = nombres(lignes.get(suivante - 1).replaceAll(".*=", ""));
+        } else {
+            contacts++;
+            String debut = numero + "  " + scene.getOrigines().de(proche) + "  d = ";
+            assertTrue(titre.startsWith(debut), titre + " au lieu de " + debut + d);
+            proche(new double[] {d}, nombres(titre.substring(debut.length())));
+            double[] X = lire("   contact = ");
+            proche(plus(P, d, V), X);
+            double[] N = lire("   N = ");
+            proche(unite(moins(X, t(proche.getCentre()))), N);
+            double[] R = plus(V, -2 * dot(V, N), N);
+            double[] ks = t(proche.getKs());
+            double[] total = new double[3];
+            for (Lampe lampe : scene.getLampes()) {
+                ajouter(total, lampe(lampe, proche, X, N, R));
+            }
+            produit = fois(produit, ks);
+            poids = Math.max(produit[0], Math.max(produit[1], produit[2]));
+            boolean suivi = actuelle().contains("réfléchi : ");
+            if (suivi) {
+                double[] dit = nombres(lignes.get(suivante++).replaceAll("poids|→ \\d+|[,:]", "").replaceAll(".*=", ""));
+                proche(R, Arrays.copyOf(dit, 3));
+                proche(produit, Arrays.copyOfRange(dit, 3, 6));
+                int memoire = suivante;
+                double[] reflet = nombres(lignes.get(suivante++).replaceAll(".*=", ""));
+                ajouter(total, reflet);
+                double[] fini = finir(numero, total, d);
+                P = X;
+                V = unite(R);
+                double[] vue = etape(numero + 1, proche);
+                assertTrue(lignes.get(memoire).matches("       Ks ⊗ (somme|vue) " + (numero + 1) + " = .*"), lignes.get(memoire));
+                assertArrayEquals(fois(ks, vue), reflet, lignes.get(memoire));
+                assertTrue(numero <= reflets && poids >= scene.getSeuil());
+                return fini;
+            }
+            double[] dite = finir(numero, total, d);
+            return arret(numero, proche, poids, dite);
+        }
+        return arret(numero, null, 0, traverser(numero, somme, d));
+    }
+
+    private double[] arret(int numero, Sphere objet, double poids, double[] vue) {
+        String raison = lignes.get(suivante++).replaceFirst("   arrêt : ", "");
+        boolean noir = objet != null && new Couleur().equals(objet.getKs());
+        assertEquals(objet == null ? "ciel" : noir ? "Ks nul" : numero > reflets ? reflets + (reflets > 1 ? " réflexions" : " réflexion")
+                : "poids " + nombres(raison + " ")[0] + " < seuil " + scene.getSeuil(), raison);
+        if (raison.startsWith("poids")) {
+            proche(new double[] {poids}, Arrays.copyOf(nombres(raison), 1));
+            assertTrue(poids < scene.getSeuil());
+        }
+        arrets.merge(raison.replaceAll("^\\d+|s?\\d.*|s$", ""), 1, Integer::sum);
+        return vue;
+    }
+
+    private double[] finir(int numero, double[] total, double d) {
+        double[] somme = lire("   somme " + numero + " = ");
+        assertArrayEquals(total, somme, "somme " + numero);
+        return traverser(numero, somme, d);
+    }
+
+    private double[] traverser(int numero, double[] somme, double d) {
+        if (k == null) {
+            return somme;
+        }
+        double part = d == Double.POSITIVE_INFINITY ? 1 : k.applyAsDouble(d);
+        double dite = lire("     air : k = ")[0];
+        proche(new double[] {part}, new double[] {dite});
+        double[] deLAir = lire("       k · air = ");
+        double[] reste = lire("       + (1 − k) · somme " + numero + " = ");
+        for (int c = 0; c < 3; c++) {
+            assertEquals(dite * air[c], deLAir[c]);
+            assertEquals((1 - dite) * somme[c], reste[c]);
+        }
+        double[] vue = lire("   vue " + numero + " = ");
+        ajouter(deLAir, reste);
+        assertArrayEquals(deLAir, vue);
+        return vue;
+    }
+
+    /** @return ce que cette lampe ajoute */
+    private double[] lampe(Lampe lampe, Sphere objet, double[] X, double[] N, double[] R) {
+        String titre = lignes.get(suivante++);
+        String nom = "     " + scene.getOrigines().de(lampe) + "  ";
+        assertTrue(titre.startsWith(nom), titre);
+        double[] S = t(lampe.getPosition());
+        double[] versLampe = moins(S, X);
+        double devant = dot(N, versLampe);
+        if (devant <= 0) {
+            assertTrue(titre.endsWith("dans le dos : pas de rayon d'ombre"), titre);
+            proche(new double[] {devant}, nombres(titre.replaceAll(".*= ", "").replaceAll(" .*", "")));
+            return new double[3];
+        }
+        double[] L = unite(versLampe);
+        proche(new double[] {dot(N, L)}, nombres(titre.replaceAll(".*= ", "").replaceAll(" .*", "")));
+        Objet3D cache = null;
+        double auPlus = Math.sqrt(dot(versLampe, versLampe));
+        for (Objet3D autre : scene.getObjets()) {
+            double d = autre == objet ? auPlus : distance(S, fois(L, new double[] {-1, -1, -1}), (Sphere) autre);
+            if (d < auPlus) {
+                auPlus = d;
+                cache = autre;
+            }
+        }
+        if (cache != null) {
+            cachees++;
+            assertTrue(titre.endsWith("cachée par " + scene.getOrigines().de(cache)), titre);
+            return new double[3];
+        }
+        double[] kl = t(lampe.getCouleur());
+        double[] diffus = fois(fois(t(objet.getKd()), kl), gris(dot(N, L)));
+        double[] H = unite(moins(L, V));
+        double eclat = blinn == 0 ? Math.pow(Math.max(0, dot(R, L)), objet.getNs()) : Math.pow(Math.max(0, dot(N, H)), blinn * objet.getNs());
+        double[] reflet = fois(fois(t(objet.getKs()), kl), gris(eclat));
+        if (titre.contains("sans effet")) {
+            proche(new double[6], new double[] {diffus[0], diffus[1], diffus[2], reflet[0], reflet[1], reflet[2]});
+            return new double[3];
+        }
+        eclairees++;
+        assertTrue(titre.endsWith("  éclairée"), titre);
+        double[] ditDiffus = lire("       diffus = ");
+        proche(diffus, ditDiffus);
+        String ligne = lignes.get(suivante++);
+        double[] dit = nombres(ligne.replace("éclat", "").replaceAll(".*=", ""));
+        proche(reflet, Arrays.copyOf(dit, 3));
+        ajouter(ditDiffus, dit);
+        double[] apport = lire("       = ");
+        assertArrayEquals(ditDiffus, apport, ligne);
+        return apport;
+    }
+
+    private double[] lire(String debut) {
+        String ligne = lignes.get(suivante++);
+        assertTrue(ligne.startsWith(debut), ligne + " au lieu de " + debut);
+        return nombres(ligne.substring(debut.length()));
+    }
+
+    private static double[] nombres(String texte) {
+        List<Double> lus = new ArrayList<>();
+        for (String mot : texte.trim().split(" +")) {
+            if (mot.matches("-?[\\d.]+(E-?\\d+)?")) {
+                lus.add(Double.parseDouble(mot));
+                assertEquals(Double.toString(lus.get(lus.size() - 1)), mot);
+            }
+        }
+        return lus.stream().mapToDouble(n -> n).toArray();
+    }
+
+    /** Aux arrondis près, qui grandissent d'un reflet au suivant. */
+    private void proche(double[] attendu, double[] dit) {
+        assertNotNull(dit);
+        assertEquals(attendu.length, dit.length, () -> "ligne " + suivante + " : " + lignes.get(suivante - 1));
+        for (int c = 0; c < attendu.length; c++) {
+            assertEquals(attendu[c], dit[c], 1e-7 * (1 + Math.abs(attendu[c])), lignes.get(suivante - 1));
+        }
+    }
+
+    private static double distance(double[] P, double[] V, Sphere sphere) {
+        double[] f = moins(t(sphere.getCentre()), P);
+        double b = dot(f, V);
+        double delta = sphere.getRayon() * sphere.getRayon() - dot(plus(f, -b, V), plus(f, -b, V));
+        double h = Math.sqrt(delta);
+        return !(delta >= 0) || b + h <= 0 ? Double.POSITIVE_INFINITY : b - h > 0 ? b - h : b + h;
+    }
+
+    private static double[] t(Tuple p) {
+        return new double[] {p.x, p.y, p.z};
+    }
+
+    private static double[] t(Couleur c) {
+        return new double[] {c.r, c.v, c.b};
+    }
+
+    private static double[] gris(double g) {
+        return new double[] {g, g, g};
+    }
+
+    private static void ajouter(double[] a, double[] b) {
+        for (int c = 0; c < 3; c++) {
+            a[c] += b[c];
+        }
+    }
+
+    private static double[] plus(double[] a, double k, double[] b) {
+        return new double[] {a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]};
+    }
+
+    private static double[] moins(double[] a, double[] b) {
+        return plus(a, -1, b);
+    }
+
+    private static double[] fois(double[] a, double[] b) {
+        return new double[] {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
+    }
+
+    private static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+
+    private static double[] unite(double[] a) {
+        return fois(a, gris(1 / Math.sqrt(dot(a, a))));
+    }
+}

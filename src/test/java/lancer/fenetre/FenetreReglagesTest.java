@@ -1,0 +1,88 @@
+package lancer.fenetre;
+
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.chercher;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.event.KeyEvent;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import javax.swing.JLabel;
+import javax.swing.JMenu;
+import org.junit.jupiter.api.Test;
+
+/** Les réglages du menu Dessin : l'image qu'ils donnent, et le fichier de la scène, qu'ils ne changent pas. */
+class FenetreReglagesTest extends EssaiFenetre {
+
+    private int[] attendue(String... options) throws Exception {
+        return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, options);
+    }
+
+    @Test
+    void lesTouchesPlusEtMoinsChangentLesReflexionsEtRienDAutre() throws Exception {
+        byte[] avant = Files.readAllBytes(scene);
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        banc.frapper(KeyEvent.VK_SUBTRACT);
+        banc.attendreImage("deux réflexions", attendue("--reflets=2"));
+        JLabel resume = chercher("resume", JLabel.class);
+        attendre("elles se disent", () -> resume.getText().contains("2 réflexions"));
+        for (int k = 0; k < 5; k++) {
+            banc.frapper(KeyEvent.VK_SUBTRACT);
+        }
+        banc.attendreImage("aucune", attendue("--reflets=0"));
+        banc.frapper(KeyEvent.VK_ADD);
+        banc.attendreImage("une", attendue("--reflets=1"));
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("la relecture s'achève", () -> !banc.fenetre.enCours());
+        banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
+        assertArrayEquals(avant, Files.readAllBytes(scene));
+    }
+
+    @Test
+    void leMenuDitLesReflexionsEtRevientACellesDeLaCommande() throws Exception {
+        banc = new BancFenetre(lente("--reflets=1"));
+        banc.imageAchevee();
+        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
+        JMenu reflexions = (JMenu) dessin.getItem(3);
+        surFilEvenements(() -> {
+            reflexions.getItem(4).doClick();
+            return null;
+        });
+        banc.attendreImage("dix réflexions", attendue("--reflets=10"));
+        attendre("le menu le montre", () -> reflexions.getItem(4).isSelected() && !reflexions.getItem(1).isSelected());
+        surFilEvenements(() -> {
+            article(dessin, "Revenir aux réglages de la scène");
+            return null;
+        });
+        banc.attendreImage("retour à une", attendue("--reflets=1"));
+    }
+
+    static void article(JMenu menu, String nom) {
+        for (int k = 0; k < menu.getItemCount(); k++) {
+            if (menu.getItem(k) != null && menu.getItem(k).getText().equals(nom)) {
+                menu.getItem(k).doClick();
+                return;
+            }
+        }
+        throw new AssertionError("pas d'article " + nom);
+    }
+
+    @Test
+    void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        banc.frapper(KeyEvent.VK_ADD);
+        attendre("dix réflexions", () -> banc.fenetre.getReglages().getReflets() == 10 && !banc.fenetre.enCours());
+        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
+        String[] copie = {""};
+        attendre("la copie", () -> {
+            copie[0] = BancFenetre.copie();
+            return copie[0].startsWith("; java -");
+        });
+        assertEquals("--taille 320x240 --reflets 10 " + scene + "\n", copie[0].substring(copie[0].indexOf("--taille")));
+        assertEquals(ROUGE, new String(Files.readAllBytes(scene), StandardCharsets.UTF_8));
+    }
+}

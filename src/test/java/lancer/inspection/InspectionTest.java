@@ -1,0 +1,145 @@
+package lancer.inspection;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.contrat.Origines;
+import lancer.essai.Essai;
+import lancer.essai.EssaiRecit;
+import lancer.essai.Ressources;
+import lancer.rapide.Preparation;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Ce que {@code --pixel} dit d'un pixel : chaque terme est celui de l'énoncé, et chaque somme se ferme au bit près. */
+class InspectionTest {
+
+    @TempDir
+    Path dossier;
+
+    @ParameterizedTest
+    @CsvSource({"p1-quatre, 5, 0.0009765625, Ks nul", "p2-sol, 5, 0, ciel", "p3-miroirs, 9, 0, ciel", "p3-miroirs, 40, 0.3, 'poids '",
+        "p4-foule, 1, 0.0009765625, ' réflexion'", "p4-foule, 0, 0, ' réflexion'"})
+    void chaqueTermeEstCeluiDesEquationsEtChaqueSommeSeFerme(String nom, int reflets, double seuil, String arret) {
+        String fichier = Ressources.chemin("reference/" + nom + ".ini");
+        Scene scene = new Scene(fichier);
+        scene.setSeuil(seuil);
+        EssaiRecit recit = new EssaiRecit(scene, 80, 60, reflets, null, null, 0);
+        Random hasard = new Random(5);
+        for (int k = 0; k < 200; k++) {
+            int x = hasard.nextInt(80);
+            int y = hasard.nextInt(60);
+            Inspection pixel = new Inspection(scene, new Camera(80, 60), reflets, x, y);
+            pixel.faire();
+            recit.verifier(x, y, String.join("\n", new Recit(pixel, Double::toString).lignes()));
+        }
+        assertTrue(recit.contacts > 60 && recit.eclairees > 20, recit.contacts + " contacts, " + recit.eclairees);
+        assertTrue(recit.arrets.containsKey(arret), recit.arrets.toString());
+        if (nom.equals("p2-sol") || nom.equals("p4-foule")) {
+            assertTrue(recit.cachees > 5, recit.cachees + " lampes cachées");
+        }
+    }
+
+    @Test
+    void laLigneDeCommandeDitLaMemeChoseQueLaRechercheSoitRapideOuNon() {
+        String fichier = Ressources.chemin("reference/p4-foule.ini");
+        Scene rapide = new Scene(fichier);
+        rapide.setRecherche(Preparation.pour(rapide, new Camera(80, 60)));
+        for (int x = 5; x < 80; x += 9) {
+            Inspection pixel = new Inspection(rapide, new Camera(80, 60), 5, x, 30);
+            pixel.faire();
+            Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);
+            assertEquals(new Recit(pixel, Double::toString).lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
+        }
+    }
+
+    /** De la cible, la lampe est dans la direction (0, 30, −49) ; les sphères sont à ces parts du chemin. */
+    @ParameterizedTest
+    @CsvSource({"1, 0.2, 0.6", "1e9, 1e-8, 2e-8", "1e9, 1e-8, 0.9"})
+    void celleQuiCacheEstLaPlusProcheDeLaLampeMemeLointaine(double loin, double basse, double haute) throws Exception {
+        Path scene = Essai.scene(dossier.resolve("s.ini"), "[Sphere cible]", "centre=0 0 10", "rayon=1", "Kd=1 1 1", "[Sphere basse]",
+                "centre=" + surLeChemin(loin * basse), "rayon=1", "[Sphere haute]", "centre=" + surLeChemin(loin * haute),
+                "rayon=" + Math.max(1, loin * haute / 100), "[Lampe]", "position=" + surLeChemin(loin), "couleur=1 1 1");
+        Essai e = Essai.executer("--taille=9x9", "--pixel=4,4", scene.toString());
+        assertTrue(e.sortie.contains("  cachée par [Sphere haute] ligne 8"), e.toString());
+    }
+
+    private static String surLeChemin(double part) {
+        return "0 " + 30 * part + " " + (9 - 49 * part);
+    }
+
+    @Test
+    void leDepartNeDependPasDuNombreDeReflexionsPermises() {
+        Scene scene = new Scene(Ressources.chemin("reference/p3-miroirs.ini"));
+        List<Integer> etapes = new ArrayList<>();
+        for (int reflets : new int[] {0, 1, 3}) {
+            Inspection pixel = new Inspection(scene, new Camera(80, 60), reflets, 40, 30);
+            pixel.faire();
+            etapes.add(pixel.getEtapes().size());
+            List<String> lignes = new Recit(pixel, Double::toString).lignes();
+            String arret = lignes.get(lignes.size() - 2);
+            assertTrue(arret.matches("   arrêt : (ciel|" + reflets + " réflexions?)"), arret);
+        }
+        assertEquals(1, etapes.get(0));
+        assertTrue(etapes.get(1) == 2 && etapes.get(2) >= 2, etapes.toString());
+    }
+
+    @Test
+    void uneSceneSansFichierNommeSesObjetsParLeurRang() {
+        Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
+        sphere.setKd(new Couleur(1));
+        Scene scene = new Scene(Collections.singletonList(sphere),
+                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
+        Inspection pixel = new Inspection(scene, new Camera(9, 9), 5, 4, 4);
+        pixel.faire();
+        List<String> lignes = new Recit(pixel, Double::toString).lignes();
+        assertTrue(lignes.get(1).startsWith("1  objet 1  d = "), lignes.toString());
+        assertTrue(lignes.get(4).startsWith("     lampe 1  N·L = "), lignes.toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"Sphere %d", "sphère n° %06d", "Sphere %d du fond", "Sphere"})
+    void chaqueObjetRetrouveSonNomEtSaLigne(String nom) {
+        Origines origines = new Origines();
+        List<Object> choses = new ArrayList<>();
+        for (int k = 0; k < 3000; k++) {
+            choses.add(new Object());
+            origines.ajouter(choses.get(k), String.format(nom, k), 7 * k + k % 5);
+        }
+        origines.finir();
+        for (int k = 0; k < 3000; k += 17) {
+            assertEquals("[" + String.format(nom, k) + "] ligne " + (7 * k + k % 5), origines.de(choses.get(k)));
+        }
+        assertNull(origines.de(new Object()));
+    }
+
+    @Test
+    void desNomsSansRapportLaissentLaLigneSeule() {
+        Origines origines = new Origines();
+        List<Object> choses = new ArrayList<>();
+        Random hasard = new Random(1);
+        for (int k = 0; k < 3000; k++) {
+            choses.add(new Object());
+            origines.ajouter(choses.get(k), Long.toHexString(hasard.nextLong()) + Long.toHexString(hasard.nextLong()), 1 + 5 * k);
+        }
+        origines.finir();
+        assertTrue(origines.de(choses.get(3)).matches("\\[[0-9a-f]+] ligne 16"), origines.de(choses.get(3)));
+        assertEquals("ligne 14996", origines.de(choses.get(2999)));
+    }
+}
