@@ -27,6 +27,7 @@ import lancer.auto.Reglage;
 import lancer.auto.Souhait;
 import lancer.contrat.Reglable;
 import lancer.contrat.Variante;
+import lancer.fenetre.figures.GraphiqueVitesse;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.ReglagesDessin;
 

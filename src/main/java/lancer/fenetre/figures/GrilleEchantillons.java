@@ -1,4 +1,4 @@
-package lancer.fenetre;
+package lancer.fenetre.figures;
 
 import java.awt.Color;
 import java.awt.Dimension;
@@ -15,7 +15,7 @@ import lancer.inspection.Echantillon;
 import lancer.inspection.Inspection;
 
 /** Les échantillons d'un pixel, chacun à sa place et de sa couleur ; cliquer sur l'un le choisit. */
-final class GrilleEchantillons extends JComponent {
+public final class GrilleEchantillons extends JComponent {
 
     private static final long serialVersionUID = 1;
 
@@ -26,7 +26,7 @@ final class GrilleEchantillons extends JComponent {
     private int choisi = -1;
 
     /** @param siChoisi reçoit le rang de l'échantillon */
-    GrilleEchantillons(IntConsumer siChoisi) {
+    public GrilleEchantillons(IntConsumer siChoisi) {
         setName("echantillons");
         setPreferredSize(new Dimension(COTE, COTE));
         setToolTipText("échantillons du pixel ; cliquer pour en choisir un, ou page suivante, page précédente");
@@ -42,7 +42,7 @@ final class GrilleEchantillons extends JComponent {
         });
     }
 
-    void montrer(Inspection pixel) {
+    public void montrer(Inspection pixel) {
         echantillons = pixel.getEchantillons();
         choisi = echantillons.indexOf(pixel.getChoisi());
         // l'écart de deux voisins : le premier est à un demi-pas du bord ; et la largeur de tout, en pixels de l'image
@@ -58,7 +58,7 @@ final class GrilleEchantillons extends JComponent {
     }
 
     /** Le rang de l'échantillon d'avant ou d'après celui qui est choisi. */
-    int voisin(int sens) {
+    public int voisin(int sens) {
         return Math.max(0, Math.min(echantillons.size() - 1, choisi + sens));
     }
 

@@ -1,4 +1,4 @@
-package lancer.fenetre;
+package lancer.fenetre.figures;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -22,7 +22,7 @@ import lancer.inspection.Etape;
 import lancer.inspection.Inspection;
 
 /** La chaîne d'un pixel par-dessus l'image : contacts, rayons, lampes. Calculée une fois, peinte souvent. */
-final class Figure {
+public final class Figure {
 
     private static final Color REFLET = new Color(0x66E0FF);
     private static final Color LAMPE = new Color(0xFFE040);
@@ -52,7 +52,7 @@ final class Figure {
     private final List<double[]> anneaux = new ArrayList<>();
 
     /** À calculer ailleurs que dans le fil des événements : ce qui est devant se demande à la scène. */
-    Figure(Inspection pixel) {
+    public Figure(Inspection pixel) {
         camera = pixel.camera;
         scene = pixel.scene.pourUnFil();
         Point depart = null;
@@ -189,7 +189,7 @@ final class Figure {
     }
 
     /** @param place celle de l'image, en pixels de l'écran */
-    void peindre(Graphics2D g, Rectangle place) {
+    public void peindre(Graphics2D g, Rectangle place) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         double echelle = (double) place.width / camera.getLargeur();
         traits.forEach(trait -> trait.peindre(g, place, echelle));

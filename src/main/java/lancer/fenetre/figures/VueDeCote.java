@@ -1,4 +1,4 @@
-package lancer.fenetre;
+package lancer.fenetre.figures;
 
 import java.awt.Color;
 import java.awt.Dimension;
@@ -19,7 +19,7 @@ import lancer.inspection.Etape;
 import lancer.inspection.Inspection;
 
 /** La figure du cours : l'œil, l'écran, les sphères rencontrées et les rayons, vus de côté (z à droite, y en haut). */
-final class VueDeCote extends JComponent {
+public final class VueDeCote extends JComponent {
 
     private static final long serialVersionUID = 1;
 
@@ -33,13 +33,13 @@ final class VueDeCote extends JComponent {
     private double echelle;
     private double y0;
 
-    VueDeCote() {
+    public VueDeCote() {
         setName("cote");
         setPreferredSize(new Dimension(HAUTEUR, HAUTEUR));
         setToolTipText("vue de côté : z vers la droite, y vers le haut");
     }
 
-    void montrer(Inspection nouvelle) {
+    public void montrer(Inspection nouvelle) {
         pixel = nouvelle;
         repaint();
     }

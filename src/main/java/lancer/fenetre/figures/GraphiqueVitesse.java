@@ -1,4 +1,4 @@
-package lancer.fenetre;
+package lancer.fenetre.figures;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -23,10 +23,10 @@ import javax.swing.KeyStroke;
 import lancer.auto.Reglage;
 
 /** Des réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
-final class GraphiqueVitesse extends JComponent {
+public final class GraphiqueVitesse extends JComponent {
 
     /** L'erreur que fait l'écran seul en arrondissant à un niveau entier : 1/√12. */
-    static final double ARRONDI = 1 / Math.sqrt(12);
+    public static final double ARRONDI = 1 / Math.sqrt(12);
 
     private static final long serialVersionUID = 1;
 
@@ -55,7 +55,7 @@ final class GraphiqueVitesse extends JComponent {
     private double yMax = 10;
 
     /** Un réglage et ce qui en est attendu. Immuable, à la différence du réglage. */
-    static final class Point {
+    public static final class Point {
         private final Reglage reglage;
         private final boolean front;
         private final double rayons;
@@ -64,7 +64,7 @@ final class GraphiqueVitesse extends JComponent {
         private final double auMoins;
         private final double auPlus;
 
-        Point(Reglage reglage, boolean front) {
+        public Point(Reglage reglage, boolean front) {
             this.reglage = reglage;
             this.front = front;
             rayons = reglage.getPrix();
@@ -75,7 +75,7 @@ final class GraphiqueVitesse extends JComponent {
         }
     }
 
-    GraphiqueVitesse(Consumer<Reglage> clic) {
+    public GraphiqueVitesse(Consumer<Reglage> clic) {
         setName("vitesse.graphique");
         setFocusable(true);
         setToolTipText("");
@@ -98,11 +98,11 @@ final class GraphiqueVitesse extends JComponent {
     }
 
     /** Combien de scènes ont été essayées. */
-    int getVersion() {
+    public int getVersion() {
         return version;
     }
 
-    void vider() {
+    public void vider() {
         version++;
         points.clear();
         mesures.clear();
@@ -112,7 +112,7 @@ final class GraphiqueVitesse extends JComponent {
     }
 
     /** @param nouvelIci les réglages présents, s'ils sont essayés */
-    void montrer(List<Point> nouveaux, double msDuPrixUn, Point nouvelIci) {
+    public void montrer(List<Point> nouveaux, double msDuPrixUn, Point nouvelIci) {
         points.clear();
         points.addAll(nouveaux);
         msParRayon = msDuPrixUn;
@@ -121,12 +121,12 @@ final class GraphiqueVitesse extends JComponent {
     }
 
     /** Ceux de l'image montrée. */
-    void setPresent(int reflets, double seuil, String section) {
+    public void setPresent(int reflets, double seuil, String section) {
         present = reflets + " " + seuil + " " + section;
         repaint();
     }
 
-    void ajouterMesure(double rayons, double erreur, double incertitude) {
+    public void ajouterMesure(double rayons, double erreur, double incertitude) {
         mesures.add(new double[] {rayons, erreur, incertitude});
         cadrer();
     }
