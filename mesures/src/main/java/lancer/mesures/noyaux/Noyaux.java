@@ -22,10 +22,10 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.VerboseMode;
 
 /**
- * Mesure par JMH ce que coûte chaque façon de calculer une intersection, et en fait la courbe des méthodes. De chaque machine virtuelle
- * est retenue la plus courte de ses mesures, qui sont brèves : un autre travail les interrompt moins souvent qu'il ne les allonge. Le temps
- * est leur moyenne, et son intervalle dit où elle se trouve 19 fois sur 20 ; s'il est trop large, la machine n'était pas tranquille, et
- * rien n'est écrit.
+ * Mesure par JMH ce que coûte chaque façon de calculer une intersection, et en fait la courbe des méthodes. De chaque machine
+ * virtuelle est retenue la plus courte de ses mesures, assez brèves pour que l'une au moins ne soit pas interrompue. Le temps est leur
+ * moyenne, et son intervalle dit où elle se trouve 19 fois sur 20 ; s'il est trop large, la machine n'était pas tranquille, et rien
+ * n'est écrit.
  *
  * <pre>
  * java -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux [options de JMH]

@@ -37,7 +37,6 @@ public final class Style {
     public static final Color ORANGE = new Color(0xE69F00);
     public static final Color CIEL = new Color(0x56B4E9);
     public static final Color VERT = new Color(0x009E73);
-    public static final Color JAUNE = new Color(0xF0E442);
     public static final Color BLEU = new Color(0x0072B2);
     public static final Color VERMILLON = new Color(0xD55E00);
     public static final Color POURPRE = new Color(0xCC79A7);
@@ -127,7 +126,7 @@ public final class Style {
     }
 
     /** Un nombre à la française, avec tant de décimales au plus. */
-    public static String decimales(double valeur, int decimales) {
+    private static String decimales(double valeur, int decimales) {
         DecimalFormatSymbols symboles = new DecimalFormatSymbols(Locale.ROOT);
         symboles.setDecimalSeparator(',');
         symboles.setGroupingSeparator('\u00A0');
