@@ -9,8 +9,8 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
-	comparer reponses mesure-corriger image-classe aide propre
+.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
+	comparer reponses mesure-corriger image-classe image-inspecteur aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils
@@ -36,7 +36,7 @@ mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MO
 	@$(MVN) -q -f ensemble.xml -pl :mesures -am -DskipTests package
 	@touch $@
 
-# Les images du README. Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
+# Les images du README, et l'icône de la fenêtre. Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
 SCENES := scene1 diffus ombres miroirs bowling tournesol
 NEUVES := target/images
 
@@ -52,6 +52,19 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	@$(JAVA) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
 	@$(JAVA) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images $(NEUVES) images
+	@mkdir $(NEUVES)/icones
+	@for c in 16 32 48 128; do \
+	    $(JAVA) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
+	done
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images $(NEUVES)/icones src/main/resources/lancer/fenetre
+
+# Les captures d'écran du README, sur un écran à elles.
+captures: mesures/target/mesures.jar
+	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
+	@rm -rf target/captures && mkdir -p target/captures
+	@xvfb-run -a -s "-screen 0 1600x900x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
+	    -cp mesures/target/mesures.jar lancer.mesures.Captures target/captures
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images target/captures images
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
@@ -124,8 +137,13 @@ mesure-corriger: $(CORRECTION)
 image-classe: $(CORRECTION)
 	@command -v chromium >/dev/null || { echo "Il faut Chromium : sudo apt-get install chromium" >&2; exit 1; }
 	@$(JAVA) -jar $(CORRECTION) --sortie target/classe-image correction/src/test/resources/classe
-	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1375 \
+	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1420 \
 	    --screenshot=images/classe.png "file://$(CURDIR)/target/classe-image/index.html" 2>/dev/null
+
+# La fenêtre et son inspecteur, tels que le README les montre.
+image-inspecteur: $(BASE)
+	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
+	@$(XVFB) $(JAVA) -cp $(BASE):target/test-classes lancer.fenetre.CaptureInspecteur images/inspecteur.png 405 360 scenes/scene1.ini
 
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
@@ -135,6 +153,7 @@ aide:
 	@echo "make javadoc               la documentation des classes : target/reports/apidocs/index.html, et de même chaque module"
 	@echo "make lanceurs              lance les tests du cours par douze autres lanceurs JUnit, de la version 1.9.3 à la 1.14.4"
 	@echo "make images                refait les images du README"
+	@echo "make captures              refait les captures d'écran du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
 	@echo "make bench                 dessine de 1 à 1000000 sphères, vérifie et mesure, face aux boucles du cours et à POV-Ray ; dix minutes"
 	@echo "make noyaux                mesure huit façons de calculer une intersection, trois minutes ; JMH=\"-f 5\" pour les options de JMH"
@@ -144,6 +163,7 @@ aide:
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
 	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"
+	@echo "make image-inspecteur      refait l'image de l'inspecteur du README"
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corriger RENDUS=…     note les rendus d'une classe ; NOTES=feuille.csv de Moodle, BAREME=points.ini, SORTIE=dossier"

@@ -11,18 +11,19 @@ import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Suivi;
 import lancer.contrat.Toile;
 import lancer.fenetre.Fenetre;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.lecture.LecteurScene;
-import lancer.temoins.LancerSurveille;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
 import lancer.sortie.ReglagesDessin;
 import lancer.sortie.Statistiques;
 import lancer.sortie.VersFichiers;
+import lancer.temoins.LancerSurveille;
 
 /**
  * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un
@@ -39,6 +40,13 @@ public class Main implements Toile, Dessinateur {
     private volatile Scene scene;
     private volatile String fichier;
     private volatile ReglagesDessin reglages;
+    private volatile double avancement;
+    private final Suivi suivi = new Suivi() {
+        @Override
+        public void fait(double part) {
+            avancement = part;
+        }
+    };
     private long lectureNs;
     private long preparationNs;
     private volatile ImageMemoire image;
@@ -126,8 +134,9 @@ public class Main implements Toile, Dessinateur {
 
     @Override
     public List<String> lireScene(String nomFichier) {
+        avancement = 0;
         long debut = System.nanoTime();
-        LecteurScene lu = LecteurScene.lire(nomFichier);
+        LecteurScene lu = LecteurScene.lire(nomFichier, suivi);
         ReglagesDessin demandes = ReglagesDessin.de(lu, options);
         Scene nouvelle = demandes.regler(new Scene(lu));
         if (Thread.currentThread().isInterrupted()) {
@@ -138,6 +147,11 @@ public class Main implements Toile, Dessinateur {
         fichier = nomFichier;
         reglages = demandes;
         return lu.getAvertissements();
+    }
+
+    @Override
+    public double getAvancement() {
+        return avancement;
     }
 
     @Override
@@ -167,8 +181,10 @@ public class Main implements Toile, Dessinateur {
 
     /** Prépare la scène lue pour l'image à dessiner. */
     private Lancer preparer() {
+        avancement = 0;
         long debut = System.nanoTime();
-        Lancer nouveau = LancerSurveille.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple);
+        Lancer nouveau = LancerSurveille.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple,
+                suivi);
         preparationNs = System.nanoTime() - debut;
         return nouveau;
     }

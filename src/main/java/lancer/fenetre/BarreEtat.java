@@ -64,7 +64,6 @@ final class BarreEtat extends JPanel {
     }
 
     void avancer(Tracage tracage) {
-        avancement.setIndeterminate(!tracage.isFini() && tracage.getLancer() == null);
         avancement.setValue(tracage.isAcheve() ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));
         avancement.setString(tracage.getEtat());
         bouton.setText(tracage.isFini() ? "Redessiner" : "Arrêter");

@@ -98,9 +98,18 @@ final class Dialogues {
 
     static void montrerTouches(Component parent) {
         JOptionPane.showMessageDialog(parent, "Ctrl+O   ouvrir une scène ; ou déposer son fichier sur la fenêtre\n"
+                + "Page suivante, page précédente   les autres scènes du dossier\n"
+                + "Ctrl+S, Ctrl+C   enregistrer, copier l'image\n"
+                + "+ et −   plus ou moins de réflexions\n"
+                + "F2   les paramètres des variantes\n"
+                + "Espace, tenue   l'image d'avant\n"
+                + "Ctrl+Maj+C   copier les réglages\n"
+                + "Ctrl+1, Ctrl+0, F11   taille demandée, remplir la fenêtre, plein écran\n"
+                + "molette, Ctrl+Haut, Ctrl+Bas   loupe ; la tirer la déplace\n"
+                + "un clic   les rayons du pixel ; flèches   le pixel voisin, Maj   de dix en dix\n"
                 + "F5   relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi\n"
-                + "Échap   arrêter le dessin\n"
-                + "Ctrl+S   enregistrer l'image\n"
+                + "F3   vitesse ou précision : les réglages possibles, à dessiner d'un clic\n"
+                + "Échap   arrêter le dessin ; sinon, quitter le plein écran, ou fermer l'inspecteur\n"
                 + "Ctrl+Q   quitter\n"
                 + "F1   ces touches", "Touches", JOptionPane.PLAIN_MESSAGE);
         parent.requestFocus();

@@ -35,6 +35,7 @@ import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.lecture.Services;
+import lancer.sortie.BarreProgression;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.ReglagesDessin;
@@ -60,6 +61,7 @@ public final class Fenetre implements Atelier {
     private final Dessinateur dessinateur;
     private final MenuAffichage affichage;
     private final String programme;
+    private final int fils;
     private final Runnable fin;
     private final ExecutorService dessins;
     private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
@@ -101,6 +103,7 @@ public final class Fenetre implements Atelier {
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
         this.dessins = dessins;
         this.fin = fin;
+        fils = options.fils;
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(taille);
         affichage = new MenuAffichage(cadre, panneau, barre, taille, this::ajuster);
@@ -125,7 +128,14 @@ public final class Fenetre implements Atelier {
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
         if (premier != null) {
-            premier.lire();
+            // la fenêtre n'est pas encore là pour le dire
+            BarreProgression barre = new BarreProgression(dessinateur::getAvancement, erreur);
+            barre.commencer();
+            try {
+                premier.lire();
+            } finally {
+                barre.finir();
+            }
             Pannes.avertir(premier.getAvertissements(), erreur);
         }
         exigerEcran();
@@ -191,10 +201,10 @@ public final class Fenetre implements Atelier {
         assembler();
         ecouter();
         titrer();
-        dessins.execute(() -> {
-            List<Image> icones = Icone.dessiner();
+        new Thread(() -> {
+            List<Image> icones = Icone.lire();
             EventQueue.invokeLater(() -> cadre.setIconImages(icones));
-        });
+        }, "lancer-icone").start();
         if (premier == null) {
             panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
             EventQueue.invokeLater(this::choisirScene);
@@ -287,6 +297,11 @@ public final class Fenetre implements Atelier {
     public String getCommande() {
         Dimension taille = affichage.getTaille();
         return Pannes.commande("", reglages.getOptions(), fichier, taille.width, taille.height);
+    }
+
+    @Override
+    public int getFils() {
+        return fils;
     }
 
     @Override

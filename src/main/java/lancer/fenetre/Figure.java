@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
+import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
@@ -20,13 +21,18 @@ import lancer.inspection.Eclairage;
 import lancer.inspection.Etape;
 import lancer.inspection.Inspection;
 
-/** La chaîne d'un pixel, tracée par-dessus l'image : ses contacts, ses rayons, ses lampes. Calculée une fois, peinte souvent. */
+/** La chaîne d'un pixel par-dessus l'image : contacts, rayons, lampes. Calculée une fois, peinte souvent. */
 final class Figure {
 
     private static final Color REFLET = new Color(0x66E0FF);
     private static final Color LAMPE = new Color(0xFFE040);
     private static final Color OMBRE = new Color(0xFF8A3C);
     private static final Color LISERE = new Color(0, 0, 0, 120);
+
+    private static final Stroke PLEIN = new BasicStroke(1.5f);
+    private static final Stroke LARGE = new BasicStroke(3.5f);
+    private static final Stroke TIRETE = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
+            new float[] {3, 4}, 0);
 
     /** Morceaux d'un trait, chacun plein ou tireté. */
     private static final int MORCEAUX = 48;
@@ -36,8 +42,9 @@ final class Figure {
     /** Part de la distance en deçà de laquelle un objet est devant, et non la surface où le trait s'arrête. */
     private static final double DEVANT = 1 - 1e-4;
 
-    private static final int RAYON_ANNEAU = 9;
+    private static final int ANNEAU = 9;
     private static final double POINTE = 9;
+    private static final double OUVERTURE = 0.4;
 
     private final Camera camera;
     private final Scene scene;
@@ -147,37 +154,38 @@ final class Figure {
         }
 
         void peindre(Graphics2D g, Rectangle place, double echelle) {
-            Stroke plein = new BasicStroke(1.5f);
-            Stroke tirete = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1, new float[] {3, 4}, 0);
             int debut = 0;
             for (int k = 1; k <= MORCEAUX; k++) {
                 if (k == MORCEAUX || derriere[k] != derriere[debut]) {
                     Line2D ligne = new Line2D.Double(place.x + echelle * x[debut], place.y + echelle * y[debut],
                             place.x + echelle * x[k], place.y + echelle * y[k]);
-                    if (!derriere[debut]) {
-                        g.setStroke(new BasicStroke(3.5f));
-                        g.setColor(LISERE);
+                    if (derriere[debut]) {
+                        g.setStroke(TIRETE);
+                        g.setColor(couleur);
                         g.draw(ligne);
+                    } else {
+                        peindreLisere(g, ligne, couleur);
                     }
-                    g.setStroke(derriere[debut] ? tirete : plein);
-                    g.setColor(couleur);
-                    g.draw(ligne);
                     debut = k;
                 }
             }
-            if (fleche) {
-                g.setStroke(plein);
-                peindrePointe(g, place.x + echelle * x[MORCEAUX], place.y + echelle * y[MORCEAUX]);
-            }
-        }
-
-        private void peindrePointe(Graphics2D g, double bout, double hauteur) {
             double angle = Math.atan2(y[MORCEAUX] - y[0], x[MORCEAUX] - x[0]);
-            for (double ecart : new double[] {-0.4, 0.4}) {
-                g.draw(new Line2D.Double(bout, hauteur, bout - POINTE * Math.cos(angle + ecart),
-                        hauteur - POINTE * Math.sin(angle + ecart)));
+            double boutX = place.x + echelle * x[MORCEAUX];
+            double boutY = place.y + echelle * y[MORCEAUX];
+            for (double ecart = -OUVERTURE; fleche && ecart <= OUVERTURE; ecart += 2 * OUVERTURE) {
+                peindreLisere(g, new Line2D.Double(boutX, boutY, boutX - POINTE * Math.cos(angle + ecart),
+                        boutY - POINTE * Math.sin(angle + ecart)), couleur);
             }
         }
+    }
+
+    private static void peindreLisere(Graphics2D g, Shape trait, Color couleur) {
+        g.setStroke(LARGE);
+        g.setColor(LISERE);
+        g.draw(trait);
+        g.setStroke(PLEIN);
+        g.setColor(couleur);
+        g.draw(trait);
     }
 
     /** @param place celle de l'image, en pixels de l'écran */
@@ -188,15 +196,10 @@ final class Figure {
         for (double[] anneau : anneaux) {
             double x = place.x + echelle * anneau[0];
             double y = place.y + echelle * anneau[1];
-            Ellipse2D rond = new Ellipse2D.Double(x - RAYON_ANNEAU, y - RAYON_ANNEAU, 2 * RAYON_ANNEAU, 2 * RAYON_ANNEAU);
-            g.setStroke(new BasicStroke(3.5f));
-            g.setColor(LISERE);
-            g.draw(rond);
-            g.setStroke(new BasicStroke(1.5f));
-            g.setColor(Color.WHITE);
-            g.draw(rond);
+            Ellipse2D rond = new Ellipse2D.Double(x - ANNEAU, y - ANNEAU, 2 * ANNEAU, 2 * ANNEAU);
+            peindreLisere(g, rond, Color.WHITE);
             String numero = String.valueOf((int) anneau[2]);
-            int decalage = RAYON_ANNEAU + 2;
+            int decalage = ANNEAU + 2;
             g.setColor(Color.BLACK);
             g.drawString(numero, (float) x + decalage + 1, (float) y - decalage + 1);
             g.setColor(Color.WHITE);

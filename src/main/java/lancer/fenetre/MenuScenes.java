@@ -31,7 +31,7 @@ final class MenuScenes {
     private static final int SCENES_MAX = 40;
     private static final int RECENTES_MAX = 8;
     private static final int OCTETS_LUS = 2048;
-    private static final int COMMENTAIRE_MAX = 80;
+    private static final int COMMENTAIRE_MAX = 100;
     private static final String CLE = "scenes";
 
     private final JMenu menu = Menus.menu("Scènes");

@@ -145,7 +145,7 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** La part faite de l'image, de 0 à 1. */
     double getAvancement() {
-        return isBrouillonFait() ? getLancer().getAvancement() : 0;
+        return isBrouillonFait() ? getLancer().getAvancement() : getLancer() == null ? dessinateur.getAvancement() : 0;
     }
 
     /** Où il en est, et depuis combien de temps. */
@@ -165,7 +165,8 @@ final class Tracage extends SwingWorker<Void, Void> {
             return "échec";
         }
         if (lancer == null) {
-            return (resteALire() ? "lecture" : "préparation") + (isCancelled() ? " arrêtée" : "…");
+            return (resteALire() ? "lecture" : "préparation")
+                    + (isCancelled() ? " arrêtée" : " " + (int) (100 * dessinateur.getAvancement()) + " %");
         }
         return (lancer.isBrouillonFait() ? isCancelled() ? "" : "dessin " : "brouillon ")
                 + (isCancelled() ? "arrêté à " : "") + (int) (100 * lancer.getAvancement()) + " %";

@@ -23,6 +23,7 @@ import lancer.SceneFautive;
 import lancer.contrat.Modele;
 import lancer.contrat.Origines;
 import lancer.contrat.Section;
+import lancer.contrat.Suivi;
 import lancer.contrat.Variante;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -78,20 +79,25 @@ public final class LecteurScene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static LecteurScene lire(String fichier) {
+        return lire(fichier, Suivi.AUCUN);
+    }
+
+    /** De même, en disant à {@code suivi} la part lue du fichier, de 0 à 1. */
+    public static LecteurScene lire(String fichier, Suivi suivi) {
         LecteurScene lecteur = new LecteurScene(fichier);
-        lecteur.lire();
+        lecteur.lire(suivi);
         lecteur.origines.finir();
         lecteur.installer();
         return lecteur;
     }
 
-    private void lire() {
+    private void lire(Suivi suivi) {
         Path chemin = trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
         }
         try (InputStream entree = ouvrir(chemin)) {
-            lignes = new Lignes(entree);
+            lignes = new Lignes(entree, chemin.toFile().length(), suivi);
             new Decoupeur().parse(lignes, new Sections());
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());

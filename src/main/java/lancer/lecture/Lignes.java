@@ -9,6 +9,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
+import lancer.contrat.Suivi;
 import lancer.texte.Texte;
 
 /**
@@ -27,6 +28,9 @@ final class Lignes extends Reader {
 
     private final InputStream entree;
     private final byte[] tampon = new byte[TAMPON];
+    private final long aLire;
+    private final Suivi suivi;
+    private long total;
     private int suivant;
     private int lus;
     /** La ligne en cours : ses octets sans sa fin, ce qui en est donné, et combien l'est déjà. */
@@ -36,8 +40,11 @@ final class Lignes extends Reader {
     private int donnes;
     private int numero;
 
-    Lignes(InputStream entree) {
+    /** @param aLire la longueur du fichier, en octets ; ce n'est qu'une promesse */
+    Lignes(InputStream entree, long aLire, Suivi suivi) {
         this.entree = entree;
+        this.aLire = aLire;
+        this.suivi = suivi;
     }
 
     /** Le numéro de la dernière ligne donnée, à partir de 1. */
@@ -106,6 +113,8 @@ final class Lignes extends Reader {
             }
             suivant = 0;
             lus = Math.max(0, entree.read(tampon, 0, TAMPON));
+            total += lus;
+            suivi.fait(Math.min(1, (double) total / Math.max(1, aLire)));
         }
         return suivant == lus ? -1 : tampon[suivant++] & 0xFF;
     }

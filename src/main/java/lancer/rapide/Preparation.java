@@ -10,6 +10,7 @@ import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
+import lancer.contrat.Suivi;
 import lancer.fils.Equipe;
 
 /**
@@ -54,6 +55,11 @@ public final class Preparation {
     /** Au-dessous de ce nombre de sphères, un fil coûte plus à lancer qu'il ne fait gagner. */
     private static final int SPHERES_PAR_FIL = 200;
 
+    /** Ce qui est fait du travail après l'arbre, le rangement et les autres structures, à peu près. */
+    private static final double PART_ARBRE = 0.3;
+    private static final double PART_RANGEMENT = 0.4;
+    private static final double PART_STRUCTURES = 0.9;
+
     /** Ce qu'un test peut imposer, au lieu du choix. */
     enum Genre { AU_CHOIX, MASQUES, CARTES, ARBRE }
 
@@ -79,16 +85,22 @@ public final class Preparation {
      * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
      */
     public static Recherche pour(Scene scene, Camera camera) {
+        return pour(scene, camera, Suivi.AUCUN);
+    }
+
+    /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
+    public static Recherche pour(Scene scene, Camera camera, Suivi suivi) {
         long questions = (long) camera.getLargeur() * camera.getHauteur() * (2 + scene.getLampes().size());
         return questions <= QUESTIONS_MIN ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
-                : pour(scene, camera, Genre.AU_CHOIX);
+                : pour(scene, camera, Genre.AU_CHOIX, suivi);
     }
 
-    static Recherche pour(Scene scene, Camera camera, Genre genre) {
-        return new RechercheRapide(new Preparation(scene, camera).faire(genre), new Compteurs());
+    static Recherche pour(Scene scene, Camera camera, Genre genre, Suivi suivi) {
+        return new RechercheRapide(new Preparation(scene, camera).faire(genre, suivi), new Compteurs());
     }
 
-    private Structures faire(Genre genre) {
+    private Structures faire(Genre genre, Suivi suivi) {
+        suivi.fait(PART_ARBRE);
         int n = spheres.nombre;
         Boite boite = Boite.de(spheres, spheres.toutes());
         double portee = Math.max(boite.portee(), Camera.FOCALE);
@@ -112,7 +124,9 @@ public final class Preparation {
         if (genre == Genre.AU_CHOIX && n > SPHERES_PAR_PIXEL * pixels) {
             return structures;
         }
+        suivi.fait(PART_RANGEMENT);
         construire();
+        suivi.fait(PART_STRUCTURES);
         return genre == Genre.CARTES ? structures : new Sondage(scene, camera, equipe).choisir(structures);
     }
 

@@ -7,10 +7,10 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Timer;
 import java.util.TimerTask;
-import lancer.Lancer;
+import java.util.function.DoubleSupplier;
 
-/** Une barre sur l'erreur standard pendant un dessin qui dure ; rien si ce n'est pas un terminal, ou si c'est bref. */
-final class BarreProgression extends TimerTask {
+/** Une barre sur l'erreur standard pendant un travail qui dure ; rien si ce n'est pas un terminal, ou si c'est bref. */
+public final class BarreProgression extends TimerTask {
 
     private static final int LARGEUR = 40;
 
@@ -20,18 +20,19 @@ final class BarreProgression extends TimerTask {
     /** Ce vers quoi va l'erreur standard, sur Linux : Java ne sait pas le dire. */
     private static final Path ERREUR_STANDARD = Paths.get("/proc/self/fd/2");
 
-    private final Lancer lancer;
+    private final DoubleSupplier avancement;
     private final PrintStream terminal;
     private final Timer horloge = new Timer("lancer-barre", true);
     private boolean visible;
     private boolean effacee;
 
-    BarreProgression(Lancer lancer, PrintStream terminal) {
-        this.lancer = lancer;
+    /** @param avancement la part faite, de 0 à 1 */
+    public BarreProgression(DoubleSupplier avancement, PrintStream terminal) {
+        this.avancement = avancement;
         this.terminal = terminal;
     }
 
-    void commencer() {
+    public void commencer() {
         if (surUnTerminal()) {
             horloge.schedule(this, PERIODE_MS, PERIODE_MS);
         }
@@ -51,13 +52,13 @@ final class BarreProgression extends TimerTask {
     public synchronized void run() {
         if (!effacee) {
             visible = true;
-            terminal.print(ligne(lancer.getAvancement()));
+            terminal.print(ligne(avancement.getAsDouble()));
             terminal.flush();
         }
     }
 
     /** Efface la barre, et rend la ligne au terminal. */
-    synchronized void finir() {
+    public synchronized void finir() {
         horloge.cancel();
         effacee = true;
         if (visible) {

@@ -20,6 +20,9 @@ public interface Dessinateur {
      */
     List<String> lireScene(String fichier);
 
+    /** La part faite de la lecture, ou de la préparation, de 0 à 1. */
+    double getAvancement();
+
     /** Comment dessiner la scène lue, tant que {@link #regler} n'en dit pas plus. */
     ReglagesDessin getReglages();
 

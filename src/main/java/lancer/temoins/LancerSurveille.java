@@ -8,6 +8,7 @@ import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
+import lancer.contrat.Suivi;
 import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.fils.Equipe;
@@ -37,9 +38,14 @@ public final class LancerSurveille extends Lancer {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
+        return preparer(scene, largeur, hauteur, simple, Suivi.AUCUN);
+    }
+
+    /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
+    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, Suivi suivi) {
         Camera camera = new Camera(largeur, hauteur);
         scene.setRecherche(simple ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
-                : Preparation.pour(scene, camera));
+                : Preparation.pour(scene, camera, suivi));
         return new LancerSurveille(scene, camera);
     }
 

@@ -166,7 +166,7 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.frapperCtrl('O');
         choisir(longue);
         JProgressBar avancement = chercher("avancement", JProgressBar.class);
-        attendre("elle se lit", () -> avancement.getString().startsWith("lecture…"));
+        attendre("elle se lit", () -> avancement.getString().startsWith("lecture "));
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("la lecture est arrêtée", () -> avancement.getString().startsWith("lecture arrêtée — "));
@@ -174,6 +174,35 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 est à la scène montrée", attendue(L, H));
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+    }
+
+    @Test
+    void ouEnSontLaLectureEtLaPreparationSeDit() throws Exception {
+        CountDownLatch lecture = new CountDownLatch(1);
+        String[] args = {TAILLE, scene.toString()};
+        double[] part = {0.42};
+        banc = new BancFenetre(new BancFenetre.MainLent(args) {
+            @Override
+            public List<String> lireScene(String fichier) {
+                if (getImage() != null) {
+                    FenetreTest.attendreSansEtreInterrompu(lecture);
+                }
+                return super.lireScene(fichier);
+            }
+
+            @Override
+            public double getAvancement() {
+                return part[0];
+            }
+        });
+        banc.imageAchevee();
+        banc.frapper(KeyEvent.VK_F5);
+        JProgressBar avancement = chercher("avancement", JProgressBar.class);
+        attendre("la part lue", () -> avancement.getString().startsWith("lecture 42 % — ") && avancement.getValue() == 420);
+        part[0] = 0.73;
+        attendre("elle avance", () -> avancement.getString().startsWith("lecture 73 % — "));
+        lecture.countDown();
+        banc.imageAchevee();
     }
 
     @Test
@@ -211,7 +240,7 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.frapperCtrl('O');
         choisir(longue);
         JProgressBar avancement = chercher("avancement", JProgressBar.class);
-        attendre("elle se prépare", () -> avancement.getString().startsWith("préparation…"));
+        attendre("elle se prépare", () -> avancement.getString().startsWith("préparation "));
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("la préparation est arrêtée", () -> avancement.getString().startsWith("préparation arrêtée — "));
         preparation.countDown();

@@ -239,7 +239,7 @@ class FenetreTest extends EssaiFenetre {
         assertTrue(banc.fenetre.enCours(), "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
         JProgressBar avancement = chercher("avancement", JProgressBar.class);
-        attendre("la lecture se dit", () -> avancement.getString().startsWith("lecture…"));
+        attendre("la lecture se dit", () -> avancement.getString().startsWith("lecture "));
         banc.frapper(KeyEvent.VK_F5);
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("arrêté", () -> !banc.fenetre.enCours());
@@ -375,13 +375,21 @@ class FenetreTest extends EssaiFenetre {
     }
 
     @Test
-    void lIconeEstDessineeAPlusieursTailles() throws Exception {
+    void lIconeEstLaSceneDuCoursAPlusieursTailles() throws Exception {
         banc = new BancFenetre(lente());
         attendre("elle est là", () -> banc.cadre.getIconImages().size() == 4);
-        BufferedImage icone = (BufferedImage) banc.cadre.getIconImages().get(3);
-        Color ciel = new Color(icone.getRGB(64, 4));
-        Color boule = new Color(icone.getRGB(40, 60));
-        assertTrue(ciel.getBlue() > ciel.getRed() && boule.getRed() > 2 * boule.getGreen(), ciel + " " + boule);
+        Lancer lancer = new Lancer(new Scene("scenes/scene1.ini"), new Camera(128, 128));
+        ImageMemoire dessinee = new ImageMemoire(128, 128, false);
+        lancer.TracerPixels(dessinee, Constantes.MAX_REFLETS, 1);
+        BufferedImage icone = new BufferedImage(128, 128, BufferedImage.TYPE_INT_RGB);
+        icone.createGraphics().drawImage(banc.cadre.getIconImages().get(3), 0, 0, null);
+        int proches = 0;
+        for (int k = 0; k < 128 * 128; k++) {
+            Color a = new Color(icone.getRGB(k % 128, k / 128));
+            Color b = new Color(dessinee.getCodes()[k]);
+            proches += Math.abs(a.getRed() - b.getRed()) + Math.abs(a.getBlue() - b.getBlue()) < 8 ? 1 : 0;
+        }
+        assertTrue(proches > 128 * 128 * 3 / 4, "aux bords près, qu'elle a plus doux : " + proches);
     }
 
     @Test

@@ -9,6 +9,9 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
 import lancer.Scene;
@@ -108,6 +111,19 @@ class LectureDemesureeTest {
         refuse(", ligne 3 : ligne trop longue", ecrire(DEBUT + "rayon=1", " ", 10_000_000, ""));
         refuse(", ligne 3 : ligne trop longue", ecrire(DEBUT + ";", "x", 10_000_000, "\nrayon=1"));
         refuse(", ligne 3 : ligne trop longue", ecrire(DEBUT + ";", "\0", 2_000_000, "\nrayon=1"));
+    }
+
+    @Test
+    void laPartLueSeDitDuDebutALaFin() throws IOException {
+        Path fichier = ecrire(DEBUT + "rayon=1\n", ";\n", 200_000, "");
+        List<Double> parts = new ArrayList<>();
+        LecteurScene.lire(fichier.toString(), parts::add);
+        assertTrue(parts.size() >= 6, parts.toString());
+        assertEquals(65536.0 / Files.size(fichier), parts.get(0));
+        assertEquals(1, parts.get(parts.size() - 1));
+        List<Double> croissantes = new ArrayList<>(parts);
+        Collections.sort(croissantes);
+        assertEquals(croissantes, parts);
     }
 
     @Test

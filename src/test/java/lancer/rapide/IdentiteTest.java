@@ -105,7 +105,7 @@ class IdentiteTest {
         Dessin lisible = new Dessin(scene, camera, profondeur, 2);
         Compteurs premiers = null;
         for (Preparation.Genre genre : Preparation.Genre.values()) {
-            Dessin impose = Dessin.de(scene, camera, Preparation.pour(scene, camera, genre), profondeur);
+            Dessin impose = Dessin.de(scene, camera, Preparation.pour(scene, camera, genre, part -> { }), profondeur);
             impose.verifier(nom + ", structures imposées : " + genre, lisible);
         }
         for (int fils : new int[] {1, 2, 7}) {

@@ -4,16 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import lancer.temoins.LancerSurveille;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.RechercheSimple;
 import lancer.essai.Essai;
 import lancer.sortie.ImageMemoire;
+import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,6 +47,15 @@ class PreparerTest {
             System.arraycopy(preparee, j * 3 * 64, sienne, 0, 3 * 64);
             assertArrayEquals(ligne, sienne, "ligne " + j);
         }
+    }
+
+    @Test
+    void laPartPrepareeSeDitApresChaqueEtape() {
+        List<Double> parts = new ArrayList<>();
+        LancerSurveille.preparer(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
+        List<Double> croissantes = new ArrayList<>(new TreeSet<>(parts));
+        assertEquals(croissantes, parts);
+        assertTrue(parts.size() >= 3 && parts.get(0) > 0 && parts.get(parts.size() - 1) <= 1, parts.toString());
     }
 
     @Test

@@ -21,6 +21,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
+import lancer.contrat.Suivi;
 import lancer.contrat.Temoignage;
 import lancer.fils.Equipe;
 import lancer.temoins.LancerSurveille;
@@ -32,7 +33,7 @@ class TemoinsTest {
     private static final Camera CAMERA = new Camera(97, 61);
 
     private static Scene rapide(Scene scene, Camera camera) {
-        scene.setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX));
+        scene.setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX, Suivi.AUCUN));
         return scene;
     }
 

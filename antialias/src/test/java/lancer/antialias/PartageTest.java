@@ -71,7 +71,7 @@ class PartageTest {
         });
         modele.setEchantillonnage(methode.equals("coins") ? Antialias.coins(n, seuil) : Antialias.partage(n, seuil));
         new Inspection(new Scene(Collections.emptyList(), Collections.emptyList(), modele), new Camera(64, 64), 0, 40, 40).faire();
-        assertEquals(attendus, rayons.get());
+        assertEquals(attendus + 1, rayons.get(), "et un de nouveau, pour sa chaîne");
     }
 
     /** Chaque rayon passe par le centre d'un sous-pixel du pavé, et aucun n'est lancé deux fois. */

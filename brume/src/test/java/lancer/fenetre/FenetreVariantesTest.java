@@ -14,7 +14,9 @@ import java.awt.Container;
 import java.awt.Graphics;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
@@ -27,11 +29,9 @@ import org.junit.jupiter.api.Test;
 class FenetreVariantesTest extends EssaiFenetre {
 
     private int[] sansFenetre(String texte, String... options) throws Exception {
-        byte[] avant = Files.readAllBytes(scene);
-        ecrire(texte);
-        int[] codes = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, options);
-        Files.write(scene, avant);
-        return codes;
+        Path autre = Files.createTempFile(dossier, "autre", ".ini");
+        Files.write(autre, texte.getBytes(StandardCharsets.UTF_8));
+        return BancFenetre.pixelsSansFenetre(dossier, autre, L, H, options);
     }
 
     private void ouvrir() throws Exception {

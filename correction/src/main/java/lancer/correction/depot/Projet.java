@@ -36,15 +36,15 @@ public final class Projet {
         List<String> remarques = new ArrayList<>(rendu.getRemarques());
         Map<String, Map<String, List<Source>>> groupes = new TreeMap<>();
         for (Map.Entry<String, byte[]> fichier : rendu.getSources().entrySet()) {
-            Source source = Source.lire(fichier.getKey(), fichier.getValue());
-            // Tests : c'est le nôtre qui note, pas la copie de l'étudiant
-            if (!DE_TEST.matcher(source.chemin).matches() && !source.classe.equals("Tests")
-                    && !source.classe.equals("module-info")
-                    && !source.classe.equals("package-info")) {
-                Matcher m = VARIANTE.matcher(source.racine);
-                String partie = m.find() ? variante(m.group(1)) : "";
-                groupes.computeIfAbsent(partie, p -> new TreeMap<>())
-                        .computeIfAbsent(source.racine, r -> new ArrayList<>()).add(source);
+            for (Source source : Source.lire(fichier.getKey(), fichier.getValue())) {
+                // Tests : c'est le nôtre qui note, pas la copie de l'étudiant
+                if (!DE_TEST.matcher(source.chemin).matches()
+                        && !List.of("Tests", "module-info", "package-info").contains(source.classe)) {
+                    Matcher m = VARIANTE.matcher(source.racine);
+                    String partie = m.find() ? variante(m.group(1)) : "";
+                    groupes.computeIfAbsent(partie, p -> new TreeMap<>())
+                            .computeIfAbsent(source.racine, r -> new ArrayList<>()).add(source);
+                }
             }
         }
         Map<String, Map<String, String>> variantes = new LinkedHashMap<>();

@@ -4,6 +4,8 @@ import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
@@ -23,7 +25,7 @@ public final class Source {
             Pattern.compile("(?ms)^    \\w[^;{}=]*?(\\w+)\\([^()]*\\) \\{\n(.*?)^    \\}");
     private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
             + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
-    /** Ce qui n'est pas du code : un commentaire, un texte, un caractère. Possessif : sans quoi un long texte épuise la pile. */
+    /** Un commentaire, un texte, un caractère. Possessif : sans quoi un long texte épuise la pile. */
     private static final Pattern HORS_CODE = Pattern.compile("/\\*.*?(?:\\*/|\\z)|//[^\n]*"
             + "|\"(?:\\\\.|[^\"\\\\\n])*+\"|'(?:\\\\.|[^'\\\\\n])*+'", Pattern.DOTALL);
 
@@ -45,7 +47,40 @@ public final class Source {
         this.remarque = remarque;
     }
 
-    static Source lire(String chemin, byte[] octets) {
+    /** Une source pour chaque classe de ce fichier, à leurs lignes : il peut en avoir plusieurs. */
+    static List<Source> lire(String chemin, byte[] octets) {
+        Source tout = entier(chemin, octets);
+        String dehors = dehors(tout.texte);
+        List<String> noms = new ArrayList<>();
+        List<Integer> bornes = new ArrayList<>();
+        Matcher m = DECLARATION.matcher(dehors);
+        int fin = 0;
+        while (m.find(fin)) {
+            bornes.add(noms.isEmpty() ? dehors.lastIndexOf(';', m.start()) + 1 : fin);
+            int suivant = dehors.indexOf('}', m.end()) + 1;
+            if (suivant == 0 || !noms.isEmpty() && dehors.substring(fin, m.start()).matches("(?s).*[{};].*")) {
+                return List.of(tout);
+            }
+            noms.add(m.group(1));
+            fin = suivant;
+        }
+        if (noms.size() < 2 || !dehors.substring(fin).isBlank()) {
+            return List.of(tout);
+        }
+        bornes.add(tout.texte.length());
+        List<Source> sources = new ArrayList<>();
+        for (int k = 0; k < noms.size(); k++) {
+            String avant = tout.texte.substring(bornes.get(0), bornes.get(k));
+            sources.add(new Source(chemin, noms.get(k), tout.racine, tout.paquet, tout.texte.substring(0, bornes.get(0))
+                    + blancs(avant) + tout.texte.substring(bornes.get(k), bornes.get(k + 1)),
+                    k > 0 ? null : tout.remarque != null || !noms.stream().anyMatch(n -> Modele.classes().contains(n)
+                    && !n.equals(tout.classe)) ? tout.remarque
+                    : chemin + " contient plusieurs classes (" + String.join(", ", noms) + ") : jugées à part"));
+        }
+        return sources;
+    }
+
+    private static Source entier(String chemin, byte[] octets) {
         String nom = chemin.substring(chemin.lastIndexOf('/') + 1);
         String classe = nom.substring(0, nom.length() - ".java".length());
         String dossier = chemin.substring(0, chemin.length() - nom.length());
@@ -57,7 +92,8 @@ public final class Source {
         }
         Matcher m = PAQUET.matcher(sansCommentaires(texte));
         String paquet = m.find() ? m.group(1) : "";
-        boolean duCours = Modele.classes().contains(classe) || classe.equals("Tests");
+        boolean duCours = Modele.classes().contains(classe) || classe.equals("Tests")
+                || DECLARATION.matcher(dehors(texte)).results().anyMatch(d -> Modele.classes().contains(d.group(1)));
         String racine = dossier;
         if (!paquet.isEmpty()) {
             String suffixe = paquet.replace('.', '/') + "/";
@@ -83,8 +119,26 @@ public final class Source {
 
     /** Le même texte, les commentaires remplacés par autant de blancs. */
     static String sansCommentaires(String texte) {
-        return HORS_CODE.matcher(texte).replaceAll(m -> m.group().startsWith("/") ? m.group().replaceAll("[^\n]", " ")
+        return HORS_CODE.matcher(texte).replaceAll(m -> m.group().startsWith("/") ? blancs(m.group())
                 : Matcher.quoteReplacement(m.group()));
+    }
+
+    private static String blancs(String texte) {
+        return texte.replaceAll("[^\n]", " ");
+    }
+
+    /** Le même texte, où il n'y a plus que ce qui n'est dans aucune classe, et les accolades de celles-ci. */
+    private static String dehors(String texte) {
+        char[] lettres = HORS_CODE.matcher(texte).replaceAll(m -> blancs(m.group())).toCharArray();
+        int niveau = 0;
+        for (int k = 0; k < lettres.length; k++) {
+            int avant = niveau;
+            niveau = Math.max(0, niveau + (lettres[k] == '{' ? 1 : lettres[k] == '}' ? -1 : 0));
+            if (avant > 0 && niveau > 0) {
+                lettres[k] = ' ';
+            }
+        }
+        return new String(lettres);
     }
 
     /** Pourquoi ce fichier est à laisser de côté : ce qu'il déclare cacherait ce qui ne lui appartient pas. */
@@ -92,13 +146,7 @@ public final class Source {
         if (RESERVES.matcher(paquet).matches()) {
             return "le paquet « " + paquet + " » n'est pas à vous";
         }
-        StringBuilder dehors = new StringBuilder();
-        int niveau = 0;
-        for (char c : HORS_CODE.matcher(texte).replaceAll(" ").toCharArray()) {
-            niveau = Math.max(0, niveau + (c == '{' ? 1 : c == '}' ? -1 : 0));
-            dehors.append(niveau == 0 ? c : ' ');
-        }
-        Matcher m = DECLARATION.matcher(dehors);
+        Matcher m = DECLARATION.matcher(dehors(texte));
         while (paquet.equals("lancer") && m.find()) {
             if (m.group(1).equals(Modele.APPELS) || Modele.SONDES.contains(m.group(1))) {
                 return "il déclare une classe " + m.group(1) + " qui cacherait celle de la correction";

@@ -82,7 +82,7 @@ final class PageEleve {
             html.brut("<h2>").dire(fautes.size() == 1 ? "Une faute de compilation" : fautes.size()
                     + " fautes de compilation").brut("</h2>\n")
                     .element("p class=\"petit gris\"",
-                    "Seules les méthodes où elles sont en souffrent ; le reste a été jugé.").brut("<ul>");
+                    "Une faute ne coûte que la méthode où elle est, ou sa classe si elle n'est dans aucune.").brut("<ul>");
             for (Faute faute : fautes.stream().limit(FAUTES_MONTREES).collect(Collectors.toList())) {
                 html.brut("<li>").element("code", faute).brut("</li>");
             }
@@ -148,8 +148,8 @@ final class PageEleve {
                 .dire(resultat.centre ? ". Votre getCouleurPixel vise un demi-pixel plus loin que (xe, ye), au centre "
                 + "du pixel : le corrigé aussi, ici." : ".");
         if (!resultat.classesFautives.isEmpty()) {
-            html.dire(" Seules parmi les classes du corrigé, changent l'image : ")
-                    .element("strong", String.join(", ", resultat.classesFautives)).dire(".");
+            html.dire(" Cela vient de ").element("strong", String.join(", ", resultat.classesFautives))
+                    .dire(" (une classe est en cause si, seule parmi celles du corrigé, elle change l'image).");
         }
         html.brut("</p>\n");
         figure("la vôtre", Html.image(lui.largeur, lui.hauteur, lui::code, "l'image du rendu"));

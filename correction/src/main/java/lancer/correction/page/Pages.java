@@ -125,7 +125,8 @@ public final class Pages {
         html.brut("</table>\n<p class=\"petit gris\">")
                 .dire("Dans chaque case, les vérifications réussies, toutes les classes ensemble ou chacune seule "
                 + "parmi celles du corrigé. Vert : tout ; jaune : une partie ; rouge : rien ; gris : pas commencé, "
-                + "ou non évaluable.").brut("</p>\n");
+                + "ou non évaluable. Les points de chaque étape sont dans le barème (bareme.ini) : le changer et "
+                + "relancer la même commande ne refait que les notes.").brut("</p>\n");
         return html.page("La classe");
     }
 

@@ -220,6 +220,21 @@ class DepotTest {
     }
 
     @Test
+    void plusieursClassesDansUnFichierSontAutantDeClassesAuxMemesLignes() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
+        ecrire(projet.resolve("TP.java"), "import java.util.List; // {\nclass Vecteur { char c = '}';\n static class Point { } }\n"
+                + "/** Un point. */ @Deprecated final class Point { }\nenum Outil { A }\n");
+        ecrire(projet.resolve("Sphere.java"), "package lancer; class Sphere { } }\n void f() { }\n class Scene { }");
+        Projet lu = Projet.lire(lire(rendus).get("11"));
+        assertEquals("[lancer/Outil, lancer/Point, lancer/Sphere, lancer/Vecteur]", lu.getBase().keySet().toString(),
+                "une accolade de trop ne fait pas deux classes");
+        assertEquals("package lancer; import java.util.List; // {\nclass Vecteur { char c = '}';\n static class Point { } }",
+                lu.texte("Vecteur"));
+        assertEquals("package lancer; import java.util.List;\n\n\n/** Un point. */ @Deprecated final class Point { }",
+                lu.texte("Point").replaceAll(" +(?=\n)", ""));
+    }
+
+    @Test
     void unTexteDemesureSeLitCommeUnAutre() throws IOException {
         Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
         ecrire(projet.resolve("A.java"), "\n".repeat(900_000));
@@ -235,7 +250,10 @@ class DepotTest {
         Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
         ecrire(projet.resolve("A.java"), "package lancer; class A { char c = '{'; String s = \"{ // \"; } /* { */ class Math { }");
         ecrire(projet.resolve("B.java"), "package lancer; class B { static class Math { } String s = \"} class Math\"; }");
-        assertEquals(List.of("lancer/B"), List.copyOf(Projet.lire(lire(rendus).get("11")).getBase().keySet()));
+        Projet lu = Projet.lire(lire(rendus).get("11"));
+        assertEquals("[lancer/A, lancer/B]", lu.getBase().keySet().toString(), "Math n'y est pas");
+        assertEquals(List.of("lancer/A.java : laissé de côté, il déclare une classe Math qui cacherait celle de Java"),
+                lu.getRemarques());
     }
 
     @Test

@@ -43,7 +43,7 @@ class FautesTest extends JuryEssai {
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Lancer.java"));
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Brume.java"),
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Brume.java"));
-        resultats = juger(rendus, dossier.resolve("travail"), Confinement.essayer());
+        resultats = juger(rendus, dossier.resolve("travail"), Confinement.essayer(), PATIENTES);
     }
 
     private static void verifier(String faute, String... etapes) {
@@ -55,9 +55,18 @@ class FautesTest extends JuryEssai {
     }
 
     @Test
+    void ceQueDitLeCompilateurSeLitSansConnaitreSaGrammaire() {
+        assertEquals("A.java:3 : syntaxe : il manque « ; »",
+                new Faute("lancer/A.java", 3, "Syntax error, insert \";\" to complete BlockStatements").toString());
+        assertEquals("A.java:3 : syntaxe incorrecte ici : une accolade, une parenthèse de trop, ou de moins ?",
+                new Faute("lancer/A.java", 3, "Syntax error, insert \":: IdentifierOrNew\" to complete Expression").toString());
+    }
+
+    @Test
     void uneRacineNegativeEstUneFauteDeLaSphere() {
         verifier("racine-negative", "sphere", "brume");
-        assertEquals(List.of("Sphere"), resultats.get("racine-negative").classesFautives);
+        assertEquals(List.of("Sphere"), resultats.get("racine-negative").classesFautives,
+                resultats.get("racine-negative").remarques.toString());
     }
 
     @Test
