@@ -140,8 +140,9 @@ public final class Volet extends Courbe {
         }
         axeX = new Axe(nomX, minX / jeu(minX, maxX), maxX * jeu(minX, maxX));
         axeX.setInverted(versZero);
-        axeY = new Axe(nomY, minY / jeu(minY, maxY), maxY * jeu(minY, maxY));
-        if (rangees != null) {
+        if (rangees == null) {
+            axeY = new Axe(nomY, minY / jeu(minY, maxY), maxY * jeu(minY, maxY));
+        } else {
             SymbolAxis noms = new SymbolAxis(null, rangees);
             noms.setGridBandsVisible(false);
             noms.setInverted(true);

@@ -123,7 +123,7 @@ final class Constats {
             Optional<Releve> premier = methodes(scene).get().stream().filter(r -> !r.methode.equals(Catalogue.POVRAY))
                     .filter(r -> !r.methode.equals(Catalogue.AUTO) && r.erreur().max <= palier)
                     .min(Comparator.comparingDouble(r -> r.rapport().valeur));
-            s.append(" | ").append(premier.map(r -> Noms.methode(r) + ", × " + Style.arrondi(r.rapport().valeur)).orElse("rien"));
+            s.append(" | ").append(premier.map(r -> Noms.methode(r) + " : " + Noms.rapport(r.rapport())).orElse("rien"));
         }
         return s.substring(" | ".length());
     }
