@@ -9,8 +9,8 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
-	comparer reponses mesure-corriger image-classe aide propre
+.PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
+	comparer reponses mesure-corriger image-classe image-reglages image-inspecteur aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils
@@ -57,14 +57,6 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	    $(JAVA) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
 	done
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images $(NEUVES)/icones src/main/resources/lancer/fenetre
-
-# Les captures d'écran du README, sur un écran à elles.
-captures: mesures/target/mesures.jar
-	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
-	@rm -rf target/captures && mkdir -p target/captures
-	@xvfb-run -a -s "-screen 0 1600x900x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
-	    -cp mesures/target/mesures.jar lancer.mesures.Captures target/captures
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images target/captures images
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
@@ -140,6 +132,17 @@ image-classe: $(CORRECTION)
 	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1420 \
 	    --screenshot=images/classe.png "file://$(CURDIR)/target/classe-image/index.html" 2>/dev/null
 
+# La fenêtre et les paramètres des variantes, tels que le README les montre.
+image-reglages: blinn/target/blinn.jar
+	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
+	@xvfb-run -a -s "-screen 0 1600x900x24" $(JAVA) -Djava.util.prefs.userRoot=target -cp blinn/target/blinn.jar:target/test-classes \
+	    lancer.fenetre.CaptureReglages images/fenetre-reglages.png scenes/bowling.ini
+
+# La fenêtre et son inspecteur, tels que le README les montre.
+image-inspecteur: $(BASE)
+	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
+	@$(XVFB) $(JAVA) -cp $(BASE):target/test-classes lancer.fenetre.CaptureInspecteur images/inspecteur.png 405 360 scenes/scene1.ini
+
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -148,7 +151,6 @@ aide:
 	@echo "make javadoc               la documentation des classes : target/reports/apidocs/index.html, et de même chaque module"
 	@echo "make lanceurs              lance les tests du cours par douze autres lanceurs JUnit, de la version 1.9.3 à la 1.14.4"
 	@echo "make images                refait les images du README"
-	@echo "make captures              refait les captures d'écran du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
 	@echo "make bench                 dessine de 10 à 1000000 boules, vérifie et mesure ; BANC=\"--scenes foule\" pour choisir"
 	@echo "make noyaux                mesure une intersection, une recherche, un éclairement ; JMH=\"-f 3\" pour ses options"
@@ -158,6 +160,8 @@ aide:
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
 	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"
+	@echo "make image-reglages        refait l'image des réglages du README"
+	@echo "make image-inspecteur      refait l'image de l'inspecteur du README"
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corriger RENDUS=…     note les rendus d'une classe ; NOTES=feuille.csv de Moodle, BAREME=points.ini, SORTIE=dossier"

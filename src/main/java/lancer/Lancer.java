@@ -51,7 +51,6 @@ public class Lancer {
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
         scene.getCompteurs().primaires++;
-        Ecoute.depart(scene.ecoute, xe, ye);
         Rayon initial = camera.getRayon(xe, ye);
         return scene.getCouleurVue(initial, null, profondeur);
     }
@@ -167,7 +166,14 @@ public class Lancer {
         @Override
         public Couleur couleur(double xe, double ye) {
             equipe.verifier();
-            return sien.voir(xe, ye, profondeur);
+            Couleur couleur = sien.voir(xe, ye, profondeur);
+            Ecoute.regard(scene.ecoute, xe, ye, couleur);
+            return couleur;
+        }
+
+        @Override
+        public void compter(Couleur couleur, double poids) {
+            Ecoute.compte(scene.ecoute, couleur, poids);
         }
 
         @Override

@@ -13,6 +13,7 @@ import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.fenetre.Fenetre;
+import lancer.fils.Suivi;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.lecture.LecteurScene;
@@ -40,6 +41,12 @@ public class Main implements Toile, Dessinateur {
     private volatile String fichier;
     private volatile ReglagesDessin reglages;
     private volatile double avancement;
+    private final Suivi suivi = new Suivi() {
+        @Override
+        public void fait(double part) {
+            avancement = part;
+        }
+    };
     private long lectureNs;
     private long preparationNs;
     private volatile ImageMemoire image;
@@ -129,7 +136,7 @@ public class Main implements Toile, Dessinateur {
     public List<String> lireScene(String nomFichier) {
         avancement = 0;
         long debut = System.nanoTime();
-        LecteurScene lu = LecteurScene.lire(nomFichier, part -> avancement = part);
+        LecteurScene lu = LecteurScene.lire(nomFichier, suivi);
         ReglagesDessin demandes = ReglagesDessin.de(lu, options);
         Scene nouvelle = demandes.regler(new Scene(lu));
         if (Thread.currentThread().isInterrupted()) {
@@ -177,7 +184,7 @@ public class Main implements Toile, Dessinateur {
         avancement = 0;
         long debut = System.nanoTime();
         Lancer nouveau = LancerSurveille.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple,
-                part -> avancement = part);
+                suivi);
         preparationNs = System.nanoTime() - debut;
         return nouveau;
     }

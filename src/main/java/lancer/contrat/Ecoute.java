@@ -15,8 +15,11 @@ import lancer.Vecteur;
  */
 public interface Ecoute {
 
-    /** Un rayon part de l'écran en (xe, ye). */
-    void auDepart(double xe, double ye);
+    /** Ce que voit enfin le rayon parti de l'écran en (xe, ye). */
+    void auRegard(double xe, double ye, Couleur couleur);
+
+    /** La couleur d'un regard, celle-là même, compte tant dans le pixel en cours. */
+    void auCompte(Couleur couleur, double poids);
 
     /** Un contact : sa normale, et le miroir du rayon. */
     void auContact(PointContact contact, Vecteur N, Vecteur R);
@@ -42,9 +45,15 @@ public interface Ecoute {
     /** Ce que voit un rayon : la somme de son contact, ou le ciel si {@code contact} est nul, puis à travers l'air. */
     void aLaVue(PointContact contact, Couleur somme, Couleur vue);
 
-    static void depart(Ecoute e, double xe, double ye) {
+    static void regard(Ecoute e, double xe, double ye, Couleur couleur) {
         if (e != null) {
-            e.auDepart(xe, ye);
+            e.auRegard(xe, ye, couleur);
+        }
+    }
+
+    static void compte(Ecoute e, Couleur couleur, double poids) {
+        if (e != null) {
+            e.auCompte(couleur, poids);
         }
     }
 

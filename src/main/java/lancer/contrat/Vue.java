@@ -16,4 +16,8 @@ public interface Vue {
     default long rayons() {
         return 0;
     }
+
+    /** Dit, à qui écoute, que cette couleur, qu'a rendue {@link #couleur}, compte tant dans le pixel en cours. */
+    default void compter(Couleur couleur, double poids) {
+    }
 }

@@ -106,9 +106,9 @@ final class Dialogues {
                 + "Ctrl+Maj+C   copier les réglages\n"
                 + "Ctrl+1, Ctrl+0, F11   taille demandée, remplir la fenêtre, plein écran\n"
                 + "molette, Ctrl+Haut, Ctrl+Bas   loupe ; la tirer la déplace\n"
-                + "un clic   les rayons du pixel\n"
+                + "Clic sur un pixel   pourquoi il a sa couleur ; flèches   le pixel voisin, Maj   de dix en dix\n"
                 + "F5   relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi\n"
-                + "Échap   arrêter le dessin, ou quitter le plein écran\n"
+                + "Échap   arrêter le dessin ; sinon, fermer l'inspecteur, ou quitter le plein écran\n"
                 + "Ctrl+Q   quitter\n"
                 + "F1   ces touches", "Touches", JOptionPane.PLAIN_MESSAGE);
         parent.requestFocus();

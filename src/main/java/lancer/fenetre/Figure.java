@@ -20,13 +20,18 @@ import lancer.inspection.Eclairage;
 import lancer.inspection.Etape;
 import lancer.inspection.Inspection;
 
-/** La chaîne d'un pixel, tracée par-dessus l'image : ses contacts, ses rayons, ses lampes. Calculée une fois, peinte souvent. */
+/** La chaîne d'un pixel par-dessus l'image : contacts, rayons, lampes. Calculée une fois, peinte souvent. */
 final class Figure {
 
     private static final Color REFLET = new Color(0x66E0FF);
     private static final Color LAMPE = new Color(0xFFE040);
     private static final Color OMBRE = new Color(0xFF8A3C);
     private static final Color LISERE = new Color(0, 0, 0, 120);
+
+    private static final Stroke PLEIN = new BasicStroke(1.5f);
+    private static final Stroke LARGE = new BasicStroke(3.5f);
+    private static final Stroke TIRETE = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
+            new float[] {3, 4}, 0);
 
     /** Morceaux d'un trait, chacun plein ou tireté. */
     private static final int MORCEAUX = 48;
@@ -36,7 +41,7 @@ final class Figure {
     /** Part de la distance en deçà de laquelle un objet est devant, et non la surface où le trait s'arrête. */
     private static final double DEVANT = 1 - 1e-4;
 
-    private static final int RAYON_ANNEAU = 9;
+    private static final int ANNEAU = 9;
     private static final double POINTE = 9;
 
     private final Camera camera;
@@ -147,26 +152,24 @@ final class Figure {
         }
 
         void peindre(Graphics2D g, Rectangle place, double echelle) {
-            Stroke plein = new BasicStroke(1.5f);
-            Stroke tirete = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1, new float[] {3, 4}, 0);
             int debut = 0;
             for (int k = 1; k <= MORCEAUX; k++) {
                 if (k == MORCEAUX || derriere[k] != derriere[debut]) {
                     Line2D ligne = new Line2D.Double(place.x + echelle * x[debut], place.y + echelle * y[debut],
                             place.x + echelle * x[k], place.y + echelle * y[k]);
                     if (!derriere[debut]) {
-                        g.setStroke(new BasicStroke(3.5f));
+                        g.setStroke(LARGE);
                         g.setColor(LISERE);
                         g.draw(ligne);
                     }
-                    g.setStroke(derriere[debut] ? tirete : plein);
+                    g.setStroke(derriere[debut] ? TIRETE : PLEIN);
                     g.setColor(couleur);
                     g.draw(ligne);
                     debut = k;
                 }
             }
             if (fleche) {
-                g.setStroke(plein);
+                g.setStroke(PLEIN);
                 peindrePointe(g, place.x + echelle * x[MORCEAUX], place.y + echelle * y[MORCEAUX]);
             }
         }
@@ -188,15 +191,15 @@ final class Figure {
         for (double[] anneau : anneaux) {
             double x = place.x + echelle * anneau[0];
             double y = place.y + echelle * anneau[1];
-            Ellipse2D rond = new Ellipse2D.Double(x - RAYON_ANNEAU, y - RAYON_ANNEAU, 2 * RAYON_ANNEAU, 2 * RAYON_ANNEAU);
-            g.setStroke(new BasicStroke(3.5f));
+            Ellipse2D rond = new Ellipse2D.Double(x - ANNEAU, y - ANNEAU, 2 * ANNEAU, 2 * ANNEAU);
+            g.setStroke(LARGE);
             g.setColor(LISERE);
             g.draw(rond);
-            g.setStroke(new BasicStroke(1.5f));
+            g.setStroke(PLEIN);
             g.setColor(Color.WHITE);
             g.draw(rond);
             String numero = String.valueOf((int) anneau[2]);
-            int decalage = RAYON_ANNEAU + 2;
+            int decalage = ANNEAU + 2;
             g.setColor(Color.BLACK);
             g.drawString(numero, (float) x + decalage + 1, (float) y - decalage + 1);
             g.setColor(Color.WHITE);

@@ -82,7 +82,7 @@ final class GrilleEchantillons extends JComponent {
     protected void paintComponent(Graphics g) {
         for (int k = 0; k < echantillons.size(); k++) {
             Rectangle place = place(k);
-            g.setColor(new Color(echantillons.get(k).getCouleur().getCode()));
+            g.setColor(new Color(echantillons.get(k).couleur.getCode()));
             g.fillRect(place.x, place.y, place.width - 1, place.height - 1);
         }
         g.setColor(Color.GRAY);

@@ -15,7 +15,7 @@ import java.awt.event.WindowEvent;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
-import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
@@ -59,6 +59,7 @@ final class Inspecteur extends JDialog {
     private static final double GRAND = 1e6;
     private static final int SAUT = 10;
     private static final Color CHANGE = new Color(0xFFE9A8);
+    private static final String INACHEVEE = "L'image n'est pas achevée : rien encore à quoi comparer.";
     private static final String ARRONDI = "(nombres arrondis ; --pixel les écrit en entier)";
 
     private final transient Atelier atelier;
@@ -75,7 +76,7 @@ final class Inspecteur extends JDialog {
     private Point pixel;
     private int rang = Inspection.AU_CENTRE;
     private transient Inspection enCours;
-    private transient Inspection faite;
+    private transient List<String> dites = Collections.singletonList("");
 
     Inspecteur(Atelier atelier, PanneauImage panneau) {
         super(atelier.getCadre());
@@ -85,6 +86,8 @@ final class Inspecteur extends JDialog {
         texte.setName("recit");
         verdict.setName("verdict");
         texte.setEditable(false);
+        texte.setLineWrap(true);
+        texte.setWrapStyleWord(true);
         texte.setFont(new Font(Font.MONOSPACED, Font.PLAIN, texte.getFont().getSize()));
         texte.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         JPopupMenu menu = new JPopupMenu();
@@ -178,7 +181,6 @@ final class Inspecteur extends JDialog {
     void fermer() {
         setVisible(false);
         abandonner();
-        faite = null;
         panneau.superposer(null);
     }
 
@@ -199,10 +201,11 @@ final class Inspecteur extends JDialog {
     /** Explique le pixel, tel que le dessine ce qui dessine maintenant. */
     private void calculer() {
         Lancer lancer = atelier.getLancer();
+        abandonner();
         if (!isVisible() || lancer == null) {
+            verdict.setText(INACHEVEE);
             return;
         }
-        abandonner();
         Camera camera = lancer.getCamera();
         pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, pixel.x)),
                 Math.max(0, Math.min(camera.getHauteur() - 1, pixel.y)));
@@ -230,15 +233,15 @@ final class Inspecteur extends JDialog {
             return;
         }
         enCours = null;
-        List<String> avant = new ArrayList<>();
-        if (faite != null && faite.x == nouvelle.x && faite.y == nouvelle.y) {
-            avant = new Recit(faite, Inspecteur::arrondi).lignes();
-        }
-        faite = nouvelle;
         lignes.add(1, ARRONDI);
-        texte.setText(String.join("\n", lignes));
-        texte.setCaretPosition(0);
-        surligner(avant);
+        if (!lignes.equals(dites)) {
+            texte.setText(String.join("\n", lignes));
+            texte.setCaretPosition(0);
+            if (dites.get(0).equals(lignes.get(0))) {
+                surligner();
+            }
+            dites = lignes;
+        }
         verdict.setText(comparer(nouvelle.getCouleur()));
         grille.montrer(nouvelle);
         cote.montrer(nouvelle);
@@ -246,14 +249,12 @@ final class Inspecteur extends JDialog {
     }
 
     /** Marque les lignes que ce dessin a changées. */
-    private void surligner(List<String> avant) {
-        texte.getHighlighter().removeAllHighlights();
+    private void surligner() {
         try {
-            for (int k = 0; k < texte.getLineCount() && !avant.isEmpty(); k++) {
+            for (int k = 0; k < texte.getLineCount(); k++) {
                 int debut = texte.getLineStartOffset(k);
                 int fin = texte.getLineEndOffset(k);
-                String ligne = texte.getText(debut, fin - debut).replace("\n", "");
-                if (!avant.contains(ligne) && !ligne.equals(ARRONDI)) {
+                if (!dites.contains(texte.getText(debut, fin - debut).replace("\n", ""))) {
                     texte.getHighlighter().addHighlight(debut, fin,
                             new DefaultHighlighter.DefaultHighlightPainter(CHANGE));
                 }
@@ -267,7 +268,7 @@ final class Inspecteur extends JDialog {
     private String comparer(Couleur couleur) {
         ImageMemoire image = atelier.getImageComplete();
         if (image == null) {
-            return "L'image n'est pas achevée : rien encore à quoi comparer.";
+            return INACHEVEE;
         }
         int k = pixel.y * image.getLargeur() + pixel.x;
         float[] vu = image.getLineaire();

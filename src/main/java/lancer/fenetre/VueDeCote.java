@@ -20,7 +20,7 @@ import lancer.inspection.Eclairage;
 import lancer.inspection.Etape;
 import lancer.inspection.Inspection;
 
-/** La figure du cours : l'œil, l'écran, les sphères rencontrées et les rayons, vus de côté (z vers la droite, y vers le haut). */
+/** La figure du cours : l'œil, l'écran, les sphères rencontrées et les rayons, vus de côté (z à droite, y en haut). */
 final class VueDeCote extends JComponent {
 
     private static final long serialVersionUID = 1;

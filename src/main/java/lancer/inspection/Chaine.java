@@ -3,7 +3,9 @@ package lancer.inspection;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -18,12 +20,13 @@ import lancer.contrat.Recherche;
 /** Ce que les classes du cours disent en calculant : les échantillons pris près d'un pixel, et le dernier en détail. */
 final class Chaine implements Ecoute {
 
-    final List<Echantillon> echantillons = new ArrayList<>();
+    final Map<Couleur, Echantillon> echantillons = new IdentityHashMap<>();
+    final List<Compte> comptes = new ArrayList<>();
     final List<Etape> etapes = new ArrayList<>();
     private final Deque<Etape> ouvertes = new ArrayDeque<>();
     private final int x;
     private final int y;
-    private Echantillon echantillon;
+    private boolean finie;
     private double k;
     private Couleur air;
     private Couleur reste;
@@ -34,10 +37,16 @@ final class Chaine implements Ecoute {
     }
 
     @Override
-    public void auDepart(double xe, double ye) {
-        etapes.clear();
-        ouvertes.clear();
-        echantillon = new Echantillon(xe, ye);
+    public void auRegard(double xe, double ye, Couleur couleur) {
+        finie = true;
+        if (xe >= x && xe < x + 2 && ye >= y && ye < y + 2) {
+            echantillons.put(couleur, new Echantillon(xe, ye, couleur));
+        }
+    }
+
+    @Override
+    public void auCompte(Couleur couleur, double poids) {
+        comptes.add(new Compte(echantillons.get(couleur), poids));
     }
 
     @Override
@@ -49,6 +58,10 @@ final class Chaine implements Ecoute {
     }
 
     private Etape ajouter(PointContact contact) {
+        if (finie) {
+            etapes.clear();
+            finie = false;
+        }
         Etape etape = new Etape(etapes.size() + 1, contact);
         etapes.add(etape);
         return etape;
@@ -111,12 +124,6 @@ final class Chaine implements Ecoute {
         etape.air = air;
         etape.reste = reste;
         air = null;
-        if (ouvertes.isEmpty()) {
-            echantillon.couleur = vue;
-            if (echantillon.xe >= x && echantillon.xe < x + 2 && echantillon.ye >= y && echantillon.ye < y + 2) {
-                echantillons.add(echantillon);
-            }
-        }
     }
 
     /** Cherche, de chaque lampe cachée, ce qui la cache le plus près d'elle. */

@@ -9,15 +9,12 @@ public final class Echantillon {
     public final double xe;
     public final double ye;
 
-    Couleur couleur;
+    public final Couleur couleur;
 
-    Echantillon(double xe, double ye) {
+    Echantillon(double xe, double ye, Couleur couleur) {
         this.xe = xe;
         this.ye = ye;
-    }
-
-    public Couleur getCouleur() {
-        return couleur;
+        this.couleur = couleur;
     }
 
     /** Vrai s'il est pris dans ce pixel, et non dans un voisin qui le partage. */

@@ -1,5 +1,7 @@
 package lancer.inspection;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
@@ -36,6 +38,8 @@ public final class Inspection implements Echantillonnage, Toile {
     private List<Echantillon> echantillons;
     private Echantillon choisi;
     private int voulu;
+    /** Ce que comptent les échantillons, dans l'ordre ; vide si le pixel en est la moyenne. */
+    List<Compte> comptes;
 
     /**
      * @param profondeur nombre de réflexions permises
@@ -102,7 +106,7 @@ public final class Inspection implements Echantillonnage, Toile {
         }
         chaine.echantillons.clear();
         entier.tracer(entier.parPixel() ? new Pave(x, y, x + 1, y + 1) : pave, vue, toile);
-        echantillons = garder(chaine.echantillons);
+        echantillons = garder(chaine.echantillons.values());
         if (!echantillons.isEmpty()) {
             choisi = voulu == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))
                     : echantillons.get(Math.min(voulu, echantillons.size() - 1));
@@ -113,7 +117,7 @@ public final class Inspection implements Echantillonnage, Toile {
     }
 
     /** Sans ceux des voisins que ce pixel ne partage pas : seule leur première ligne, ou colonne, le touche. */
-    private List<Echantillon> garder(List<Echantillon> vus) {
+    private List<Echantillon> garder(Collection<Echantillon> vus) {
         double droite = vus.stream().mapToDouble(e -> e.xe).filter(xe -> xe >= x + 1).min().orElse(x + 1);
         double bas = vus.stream().mapToDouble(e -> e.ye).filter(ye -> ye >= y + 1).min().orElse(y + 1);
         return vus.stream().filter(e -> e.xe <= droite && e.ye <= bas)
@@ -129,6 +133,8 @@ public final class Inspection implements Echantillonnage, Toile {
     public void drawPixel(Couleur coul, int i, int j) {
         if (i == x && j == y) {
             couleur = coul;
+            comptes = new ArrayList<>(chaine.comptes);
         }
+        chaine.comptes.clear();
     }
 }

@@ -36,11 +36,17 @@ public final class Recit {
 
     private void dire(List<Echantillon> echantillons) {
         long siens = echantillons.stream().filter(e -> e.estDans(pixel.x, pixel.y)).count();
-        lignes.add(siens == echantillons.size() ? siens + " échantillons, dont le pixel est la moyenne"
-                : siens + " échantillons, " + (echantillons.size() - siens)
-                        + " partagés avec les voisins ; le pixel est la moyenne de ce qui s'interpole entre eux");
+        lignes.add(siens + " échantillons" + (siens == echantillons.size() ? ""
+                : " et " + (echantillons.size() - siens) + " partagés avec les voisins")
+                + (pixel.comptes.isEmpty() ? ", dont le pixel est la moyenne" : ""));
         for (Echantillon e : echantillons) {
             lignes.add("  " + point(e) + (e.estDans(pixel.x, pixel.y) ? " : " : " (partagé) : ") + ecrire(e.couleur));
+        }
+        if (!pixel.comptes.isEmpty()) {
+            lignes.add(pixel.comptes.size() + " termes, dont le pixel est la somme divisée par celle des poids");
+        }
+        for (Compte compte : pixel.comptes) {
+            lignes.add("  " + nombre.apply(compte.poids) + " × " + point(compte.echantillon));
         }
         lignes.add("chaîne de l'échantillon " + point(pixel.getChoisi()));
     }

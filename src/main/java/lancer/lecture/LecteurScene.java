@@ -16,7 +16,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.DoubleConsumer;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -25,6 +24,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Origines;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
+import lancer.fils.Suivi;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 import org.ini4j.Config;
@@ -79,11 +79,11 @@ public final class LecteurScene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static LecteurScene lire(String fichier) {
-        return lire(fichier, part -> { });
+        return lire(fichier, Suivi.AUCUN);
     }
 
     /** De même, en disant à {@code suivi} la part lue du fichier, de 0 à 1. */
-    public static LecteurScene lire(String fichier, DoubleConsumer suivi) {
+    public static LecteurScene lire(String fichier, Suivi suivi) {
         LecteurScene lecteur = new LecteurScene(fichier);
         lecteur.lire(suivi);
         lecteur.origines.finir();
@@ -91,14 +91,13 @@ public final class LecteurScene {
         return lecteur;
     }
 
-    private void lire(DoubleConsumer suivi) {
+    private void lire(Suivi suivi) {
         Path chemin = trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
         }
         try (InputStream entree = ouvrir(chemin)) {
-            double taille = Math.max(1, chemin.toFile().length());
-            lignes = new Lignes(entree, lus -> suivi.accept(Math.min(1, lus / taille)));
+            lignes = new Lignes(entree, chemin.toFile().length(), suivi);
             new Decoupeur().parse(lignes, new Sections());
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());

@@ -9,7 +9,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
-import java.util.function.LongConsumer;
+import lancer.fils.Suivi;
 import lancer.texte.Texte;
 
 /**
@@ -28,7 +28,8 @@ final class Lignes extends Reader {
 
     private final InputStream entree;
     private final byte[] tampon = new byte[TAMPON];
-    private final LongConsumer suivi;
+    private final long aLire;
+    private final Suivi suivi;
     private long total;
     private int suivant;
     private int lus;
@@ -39,9 +40,10 @@ final class Lignes extends Reader {
     private int donnes;
     private int numero;
 
-    /** @param suivi à qui dire, de temps en temps, combien d'octets sont lus */
-    Lignes(InputStream entree, LongConsumer suivi) {
+    /** @param aLire la longueur du fichier, en octets ; ce n'est qu'une promesse */
+    Lignes(InputStream entree, long aLire, Suivi suivi) {
         this.entree = entree;
+        this.aLire = aLire;
         this.suivi = suivi;
     }
 
@@ -112,7 +114,7 @@ final class Lignes extends Reader {
             suivant = 0;
             lus = Math.max(0, entree.read(tampon, 0, TAMPON));
             total += lus;
-            suivi.accept(total);
+            suivi.fait(Math.min(1, (double) total / Math.max(1, aLire)));
         }
         return suivant == lus ? -1 : tampon[suivant++] & 0xFF;
     }

@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.List;
+import java.util.function.DoubleSupplier;
 import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.auto.Souhait;
@@ -110,7 +111,14 @@ public final class VersFichiers {
     /** @return le temps de chaque dessin, en nanosecondes */
     private long[] tracer(Lancer lancer, Toile toile, int reflets) {
         long[] traces = new long[options.repeter];
-        BarreProgression barre = new BarreProgression(lancer::getAvancement, erreur);
+        // une classe : la première lambda d'un programme coûte cher à son démarrage
+        DoubleSupplier avancement = new DoubleSupplier() {
+            @Override
+            public double getAsDouble() {
+                return lancer.getAvancement();
+            }
+        };
+        BarreProgression barre = new BarreProgression(avancement, erreur);
         barre.commencer();
         try {
             for (int k = 0; k < traces.length; k++) {

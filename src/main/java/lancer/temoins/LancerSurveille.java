@@ -1,7 +1,6 @@
 package lancer.temoins;
 
 import java.util.Collections;
-import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lancer;
@@ -12,6 +11,7 @@ import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.fils.Equipe;
+import lancer.fils.Suivi;
 import lancer.rapide.Preparation;
 import lancer.rapide.RechercheRapide;
 
@@ -38,11 +38,11 @@ public final class LancerSurveille extends Lancer {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
-        return preparer(scene, largeur, hauteur, simple, part -> { });
+        return preparer(scene, largeur, hauteur, simple, Suivi.AUCUN);
     }
 
     /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
-    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, DoubleConsumer suivi) {
+    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, Suivi suivi) {
         Camera camera = new Camera(largeur, hauteur);
         scene.setRecherche(simple ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
                 : Preparation.pour(scene, camera, suivi));

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
@@ -70,7 +71,7 @@ public final class EssaiRecit {
         double xe = x + 0.5;
         double ye = y + 0.5;
         double[] moyenne = null;
-        if (actuelle().matches("\\d+ échantillons, .*")) {
+        if (actuelle().matches("\\d+ échantillons.*")) {
             moyenne = moyenne();
             double[] point = nombres(lignes.get(suivante++).replace(",", ""));
             xe = point[0];
@@ -93,16 +94,30 @@ public final class EssaiRecit {
     }
 
     private double[] moyenne() {
-        int n = Integer.parseInt(lignes.get(suivante++).replaceAll("\\D.*", ""));
-        double[] somme = new double[3];
+        int n = Arrays.stream(lignes.get(suivante++).replaceAll("[^0-9 ]", "").trim().split(" +")).mapToInt(Integer::parseInt).sum();
+        Map<String, double[]> echantillons = new LinkedHashMap<>();
         for (int e = 0; e < n; e++) {
-            double[] vue = nombres(lignes.get(suivante++).replaceAll(".* : ", ""));
-            for (int c = 0; c < 3; c++) {
-                somme[c] += vue[c];
+            String[] mots = lignes.get(suivante++).split("( \\(partagé\\))? : ");
+            echantillons.put(mots[0].trim(), nombres(mots[1]));
+        }
+        double[] somme = new double[3];
+        double aire = n;
+        if (actuelle().matches("\\d+ termes, .*")) {
+            int termes = Integer.parseInt(lignes.get(suivante++).replaceAll("\\D.*", ""));
+            double poids = 0;
+            for (int t = 0; t < termes; t++) {
+                String[] mots = lignes.get(suivante++).trim().split(" × ");
+                double sien = nombres(mots[0])[0];
+                ajouter(somme, fois(gris(sien), echantillons.get(mots[1])));
+                poids += sien;
             }
+            aire = Math.rint(poids);
+            assertEquals(aire, poids, 1e-9);
+        } else {
+            echantillons.values().forEach(vue -> ajouter(somme, vue));
         }
         for (int c = 0; c < 3; c++) {
-            somme[c] /= n;
+            somme[c] /= aire;
         }
         return somme;
     }
@@ -236,7 +251,7 @@ public final class EssaiRecit {
         double[] kl = t(lampe.getCouleur());
         double[] diffus = fois(fois(t(objet.getKd()), kl), gris(dot(N, L)));
         double[] H = unite(moins(L, V));
-        double eclat = blinn == 0 ? Math.pow(Math.max(0, dot(R, L)), objet.getNs()) : Math.pow(Math.max(0, dot(N, H)), blinn * objet.getNs());
+        double eclat = Math.pow(Math.max(0, blinn == 0 ? dot(R, L) : dot(N, H)), (blinn == 0 ? 1 : blinn) * objet.getNs());
         double[] reflet = fois(fois(t(objet.getKs()), kl), gris(eclat));
         if (titre.contains("sans effet")) {
             proche(new double[6], new double[] {diffus[0], diffus[1], diffus[2], reflet[0], reflet[1], reflet[2]});

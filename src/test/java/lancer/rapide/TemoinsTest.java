@@ -23,6 +23,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Temoignage;
 import lancer.fils.Equipe;
+import lancer.fils.Suivi;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
@@ -32,7 +33,7 @@ class TemoinsTest {
     private static final Camera CAMERA = new Camera(97, 61);
 
     private static Scene rapide(Scene scene, Camera camera) {
-        scene.setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX, part -> { }));
+        scene.setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX, Suivi.AUCUN));
         return scene;
     }
 

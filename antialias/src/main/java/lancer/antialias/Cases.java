@@ -18,6 +18,7 @@ final class Cases {
     private final int n;
     private final double seuil;
     private final Pave pave;
+    private final Vue vue;
     private final SousPixels sousPixels;
     private final int largeur;
     private final int hauteur;
@@ -35,6 +36,7 @@ final class Cases {
         this.n = n;
         this.seuil = seuil;
         this.pave = pave;
+        this.vue = vue;
         sousPixels = new SousPixels(n, pave, vue);
         largeur = pave.i1 - pave.i0;
         hauteur = pave.j1 - pave.j0;
@@ -148,6 +150,7 @@ final class Cases {
     private void ajouter(int x, int y, double poids) {
         if (poids > 0) {
             Couleur couleur = voir(x, y);
+            vue.compter(couleur, poids);
             r += poids * couleur.r;
             v += poids * couleur.v;
             b += poids * couleur.b;

@@ -7,13 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import lancer.Scene;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.essai.Essai;
 import lancer.essai.EssaiPixel;
+import lancer.essai.EssaiRecit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,6 +75,30 @@ class AntialiasTest {
         Path scene = scene(ini("p2-sol.ini"), "[Antialias]", "n=4", "methode=partage", "[Blinn]", "facteur=3", "[Brume]", "densite=0.05");
         List<Path> toutes = Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class), Essai.origine(Blinn.class));
         EssaiPixel.verifier(toutes, dossier, scene, 36, 40, "--reflets=2");
+    }
+
+    /** Aucune équation n'est ici celle des variantes : tout est refait à part. */
+    @ParameterizedTest
+    @CsvSource({"n=3|seuil=0, 2, 0.05, 5", "n=4|seuil=0.05, 0.5, 0.2, 1", "n=1, 1, 0, 3",
+        "n=4|methode=partage|seuil=0.06, 1, 0.05, 2", "n=8|methode=partage, 1, 0.3, 2"})
+    void chaqueTermeDesTroisVariantesEstCeluiDesEquationsEtChaqueSommeSeFerme(String echantillons, double facteur, double densite,
+            int reflets) throws IOException {
+        List<String> lignes = new ArrayList<>(Arrays.asList(ini("p2-sol.ini"), "[Antialias]"));
+        lignes.addAll(Arrays.asList(echantillons.split("[|]")));
+        lignes.addAll(Arrays.asList("[Blinn]", "facteur=" + facteur, "[Brume]", "couleur=0.8 0.7 0.6", "debut=1.5", "densite=" + densite));
+        Path scene = scene(lignes.toArray(new String[0]));
+        EssaiRecit recit = new EssaiRecit(new Scene(scene.toString()), 40, 30, reflets,
+                d -> 1 - Math.exp(-densite * Math.max(0, d - 1.5)), new double[] {0.8, 0.7, 0.6}, facteur);
+        try (Essai.Isole programme = new Essai.Isole(Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class),
+                Essai.origine(Blinn.class)))) {
+            for (int k = 0; k < 60; k++) {
+                int x = 7 * k % 40;
+                int y = k % 30;
+                recit.verifier(x, y, programme.executer("--taille=40x30", "--reflets=" + reflets, "--pixel=" + x + "," + y,
+                        scene.toString()).sortie);
+            }
+        }
+        assertTrue(recit.eclairees > 20 && recit.contacts > 30, recit.eclairees + " lampes, " + recit.contacts + " contacts");
     }
 
     @ParameterizedTest

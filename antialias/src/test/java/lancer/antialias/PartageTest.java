@@ -22,7 +22,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.sortie.UnPixel;
+import lancer.inspection.Inspection;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -70,8 +70,8 @@ class PartageTest {
             return new Couleur();
         });
         modele.setEchantillonnage(methode.equals("coins") ? Antialias.coins(n, seuil) : Antialias.partage(n, seuil));
-        UnPixel.dessiner(new Scene(Collections.emptyList(), Collections.emptyList(), modele), new Camera(64, 64), 0, 40, 40);
-        assertEquals(attendus, rayons.get());
+        new Inspection(new Scene(Collections.emptyList(), Collections.emptyList(), modele), new Camera(64, 64), 0, 40, 40).faire();
+        assertEquals(attendus + 1, rayons.get(), "et un de nouveau, pour sa chaîne");
     }
 
     /** Chaque rayon passe par le centre d'un sous-pixel du pavé, et aucun n'est lancé deux fois. */

@@ -1,0 +1,237 @@
+package lancer.fenetre;
+
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.chercher;
+import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import javax.swing.Action;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import lancer.essai.Essai;
+import org.junit.jupiter.api.Test;
+
+/** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image et par-dessus elle. */
+class FenetreInspecteurTest extends EssaiFenetre {
+
+    private void ouvrir(BancFenetre.MainLent main) throws Exception {
+        banc = new BancFenetre(main);
+    }
+
+    private void cliquer(int x, int y) throws Exception {
+        surFilEvenements(() -> {
+            int dx = (banc.panneau.getWidth() - L) / 2;
+            int dy = (banc.panneau.getHeight() - H) / 2;
+            banc.panneau.dispatchEvent(new MouseEvent(banc.panneau, MouseEvent.MOUSE_CLICKED, 0, InputEvent.BUTTON1_DOWN_MASK, x + dx,
+                    y + dy, 1, false, MouseEvent.BUTTON1));
+            return null;
+        });
+    }
+
+    private static Inspecteur inspecteur() throws Exception {
+        return (Inspecteur) surFilEvenements(() -> Arrays.stream(java.awt.Window.getWindows())
+                .filter(w -> w instanceof Inspecteur && w.isShowing()).findFirst().orElse(null));
+    }
+
+    private static void attendreTitre(int x, int y) throws Exception {
+        attendre("le pixel " + x + ", " + y, () -> inspecteurSur("Rayons du pixel " + x + ", " + y));
+    }
+
+    private static boolean inspecteurSur(String titre) {
+        return Arrays.stream(java.awt.Window.getWindows()).anyMatch(w -> w instanceof Inspecteur && w.isShowing()
+                && ((Inspecteur) w).getTitle().equals(titre));
+    }
+
+    private static String attendreRecit(String fin) throws Exception {
+        JTextArea recit = composant("recit", JTextArea.class);
+        attendre("le récit finit par " + fin, () -> recit.getText().endsWith(fin));
+        return surFilEvenements(recit::getText);
+    }
+
+    private static void attendreVerdict(String debut) throws Exception {
+        JLabel verdict = composant("verdict", JLabel.class);
+        attendre("le verdict « " + debut + " »", () -> verdict.getText().startsWith(debut));
+    }
+
+    /** La touche, telle que la fenêtre de l'inspecteur y répond. */
+    private static void presser(int touche, int avec) throws Exception {
+        JComponent racine = inspecteur().getRootPane();
+        surFilEvenements(() -> {
+            KeyStroke frappe = KeyStroke.getKeyStroke(touche, avec);
+            Action action = racine.getActionMap().get(racine.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(frappe));
+            action.actionPerformed(new ActionEvent(racine, 0, ""));
+            return null;
+        });
+    }
+
+    private static String couleur(int code) {
+        return String.format(" = #%06X", code & 0xFFFFFF);
+    }
+
+    @Test
+    void unClicOuvreLaChaineDuPixelQuiEstCelleDeLaLigneDeCommandeArrondie() throws Exception {
+        ouvrir(lente());
+        int[] codes = banc.imageAchevee().getCodes();
+        cliquer(150, 100);
+        attendreTitre(150, 100);
+        String recit = attendreRecit(couleur(codes[100 * L + 150]));
+        attendreVerdict("Au bit près, la couleur du pixel dessiné : #");
+        String[] complet = Essai.executer(TAILLE, "--pixel=150,100", scene.toString()).sortie.split(System.lineSeparator());
+        String[] arrondi = recit.split("\n");
+        assertTrue(arrondi[1].contains("arrondis"), recit);
+        assertEquals(complet.length + 1, arrondi.length, recit);
+        for (int k = 1; k < complet.length; k++) {
+            String[] mots = complet[k].trim().split("[ ,]+");
+            String[] dits = arrondi[k + 1].trim().split("[ ,]+");
+            assertEquals(mots.length, dits.length, arrondi[k + 1]);
+            for (int m = 0; m < mots.length; m++) {
+                if (mots[m].matches("-?\\d+\\.\\d+(E-?\\d+)?")) {
+                    double exact = Double.parseDouble(mots[m]);
+                    assertEquals(exact, Double.parseDouble(dits[m]), 5.1e-4 * Math.min(1, Math.abs(exact)), arrondi[k + 1]);
+                } else {
+                    assertEquals(mots[m], dits[m]);
+                }
+            }
+        }
+    }
+
+    @Test
+    void lesFlechesLeMenentDUnPixelOuDeDixSansSortirDeLImage() throws Exception {
+        ouvrir(lente());
+        banc.imageAchevee();
+        cliquer(150, 100);
+        attendreTitre(150, 100);
+        presser(KeyEvent.VK_RIGHT, 0);
+        presser(KeyEvent.VK_UP, 0);
+        attendreTitre(151, 99);
+        presser(KeyEvent.VK_DOWN, InputEvent.SHIFT_DOWN_MASK);
+        presser(KeyEvent.VK_LEFT, InputEvent.SHIFT_DOWN_MASK);
+        attendreTitre(141, 109);
+        banc.frapper(KeyEvent.VK_LEFT);
+        attendreTitre(140, 109);
+        cliquer(3, H - 1);
+        presser(KeyEvent.VK_LEFT, InputEvent.SHIFT_DOWN_MASK);
+        presser(KeyEvent.VK_DOWN, 0);
+        attendreTitre(0, H - 1);
+    }
+
+    @Test
+    void ilSuitLeMemePixelQuandLaSceneChangeEtMarqueCeQuiAChange() throws Exception {
+        ouvrir(lente());
+        int[] rouge = banc.imageAchevee().getCodes().clone();
+        cliquer(150, 110);
+        attendreRecit(couleur(rouge[110 * L + 150]));
+        ecrire(BLEUE);
+        int[] bleue = attendue(L, H);
+        attendre("la nouvelle image", () -> banc.fenetre.getImageComplete() != null
+                && Arrays.equals(banc.fenetre.getImageComplete().getCodes(), bleue));
+        String recit = attendreRecit(couleur(bleue[110 * L + 150]));
+        attendreVerdict("Au bit près");
+        JTextArea texte = composant("recit", JTextArea.class);
+        int marques = surFilEvenements(() -> texte.getHighlighter().getHighlights().length);
+        assertTrue(marques > 0 && marques < recit.split("\n").length / 2, marques + " lignes marquées dans " + recit);
+    }
+
+    @Test
+    void echapArreteDAbordUnDessinPuisFermeEtLaFigureSEnVa() throws Exception {
+        ouvrir(lente());
+        banc.imageAchevee();
+        int[] codes = attendue(L, H);
+        banc.attendreImage("sans figure", codes);
+        cliquer(150, 110);
+        attendreRecit(couleur(codes[110 * L + 150]));
+        attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
+        assertArrayEquals(codes, banc.fenetre.getImageComplete().getCodes(), "et pas dans l'image");
+        banc.main.lent();
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("le dessin recommence", () -> banc.fenetre.enCours());
+        presser(KeyEvent.VK_ESCAPE, 0);
+        attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
+        assertNotNull(inspecteur(), "mais l'inspecteur reste");
+        attendreVerdict("L'image n'est pas achevée");
+        banc.main.lent = false;
+        presser(KeyEvent.VK_ESCAPE, 0);
+        attendre("l'inspecteur se ferme", () -> inspecteurFerme());
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("sans figure de nouveau", codes);
+    }
+
+    private static boolean inspecteurFerme() {
+        return Arrays.stream(java.awt.Window.getWindows()).noneMatch(w -> w instanceof Inspecteur && w.isShowing());
+    }
+
+    @Test
+    void unPixelDessineQuiNEstPasCeluiDesEquationsSeDit() throws Exception {
+        ouvrir(lente());
+        banc.imageAchevee().getCodes()[120 * L + 160] ^= 1;
+        cliquer(160, 120);
+        attendreVerdict("Différent du pixel dessiné, qui est #");
+        presser(KeyEvent.VK_RIGHT, 0);
+        attendreVerdict("Au bit près");
+    }
+
+    @Test
+    void pendantUnDessinLentLaChaineSeLitDeja() throws Exception {
+        ouvrir(lente().lent());
+        attendre("le brouillon est là", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
+        attendre("et se voit", () -> ((PanneauImage) banc.panneau).getImage() != null);
+        cliquer(150, 100);
+        attendreTitre(150, 100);
+        attendreVerdict("L'image n'est pas achevée");
+        JTextArea recit = composant("recit", JTextArea.class);
+        attendre("la chaîne", () -> recit.getText().contains("\nsomme "));
+        assertTrue(banc.fenetre.enCours());
+    }
+
+    @Test
+    void leTexteSeCopie() throws Exception {
+        ouvrir(lente());
+        int[] codes = banc.imageAchevee().getCodes();
+        cliquer(150, 100);
+        String recit = attendreRecit(couleur(codes[100 * L + 150]));
+        JTextArea texte = composant("recit", JTextArea.class);
+        surFilEvenements(() -> {
+            texte.selectAll();
+            texte.copy();
+            return null;
+        });
+        assertEquals(recit, Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor));
+        assertFalse(texte.isEditable());
+    }
+
+    @Test
+    void laVueDeCoteMontreLOeilLEcranEtLesRayons() throws Exception {
+        ouvrir(lente());
+        banc.imageAchevee();
+        assertNull(chercher("cote", JComponent.class));
+        cliquer(150, 100);
+        attendreVerdict("Au bit près");
+        JComponent cote = composant("cote", JComponent.class);
+        BufferedImage vue = new BufferedImage(cote.getWidth(), cote.getHeight(), BufferedImage.TYPE_INT_RGB);
+        surFilEvenements(() -> {
+            cote.paint(vue.createGraphics());
+            return null;
+        });
+        long noirs = Arrays.stream(BancFenetre.codes(vue)).filter(c -> c == 0xFF000000).count();
+        assertTrue(noirs > 30, noirs + " points noirs : l'œil et l'écran");
+        Rectangle place = inspecteur().getBounds();
+        assertTrue(new Rectangle(Toolkit.getDefaultToolkit().getScreenSize()).contains(place), place.toString());
+    }
+}
