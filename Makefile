@@ -135,7 +135,7 @@ image-classe: $(CORRECTION)
 # La fenêtre et les paramètres des variantes, tels que le README les montre.
 image-reglages: blinn/target/blinn.jar
 	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
-	@xvfb-run -a -s "-screen 0 1600x900x24" $(JAVA) -Djava.util.prefs.userRoot=target -cp blinn/target/blinn.jar:target/test-classes \
+	@xvfb-run -a -s "-screen 0 800x700x24" $(JAVA) -Djava.util.prefs.userRoot=target -cp blinn/target/blinn.jar:target/test-classes \
 	    lancer.fenetre.CaptureReglages images/fenetre-reglages.png scenes/bowling.ini
 
 # La fenêtre et son inspecteur, tels que le README les montre.
