@@ -11,19 +11,19 @@ import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Suivi;
 import lancer.contrat.Toile;
 import lancer.fenetre.Fenetre;
-import lancer.fils.Suivi;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.lecture.LecteurScene;
-import lancer.temoins.LancerSurveille;
 import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
 import lancer.sortie.ReglagesDessin;
 import lancer.sortie.Statistiques;
 import lancer.sortie.VersFichiers;
+import lancer.temoins.LancerSurveille;
 
 /**
  * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un

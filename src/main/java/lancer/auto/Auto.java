@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
@@ -185,7 +187,7 @@ public final class Auto {
             k--;
         }
         choisi = front.get(k);
-        essai.chiffrer(choisi.finesse, choisi.limites, budget.pourControler(choisi.getPrix()) / 2);
+        essai.chiffrer(choisi.finesse, choisi.limites, PART_DES_TIRAGES * budget.pourControler(choisi.getPrix()));
         tempsAttendu = souhait.temps > 0 ? budget.ecoule() + budget.dessin(choisi.getPrix()) : 0;
         lancer = getLancer(choisi);
     }
@@ -235,16 +237,41 @@ public final class Auto {
         return souhait.estTenu(choisi.getErreurAuPlus(), tempsAttendu);
     }
 
+    /** Ce qui est attendu de la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */
+    public Reglage evaluer(int reflets, double seuil) {
+        LimitesDesReflets l = limites.essayer(reflets, seuil);
+        return new Reglage(essayer(Finesse.de(essais.scene())), l, essai.rayonsParRayon(l));
+    }
+
+    /** Mesure une image dessinée avec ce réglage. @return son erreur, et son incertitude, en niveaux */
+    public double[] mesurer(Reglage reglage, BiFunction<Integer, Integer, Couleur> image) {
+        preparerLeControle((couleur, xe, ye) -> { }, reglage,
+                budget.pourControler(reglage.getPrix()) + essais.rayons());
+        for (Pave bloc : controle.tirage().blocs) {
+            for (int k = 0; k < bloc.pixels(); k++) {
+                int i = bloc.i0 + k % (bloc.i1 - bloc.i0);
+                int j = bloc.j0 + k / (bloc.i1 - bloc.i0);
+                prelevement.drawPixel(image.apply(i, j), i, j);
+            }
+        }
+        controler();
+        return new double[] {mesuree.erreur(), mesuree.incertitude()};
+    }
+
     /** @return ce qu'il faut donner à dessiner pour que {@code toile} le soit, et que l'image puisse être contrôlée */
     public Toile surveiller(Toile toile) {
+        preparerLeControle(toile, choisi, budget.pourControler(choisi.getPrix()));
+        return prelevement;
+    }
+
+    private void preparerLeControle(Toile toile, Reglage reglage, double rayons) {
         double debut = budget.ecoule();
         List<Pave> blocs = essais.semer(semes, true);
         // une image d'un seul bloc n'en a pas d'autre
         controle = new EssaiFinesses(essais, blocs.isEmpty() ? essais.semer(1, false) : blocs, limites.exactes);
-        controle.affiner(choisi.getErreur(), budget.pourControler(choisi.getPrix()));
+        controle.affiner(reglage.getErreur(), rayons);
         prelevement = new Prelevement(toile, essais.camera.getLargeur(), controle.tirage().blocs);
         essaisS += budget.ecoule() - debut;
-        return prelevement;
     }
 
     /** Mesure l'image dessinée, sur d'autres pixels que ceux du choix s'il y en a. */

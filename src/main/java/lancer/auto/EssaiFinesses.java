@@ -20,6 +20,7 @@ final class EssaiFinesses {
 
     /** Ce que tout bloc promet, en plus du contraste qu'on y voit, de 0 à 1 : aucun n'est à l'abri d'un détail. */
     private static final double IMPREVU = 0.1;
+    private static final double UNI = 0.3;
 
     /** Blocs tirés : au moins, quoi qu'il en coûte, et au plus, même si l'image permet davantage. */
     private static final int TIRAGES_MIN = 40;
@@ -117,9 +118,13 @@ final class EssaiFinesses {
 
     /** Lui donne un prix plus sûr, sur autant de blocs que ces rayons le permettent, sous ces limites. */
     void chiffrer(Finesse finesse, LimitesDesReflets celles, double rayons) {
-        int tirages = (int) Math.min(TIRAGES_MAX, rayons / (rayonsParRayon(celles) * finesse.prix * RAYONS_D_UN_ESSAI));
-        if (tirages > tirage.tirages) {
-            dessiner(finesse, new Tirage(tirages, blocs, promesses, essais.facteur()), celles, null);
+        double avant = finesse.prix;
+        int tirages = (int) Math.min(TIRAGES_MAX, rayons / (rayonsParRayon(celles) * avant * RAYONS_D_UN_ESSAI));
+        if (tirages > TIRAGES_MIN) {
+            // un bloc uni coûte aussi, même s'il ne promet pas d'erreur
+            double[] couts = Arrays.stream(promesses).map(promesse -> UNI + promesse).toArray();
+            dessiner(finesse, new Tirage(tirages, blocs, couts, essais.facteur()), celles, null);
+            finesse.prix = (tirages * finesse.prix + tirage.tirages * avant) / (tirages + tirage.tirages);
         }
     }
 

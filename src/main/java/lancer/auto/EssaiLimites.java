@@ -34,7 +34,11 @@ final class EssaiLimites {
     /** De chaque rayon sans limite : ceux qu'il a fait lancer, lui compris. */
     private final double[] rayons;
 
-    /** Ceux que limite le dernier essai, et le plus grand carré d'un écart, en niveaux². */
+    /**
+     * Les rayons que des limites peuvent arrêter ; ceux qu'arrête le dernier essai, et son plus grand carré d'un écart,
+     * en niveaux².
+     */
+    private final List<Integer> reflechis;
     private List<Integer> limites;
     private double pire;
 
@@ -48,7 +52,7 @@ final class EssaiLimites {
         voir(limites, REFLETS[REFLETS.length - 1], 0, sansLimite, rayons);
         List<LimitesDesReflets> toutes = new ArrayList<>();
         toutes.add(essayer(limites, REFLETS[0], 0));
-        List<Integer> reflets = limites;
+        reflechis = limites;
         while (pire > EXACT * EXACT) {
             toutes.add(essayer(limites, REFLETS[toutes.size()], 0));
         }
@@ -62,13 +66,17 @@ final class EssaiLimites {
         if (souhait.reflets != null || premier > 0) {
             toutes.clear();
             IntStream.of(REFLETS).filter(r -> souhait.reflets == null && r < fin)
-                    .forEach(r -> toutes.add(essayer(reflets, r, premier)));
-            toutes.add(essayer(reflets, fin, premier));
+                    .forEach(r -> toutes.add(essayer(r, premier)));
+            toutes.add(essayer(fin, premier));
         }
         // sans reflets, tous les seuils se valent
         Arrays.stream(SEUILS).filter(seuil -> souhait.seuil == null && seuil > 0 && fin > 0)
-                .forEach(seuil -> toutes.add(essayer(reflets, fin, seuil)));
+                .forEach(seuil -> toutes.add(essayer(fin, seuil)));
         permettre(toutes);
+    }
+
+    LimitesDesReflets essayer(int reflets, double seuil) {
+        return essayer(reflechis, reflets, seuil);
     }
 
     private void permettre(List<LimitesDesReflets> toutes) {

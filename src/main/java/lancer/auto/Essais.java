@@ -9,6 +9,7 @@ import java.util.Random;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
+import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
@@ -59,7 +60,11 @@ final class Essais {
 
     /** Vrai si un objet au moins reflète, ne serait-ce qu'un pixel. */
     boolean reflechit() {
-        return prepare.getScene().getObjets().stream().anyMatch(objet -> !objet.getKs().equals(new Couleur()));
+        return scene().getObjets().stream().anyMatch(objet -> !objet.getKs().equals(new Couleur()));
+    }
+
+    Scene scene() {
+        return prepare.getScene();
     }
 
     double pixels() {
@@ -106,7 +111,7 @@ final class Essais {
         for (int k = 0; k < blocs.size(); k++) {
             rangs.computeIfAbsent(pave(blocs.get(k)), pave -> new ArrayList<>()).add(k);
         }
-        Lancer lancer = lancer(prepare.getScene().getEchantillonnage(), limites.seuil);
+        Lancer lancer = lancer(scene().getEchantillonnage(), limites.seuil);
         lancer.parcourir((pave, vue, toile) -> {
             for (int k : rangs.getOrDefault(pave(pave), Collections.<Integer>emptyList())) {
                 essai.faire(k, blocs.get(k), pave, vue);

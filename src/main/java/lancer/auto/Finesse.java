@@ -15,6 +15,9 @@ final class Finesse {
 
     /** Comment l'obtenir soi-même. */
     final String texte;
+
+    /** La section de variante qui la donne ; {@code null} pour celle de la scène. */
+    final Section section;
     final Echantillonnage echantillonnage;
 
     /** Contre les mêmes pixels, d'une moyenne exacte ; {@code null} tant que rien n'est essayé. */
@@ -26,7 +29,8 @@ final class Finesse {
     /** De ces rayons, reflets et ombres compris, celui de l'image d'un rayon par pixel étant 1. */
     double prix;
 
-    private Finesse(String texte, Echantillonnage echantillonnage) {
+    private Finesse(Section section, String texte, Echantillonnage echantillonnage) {
+        this.section = section;
         this.texte = texte;
         this.echantillonnage = echantillonnage;
     }
@@ -45,15 +49,20 @@ final class Finesse {
                     Modele modele = new Modele();
                     variante.installer(reglage, modele);
                     reglage.verifierCles();
-                    finesses.add(new Finesse(reglage.toString(), modele.getEchantillonnage()));
+                    finesses.add(new Finesse(reglage, reglage.toString(), modele.getEchantillonnage()));
                 }
             }
         }
         if (finesses.isEmpty()) {
-            Echantillonnage fixe = scene.getEchantillonnage();
-            String nom = fixe == Echantillonnage.CENTRE ? "un rayon par pixel" : "l'échantillonnage de la scène";
-            finesses.add(new Finesse(nom, fixe));
+            finesses.add(de(scene));
         }
         return finesses;
+    }
+
+    /** Celle de la scène. */
+    static Finesse de(Scene scene) {
+        Echantillonnage fixe = scene.getEchantillonnage();
+        boolean centre = fixe == Echantillonnage.CENTRE;
+        return new Finesse(null, centre ? "un rayon par pixel" : "l'échantillonnage de la scène", fixe);
     }
 }

@@ -1,5 +1,7 @@
 package lancer.auto;
 
+import lancer.contrat.Section;
+
 /** Un échantillonnage et des limites : de quoi dessiner, l'erreur attendue et le prix. */
 public final class Reglage {
 
@@ -40,6 +42,21 @@ public final class Reglage {
     /** Le nombre de réflexions d'un rayon. */
     public int getReflets() {
         return limites.reflets;
+    }
+
+    /** Sous quel produit des Ks un reflet n'est plus suivi. */
+    public double getSeuil() {
+        return limites.seuil;
+    }
+
+    /** La section de variante qui donne l'échantillonnage ; {@code null} pour celui de la scène. */
+    public Section getSection() {
+        return finesse.section;
+    }
+
+    /** Ce dont l'erreur attendue peut s'écarter, en niveaux, dix-neuf fois sur vingt. */
+    public double getIncertitude() {
+        return erreur.incertitude();
     }
 
     /** Vrai si l'erreur attendue est moindre, et celle à ne pas dépasser aussi. */

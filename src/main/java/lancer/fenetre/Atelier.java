@@ -36,6 +36,9 @@ interface Atelier {
     /** Ce qui a dessiné l'image achevée ou la dessine, scène préparée comprise ; {@code null} s'il n'y en a pas. */
     Lancer getLancer();
 
+    /** Nombre de fils d'un dessin. */
+    int getFils();
+
     /** Appelle {@code siChange} chaque fois qu'un dessin commence, s'achève ou s'arrête, et qu'une scène est lue. */
     void prevenir(Runnable siChange);
 }

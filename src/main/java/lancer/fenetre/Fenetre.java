@@ -61,6 +61,7 @@ public final class Fenetre implements Atelier {
     private final Dessinateur dessinateur;
     private final MenuAffichage affichage;
     private final String programme;
+    private final int fils;
     private final Runnable fin;
     private final ExecutorService dessins;
     private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
@@ -102,6 +103,7 @@ public final class Fenetre implements Atelier {
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
         this.dessins = dessins;
         this.fin = fin;
+        fils = options.fils;
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(taille);
         affichage = new MenuAffichage(cadre, panneau, barre, taille, this::ajuster);
@@ -295,6 +297,11 @@ public final class Fenetre implements Atelier {
     public String getCommande() {
         Dimension taille = affichage.getTaille();
         return Pannes.commande("", reglages.getOptions(), fichier, taille.width, taille.height);
+    }
+
+    @Override
+    public int getFils() {
+        return fils;
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
+import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
@@ -43,6 +44,7 @@ final class Figure {
 
     private static final int ANNEAU = 9;
     private static final double POINTE = 9;
+    private static final double OUVERTURE = 0.4;
 
     private final Camera camera;
     private final Scene scene;
@@ -157,30 +159,33 @@ final class Figure {
                 if (k == MORCEAUX || derriere[k] != derriere[debut]) {
                     Line2D ligne = new Line2D.Double(place.x + echelle * x[debut], place.y + echelle * y[debut],
                             place.x + echelle * x[k], place.y + echelle * y[k]);
-                    if (!derriere[debut]) {
-                        g.setStroke(LARGE);
-                        g.setColor(LISERE);
+                    if (derriere[debut]) {
+                        g.setStroke(TIRETE);
+                        g.setColor(couleur);
                         g.draw(ligne);
+                    } else {
+                        peindreLisere(g, ligne, couleur);
                     }
-                    g.setStroke(derriere[debut] ? TIRETE : PLEIN);
-                    g.setColor(couleur);
-                    g.draw(ligne);
                     debut = k;
                 }
             }
-            if (fleche) {
-                g.setStroke(PLEIN);
-                peindrePointe(g, place.x + echelle * x[MORCEAUX], place.y + echelle * y[MORCEAUX]);
-            }
-        }
-
-        private void peindrePointe(Graphics2D g, double bout, double hauteur) {
             double angle = Math.atan2(y[MORCEAUX] - y[0], x[MORCEAUX] - x[0]);
-            for (double ecart : new double[] {-0.4, 0.4}) {
-                g.draw(new Line2D.Double(bout, hauteur, bout - POINTE * Math.cos(angle + ecart),
-                        hauteur - POINTE * Math.sin(angle + ecart)));
+            double boutX = place.x + echelle * x[MORCEAUX];
+            double boutY = place.y + echelle * y[MORCEAUX];
+            for (double ecart = -OUVERTURE; fleche && ecart <= OUVERTURE; ecart += 2 * OUVERTURE) {
+                peindreLisere(g, new Line2D.Double(boutX, boutY, boutX - POINTE * Math.cos(angle + ecart),
+                        boutY - POINTE * Math.sin(angle + ecart)), couleur);
             }
         }
+    }
+
+    private static void peindreLisere(Graphics2D g, Shape trait, Color couleur) {
+        g.setStroke(LARGE);
+        g.setColor(LISERE);
+        g.draw(trait);
+        g.setStroke(PLEIN);
+        g.setColor(couleur);
+        g.draw(trait);
     }
 
     /** @param place celle de l'image, en pixels de l'écran */
@@ -192,12 +197,7 @@ final class Figure {
             double x = place.x + echelle * anneau[0];
             double y = place.y + echelle * anneau[1];
             Ellipse2D rond = new Ellipse2D.Double(x - ANNEAU, y - ANNEAU, 2 * ANNEAU, 2 * ANNEAU);
-            g.setStroke(LARGE);
-            g.setColor(LISERE);
-            g.draw(rond);
-            g.setStroke(PLEIN);
-            g.setColor(Color.WHITE);
-            g.draw(rond);
+            peindreLisere(g, rond, Color.WHITE);
             String numero = String.valueOf((int) anneau[2]);
             int decalage = ANNEAU + 2;
             g.setColor(Color.BLACK);

@@ -9,6 +9,7 @@ import java.awt.event.MouseEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.stream.Collectors;
 import javax.swing.JComponent;
 import lancer.inspection.Echantillon;
 import lancer.inspection.Inspection;
@@ -21,22 +22,19 @@ final class GrilleEchantillons extends JComponent {
     private static final int COTE = 180;
 
     private transient List<Echantillon> echantillons = Collections.emptyList();
+    private transient List<Rectangle> places = Collections.emptyList();
     private int choisi = -1;
-    private double x0;
-    private double y0;
-    /** L'écart entre deux échantillons voisins, et la largeur de ce qui est montré, en pixels de l'image. */
-    private double pas;
-    private double etendue;
 
     /** @param siChoisi reçoit le rang de l'échantillon */
     GrilleEchantillons(IntConsumer siChoisi) {
         setName("echantillons");
+        setPreferredSize(new Dimension(COTE, COTE));
         setToolTipText("échantillons du pixel ; cliquer pour en choisir un, ou page suivante, page précédente");
         addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
-                for (int k = 0; k < echantillons.size(); k++) {
-                    if (place(k).contains(e.getPoint())) {
+                for (int k = 0; k < places.size(); k++) {
+                    if (places.get(k).contains(e.getPoint())) {
                         siChoisi.accept(k);
                     }
                 }
@@ -47,20 +45,15 @@ final class GrilleEchantillons extends JComponent {
     void montrer(Inspection pixel) {
         echantillons = pixel.getEchantillons();
         choisi = echantillons.indexOf(pixel.getChoisi());
-        x0 = pixel.x;
-        y0 = pixel.y;
-        pas = 1;
-        etendue = 1;
-        for (Echantillon e : echantillons) {
-            // le premier sous-pixel est à un demi-pas du bord
-            pas = Math.min(pas, 2 * Math.min(e.xe - Math.floor(e.xe), e.ye - Math.floor(e.ye)));
-        }
-        for (Echantillon e : echantillons) {
-            etendue = Math.max(etendue, Math.max(e.xe - x0, e.ye - y0) + pas / 2);
-        }
+        // l'écart de deux voisins : le premier est à un demi-pas du bord ; et la largeur de tout, en pixels de l'image
+        double pas = echantillons.stream().mapToDouble(e -> 2 * Math.min(e.xe % 1, e.ye % 1)).min().orElse(1);
+        double etendue = echantillons.stream()
+                .mapToDouble(e -> Math.max(e.xe - pixel.x, e.ye - pixel.y) + pas / 2).max().orElse(1);
+        double taille = COTE / etendue;
+        places = echantillons.stream().map(e -> new Rectangle((int) ((e.xe - pixel.x - pas / 2) * taille),
+                (int) ((e.ye - pixel.y - pas / 2) * taille), (int) (pas * taille), (int) (pas * taille)))
+                .collect(Collectors.toList());
         setVisible(echantillons.size() > 1);
-        setPreferredSize(new Dimension(COTE, COTE));
-        revalidate();
         repaint();
     }
 
@@ -69,30 +62,19 @@ final class GrilleEchantillons extends JComponent {
         return Math.max(0, Math.min(echantillons.size() - 1, choisi + sens));
     }
 
-    private Rectangle place(int k) {
-        Echantillon e = echantillons.get(k);
-        double taille = COTE / etendue;
-        int gauche = (int) ((e.xe - x0 - pas / 2) * taille);
-        int haut = (int) ((e.ye - y0 - pas / 2) * taille);
-        return new Rectangle(gauche, haut, (int) ((e.xe - x0 + pas / 2) * taille) - gauche,
-                (int) ((e.ye - y0 + pas / 2) * taille) - haut);
-    }
-
     @Override
     protected void paintComponent(Graphics g) {
-        for (int k = 0; k < echantillons.size(); k++) {
-            Rectangle place = place(k);
+        for (int k = 0; k < places.size(); k++) {
+            Rectangle place = places.get(k);
             g.setColor(new Color(echantillons.get(k).couleur.getCode()));
-            g.fillRect(place.x, place.y, place.width - 1, place.height - 1);
+            g.fillRect(place.x, place.y, place.width, place.height);
         }
-        g.setColor(Color.GRAY);
-        g.drawRect(0, 0, (int) (COTE / etendue) - 1, (int) (COTE / etendue) - 1);
         if (choisi >= 0) {
-            Rectangle place = place(choisi);
+            Rectangle place = places.get(choisi);
             g.setColor(Color.WHITE);
-            g.drawRect(place.x, place.y, place.width - 2, place.height - 2);
+            g.drawRect(place.x, place.y, place.width - 1, place.height - 1);
             g.setColor(Color.BLACK);
-            g.drawRect(place.x + 1, place.y + 1, place.width - 4, place.height - 4);
+            g.drawRect(place.x + 1, place.y + 1, place.width - 3, place.height - 3);
         }
     }
 }

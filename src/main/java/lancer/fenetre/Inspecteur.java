@@ -7,27 +7,22 @@ import java.awt.Font;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.math.RoundingMode;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
@@ -52,15 +47,10 @@ final class Inspecteur extends JDialog {
     private static final int MARGE = 6;
     private static final int LARGEUR = 520;
     private static final int LARGEUR_MIN = 320;
-    /** Les nombres gardent l'un ou l'autre, le plus fin des deux. */
-    private static final int CHIFFRES = 4;
-    private static final int DECIMALES = 3;
-    private static final double PETIT = 1e-4;
-    private static final double GRAND = 1e6;
     private static final int SAUT = 10;
     private static final Color CHANGE = new Color(0xFFE9A8);
     private static final String INACHEVEE = "L'image n'est pas achevée : rien encore à quoi comparer.";
-    private static final String ARRONDI = "(nombres arrondis ; --pixel les écrit en entier)";
+    private static final String ARRONDI = "(nombres arrondis à cinq chiffres ; --pixel les écrit en entier)";
 
     private final transient Atelier atelier;
     private final PanneauImage panneau;
@@ -90,9 +80,6 @@ final class Inspecteur extends JDialog {
         texte.setWrapStyleWord(true);
         texte.setFont(new Font(Font.MONOSPACED, Font.PLAIN, texte.getFont().getSize()));
         texte.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        JPopupMenu menu = new JPopupMenu();
-        menu.add("Copier").addActionListener(e -> copier());
-        texte.setComponentPopupMenu(menu);
         verdict.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         JPanel bas = new JPanel(new BorderLayout(MARGE, MARGE));
         bas.add(cote, BorderLayout.CENTER);
@@ -103,11 +90,11 @@ final class Inspecteur extends JDialog {
         lierFleches(getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
         lierFleches(texte, JComponent.WHEN_FOCUSED);
         lierFleches(atelier.getCadre().getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
-        lier(getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                atelier::echapper);
+        getRootPane().registerKeyboardAction(e -> atelier.echapper(), Menus.touche(KeyEvent.VK_ESCAPE),
+                JComponent.WHEN_IN_FOCUSED_WINDOW);
         for (int sens : new int[] {-1, 1}) {
-            KeyStroke touche = KeyStroke.getKeyStroke(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN, 0);
-            lier(texte, JComponent.WHEN_FOCUSED, touche, () -> choisir(grille.voisin(sens)));
+            KeyStroke touche = Menus.touche(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN);
+            texte.registerKeyboardAction(e -> choisir(grille.voisin(sens)), touche, JComponent.WHEN_FOCUSED);
         }
         addWindowListener(new WindowAdapter() {
             @Override
@@ -118,18 +105,6 @@ final class Inspecteur extends JDialog {
         atelier.prevenir(this::calculer);
     }
 
-    private static void lier(JComponent ou, int quand, KeyStroke touche, Runnable action) {
-        ou.getInputMap(quand).put(touche, touche);
-        ou.getActionMap().put(touche, new AbstractAction() {
-            private static final long serialVersionUID = 1;
-
-            @Override
-            public void actionPerformed(ActionEvent e) {
-                action.run();
-            }
-        });
-    }
-
     private void lierFleches(JComponent ou, int quand) {
         int[] touches = {KeyEvent.VK_LEFT, KeyEvent.VK_RIGHT, KeyEvent.VK_UP, KeyEvent.VK_DOWN};
         for (int pas : new int[] {1, SAUT}) {
@@ -137,8 +112,8 @@ final class Inspecteur extends JDialog {
                 int d = k % 2 == 0 ? -pas : pas;
                 int dx = k < 2 ? d : 0;
                 int dy = k < 2 ? 0 : d;
-                lier(ou, quand, KeyStroke.getKeyStroke(touches[k], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK),
-                        () -> deplacer(dx, dy));
+                ou.registerKeyboardAction(e -> deplacer(dx, dy),
+                        KeyStroke.getKeyStroke(touches[k], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
             }
         }
     }
@@ -280,18 +255,7 @@ final class Inspecteur extends JDialog {
                         + (vu == null ? "" : " = " + vu[3 * k] + " " + vu[3 * k + 1] + " " + vu[3 * k + 2]);
     }
 
-    private void copier() {
-        if (texte.getSelectedText() == null) {
-            texte.selectAll();
-        }
-        texte.copy();
-    }
-
     static String arrondi(double x) {
-        double taille = Math.abs(x);
-        BigDecimal quatre = new BigDecimal(x).round(new MathContext(CHIFFRES));
-        return x == 0 ? "0" : taille < PETIT || taille > GRAND ? Double.toString(quatre.doubleValue())
-                : new BigDecimal(x).setScale(Math.max(DECIMALES, quatre.scale()), RoundingMode.HALF_EVEN)
-                        .stripTrailingZeros().toPlainString();
+        return String.format(Locale.ROOT, "%.5g", x);
     }
 }

@@ -30,6 +30,7 @@ final class MenuDessin {
     private final JMenuItem relire;
     private final JMenuItem arreter;
     private final JMenuItem regler;
+    private final JMenuItem vitesse;
     private final JMenuItem defaire;
     private PanneauVariantes panneau;
     private final JMenuItem copier;
@@ -56,6 +57,8 @@ final class MenuDessin {
         }
         regler = Menus.article(menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), this::regler);
         regler.setVisible(!variantes.isEmpty());
+        vitesse = Menus.article(menu, "Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3),
+                () -> PanneauVitesse.ouvrir(atelier));
         menu.addSeparator();
         defaire = Menus.article(menu, "Revenir aux réglages de la scène", null,
                 () -> atelier.dessiner(atelier.getReglages().initiaux(), false));
@@ -130,6 +133,7 @@ final class MenuDessin {
         arreter.setEnabled(atelier.enCours());
         reflexions.setEnabled(reglages != null);
         regler.setEnabled(reglages != null);
+        vitesse.setEnabled(reglages != null);
         defaire.setEnabled(reglages != null);
         copier.setEnabled(reglages != null);
         nombres.clearSelection();

@@ -7,13 +7,11 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.util.LinkedHashSet;
-import java.util.Set;
 import javax.swing.JComponent;
 import lancer.Camera;
 import lancer.Constantes;
-import lancer.Objet3D;
 import lancer.Point;
+import lancer.PointContact;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.inspection.Eclairage;
@@ -33,7 +31,6 @@ final class VueDeCote extends JComponent {
 
     private transient Inspection pixel;
     private double echelle;
-    private double z0;
     private double y0;
 
     VueDeCote() {
@@ -77,7 +74,6 @@ final class VueDeCote extends JComponent {
         double marge = 1 + zMax / 10;
         echelle = Math.min((getWidth() - 2 * MARGE) / (zMax + marge + Camera.FOCALE),
                 (getHeight() - 2 * MARGE) / (yMax - yMin + 2 * marge));
-        z0 = -Camera.FOCALE;
         y0 = (yMin + yMax) / 2;
     }
 
@@ -90,7 +86,7 @@ final class VueDeCote extends JComponent {
     }
 
     private double h(double z) {
-        return MARGE + (z - z0) * echelle;
+        return MARGE + (z + Camera.FOCALE) * echelle;
     }
 
     private double v(double y) {
@@ -98,21 +94,6 @@ final class VueDeCote extends JComponent {
     }
 
     private void peindre(Graphics2D g) {
-        Set<Objet3D> touches = new LinkedHashSet<>();
-        for (Etape etape : pixel.getEtapes()) {
-            if (etape.contact != null) {
-                touches.add(etape.contact.objet);
-                etape.lampes.stream().filter(l -> l.getCache() != null).forEach(l -> touches.add(l.getCache().objet));
-            }
-        }
-        g.setColor(SPHERE);
-        for (Objet3D objet : touches) {
-            if (objet instanceof Sphere) {
-                Sphere s = (Sphere) objet;
-                double r = s.getRayon() * echelle;
-                g.draw(new Ellipse2D.Double(h(s.getCentre().z) - r, v(s.getCentre().y) - r, 2 * r, 2 * r));
-            }
-        }
         g.setColor(Color.BLACK);
         g.draw(new Line2D.Double(h(0), v(-demiEcran()), h(0), v(demiEcran())));
         g.fill(new Ellipse2D.Double(h(-Camera.FOCALE) - 3, v(0) - 3, 6, 6));
@@ -122,7 +103,9 @@ final class VueDeCote extends JComponent {
                 : pixel.camera.getRayon(pixel.getChoisi().xe, pixel.getChoisi().ye).getV();
         for (Etape etape : pixel.getEtapes()) {
             Point bout = etape.contact == null ? depart.add(getWidth() / echelle, V) : etape.contact;
+            entourer(g, etape.contact);
             for (Eclairage lampe : etape.lampes) {
+                entourer(g, lampe.getCache());
                 if (lampe.eclaire()) {
                     g.setColor(LAMPE);
                     g.draw(ligne(bout, lampe.lampe.getPosition()));
@@ -135,6 +118,15 @@ final class VueDeCote extends JComponent {
             }
             depart = bout;
             V = etape.getReflechi();
+        }
+    }
+
+    private void entourer(Graphics2D g, PointContact contact) {
+        if (contact != null && contact.objet instanceof Sphere) {
+            Sphere s = (Sphere) contact.objet;
+            double r = s.getRayon() * echelle;
+            g.setColor(SPHERE);
+            g.draw(new Ellipse2D.Double(h(s.getCentre().z) - r, v(s.getCentre().y) - r, 2 * r, 2 * r));
         }
     }
 }

@@ -9,7 +9,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
-import lancer.fils.Suivi;
+import lancer.contrat.Suivi;
 import lancer.texte.Texte;
 
 /**

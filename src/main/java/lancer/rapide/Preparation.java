@@ -10,8 +10,8 @@ import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
+import lancer.contrat.Suivi;
 import lancer.fils.Equipe;
-import lancer.fils.Suivi;
 
 /**
  * Le choix des structures : ce que la scène et l'image demandent, et rien de plus. Une préparation vaut pour un

@@ -8,10 +8,10 @@ import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
+import lancer.contrat.Suivi;
 import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.fils.Equipe;
-import lancer.fils.Suivi;
 import lancer.rapide.Preparation;
 import lancer.rapide.RechercheRapide;
 

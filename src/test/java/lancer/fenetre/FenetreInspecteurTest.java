@@ -26,6 +26,7 @@ import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import lancer.essai.Essai;
+import lancer.sortie.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image et par-dessus elle. */
@@ -159,9 +160,10 @@ class FenetreInspecteurTest extends EssaiFenetre {
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
         assertArrayEquals(codes, banc.fenetre.getImageComplete().getCodes(), "et pas dans l'image");
+        ImageMemoire avant = banc.fenetre.getImageComplete();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.fenetre.enCours());
+        attendre("le dessin recommence", () -> banc.fenetre.enCours() && ((PanneauImage) banc.panneau).getImage() != avant);
         presser(KeyEvent.VK_ESCAPE, 0);
         attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
         assertNotNull(inspecteur(), "mais l'inspecteur reste");

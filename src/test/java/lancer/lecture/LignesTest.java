@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
-import lancer.fils.Suivi;
+import lancer.contrat.Suivi;
 import org.junit.jupiter.api.Test;
 
 /** Le fichier donné ligne par ligne, sans jamais être tout entier en mémoire. */

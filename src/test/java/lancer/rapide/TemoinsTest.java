@@ -21,9 +21,9 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
+import lancer.contrat.Suivi;
 import lancer.contrat.Temoignage;
 import lancer.fils.Equipe;
-import lancer.fils.Suivi;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 

@@ -81,7 +81,8 @@ public final class Correction {
                     + " ; pour exécuter quand même le code des étudiants, qui pourra lire et écrire vos fichiers : "
                     + "SANS_CONFINEMENT=1 (--sans-confinement)");
         }
-        suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
+        suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu")
+                + " ; le corrigé d'abord");
         try (Jury jury = new Jury(travail, confinement, Limites.ordinaires())) {
             Grille grille = new Grille(jury.getReference());
             Bareme bareme = new Bareme(demande.bareme == null ? dossier.resolve("bareme.ini") : demande.bareme, grille);

@@ -225,7 +225,8 @@ public final class Depot {
             try (Archive archive = new Archive(fichier)) {
                 deplier(rendu, chemin.substring(0, chemin.length() - 4), archive, niveau + 1);
             } catch (IOException e) {
-                rendu.getRefus().add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe (" + e.getMessage() + ")");
+                rendu.getRefus().add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe ("
+                        + e.getMessage() + ")");
             }
         } else if (AUTRE_ARCHIVE.matcher(bas).matches()) {
             refuserFormat(rendu, chemin);

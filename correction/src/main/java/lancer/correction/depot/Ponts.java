@@ -44,6 +44,8 @@ final class Ponts {
             new Forme(2, "Lancer", "Couleur", "getCouleurPixel", "double", "double", "int"),
             new Forme(2, "Camera", "Rayon", "getRayon", "double", "double"));
 
+    private static final String MODIFICATEURS =
+            "((?:\\b(?:public|protected|private|static|final|abstract|synchronized)\\s+){0,6})";
     private static final String REELS = "[dD]ouble|[fF]loat|int|Integer|long|Number";
 
     private Ponts() {
@@ -61,9 +63,9 @@ final class Ponts {
     }
 
     private static String ajouter(Forme forme, String texte, List<String> remarques) {
-        Matcher m = Pattern.compile("((?:\\b(?:public|protected|private|static|final|abstract|synchronized)\\s+){0,6})\\b("
-                + (forme.rend.equals("double") ? REELS : forme.rend) + ")(\\s+" + forme.nom
-                + "\\s*)\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]").matcher(Source.sansCommentaires(texte));
+        Matcher m = Pattern.compile(MODIFICATEURS + "\\b(" + (forme.rend.equals("double") ? REELS : forme.rend)
+                + ")(\\s+" + forme.nom + "\\s*)\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]")
+                .matcher(Source.sansCommentaires(texte));
         String pont = null;
         List<String> changes = null;
         while (m.find()) {

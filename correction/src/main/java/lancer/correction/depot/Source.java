@@ -25,7 +25,7 @@ public final class Source {
             Pattern.compile("(?ms)^    \\w[^;{}=]*?(\\w+)\\([^()]*\\) \\{\n(.*?)^    \\}");
     private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
             + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
-    /** Ce qui n'est pas du code : un commentaire, un texte, un caractère. Possessif : sans quoi un long texte épuise la pile. */
+    /** Un commentaire, un texte, un caractère. Possessif : sans quoi un long texte épuise la pile. */
     private static final Pattern HORS_CODE = Pattern.compile("/\\*.*?(?:\\*/|\\z)|//[^\n]*"
             + "|\"(?:\\\\.|[^\"\\\\\n])*+\"|'(?:\\\\.|[^'\\\\\n])*+'", Pattern.DOTALL);
 

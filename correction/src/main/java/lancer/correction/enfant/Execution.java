@@ -146,7 +146,7 @@ public final class Execution {
         return "o" + numero + ":" + invoquer("lancer.Appels", "nom", new Class<?>[] {Object.class}, valeur);
     }
 
-    /** Une exception du rendu : son nom, et la première ligne de son code ; une faute de compilation, ce qu'elle est. */
+    /** Une exception du rendu : son nom, la première ligne de son code ; une faute de compilation, ce qu'elle est. */
     private static String cause(Throwable e) {
         String message = String.valueOf(e.getMessage());
         String nom = e.getClass().getName();

@@ -26,7 +26,7 @@ public final class Enfant implements AutoCloseable {
     private static final long TOUR_MS = 100;
     private static final long SORTIE_MAX = 64 << 20;
     private static final long PAGE = 4096;
-    /** Ce que prend une machine virtuelle en plus de la mémoire de Java, et ce que d'autres programmes peuvent prendre. */
+    /** Ce que prennent, en plus de la mémoire de Java, la machine virtuelle et les programmes qu'elle lance. */
     private static final long HORS_DU_TAS = 400;
     private static final String FIN = "\0fin";
 

@@ -43,7 +43,7 @@ final class Juge implements AutoCloseable {
     private final Chantier chantier;
     private final Machines machines;
     private final Projet projet;
-    /** La machine d'un seul assemblage : un rendu n'a devant lui ni le corrigé de ce qu'on y juge, ni ses autres essais. */
+    /** La machine d'un seul assemblage : un rendu n'y a ni le corrigé de ce qu'on y juge, ni ses autres essais. */
     private Machines.Rendue machine;
     private Assemblage enMachine;
     private final Resultat resultat = new Resultat();
@@ -240,7 +240,7 @@ final class Juge implements AutoCloseable {
                 "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }
 
-    /** Faux si la méthode dont parle cette vérification, ou à défaut une de sa classe, est celle du projet à compléter. */
+    /** Faux si la méthode dont parle cette vérification, à défaut une de sa classe, est celle du projet à compléter. */
     private boolean commencee(Verification v) {
         Map<String, Boolean> methodes = Source.commencees(projet.texte(v.classe), Modele.squelette(v.classe));
         List<String> nommees = methodes.keySet().stream()
@@ -260,7 +260,7 @@ final class Juge implements AutoCloseable {
         try {
             Image image = image(ensemble, 0);
             resultat.image = image;
-            // là où le rendu a raison, au ciel au moins, il l'a à une moitié de pixel près : c'est là qu'on voit laquelle
+            // là où le rendu a raison, au ciel au moins, il l'a à un demi-pixel près : c'est là qu'on voit lequel
             resultat.centre = image.pareils(reference.getImage(true)) > image.pareils(reference.getImage(false));
             resultat.ecart = new Ecart(reference.getImage(resultat.centre), image);
             boolean meme = resultat.ecart.memeImage();

@@ -44,7 +44,8 @@ final class Variantes {
             new Critere("brume", "Extension : brume", "croissante", "k croît avec la distance"),
             new Critere("brume", "Extension : brume", "melange",
             "la couleur est k fois celle de la brume, plus (1 - k) fois celle de l'objet"),
-            new Critere("brume", "Extension : brume", "reflets", "ce que l'on voit dans un miroir est aussi dans la brume"),
+            new Critere("brume", "Extension : brume", "reflets",
+            "ce que l'on voit dans un miroir est aussi dans la brume"),
             new Critere("antialias", "Extension : anticrénelage", "bords",
             "les bords approchent la moyenne de plusieurs rayons par pixel"),
             new Critere("antialias", "Extension : anticrénelage", "ailleurs", "hors des bords, l'image ne change pas"),
@@ -186,7 +187,7 @@ final class Variantes {
         }
     }
 
-    /** Dans un miroir à la première des distances, une boule à la dernière : ce que change sa couleur à celle du pixel. */
+    /** Dans un miroir à la première distance, une boule à la dernière : ce que change sa couleur à celle du pixel. */
     private double reflet(Assemblage assemblage) throws Arret {
         double[] vues = new double[2];
         for (int i = 0; i < 2; i++) {

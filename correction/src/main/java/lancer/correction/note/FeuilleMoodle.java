@@ -89,7 +89,7 @@ public final class FeuilleMoodle {
     /**
      * Écrit {@code notes-a-deposer.csv} et {@code retours.zip}.
      *
-     * @return les rendus jugés dont la note n'est pas dans la feuille : elle ne les connaît pas, ou la leur est verrouillée
+     * @return les rendus jugés dont la note n'est pas dans la feuille : elle ne les a pas, ou la leur est verrouillée
      */
     public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
         Map<String, Eleve> parId = new LinkedHashMap<>();

@@ -82,8 +82,7 @@ final class PageEleve {
             html.brut("<h2>").dire(fautes.size() == 1 ? "Une faute de compilation" : fautes.size()
                     + " fautes de compilation").brut("</h2>\n")
                     .element("p class=\"petit gris\"",
-                    "Une faute ne coûte que la méthode où elle est, ou sa classe si elle n'est dans aucune ; le reste a été "
-                    + "jugé.").brut("<ul>");
+                    "Une faute ne coûte que la méthode où elle est, ou sa classe si elle n'est dans aucune.").brut("<ul>");
             for (Faute faute : fautes.stream().limit(FAUTES_MONTREES).collect(Collectors.toList())) {
                 html.brut("<li>").element("code", faute).brut("</li>");
             }

@@ -49,7 +49,7 @@ class HostilesTest extends JuryEssai {
             }
         }
         ecrireCorrige(rendus.resolve("ordinaire"));
-        Map<String, Resultat> resultats = juger(rendus, dossier.resolve("travail"), confinement);
+        Map<String, Resultat> resultats = juger(rendus, dossier.resolve("travail"), confinement, COURTES);
         assertEquals(new TreeSet<>(List.of(rendus.toFile().list())), new TreeSet<>(resultats.keySet()), "une ligne chacun");
 
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));

@@ -18,14 +18,18 @@ import lancer.correction.modele.Modele;
 /** De quoi juger des rendus d'essai, sans pages ni notes. */
 abstract class JuryEssai extends ClasseEssai {
 
+    /** Pour des rendus dont certains ne finissent pas. */
     static final Limites COURTES = new Limites(1, 2, 160, 40);
 
+    /** Pour des rendus dont aucun ne s'endort : une machine où d'autres travaillent peut les faire attendre. */
+    static final Limites PATIENTES = new Limites(1, 60, 160, 40);
+
     /** Juge tous les rendus de ce dossier ; les résultats par nom. */
-    static Map<String, Resultat> juger(Path rendus, Path travail, Confinement confinement) throws IOException {
+    static Map<String, Resultat> juger(Path rendus, Path travail, Confinement confinement, Limites limites) throws IOException {
         prendreReference(travail);
         List<Rendu> liste = Depot.lire(rendus, travail);
         Map<String, Resultat> resultats = new LinkedHashMap<>();
-        try (Jury jury = new Jury(travail.toRealPath(), confinement, COURTES)) {
+        try (Jury jury = new Jury(travail.toRealPath(), confinement, limites)) {
             List<Resultat> tous = jury.juger(liste, (rang, resultat) -> { });
             for (int k = 0; k < tous.size(); k++) {
                 resultats.put(liste.get(k).getNom(), tous.get(k));

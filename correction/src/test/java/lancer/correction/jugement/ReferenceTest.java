@@ -30,7 +30,7 @@ class ReferenceTest extends JuryEssai {
     @Test
     void leCorrigeDessineNotreImageEtPasseTout() throws IOException {
         ecrireCorrige(dossier.resolve("rendus/corrige"));
-        Map<String, Resultat> resultats = juger(dossier.resolve("rendus"), dossier.resolve("travail"), Confinement.essayer());
+        Map<String, Resultat> resultats = juger(dossier.resolve("rendus"), dossier.resolve("travail"), Confinement.essayer(), PATIENTES);
         Resultat corrige = resultats.get("corrige");
         assertEquals(new TreeSet<>(), ratees(corrige));
         assertTrue(corrige.verdicts.values().stream().allMatch(Verdict::compte));
@@ -52,7 +52,7 @@ class ReferenceTest extends JuryEssai {
     void leProjetACompleterNePasseQueCeQuiNeComptePas() throws IOException {
         Path travail = Files.createDirectories(dossier.resolve("autre"));
         prendreReference(travail);
-        try (Jury jury = new Jury(travail, Confinement.essayer(), COURTES)) {
+        try (Jury jury = new Jury(travail, Confinement.essayer(), PATIENTES)) {
             assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
                     jury.getReference().getVerifications().stream().filter(v -> !jury.getReference().compte(v)).map(Verification::id)
                             .collect(Collectors.toCollection(TreeSet::new)));

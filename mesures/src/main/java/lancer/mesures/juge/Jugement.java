@@ -10,8 +10,8 @@ import lancer.Camera;
 import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Scene;
-import lancer.temoins.LancerSurveille;
 import lancer.sortie.ImageMemoire;
+import lancer.temoins.LancerSurveille;
 
 /** Une scène, dessinée par nous et par le juge, et ce qui les sépare. */
 final class Jugement {

@@ -21,8 +21,8 @@ import lancer.contrat.Modele;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.Scenes;
 import lancer.mesures.Verite;
-import lancer.temoins.LancerSurveille;
 import lancer.sortie.ImageMemoire;
+import lancer.temoins.LancerSurveille;
 
 /** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
 final class Besoin {

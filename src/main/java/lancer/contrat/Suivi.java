@@ -1,4 +1,4 @@
-package lancer.fils;
+package lancer.contrat;
 
 /** À qui un long travail dit où il en est. */
 public interface Suivi {

@@ -1,0 +1,52 @@
+package lancer.fenetre;
+
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.Test;
+
+/** L'inspecteur, avec l'anticrénelage : les échantillons du pixel se voient, et chacun peut être choisi. */
+class FenetreEchantillonsTest extends EssaiFenetre {
+
+    private static void presser(JComponent composant, int x, int y, int evenement) throws Exception {
+        surFilEvenements(() -> {
+            composant.dispatchEvent(new MouseEvent(composant, evenement, 0, InputEvent.BUTTON1_DOWN_MASK, x, y, 1, false,
+                    MouseEvent.BUTTON1));
+            return null;
+        });
+    }
+
+    @Test
+    void chaqueEchantillonSeChoisitDUnClicOuDUneToucheEtLePixelResteLeMeme() throws Exception {
+        ecrire(ROUGE + "[Antialias]\nn=3\nseuil=0\n");
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        presser(banc.panneau, (banc.panneau.getWidth() - L) / 2 + 150, (banc.panneau.getHeight() - H) / 2 + 100,
+                MouseEvent.MOUSE_CLICKED);
+        JTextArea recit = composant("recit", JTextArea.class);
+        attendre("l'échantillon du centre", () -> recit.getText().contains("\nchaîne de l'échantillon 150.50, 100.50\n"));
+        String somme = surFilEvenements(() -> recit.getText().replaceAll("(?s).*\n", ""));
+        JComponent grille = composant("echantillons", JComponent.class);
+        presser(grille, 5, 5, MouseEvent.MOUSE_PRESSED);
+        attendre("le premier", () -> recit.getText().contains("\nchaîne de l'échantillon 150.17, 100.17\n"));
+        KeyStroke suivante = KeyStroke.getKeyStroke(KeyEvent.VK_PAGE_DOWN, 0);
+        surFilEvenements(() -> {
+            recit.getActionForKeyStroke(suivante).actionPerformed(new ActionEvent(recit, 0, ""));
+            return null;
+        });
+        attendre("le deuxième", () -> recit.getText().contains("\nchaîne de l'échantillon 150.50, 100.17\n"));
+        assertTrue(recit.getText().endsWith(somme), recit.getText());
+        JLabel verdict = composant("verdict", JLabel.class);
+        attendre("la comparaison", () -> verdict.getText().startsWith("Au bit près"));
+    }
+}

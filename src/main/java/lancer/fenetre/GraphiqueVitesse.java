@@ -1,0 +1,306 @@
+package lancer.fenetre;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import lancer.auto.Reglage;
+
+/** Des réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
+final class GraphiqueVitesse extends JComponent {
+
+    /** L'erreur que fait l'écran seul en arrondissant à un niveau entier : 1/√12. */
+    static final double ARRONDI = 1 / Math.sqrt(12);
+
+    private static final long serialVersionUID = 1;
+
+    private static final int GAUCHE = 58;
+    private static final int DROITE = 18;
+    private static final int HAUT = 42;
+    private static final int BAS = 42;
+    private static final int RAYON = 5;
+    private static final int PORTEE = 12;
+    private static final Color SOUS_L_ARRONDI = new Color(0xE4F1E4);
+    private static final Color GRILLE = new Color(0xDDDDDD);
+    private static final Color DOMINE = new Color(0xAAAAAA);
+    private static final Color FRONT = new Color(0x1F5FA8);
+    private static final Color MESURE = new Color(0xC0392B);
+
+    private final transient List<Point> points = new ArrayList<>();
+    private final transient List<double[]> mesures = new ArrayList<>();
+    private transient Point ici;
+    private double msParRayon;
+    private String present = "";
+    private int choisi = -1;
+    private int version;
+    private double xMin = 1;
+    private double xMax = 10;
+    private double yMin = 0.1;
+    private double yMax = 10;
+
+    /** Un réglage et ce qui en est attendu. Immuable, à la différence du réglage. */
+    static final class Point {
+        private final Reglage reglage;
+        private final boolean front;
+        private final double rayons;
+        private final double ecran;
+        private final double erreur;
+        private final double auMoins;
+        private final double auPlus;
+
+        Point(Reglage reglage, boolean front) {
+            this.reglage = reglage;
+            this.front = front;
+            rayons = reglage.getPrix();
+            ecran = reglage.getRayons();
+            erreur = reglage.getErreur();
+            auPlus = reglage.getErreurAuPlus();
+            auMoins = auPlus - 2 * reglage.getIncertitude();
+        }
+    }
+
+    GraphiqueVitesse(Consumer<Reglage> clic) {
+        setName("vitesse.graphique");
+        setFocusable(true);
+        setToolTipText("");
+        addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent e) {
+                requestFocusInWindow();
+                viser(e, clic);
+            }
+        });
+        for (int touche : new int[] {KeyEvent.VK_LEFT, KeyEvent.VK_RIGHT}) {
+            registerKeyboardAction(e -> avancer(touche == KeyEvent.VK_RIGHT ? 1 : -1),
+                    KeyStroke.getKeyStroke(touche, 0), WHEN_IN_FOCUSED_WINDOW);
+        }
+        registerKeyboardAction(e -> {
+            if (choisi >= 0 && choisi < front().size()) {
+                clic.accept(front().get(choisi).reglage);
+            }
+        }, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), WHEN_IN_FOCUSED_WINDOW);
+    }
+
+    /** Combien de scènes ont été essayées. */
+    int getVersion() {
+        return version;
+    }
+
+    void vider() {
+        version++;
+        points.clear();
+        mesures.clear();
+        ici = null;
+        choisi = -1;
+        repaint();
+    }
+
+    /** @param nouvelIci les réglages présents, s'ils sont essayés */
+    void montrer(List<Point> nouveaux, double msDuPrixUn, Point nouvelIci) {
+        points.clear();
+        points.addAll(nouveaux);
+        msParRayon = msDuPrixUn;
+        ici = nouvelIci;
+        cadrer();
+    }
+
+    /** Ceux de l'image montrée. */
+    void setPresent(int reflets, double seuil, String section) {
+        present = reflets + " " + seuil + " " + section;
+        repaint();
+    }
+
+    void ajouterMesure(double rayons, double erreur, double incertitude) {
+        mesures.add(new double[] {rayons, erreur, incertitude});
+        cadrer();
+    }
+
+    private boolean estPresent(Point p) {
+        return (p.reglage.getReflets() + " " + p.reglage.getSeuil() + " " + p.reglage.getSection()).equals(present);
+    }
+
+    private List<Point> tous() {
+        List<Point> tous = new ArrayList<>(points);
+        if (ici != null) {
+            tous.add(ici);
+        }
+        return tous;
+    }
+
+    private List<Point> front() {
+        List<Point> front = new ArrayList<>(points);
+        front.removeIf(p -> !p.front);
+        front.sort(Comparator.comparingDouble(p -> p.rayons));
+        return front;
+    }
+
+    private void cadrer() {
+        xMin = tous().stream().mapToDouble(p -> p.rayons).min().orElse(1) / 1.3;
+        xMax = tous().stream().mapToDouble(p -> p.rayons).max().orElse(10) * 1.3;
+        yMin = ARRONDI / 3;
+        yMax = Math.max(1, tous().stream().mapToDouble(p -> p.auPlus).max().orElse(10) * 1.3);
+        repaint();
+    }
+
+    private double x(double rayons) {
+        return GAUCHE + (getWidth() - GAUCHE - DROITE) * Math.log(rayons / xMin) / Math.log(xMax / xMin);
+    }
+
+    private double y(double erreur) {
+        double part = Math.log(Math.max(erreur, yMin) / yMin) / Math.log(yMax / yMin);
+        return getHeight() - BAS - (getHeight() - HAUT - BAS) * part;
+    }
+
+    private void avancer(int pas) {
+        choisi = Math.max(0, Math.min(front().size() - 1, choisi + pas));
+        repaint();
+    }
+
+    private Point sous(MouseEvent e) {
+        return tous().stream().filter(p -> e.getPoint().distance(x(p.rayons), y(p.erreur)) < PORTEE)
+                .min(Comparator.comparingDouble(p -> e.getPoint().distance(x(p.rayons), y(p.erreur)))).orElse(null);
+    }
+
+    private void viser(MouseEvent e, Consumer<Reglage> clic) {
+        Point vise = sous(e);
+        if (vise != null) {
+            choisi = front().indexOf(vise);
+            clic.accept(vise.reglage);
+        }
+    }
+
+    @Override
+    public String getToolTipText(MouseEvent e) {
+        Point p = sous(e);
+        return p == null ? null : legende(p);
+    }
+
+    private String legende(Point p) {
+        return String.format(Locale.FRANCE, "%s : erreur de %.2f (de %.2f à %.2f), %.2f rayons de l'écran par pixel, "
+                + "%.1f en tout, %.0f ms", p.reglage, p.erreur, p.auMoins, p.auPlus, p.ecran, p.rayons,
+                p.rayons * msParRayon);
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setColor(Color.WHITE);
+        g.fillRect(0, 0, getWidth(), getHeight());
+        if (!points.isEmpty()) {
+            peindreAxes(g);
+            peindrePoints(g);
+        }
+        g.dispose();
+    }
+
+    private void peindreAxes(Graphics2D g) {
+        double droite = (double) getWidth() - DROITE;
+        double bas = (double) getHeight() - BAS;
+        g.setColor(SOUS_L_ARRONDI);
+        g.fill(new Rectangle2D.Double(GAUCHE, y(ARRONDI), droite - GAUCHE, bas - y(ARRONDI)));
+        g.setFont(g.getFont().deriveFont(Font.PLAIN, g.getFont().getSize2D() * 0.9f));
+        for (double t : graduations(xMin, xMax)) {
+            trait(g, x(t), HAUT, x(t), bas, GRILLE);
+            ecrire(g, nombre(t), x(t), bas + 15, 0.5);
+        }
+        for (double t : graduations(xMin * msParRayon, xMax * msParRayon)) {
+            trait(g, x(t / msParRayon), HAUT - 4.0, x(t / msParRayon), HAUT, Color.BLACK);
+            ecrire(g, nombre(t), x(t / msParRayon), HAUT - 8.0, 0.5);
+        }
+        for (double t : graduations(yMin, yMax)) {
+            trait(g, GAUCHE, y(t), droite, y(t), GRILLE);
+            ecrire(g, nombre(t), GAUCHE - 6.0, y(t) + 4, 1);
+        }
+        trait(g, GAUCHE, HAUT, droite, HAUT, Color.BLACK);
+        trait(g, GAUCHE, bas, droite, bas, Color.BLACK);
+        trait(g, GAUCHE, HAUT, GAUCHE, bas, Color.BLACK);
+        ecrire(g, "sous l'arrondi de l'écran", GAUCHE + 4.0, bas - 5, 0);
+        ecrire(g, "rayons de toutes sortes par pixel", (GAUCHE + droite) / 2, bas + 33, 0.5);
+        ecrire(g, "ms, d'après la vitesse des essais", droite, 14, 1);
+        ecrire(g, "erreur attendue (niveaux sur 255)", 6, 14, 0);
+    }
+
+    private void peindrePoints(Graphics2D g) {
+        Path2D ligne = new Path2D.Double();
+        for (Point p : front()) {
+            if (ligne.getCurrentPoint() == null) {
+                ligne.moveTo(x(p.rayons), y(p.erreur));
+            } else {
+                ligne.lineTo(x(p.rayons), y(p.erreur));
+            }
+        }
+        g.setColor(FRONT);
+        g.setStroke(new BasicStroke(1.5f));
+        g.draw(ligne);
+        for (Point p : tous()) {
+            Color couleur = p.front ? FRONT : DOMINE;
+            trait(g, x(p.rayons), y(p.auMoins), x(p.rayons), y(p.auPlus), couleur);
+            g.fill(disque(p.rayons, p.erreur, p.front ? RAYON : RAYON - 2));
+            if (p == ici ? points.stream().noneMatch(this::estPresent) : estPresent(p)) {
+                g.setColor(Color.BLACK);
+                g.draw(disque(p.rayons, p.erreur, 2.0 * RAYON));
+            }
+        }
+        for (double[] m : mesures) {
+            trait(g, x(m[0]), y(m[1] - m[2]), x(m[0]), y(m[1] + m[2]), MESURE);
+            g.draw(disque(m[0], m[1], RAYON));
+        }
+        List<Point> front = front();
+        if (choisi >= 0 && choisi < front.size()) {
+            Point p = front.get(choisi);
+            g.setColor(Color.BLACK);
+            g.draw(new Rectangle2D.Double(x(p.rayons) - 8, y(p.erreur) - 8, 16, 16));
+        }
+    }
+
+    private Ellipse2D disque(double rayons, double erreur, double rayon) {
+        return new Ellipse2D.Double(x(rayons) - rayon, y(erreur) - rayon, 2 * rayon, 2 * rayon);
+    }
+
+    private static void trait(Graphics2D g, double x0, double y0, double x1, double y1, Color couleur) {
+        g.setColor(couleur);
+        g.draw(new Line2D.Double(x0, y0, x1, y1));
+    }
+
+    /** @param cale 0 : à partir de x ; 1 : jusqu'à x */
+    private static void ecrire(Graphics2D g, String texte, double x, double y, double cale) {
+        g.setColor(Color.DARK_GRAY);
+        g.drawString(texte, (float) (x - cale * g.getFontMetrics().stringWidth(texte)), (float) y);
+    }
+
+    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes. */
+    private static List<Double> graduations(double min, double max) {
+        List<Double> graduations = new ArrayList<>();
+        for (double dix = Math.pow(10, Math.floor(Math.log10(min))); dix <= max; dix *= 10) {
+            for (double t : new double[] {dix, 2 * dix, 5 * dix}) {
+                if (t >= min && t <= max) {
+                    graduations.add(t);
+                }
+            }
+        }
+        return graduations;
+    }
+
+    private static String nombre(double t) {
+        return t >= 1 ? String.format(Locale.FRANCE, "%.0f", t)
+                : String.format(Locale.FRANCE, "%.2f", t).replaceAll("0+$", "");
+    }
+}

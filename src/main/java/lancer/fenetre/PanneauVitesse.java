@@ -1,0 +1,256 @@
+package lancer.fenetre;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.auto.Auto;
+import lancer.auto.Reglage;
+import lancer.auto.Souhait;
+import lancer.contrat.Reglable;
+import lancer.contrat.Variante;
+import lancer.sortie.ImageMemoire;
+import lancer.sortie.ReglagesDessin;
+
+/**
+ * « Vitesse ou précision » : les réglages que {@code --auto} essaierait sur la scène montrée, chacun à son prix et à
+ * son erreur attendue. Un fil à part les essaie, et le dit à mesure ; fermer l'arrête, changer de scène recommence.
+ */
+final class PanneauVitesse extends JDialog {
+
+    private static final long serialVersionUID = 1;
+
+    private static final int MARGE = 8;
+    private static final double MS_PAR_S = 1e3;
+    private static final double NS_PAR_S = 1e9;
+
+    private static PanneauVitesse ouvert;
+
+    private final transient Atelier atelier;
+    private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner);
+    private final JLabel etat = new JLabel(" ");
+    private final JLabel machine = new JLabel(" ");
+    private final transient ExecutorService fil = Executors.newSingleThreadExecutor(tache -> {
+        Thread nouveau = new Thread(tache, "lancer-vitesse");
+        nouveau.setDaemon(true);
+        return nouveau;
+    });
+    private transient Future<?> essais;
+
+    /** La scène essayée, telle que rien de ce panneau ne la change ; {@code null} s'il n'y en a pas. */
+    private transient List<Object> essayee;
+
+    /** Ses essais, une fois finis. */
+    private transient Auto auto;
+
+    /** Le point dessiné, s'il n'est pas encore mesuré. */
+    private transient Reglage voulu;
+
+    private PanneauVitesse(Atelier atelier) {
+        super(atelier.getCadre(), "Vitesse ou précision");
+        setName("vitesse");
+        this.atelier = atelier;
+        JPanel bas = new JPanel(new BorderLayout());
+        bas.setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE, MARGE));
+        etat.setName("vitesse.etat");
+        machine.setFont(machine.getFont().deriveFont(machine.getFont().getSize2D() * 0.8f));
+        bas.add(etat, BorderLayout.CENTER);
+        bas.add(machine, BorderLayout.PAGE_END);
+        graphique.setPreferredSize(new Dimension(560, 400));
+        add(graphique, BorderLayout.CENTER);
+        add(bas, BorderLayout.PAGE_END);
+        getRootPane().registerKeyboardAction(e -> fermer(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                JComponent.WHEN_IN_FOCUSED_WINDOW);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent e) {
+                fermer();
+            }
+        });
+        pack();
+        atelier.prevenir(this::suivre);
+    }
+
+    /** Le montre, et l'essai commence s'il n'a pas déjà eu lieu. */
+    static void ouvrir(Atelier atelier) {
+        if (ouvert == null || ouvert.atelier != atelier) {
+            ouvert = new PanneauVitesse(atelier);
+        }
+        Menus.aCote(ouvert, atelier.getCadre());
+        ouvert.setVisible(true);
+        ouvert.suivre();
+    }
+
+    private void fermer() {
+        setVisible(false);
+        abandonner();
+    }
+
+    private void abandonner() {
+        if (essais != null) {
+            essais.cancel(true);
+        }
+        essais = null;
+        essayee = null;
+        auto = null;
+        voulu = null;
+        graphique.vider();
+    }
+
+    /** Un dessin commence ou finit, ou une scène est lue. */
+    private void suivre() {
+        Lancer lancer = atelier.getLancer();
+        ReglagesDessin reglages = atelier.getReglages();
+        if (!isVisible() || lancer == null || reglages == null) {
+            return;
+        }
+        List<Object> scene = scene(lancer, reglages);
+        if (!memes(scene, essayee)) {
+            abandonner();
+            essayee = scene;
+            essayer(lancer, reglages);
+        }
+        graphique.setPresent(reglages.getReflets(), reglages.getSeuil(), section(reglages));
+        ImageMemoire image = atelier.getImageComplete();
+        if (voulu != null && auto != null && image != null && image.getLineaire() != null && estDessine(reglages)) {
+            mesurer(auto, voulu, lancer, image);
+            voulu = null;
+        }
+    }
+
+    /** Ce dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
+    private static List<Object> scene(Lancer lancer, ReglagesDessin reglages) {
+        List<Object> scene = new ArrayList<>(Arrays.asList(lancer.getScene().getObjets(),
+                lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur()));
+        for (Variante variante : reglages.getVariantes()) {
+            if (reglages.estBranchee(variante) && !libres(reglages).contains(variante)) {
+                scene.add(reglages.getSection(variante).toString());
+            }
+        }
+        return scene;
+    }
+
+    /** La liste des objets est la même, ou ce n'est plus la même scène ; le reste se compare. */
+    private static boolean memes(List<Object> une, List<Object> autre) {
+        return autre != null && une.get(0) == autre.get(0)
+                && une.subList(1, une.size()).equals(autre.subList(1, autre.size()));
+    }
+
+    /** Les variantes branchées que les essais règlent : le fichier n'en dit rien. */
+    private static List<Variante> libres(ReglagesDessin reglages) {
+        List<Variante> libres = new ArrayList<>(reglages.initiaux().getVariantesLibres());
+        libres.removeIf(variante -> !(variante instanceof Reglable) || !reglages.estBranchee(variante));
+        return libres;
+    }
+
+    /** La section qui règle l'échantillonnage ; {@code null} si c'est la scène. */
+    private static String section(ReglagesDessin reglages) {
+        return libres(reglages).stream().map(v -> reglages.getSection(v).toString()).findFirst().orElse(null);
+    }
+
+    private boolean estDessine(ReglagesDessin reglages) {
+        String section = voulu.getSection() == null ? null : voulu.getSection().toString();
+        return reglages.getReflets() == voulu.getReflets() && reglages.getSeuil() == voulu.getSeuil()
+                && (section == null || section.equals(section(reglages)));
+    }
+
+    private void essayer(Lancer lancer, ReglagesDessin reglages) {
+        List<Object> scene = essayee;
+        List<Variante> libres = libres(reglages);
+        int fils = atelier.getFils();
+        double pixels = (double) lancer.getCamera().getLargeur() * lancer.getCamera().getHauteur();
+        machine.setText(fils + (fils > 1 ? " fils, " : " fil, ") + System.getProperty("os.name") + " "
+                + System.getProperty("os.arch") + ", Java " + System.getProperty("java.version"));
+        etat.setText("premiers essais…");
+        essais = fil.submit(() -> {
+            try {
+                Auto fait = Auto.choisir(lancer, Souhait.erreur(GraphiqueVitesse.ARRONDI), fils, libres, enCours -> {
+                    int restants = enCours.getRestants();
+                    montrer(scene, enCours, pixels, "encore au plus " + restants
+                            + (restants > 1 ? " échantillonnages" : " échantillonnage") + " à essayer…", null);
+                });
+                Reglage present = fait.evaluer(reglages.getReflets(), reglages.getSeuil());
+                montrer(scene, fait, pixels, "Un clic sur un point dessine l'image avec ses réglages"
+                        + " (ou flèches, et Entrée).", present);
+            } catch (CancellationException e) {
+                // le panneau est fermé, ou la scène a changé
+            } catch (RuntimeException | Error e) {
+                EventQueue.invokeLater(() -> etat.setText("Essais impossibles : " + e.getMessage()));
+            }
+        });
+    }
+
+    /** Du fil des essais : ce qu'ils disent, si personne n'a changé de scène entre-temps. */
+    private void montrer(List<Object> scene, Auto enCours, double pixels, String texte, Reglage present) {
+        List<GraphiqueVitesse.Point> points = new ArrayList<>();
+        for (Reglage reglage : enCours.getEssayes()) {
+            points.add(new GraphiqueVitesse.Point(reglage, enCours.getFront().contains(reglage)));
+        }
+        double msParRayon = enCours.getSecondesParRayon() * pixels * MS_PAR_S;
+        GraphiqueVitesse.Point ici = present == null ? null : new GraphiqueVitesse.Point(present, false);
+        EventQueue.invokeLater(() -> {
+            if (scene == essayee) {
+                etat.setText(texte);
+                graphique.montrer(points, msParRayon, ici);
+                auto = present == null ? null : enCours;
+                suivre();
+            }
+        });
+    }
+
+    private void dessiner(Reglage reglage) {
+        ReglagesDessin reglages = atelier.getReglages().avec(reglage.getReflets(), reglage.getSeuil());
+        if (reglage.getSection() != null) {
+            Variante variante = reglages.getVariante(reglage.getSection().getNom());
+            reglages = reglages.avec(variante, reglage.getSection());
+        }
+        voulu = reglage;
+        atelier.dessiner(reglages, false);
+    }
+
+    private void mesurer(Auto fait, Reglage reglage, Lancer lancer, ImageMemoire image) {
+        List<Object> scene = essayee;
+        double rayons = lancer.getCompteurs().rayons() / (double) image.getCodes().length;
+        double secondes = lancer.getDureeNs() / NS_PAR_S;
+        etat.setText("mesure de l'image…");
+        essais = fil.submit(() -> {
+            try {
+                double[] erreur = fait.mesurer(reglage, (i, j) -> couleur(image, i, j));
+                EventQueue.invokeLater(() -> {
+                    if (scene == essayee) {
+                        etat.setText(String.format(Locale.FRANCE, "Mesuré : erreur de %.2f ± %.2f "
+                                + "(attendue : %.2f ± %.2f), %.1f rayons par pixel, %.0f ms", erreur[0], erreur[1],
+                                reglage.getErreur(), reglage.getIncertitude(), rayons, secondes * MS_PAR_S));
+                        graphique.ajouterMesure(rayons, erreur[0], erreur[1]);
+                    }
+                });
+            } catch (CancellationException e) {
+                // le panneau est fermé, ou la scène a changé
+            }
+        });
+    }
+
+    private static Couleur couleur(ImageMemoire image, int i, int j) {
+        float[] lineaire = image.getLineaire();
+        int k = 3 * (j * image.getLargeur() + i);
+        return new Couleur(lineaire[k], lineaire[k + 1], lineaire[k + 2]);
+    }
+}
