@@ -9,8 +9,8 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
-	comparer reponses mesure-corriger image-classe image-reglages image-inspecteur aide propre
+.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
+	comparer reponses mesure-corriger image-classe image-inspecteur aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils
@@ -29,7 +29,7 @@ lanceurs: outils
 	@MVN="$(MVN)" JAVA="$(JAVA)" outils/lanceurs.sh
 
 VARIANTES_TOUTES := brume antialias blinn
-MODULES := . mesures $(VARIANTES_TOUTES)
+MODULES := . atelier mesures $(VARIANTES_TOUTES)
 
 mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MODULES),$(call sources,$(m))) | outils
 	@echo "Construction de $@"
@@ -51,28 +51,36 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	@$(JAVA) -jar blinn/target/blinn.jar --image $(NEUVES)/blinn-avec.png scenes/bowling.ini
 	@$(JAVA) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
 	@$(JAVA) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images $(NEUVES) images
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images $(NEUVES) images
 	@mkdir $(NEUVES)/icones
 	@for c in 16 32 48 128; do \
 	    $(JAVA) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
 	done
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Images $(NEUVES)/icones src/main/resources/lancer/fenetre
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images $(NEUVES)/icones src/main/resources/lancer/fenetre
+
+# Les captures d'écran du README, sur un écran à elles.
+captures: mesures/target/mesures.jar
+	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
+	@rm -rf target/captures && mkdir -p target/captures
+	@xvfb-run -a -s "-screen 0 800x700x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
+	    -cp mesures/target/mesures.jar lancer.atelier.Captures target/captures
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images target/captures images
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Generateur foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Generateur foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
-# Le banc d'essai ; BANC="--scenes foule --secondes 60" pour choisir.
+# Une famille des mesures : de une à un million de sphères, avec et sans étoiles lointaines.
 bench: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Banc $(BANC)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --spheres $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
-# Les noyaux, par JMH ; JMH="-f 3 -i 10 Intersection" pour ses options et le choix des noyaux.
+# Le temps de chaque façon de calculer une intersection, par JMH, et la courbe des méthodes ; JMH="-p formule=MANUEL" pour ses options.
 noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux $(JMH)
 
-# Les courbes de vitesse et de précision, de mesures faites maintenant ; interrompue, la même commande reprend où elle en était.
+# Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--stabilite ne mesure que la stabilité.
 mesures: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
@@ -92,7 +100,7 @@ mutations: mesures/target/mesures.jar
 	@echo "Un millier de fautes, l'une après l'autre : cinq à six minutes"
 	@nice -n 19 $(MVN) -q -f ensemble.xml -Pmutations -pl :lancer,:brume,:blinn,:antialias \
 	    test-compile org.pitest:pitest-maven:mutationCoverage > target/mutations.log 2>&1 || { cat target/mutations.log >&2; exit 1; }
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
 
 CORRECTION := correction/target/correction.jar
 $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(shell find correction/src/main correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
@@ -103,7 +111,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 
 # Les figures et les nombres de docs/reponses.md.
 reponses: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.Reponses docs/reponses.md images
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
 
 # Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
 comparer: $(BASE)
@@ -132,12 +140,6 @@ image-classe: $(CORRECTION)
 	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1420 \
 	    --screenshot=images/classe.png "file://$(CURDIR)/target/classe-image/index.html" 2>/dev/null
 
-# La fenêtre et les paramètres des variantes, tels que le README les montre.
-image-reglages: blinn/target/blinn.jar
-	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
-	@xvfb-run -a -s "-screen 0 800x700x24" $(JAVA) -Djava.util.prefs.userRoot=target -cp blinn/target/blinn.jar:target/test-classes \
-	    lancer.fenetre.CaptureReglages images/fenetre-reglages.png scenes/bowling.ini
-
 # La fenêtre et son inspecteur, tels que le README les montre.
 image-inspecteur: $(BASE)
 	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
@@ -151,16 +153,16 @@ aide:
 	@echo "make javadoc               la documentation des classes : target/reports/apidocs/index.html, et de même chaque module"
 	@echo "make lanceurs              lance les tests du cours par douze autres lanceurs JUnit, de la version 1.9.3 à la 1.14.4"
 	@echo "make images                refait les images du README"
+	@echo "make captures              refait les captures d'écran du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
-	@echo "make bench                 dessine de 10 à 1000000 boules, vérifie et mesure ; BANC=\"--scenes foule\" pour choisir"
-	@echo "make noyaux                mesure une intersection, une recherche, un éclairement ; JMH=\"-f 3\" pour ses options"
-	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; dix minutes au plus"
-	@echo "make mesures RAPIDE=1      une partie, en moins d'une minute, dans mesures/target/vitesse-rapide"
+	@echo "make bench                 dessine de 1 à 1000000 sphères, vérifie et mesure, face aux boucles du cours et à POV-Ray ; dix minutes"
+	@echo "make noyaux                mesure huit façons de calculer une intersection, trois minutes ; JMH=\"-f 5\" pour les options de JMH"
+	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; une vingtaine de minutes"
+	@echo "make mesures RAPIDE=1      une partie, en une minute ou deux, dans mesures/target/vitesse-rapide"
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/tournesol.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
 	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"
-	@echo "make image-reglages        refait l'image des réglages du README"
 	@echo "make image-inspecteur      refait l'image de l'inspecteur du README"
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"

@@ -17,11 +17,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** La page {@code docs/stabilite.md} ne nomme que des tests qui existent, et n'oublie aucune des façons de se tromper. */
+/** {@code docs/stabilite-cas.md} ne nomme que des tests qui existent, et n'oublie aucune des façons de se tromper. */
 class CatalogueTest {
 
     private static final int FACONS = 49;
-    private static final Path PAGE = Paths.get("docs", "stabilite.md");
+    private static final Path PAGE = Paths.get("docs", "stabilite-cas.md");
+    private static final Path COURBES = Paths.get("docs", "stabilite.md");
     private static final Pattern ESSAI = Pattern.compile("`(\\w*Tests?)\\.(\\w+)`");
     private static final Pattern RANGEE = Pattern.compile("(?m)^\\| (\\d+) \\|.*$");
     private static final Pattern LIEN = Pattern.compile("\\]\\(([^)#:]+)\\)");
@@ -84,14 +85,15 @@ class CatalogueTest {
     }
 
     @Test
-    void chaqueLienDeLaPageMeneAUnFichier() throws IOException {
-        Matcher m = LIEN.matcher(lire(PAGE));
+    void chaqueLienDesDeuxPagesMeneAUnFichier() throws IOException {
+        Matcher m = LIEN.matcher(lire(COURBES) + lire(PAGE));
         int liens = 0;
         while (m.find()) {
             assertTrue(Files.exists(PAGE.resolveSibling(m.group(1))), m.group(1));
             liens++;
         }
-        assertTrue(liens >= 8, liens + " liens");
+        assertTrue(liens >= 12, liens + " liens");
+        assertTrue(lire(COURBES).contains("(stabilite-cas.md)"), "une page mène à l'autre");
         assertTrue(lire(Paths.get("README.md")).contains("(docs/stabilite.md)"), "le README y mène");
     }
 }

@@ -127,7 +127,7 @@ class FormeTest {
             "brume/src/main/java/lancer/brume/Brume.java", "nuit/src/main/java/lancer/nuit/Nuit.java"}) {
             assertEquals("120", demande(Paths.get(principal)).get("max_line_length"), principal);
         }
-        for (String autre : new String[] {"src/test/java/lancer/Tests.java", "mesures/src/main/java/lancer/mesures/Banc.java"}) {
+        for (String autre : new String[] {"src/test/java/lancer/Tests.java", "mesures/src/main/java/lancer/mesures/Gabarit.java"}) {
             assertEquals("140", demande(Paths.get(autre)).get("max_line_length"), autre);
         }
         assertFalse(demande(Paths.get("README.md")).containsKey("max_line_length"));

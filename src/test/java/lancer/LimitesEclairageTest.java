@@ -10,10 +10,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Random;
-import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
 import lancer.contrat.Specularite;
+import lancer.essai.RechercheNaive;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
@@ -43,25 +42,8 @@ class LimitesEclairageTest {
     /** Le rayon réfléchi part d'un contact qu'un arrondi met sous la surface : sans exclure le départ, il la retouche aussitôt. */
     @Test
     void sansExclureLeDepartUnMiroirSeReflechitLuiMeme() {
-        Recherche sansExclure = new Recherche() {
-            private final Recherche boucles = new RechercheSimple(
-                    Collections.<Objet3D>singletonList(boule(0, 0, 5, 1.5, 0, 0.5, 1)), new Compteurs());
-
-            @Override
-            public void plusProche(Rayon incident, Objet3D saufLui) {
-                boucles.plusProche(incident, null);
-            }
-
-            @Override
-            public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-                return false;
-            }
-
-            @Override
-            public Recherche pourUnFil(Compteurs compteurs) {
-                return this;
-            }
-        };
+        Recherche sansExclure = new RechercheNaive(Collections.<Objet3D>singletonList(boule(0, 0, 5, 1.5, 0, 0.5, 1)),
+                RechercheNaive.Ombre.AUCUNE, 0);
         assertTrue(pixelsFaux(sansExclure) > 100, pixelsFaux(sansExclure) + " pixels faux");
         // les nôtres sont comparés au ciel, en forme close, par TheorieTest.unMiroirSeulMontreLeCielDansLaDirectionReflechie
         assertEquals(0, pixelsFaux(null));

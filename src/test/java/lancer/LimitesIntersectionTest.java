@@ -6,11 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import lancer.essai.Exact;
+import lancer.essai.Formule;
 import org.junit.jupiter.api.Test;
 
 /**
- * Où les formules des manuels échouent, et pourquoi {@link Sphere#distance} est écrite autrement. Chaque test a la formule naïve
- * sous les yeux, montre là où elle va, là où elle se trompe, et que la nôtre y va encore. Le juge est {@link Exact}.
+ * Où les formules des manuels échouent, et pourquoi {@link Sphere#distance} est écrite autrement. Chaque test montre
+ * où la formule naïve va, où elle se trompe, et que la nôtre y va encore. Celles que l'on trouve partout sont dans {@link Formule}, à
+ * lire d'abord ; le juge est {@link Exact}.
  *
  * <p>u = 2^-53 est la précision relative d'un double : chaque opération se trompe d'au plus une part u de son résultat.
  */
@@ -19,46 +21,9 @@ class LimitesIntersectionTest {
     private static final double U = 0x1p-53;
     private static final double INFINI = Constantes.INFINI;
 
-    /** Une façon de calculer la distance d'un rayon à une sphère. */
-    private interface Methode {
+    /** Une formule que seul un test connaît. */
+    private interface Variante {
         double distance(Point P, Vecteur V, Point C, double r);
-    }
-
-    private static final Methode LA_NOTRE =
-            (P, V, C, r) -> Sphere.distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);
-
-    /**
-     * Celle des manuels : a t² + b t + c = 0, avec PC = P − C, a = V·V, b = 2 V·PC, c = PC·PC − r².
-     * Le discriminant b² − 4ac soustrait deux nombres de l'ordre de |PC|² pour en trouver un de l'ordre de r².
-     */
-    static double duManuel(Point P, Vecteur V, Point C, double r) {
-        Vecteur PC = new Vecteur(C, P);
-        double a = V.dot(V);
-        double b = 2 * V.dot(PC);
-        double c = PC.dot(PC) - r * r;
-        double discriminant = b * b - 4 * a * c;
-        if (discriminant < 0) {
-            return INFINI;
-        }
-        double t1 = (-b - Math.sqrt(discriminant)) / (2 * a);
-        double t2 = (-b + Math.sqrt(discriminant)) / (2 * a);
-        return t1 > 0 ? t1 : t2 > 0 ? t2 : INFINI;
-    }
-
-    /** Le même discriminant, mais la racine q = −(b + signe(b)√Δ)/2 puis t = q/a ou c/q : rien ne s'y soustrait… après Δ. */
-    private static double auxRacinesStables(Point P, Vecteur V, Point C, double r) {
-        Vecteur PC = new Vecteur(C, P);
-        double a = V.dot(V);
-        double b = 2 * V.dot(PC);
-        double c = PC.dot(PC) - r * r;
-        double discriminant = b * b - 4 * a * c;
-        if (discriminant < 0) {
-            return INFINI;
-        }
-        double q = -(b + Math.copySign(Math.sqrt(discriminant), b)) / 2;
-        double t1 = Math.min(q / a, c / q);
-        double t2 = Math.max(q / a, c / q);
-        return t1 > 0 ? t1 : t2 > 0 ? t2 : INFINI;
     }
 
     /** Ce que valent les réponses d'une méthode : combien se trompent de genre (touche ou manque), et la pire erreur des autres. */
@@ -70,7 +35,7 @@ class LimitesIntersectionTest {
     }
 
     /** Des rayons vers une sphère de rayon 1, de loin ; ceux qui la rasent à ce que l'arrondi des données permet sont laissés. */
-    private static Bilan deLoin(Methode methode, double distance) {
+    private static Bilan deLoin(Formule formule, double distance) {
         Random hasard = new Random(1);
         Bilan bilan = new Bilan();
         while (bilan.cas < 300) {
@@ -84,7 +49,7 @@ class LimitesIntersectionTest {
                 continue;
             }
             bilan.cas++;
-            double t = methode.distance(P, new Rayon(P, vise).getV(), C, 1);
+            double t = formule.distance(P, new Rayon(P, vise).getV(), C, 1);
             if ((t == INFINI) != (exact.distance == INFINI) || Double.isNaN(t)) {
                 bilan.malClasses++;
             } else if (t != INFINI) {
@@ -98,13 +63,13 @@ class LimitesIntersectionTest {
     @Test
     void leDiscriminantDuManuelPerdUneSphereLointaine() {
         // à cent rayons personne ne se trompe de genre ; dès un million l'erreur du manuel se voit sur le contact
-        assertEquals(0, deLoin(LimitesIntersectionTest::duManuel, 1e2).malClasses);
-        assertTrue(deLoin(LimitesIntersectionTest::duManuel, 1e6).pireErreur > 1e-6, "l'erreur de t, en rayons de la sphère");
+        assertEquals(0, deLoin(Formule.MANUEL, 1e2).malClasses);
+        assertTrue(deLoin(Formule.MANUEL, 1e6).pireErreur > 1e-6, "l'erreur de t, en rayons de la sphère");
         // à 1/√u = 1e8 rayons, u·|PC|² vaut r² : toucher ou non se joue à pile ou face
-        assertTrue(deLoin(LimitesIntersectionTest::duManuel, 1e8).malClasses > 300 / 5);
-        assertTrue(deLoin(LimitesIntersectionTest::duManuel, 1e12).malClasses > 300 / 5);
+        assertTrue(deLoin(Formule.MANUEL, 1e8).malClasses > 300 / 5);
+        assertTrue(deLoin(Formule.MANUEL, 1e12).malClasses > 300 / 5);
         for (double distance : new double[] {1e2, 1e4, 1e6, 1e8, 1e10, 1e12}) {
-            Bilan notre = deLoin(LA_NOTRE, distance);
+            Bilan notre = deLoin(Formule.PROGRAMME, distance);
             assertEquals(0, notre.malClasses, "à " + distance);
             assertTrue(notre.pireEnTolerances <= 1, "à " + distance + " : " + notre.pireEnTolerances);
         }
@@ -112,8 +77,8 @@ class LimitesIntersectionTest {
 
     @Test
     void desRacinesStablesNeReparentPasUnMauvaisDiscriminant() {
-        assertTrue(deLoin(LimitesIntersectionTest::auxRacinesStables, 1e8).malClasses > 300 / 5);
-        assertEquals(0, deLoin(LA_NOTRE, 1e8).malClasses);
+        assertTrue(deLoin(Formule.RACINES, 1e8).malClasses > 300 / 5);
+        assertEquals(0, deLoin(Formule.PROGRAMME, 1e8).malClasses);
     }
 
     /**
@@ -122,20 +87,14 @@ class LimitesIntersectionTest {
      */
     @Test
     void deuxNombresPresqueEgauxQueLOnSoustraitPerdentTousLeursChiffres() {
-        Methode racineSoustraite = (P, V, C, r) -> {
-            Vecteur f = new Vecteur(P, C);
-            double b = f.dot(V);
-            double h2 = r * r - f.sub(V.mul(b)).norme2();
-            return h2 < 0 ? INFINI : b - Math.sqrt(h2);
-        };
         Random hasard = new Random(2);
         double pireNaive = 0;
         for (int k = 0; k < 1_000; k++) {
             Point P = new Point(0, 0, -(1 + (1 + k % 4) * 0x1p-52));
             Vecteur V = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), 0.5 + Math.abs(hasard.nextGaussian())).normalized();
             double exacte = new Exact(P, P.add(V), new Point(), 1).distance;
-            pireNaive = Math.max(pireNaive, Math.abs(racineSoustraite.distance(P, V, new Point(), 1) / exacte - 1));
-            assertEquals(1, LA_NOTRE.distance(P, V, new Point(), 1) / exacte, 1e-14, "graine 2, tirage " + k);
+            pireNaive = Math.max(pireNaive, Math.abs(Formule.PERPENDICULAIRE.distance(P, V, new Point(), 1) / exacte - 1));
+            assertEquals(1, Formule.PROGRAMME.distance(P, V, new Point(), 1) / exacte, 1e-14, "graine 2, tirage " + k);
         }
         assertTrue(pireNaive > 0.3, "erreur relative de la racine soustraite : " + pireNaive);
     }
@@ -144,28 +103,28 @@ class LimitesIntersectionTest {
     @Test
     void unEpsilonFixeEffaceCeQuiEstPetitOuProche() {
         double epsilon = 1e-6;
-        Methode a_epsilon = (P, V, C, r) -> {
-            double t = duManuel(P, V, C, r);
+        Variante a_epsilon = (P, V, C, r) -> {
+            double t = Formule.MANUEL.distance(P, V, C, r);
             return t > epsilon ? t : INFINI;
         };
-        Methode a_discriminant = (P, V, C, r) -> {
+        Variante a_discriminant = (P, V, C, r) -> {
             Vecteur PC = new Vecteur(C, P);
             double b = V.dot(PC);
-            return b * b - PC.dot(PC) + r * r > 1e-10 ? duManuel(P, V, C, r) : INFINI;
+            return b * b - PC.dot(PC) + r * r > 1e-10 ? Formule.MANUEL.distance(P, V, C, r) : INFINI;
         };
         Vecteur devant = new Vecteur(0, 0, 1);
         Point proche = new Point(0, 0, 5e-7);
         assertEquals(INFINI, a_epsilon.distance(new Point(), devant, proche, 1e-7), "une bille juste devant l'écran");
-        assertEquals(4e-7, LA_NOTRE.distance(new Point(), devant, proche, 1e-7), 1e-21);
+        assertEquals(4e-7, Formule.PROGRAMME.distance(new Point(), devant, proche, 1e-7), 1e-21);
         Point petite = new Point(0, 0, 1e-3);
         assertEquals(INFINI, a_discriminant.distance(new Point(), devant, petite, 1e-6), "une sphère d'un micron");
-        assertEquals(1e-3 - 1e-6, LA_NOTRE.distance(new Point(), devant, petite, 1e-6), 1e-18);
+        assertEquals(1e-3 - 1e-6, Formule.PROGRAMME.distance(new Point(), devant, petite, 1e-6), 1e-18);
     }
 
     /** Ne garder que la première racine : une sphère disparaît quand on est dedans. */
     @Test
     void laPremiereRacineSeuleRendUneSphereInvisibleDuDedans() {
-        Methode premiereRacine = (P, V, C, r) -> {
+        Variante premiereRacine = (P, V, C, r) -> {
             Vecteur PC = new Vecteur(C, P);
             double b = V.dot(PC);
             double discriminant = b * b - PC.dot(PC) + r * r;
@@ -173,7 +132,7 @@ class LimitesIntersectionTest {
             return discriminant >= 0 && t > 0 ? t : INFINI;
         };
         assertEquals(INFINI, premiereRacine.distance(new Point(), new Vecteur(0, 0, 1), new Point(), 3));
-        assertEquals(3, LA_NOTRE.distance(new Point(), new Vecteur(0, 0, 1), new Point(), 3), 4 * U);
+        assertEquals(3, Formule.PROGRAMME.distance(new Point(), new Vecteur(0, 0, 1), new Point(), 3), 4 * U);
     }
 
     /**
@@ -184,10 +143,10 @@ class LimitesIntersectionTest {
     void nanPasseParLeTestDuManuel() {
         Vecteur nul = new Vecteur();
         Vecteur sansDirection = nul.div(Math.sqrt(nul.norme2()));
-        double t = duManuel(new Point(), sansDirection, new Point(0, 0, 5), 1);
+        double t = Formule.MANUEL.distance(new Point(), sansDirection, new Point(0, 0, 5), 1);
         // ici les deux comparaisons t > 0 l'arrêtent par hasard ; une seule racine, et il sort
         assertEquals(INFINI, t);
-        Methode plusCourte = (P, V, C, r) -> {
+        Variante plusCourte = (P, V, C, r) -> {
             Vecteur PC = new Vecteur(C, P);
             double discriminant = V.dot(PC) * V.dot(PC) - PC.dot(PC) + r * r;
             return discriminant < 0 ? INFINI : -V.dot(PC) - Math.sqrt(discriminant);
@@ -195,7 +154,7 @@ class LimitesIntersectionTest {
         t = plusCourte.distance(new Point(), sansDirection, new Point(0, 0, 5), 1);
         assertTrue(Double.isNaN(t));
         assertTrue(!(t < 4) && !(t >= 4), "perdant d'un côté, gagnant de l'autre");
-        assertEquals(INFINI, LA_NOTRE.distance(new Point(), sansDirection, new Point(0, 0, 5), 1));
+        assertEquals(INFINI, Formule.PROGRAMME.distance(new Point(), sansDirection, new Point(0, 0, 5), 1));
         assertThrows(ArithmeticException.class, () -> new Rayon(new Point(), nul), "et un tel rayon ne se construit pas");
     }
 
@@ -208,11 +167,11 @@ class LimitesIntersectionTest {
         double q = 0;
         assertTrue(Double.isNaN(c / q));
         // Math.min et Math.max rendent NaN, et t > 0 est faux : ici le bon résultat, pour une mauvaise raison
-        assertEquals(INFINI, auxRacinesStables(P, tangente, new Point(), 1));
-        assertEquals(INFINI, LA_NOTRE.distance(P, tangente, new Point(), 1));
+        assertEquals(INFINI, Formule.RACINES.distance(P, tangente, new Point(), 1));
+        assertEquals(INFINI, Formule.PROGRAMME.distance(P, tangente, new Point(), 1));
         // du centre, b = 0 : copySign choisit, et les deux racines sont bonnes
-        assertEquals(1, auxRacinesStables(new Point(), tangente, new Point(), 1), 4 * U);
-        assertEquals(1, LA_NOTRE.distance(new Point(), tangente, new Point(), 1), 4 * U);
+        assertEquals(1, Formule.RACINES.distance(new Point(), tangente, new Point(), 1), 4 * U);
+        assertEquals(1, Formule.PROGRAMME.distance(new Point(), tangente, new Point(), 1), 4 * U);
     }
 
     /** N = (X − C)/r n'est de longueur 1 que si le contact X est exactement sur la sphère ; de loin il en est à u·|PC|. */

@@ -11,11 +11,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.List;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.essai.Ombre;
+import lancer.essai.RechercheNaive;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
@@ -27,28 +27,6 @@ import org.junit.jupiter.api.Test;
 class LimitesOmbreTest {
 
     private static final int COTE = 101;
-
-    /** Une réponse naïve à la question de l'ombre ; pour le reste, les boucles du cours. */
-    private abstract static class Naive implements Recherche {
-
-        final List<Objet3D> objets;
-        private final Recherche plusProche;
-
-        Naive(List<Objet3D> objets) {
-            this.objets = objets;
-            this.plusProche = new RechercheSimple(objets, new Compteurs());
-        }
-
-        @Override
-        public void plusProche(Rayon incident, Objet3D saufLui) {
-            plusProche.plusProche(incident, saufLui);
-        }
-
-        @Override
-        public Recherche pourUnFil(Compteurs compteurs) {
-            return this;
-        }
-    }
 
     /** Le nombre de pixels noirs d'une scène que l'on regarde de la lampe : il ne devrait pas y en avoir. */
     private static int noirs(Scene scene) {
@@ -64,37 +42,17 @@ class LimitesOmbreTest {
         return scene(Arrays.asList(boules), new Lampe(Camera.OEIL, new Couleur(1)));
     }
 
-    /** Du contact vers la lampe, tout ce que le rayon touche, selon le manuel, cache, l'objet éclairé compris : l'acné. */
-    private static final class SansExclure extends Naive {
-
-        private final double epsilon;
-
-        /** @param epsilon les rencontres plus proches que cela ne comptent pas */
-        SansExclure(List<Objet3D> objets, double epsilon) {
-            super(objets);
-            this.epsilon = epsilon;
-        }
-
-        @Override
-        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-            Point contact = P.add(distance, V);
-            Rayon ombre = new Rayon(contact, lampe.getPosition());
-            for (Objet3D autre : objets) {
-                Sphere s = (Sphere) autre;
-                double t = LimitesIntersectionTest.duManuel(contact, ombre.getV(), s.getCentre(), s.getRayon());
-                if (t > epsilon && t < distance) {
-                    return true;
-                }
-            }
-            return false;
-        }
+    /** Du contact vers la lampe, tout ce que le rayon touche à plus d'epsilon, selon le manuel, cache, l'objet éclairé compris. */
+    private static Recherche sansExclure(Scene scene, double epsilon) {
+        return new RechercheNaive(scene.getObjets(), RechercheNaive.Ombre.SANS_EXCLURE, epsilon);
     }
 
+    /** L'acné. */
     @Test
     void sansExclureLaSurfaceDeDepartElleSOmbreElleMeme() {
         Scene scene = vueDeLaLampe(boule(0, 0, 5, 1.5, 1, 0, 1));
         assertEquals(0, noirs(scene));
-        scene.setRecherche(new SansExclure(scene.getObjets(), 0));
+        scene.setRecherche(sansExclure(scene, 0));
         assertTrue(noirs(scene) > 200, noirs(scene) + " points noirs");
     }
 
@@ -102,17 +60,17 @@ class LimitesOmbreTest {
     @Test
     void unEpsilonFixeNeGueritQueLesScenesDeSaTaille() {
         Scene moyenne = vueDeLaLampe(boule(0, 0, 5, 1.5, 1, 0, 1));
-        moyenne.setRecherche(new SansExclure(moyenne.getObjets(), 1e-6));
+        moyenne.setRecherche(sansExclure(moyenne, 1e-6));
         assertEquals(0, noirs(moyenne), "il guérit celle-ci");
         Scene grande = vueDeLaLampe(boule(6e10, -8e10 - 2.5, 5, 1e11, 1, 0, 1));
         assertEquals(0, noirs(grande));
-        grande.setRecherche(new SansExclure(grande.getObjets(), 1e-6));
+        grande.setRecherche(sansExclure(grande, 1e-6));
         assertTrue(noirs(grande) > 50, noirs(grande) + " points noirs : de près, la racine du manuel se trompe de u·1e11 = 1e-5");
         // une bille posée à 2e-7 du contact devrait le cacher
         Sphere mur = boule(0, 0, 5, 1, 1, 0, 1);
         Scene petite = scene(Arrays.asList(mur, boule(0, 0, 4 - 3e-7, 1e-7, 1, 0, 1)), new Lampe(new Point(), new Couleur(1)));
         assertTrue(Ombre.cachee(petite, petite.getLampes().get(0), new Point(0, 0, 4), mur));
-        petite.setRecherche(new SansExclure(petite.getObjets(), 1e-6));
+        petite.setRecherche(sansExclure(petite, 1e-6));
         assertFalse(Ombre.cachee(petite, petite.getLampes().get(0), new Point(0, 0, 4), mur), "la lumière passe à travers");
     }
 
@@ -140,18 +98,7 @@ class LimitesOmbreTest {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0, 1);
         Scene scene = vueDeLaLampe(boule, boule(0, 0, -9, 2, 1, 0, 1));
         assertEquals(0, noirs(scene));
-        scene.setRecherche(new Naive(scene.getObjets()) {
-            @Override
-            public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-                Rayon versLaLampe = new Rayon(P.add(distance, V), lampe.getPosition());
-                for (Objet3D autre : objets) {
-                    if (autre != objet && autre.getIntersectionDistance(versLaLampe) < Constantes.INFINI) {
-                        return true;
-                    }
-                }
-                return false;
-            }
-        });
+        scene.setRecherche(new RechercheNaive(scene.getObjets(), RechercheNaive.Ombre.SANS_DISTANCE, 0));
         assertTrue(noirs(scene) > 3_000, noirs(scene) + " points noirs");
     }
 

@@ -1,6 +1,8 @@
 package lancer.mesures;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
@@ -11,81 +13,134 @@ import lancer.contrat.Vue;
 import lancer.temoins.LancerSurveille;
 
 /**
- * De quoi mesurer l'erreur d'une image sans calculer la vérité : deux images a et b de la scène sans limite, chacune sans biais et
- * d'erreurs sans rapport. La moyenne de (x − a)(x − b) sur tous les pixels tend alors vers celle de (x − vérité)², pour bien moins
- * de rayons que {@link Verite}, dont elle ne diffère que d'un peu de hasard. Couleurs limitées à [0, 1], en niveaux.
+ * De quoi mesurer l'erreur d'une image sans calculer la vérité, qui est la moyenne de chaque pixel, sans limite de réflexions :
+ * deux images a et b de la scène sans limite, chacune sans biais et d'erreurs sans rapport. La moyenne de (x − a)(x − b) tend
+ * alors vers celle de (x − vérité)². Couleurs limitées à [0, 1], en niveaux. Elle se mesure sur toute l'image, ou sur des pixels
+ * semés : un au hasard dans chaque carré, les mêmes pour tout ce qui se compare.
  */
-final class Gabarit {
+public final class Gabarit {
+
+    /** Le plus de réflexions que l'on puisse demander au programme. */
+    public static final int PROFONDEUR = 1000;
 
     private static final double NIVEAUX = 255;
 
     /** Sous-pixels d'un côté ; un rayon au hasard dans chacun. */
     private static final int COTE = 8;
 
-    /** Ce qui est négligé d'un reflet : 0,004 niveau pour une lumière de 1. */
-    private static final double SEUIL = 1.0 / 65536;
-
     private final double[] a;
     private final double[] b;
 
-    /** @param scene elle n'est pas changée */
+    /** Rangs des pixels où l'erreur se mesure, dans l'ordre de la lecture. */
+    private final int[] pixels;
+
+    /** Sur toute l'image. @param scene elle n'est pas changée */
     Gabarit(Scene scene, int largeur, int hauteur) {
-        a = image(scene, largeur, hauteur, 1);
-        b = image(scene, largeur, hauteur, 2);
+        this(scene, largeur, hauteur, 1);
     }
 
-    private static double[] image(Scene scene, int largeur, int hauteur, long graine) {
-        Lancer lancer = LancerSurveille.preparer(scene.avec(new AuHasard(graine), SEUIL), largeur, hauteur, false);
-        return ImageLineaire.de(lancer, Verite.PROFONDEUR, Runtime.getRuntime().availableProcessors()).getComposantes();
+    /**
+     * @param scene elle n'est pas changée
+     * @param pas côté des carrés où semer, en pixels ; 1 pour tous les pixels
+     */
+    public Gabarit(Scene scene, int largeur, int hauteur, int pas) {
+        boolean[] semes = semer(largeur, hauteur, pas);
+        pixels = IntStream.range(0, semes.length).filter(k -> semes[k]).toArray();
+        a = image(scene, largeur, hauteur, semes, 1).getComposantes();
+        b = image(scene, largeur, hauteur, semes, 2).getComposantes();
+    }
+
+    private static boolean[] semer(int largeur, int hauteur, int pas) {
+        boolean[] semes = new boolean[largeur * hauteur];
+        SplittableRandom hasard = new SplittableRandom(pas);
+        for (int j = 0; j < hauteur; j += pas) {
+            for (int i = 0; i < largeur; i += pas) {
+                semes[(j + hasard.nextInt(Math.min(pas, hauteur - j))) * largeur
+                        + i + hasard.nextInt(Math.min(pas, largeur - i))] = true;
+            }
+        }
+        return semes;
+    }
+
+    private static ImageLineaire image(Scene scene, int largeur, int hauteur, boolean[] semes, long graine) {
+        Lancer lancer = LancerSurveille.preparer(scene.avec(new AuHasard(graine, largeur, semes), 0), largeur, hauteur, false);
+        return ImageLineaire.de(lancer, PROFONDEUR, Runtime.getRuntime().availableProcessors());
+    }
+
+    /** Le carré de l'erreur de chaque pixel semé, en niveaux, sans biais, donc parfois négatif. */
+    public double[] carres(ImageLineaire image) {
+        return carres(image.getComposantes(), a, b, pixels);
     }
 
     /** L'erreur quadratique moyenne de cette image, en niveaux. */
     double erreur(ImageLineaire image) {
-        return erreur(image, a, b);
+        return Math.sqrt(Math.max(0, Arrays.stream(carres(image)).average().orElse(0)));
     }
 
     /** La même contre une vérité. */
     static double erreur(ImageLineaire image, ImageLineaire verite) {
-        return erreur(image, verite.getComposantes(), verite.getComposantes());
+        double[] b = verite.getComposantes();
+        return Math.sqrt(Arrays.stream(carres(image.getComposantes(), b, b,
+                IntStream.range(0, b.length / 3).toArray())).average().orElse(0));
     }
 
-    private static double erreur(ImageLineaire image, double[] a, double[] b) {
-        double[] x = image.getComposantes();
-        double somme = 0;
-        for (int k = 0; k < x.length; k++) {
-            double niveau = niveau(x[k]);
-            somme += (niveau - niveau(a[k])) * (niveau - niveau(b[k]));
+    /** La vérité, connue de 128 rayons par pixel : pour la montrer. */
+    public ImageLineaire moyenne(int largeur, int hauteur) {
+        ImageLineaire moyenne = new ImageLineaire(largeur, hauteur);
+        for (int k = 0; k < a.length; k++) {
+            moyenne.getComposantes()[k] = (a[k] + b[k]) / 2;
         }
-        return Math.sqrt(Math.max(0, somme / x.length));
+        return moyenne;
+    }
+
+    private static double[] carres(double[] x, double[] a, double[] b, int[] pixels) {
+        double[] carres = new double[pixels.length];
+        for (int p = 0; p < pixels.length; p++) {
+            for (int k = 3 * pixels[p]; k < 3 * pixels[p] + 3; k++) {
+                double niveau = niveau(x[k]);
+                carres[p] += (niveau - niveau(a[k])) * (niveau - niveau(b[k])) / 3;
+            }
+        }
+        return carres;
     }
 
     private static double niveau(double composante) {
         return NIVEAUX * Math.max(0, Math.min(1, composante));
     }
 
-    /** Un rayon en un point au hasard de chaque sous-pixel ; toujours le même pour une graine. Immuable. */
+    /** Un rayon en un point au hasard de chaque sous-pixel des pixels semés ; toujours le même pour une graine. Immuable. */
     private static final class AuHasard implements Echantillonnage {
 
         private final long graine;
+        private final int largeur;
+        private final boolean[] semes;
 
-        AuHasard(long graine) {
+        AuHasard(long graine, int largeur, boolean[] semes) {
             this.graine = graine;
+            this.largeur = largeur;
+            this.semes = semes;
         }
 
         @Override
         public int tracer(Pave pave, Vue vue, Toile toile) {
             for (int j = pave.j0; j < pave.j1; j++) {
                 for (int i = pave.i0; i < pave.i1; i++) {
-                    SplittableRandom hasard = new SplittableRandom(graine << 2 * Short.SIZE | j << Short.SIZE | i);
-                    Couleur somme = new Couleur();
-                    for (int k = 0; k < COTE * COTE; k++) {
-                        somme = somme.add(vue.couleur(i + (k % COTE + hasard.nextDouble()) / COTE,
-                                j + (k / COTE + hasard.nextDouble()) / COTE));
+                    if (semes[j * largeur + i]) {
+                        toile.drawPixel(couleur(vue, i, j), i, j);
                     }
-                    toile.drawPixel(somme.div(COTE * COTE), i, j);
                 }
             }
             return 0;
+        }
+
+        private Couleur couleur(Vue vue, int i, int j) {
+            SplittableRandom hasard = new SplittableRandom(graine << 2 * Short.SIZE | j << Short.SIZE | i);
+            Couleur somme = new Couleur();
+            for (int k = 0; k < COTE * COTE; k++) {
+                somme = somme.add(vue.couleur(i + (k % COTE + hasard.nextDouble()) / COTE,
+                        j + (k / COTE + hasard.nextDouble()) / COTE));
+            }
+            return somme.div(COTE * COTE);
         }
     }
 }

@@ -1,5 +1,9 @@
 package lancer.mesures;
 
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import lancer.Couleur;
 import lancer.Lancer;
@@ -67,8 +71,25 @@ public final class ImageLineaire implements Toile {
         Arrays.fill(composantes, Double.NaN);
     }
 
-    /** Mêmes bits partout : ni la tolérance d'un écran, ni l'égalité de 0 et −0. */
-    public boolean memesBits(ImageLineaire autre) {
-        return largeur == autre.largeur && Arrays.equals(composantes, autre.composantes);
+    /** Mêmes bits en ce pixel : ni la tolérance d'un écran, ni l'égalité de 0 et −0. */
+    public boolean memesBits(ImageLineaire autre, int k) {
+        for (int c = 3 * k; c < 3 * k + 3; c++) {
+            if (Double.doubleToRawLongBits(composantes[c]) != Double.doubleToRawLongBits(autre.composantes[c])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Pour une autre machine virtuelle : ces nombres, et rien d'autre. */
+    public void ecrire(Path fichier) throws IOException {
+        ByteBuffer octets = ByteBuffer.allocate(Double.BYTES * composantes.length);
+        octets.asDoubleBuffer().put(composantes);
+        Files.write(fichier, octets.array());
+    }
+
+    /** L'inverse de {@link #ecrire}, dans une image de cette taille. */
+    public void lire(Path fichier) throws IOException {
+        ByteBuffer.wrap(Files.readAllBytes(fichier)).asDoubleBuffer().get(composantes);
     }
 }

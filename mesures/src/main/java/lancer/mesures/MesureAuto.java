@@ -13,6 +13,8 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Scene;
+import lancer.atelier.SceneAuHasard;
+import lancer.atelier.Scenes;
 
 /**
  * {@code --auto erreur=E} tient-il parole ? Sur les scènes livrées et sur cent scènes tirées au sort, l'erreur de l'image choisie,

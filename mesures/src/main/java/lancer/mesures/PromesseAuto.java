@@ -7,6 +7,7 @@ import java.util.function.ToDoubleFunction;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
+import lancer.atelier.FichierCsv;
 import lancer.auto.Auto;
 import lancer.auto.Souhait;
 import lancer.contrat.Variante;

@@ -10,6 +10,8 @@ import java.util.List;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.antialias.Antialias;
+import lancer.atelier.SceneAuHasard;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
@@ -19,11 +21,17 @@ class MesureAutoTest {
     private static final int LARGEUR = 56;
     private static final int HAUTEUR = 42;
 
+    /** La moyenne de 1024 rayons réguliers par pixel, sans limite. */
+    private static ImageLineaire verite(Scene scene) {
+        Scene fine = scene.avec(Antialias.coins(32, 0), 0);
+        return ImageLineaire.de(LancerSurveille.preparer(fine, LARGEUR, HAUTEUR, false), Gabarit.PROFONDEUR, 2);
+    }
+
     @Test
     void leGabaritMesureLErreurContreLaVerite() {
         for (long graine : new long[] {1, 2}) {
             Scene scene = SceneAuHasard.de(graine);
-            ImageLineaire verite = Verite.complete(scene, LARGEUR, HAUTEUR, 0.3 / 255).image;
+            ImageLineaire verite = verite(scene);
             Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR);
             for (int reflets : new int[] {0, 5}) {
                 ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
@@ -36,7 +44,7 @@ class MesureAutoTest {
     @Test
     void uneImageJusteNAPasDErreur() {
         Scene scene = SceneAuHasard.de(1);
-        ImageLineaire verite = Verite.complete(scene, LARGEUR, HAUTEUR, 0.1 / 255).image;
+        ImageLineaire verite = verite(scene);
         // ce qui reste est le hasard des deux images, qui ne fait que s'annuler à peu près
         assertTrue(new Gabarit(scene, LARGEUR, HAUTEUR).erreur(verite) < 0.5);
         assertEquals(0, Gabarit.erreur(verite, verite));

@@ -1,8 +1,6 @@
 package lancer.mesures.juge;
 
-import java.awt.image.Raster;
-import java.util.ArrayList;
-import java.util.List;
+import lancer.mesures.ImageLineaire;
 
 /**
  * Deux images de la même scène, pixel par pixel. Les composantes sont la lumière limitée à [0, 1] ; les écarts se comptent en pas
@@ -10,69 +8,61 @@ import java.util.List;
  */
 final class Accord {
 
-    /** Niveaux d'un écran, et de l'image du juge. */
-    static final double PAS_8 = 1 / 255.0;
-    static final double PAS_16 = 1 / 65535.0;
+    private static final double PAS_8 = 1 / 255.0;
+    private static final double PAS_16 = 1 / 65535.0;
 
-    private final int largeur;
-    private final float[] nous;
-    private final Raster[] lui;
+    /** Un pixel sur tant peut s'écarter de plus d'un pas de 16 bits : sur un bord, ou après cinq reflets entre petites boules. */
+    private static final int UN_SUR = 1000;
 
-    /** Pixels dont une composante s'écarte de plus d'un pas de 8 bits. */
+    /** Pixels dont une composante s'écarte de plus d'un pas de 8 bits, de 16 bits. */
     final int auDela8;
+    final int auDela16;
 
-    /** Rangs, ligne par ligne, des pixels dont une composante s'écarte de plus d'un pas de 16 bits. */
-    final List<Integer> auDela16 = new ArrayList<>();
-
-    /** Le plus grand écart d'une composante, en pas de 8 bits. */
+    /** Le plus grand écart d'une composante, en pas de 8 bits, et le rang de son pixel. */
     final double pire;
+    final int pirePixel;
 
     /** La racine de l'écart quadratique moyen des composantes, en pas de 8 bits. */
     final double moyen;
 
-    /**
-     * @param nous nos couleurs linéaires, trois par pixel, la ligne du haut d'abord
-     * @param lui les images du juge ; de trois, chacune ne vaut que pour la composante de son rang
-     */
-    Accord(int largeur, int hauteur, float[] nous, Raster... lui) {
-        this.largeur = largeur;
-        this.nous = nous;
-        this.lui = lui;
+    private final int pixels;
+
+    Accord(ImageLineaire nous, ImageLineaire lui) {
+        double[] a = nous.getComposantes();
+        double[] b = lui.getComposantes();
+        pixels = a.length / 3;
         int plusDUnPas = 0;
+        int plusDUnPetitPas = 0;
+        int rang = 0;
         double plusGrand = 0;
         double carres = 0;
-        for (int k = 0; k < largeur * hauteur; k++) {
+        for (int k = 0; k < pixels; k++) {
             double ecart = 0;
-            for (Composante c : Composante.values()) {
-                double e = Math.abs(nous(k, c) - juge(k, c));
+            for (int c = 3 * k; c < 3 * k + 3; c++) {
+                double e = Math.abs(limite(a[c]) - limite(b[c]));
                 ecart = Math.max(ecart, e);
                 carres += e * e;
             }
-            plusGrand = Math.max(plusGrand, ecart);
-            if (ecart > PAS_16) {
-                auDela16.add(k);
+            if (ecart > plusGrand) {
+                plusGrand = ecart;
+                rang = k;
             }
-            if (ecart > PAS_8) {
-                plusDUnPas++;
-            }
+            plusDUnPas += ecart > PAS_8 ? 1 : 0;
+            plusDUnPetitPas += ecart > PAS_16 ? 1 : 0;
         }
         auDela8 = plusDUnPas;
+        auDela16 = plusDUnPetitPas;
         pire = plusGrand / PAS_8;
-        moyen = Math.sqrt(carres / (3.0 * largeur * hauteur)) / PAS_8;
+        pirePixel = rang;
+        moyen = Math.sqrt(carres / a.length) / PAS_8;
     }
 
-    /** Notre pixel de rang {@code k}, limité à [0, 1]. */
-    double nous(int k, Composante c) {
-        return limite(nous[3 * k + c.ordinal()]);
+    /** Vrai si aucun pixel ne s'écarte d'un pas d'écran, ni plus d'un sur mille d'un pas de 16 bits. */
+    boolean estLa() {
+        return auDela8 == 0 && (long) auDela16 * UN_SUR <= pixels;
     }
 
-    /** Celui du juge. */
-    double juge(int k, Composante c) {
-        Raster image = lui[lui.length == 1 ? 0 : c.ordinal()];
-        return image.getSample(k % largeur, k / largeur, c.ordinal()) * PAS_16;
-    }
-
-    static double limite(double composante) {
+    private static double limite(double composante) {
         return Math.max(0, Math.min(1, composante));
     }
 }

@@ -1,7 +1,7 @@
 package lancer.mesures.juge;
 
 /** Cette scène ne se dit pas dans la langue de POV-Ray : elle n'est pas jugée, et le message dit pourquoi. */
-final class Intraduisible extends Exception {
+public final class Intraduisible extends Exception {
 
     private static final long serialVersionUID = 1;
 

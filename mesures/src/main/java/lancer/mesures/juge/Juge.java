@@ -2,13 +2,24 @@ package lancer.mesures.juge;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.SceneFautive;
+import lancer.atelier.Arguments;
+import lancer.atelier.FichierCsv;
+import lancer.commande.Echec;
+import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.mesures.ImageLineaire;
 import lancer.texte.Texte;
 
 /**
@@ -19,17 +30,43 @@ import lancer.texte.Texte;
  *      [--csv FICHIER] [SCENE.ini ...]
  * </pre>
  *
- * Statut de sortie : 0 les images sont d'accord, ou chaque écart est expliqué ; 1 un écart ne l'est pas, ou le juge n'a pu dessiner ;
- * 2 la demande était fausse.
+ * Statut de sortie : 0 les images sont d'accord ; 1 il y a désaccord, ou le juge n'a pu dessiner ; 2 la demande était fausse.
  */
 public final class Juge {
+
+    private static final String USAGE =
+            "[--reflets N] [--taille LxH] [--povray COMMANDE] [--garder DOSSIER] [--csv FICHIER] [SCENE.ini]...";
+
+    private static final String LIGNE = "%-12s %8s %8s %8s %8s %8s %9s %9s  %s%n";
+
+    private final Arguments arguments;
+    private final Options dessin;
+    private final PrintStream sortie;
+    private final List<String> csv = new ArrayList<>();
+    private boolean accord = true;
 
     /** De quoi trouver un juge, qui écrira dans ce dossier. */
     interface Convocation {
         Peintre convoquer(String commande, Path dossier) throws IOException;
     }
 
-    private Juge() {
+    private Juge(PrintStream sortie, String... args) {
+        this.sortie = sortie;
+        arguments = new Arguments(USAGE, true, args);
+        List<String> duProgramme = new ArrayList<>();
+        for (String option : Arrays.asList("--reflets", "--taille")) {
+            if (arguments.a(option)) {
+                duProgramme.addAll(Arrays.asList(option, arguments.valeur(option, "")));
+            }
+        }
+        try {
+            dessin = Options.lire(duProgramme.toArray(new String[0]));
+        } catch (Echec e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+        if (arguments.restes.isEmpty() && arguments.a("--reflets")) {
+            throw new IllegalArgumentException("--reflets va avec une scène ; usage : " + USAGE);
+        }
     }
 
     /** @param args voir la description de la classe */
@@ -43,23 +80,9 @@ public final class Juge {
      * @return le statut de sortie
      */
     static int executer(String[] args, PrintStream sortie, PrintStream erreurs, Convocation convocation) {
-        OptionsJuge options;
         try {
-            options = OptionsJuge.lire(args);
-        } catch (IllegalArgumentException e) {
-            erreurs.println("Juge : " + e.getMessage());
-            return 2;
-        }
-        try {
-            Path dossier = options.garder != null ? Files.createDirectories(options.garder) : Files.createTempDirectory("juge");
-            try {
-                return juger(options, dossier, sortie, erreurs, convocation);
-            } finally {
-                if (options.garder == null) {
-                    effacer(dossier);
-                }
-            }
-        } catch (SceneFautive e) {
+            return new Juge(sortie, args).juger(convocation);
+        } catch (IllegalArgumentException | SceneFautive e) {
             erreurs.println("Juge : " + e.getMessage());
             return 2;
         } catch (IOException | RuntimeException e) {
@@ -68,30 +91,59 @@ public final class Juge {
         }
     }
 
-    private static int juger(OptionsJuge options, Path dossier, PrintStream sortie, PrintStream erreurs, Convocation convocation)
-            throws IOException {
-        Peintre juge;
+    private int juger(Convocation convocation) throws IOException {
+        boolean garde = arguments.a("--garder");
+        Path dossier = garde ? Files.createDirectories(Paths.get(arguments.valeur("--garder", "")))
+                : Files.createTempDirectory("juge");
         try {
-            juge = convocation.convoquer(options.povray, dossier);
-        } catch (IOException e) {
-            erreurs.println("Juge : " + options.povray + " ne se lance pas ; pour l'avoir : sudo apt-get install povray"
-                    + " (Debian, Ubuntu), brew install povray (macOS)");
-            return 1;
-        }
-        Verdicts verdicts = new Verdicts(sortie, juge.nom(), options.largeur, options.hauteur);
-        for (Affaire affaire : options.affaires) {
-            Scene scene = affaire.lire(dossier);
-            try {
-                verdicts.ajouter(affaire, new Jugement(juge, affaire.nom, scene, affaire.reflets, options.largeur, options.hauteur));
-            } catch (Intraduisible e) {
-                verdicts.sauter(affaire, e.getMessage());
+            Peintre juge = convocation.convoquer(arguments.valeur("--povray", PovRay.COMMANDE), dossier);
+            entete(juge.nom());
+            List<Affaire> affaires = new ArrayList<>();
+            arguments.restes.forEach(f -> affaires.add(Affaire.fichier(f, dessin.reflets)));
+            for (Affaire affaire : affaires.isEmpty() ? Affaire.toutes() : affaires) {
+                juger(affaire, juge, dossier);
+            }
+        } finally {
+            if (!garde) {
+                effacer(dossier);
             }
         }
-        verdicts.conclure();
-        if (options.csv != null) {
-            verdicts.noter(options.csv);
+        if (arguments.a("--csv")) {
+            Path fichier = Paths.get(arguments.valeur("--csv", ""));
+            Files.createDirectories(fichier.toAbsolutePath().getParent());
+            Files.write(fichier, csv, StandardCharsets.UTF_8);
         }
-        return verdicts.toutEstExplique() ? 0 : 1;
+        return accord ? 0 : 1;
+    }
+
+    private void entete(String juge) {
+        sortie.println("Le juge est " + juge + " ; " + dessin.largeur + " × " + dessin.hauteur + " ; écarts en pas de 8 bits (1/255)");
+        sortie.println();
+        sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
+        csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
+    }
+
+    private void juger(Affaire affaire, Peintre juge, Path dossier) throws IOException {
+        Scene scene = affaire.lire(dossier);
+        try {
+            SceneJugee jugee = new SceneJugee(juge, affaire.nom, scene, affaire.reflets, dessin.largeur, dessin.hauteur);
+            ImageLineaire nous = ImageLineaire.de(jugee.lancer, affaire.reflets, Runtime.getRuntime().availableProcessors());
+            Accord a = new Accord(nous, jugee.image());
+            accord &= a.estLa();
+            String verdict = a.estLa() ? "d'accord" : "DÉSACCORD, le pire au pixel (" + a.pirePixel % dessin.largeur + ", "
+                    + a.pirePixel / dessin.largeur + ") : lancer " + nous.getCouleur(a.pirePixel);
+            int spheres = scene.getObjets().size();
+            sortie.printf(LIGNE, affaire.nom, spheres, affaire.reflets, jugee.dessins, a.auDela8, a.auDela16, ecart(a.pire),
+                    ecart(a.moyen), verdict);
+            csv.add(FichierCsv.ligne(affaire.nom, dessin.largeur, dessin.hauteur, spheres, affaire.reflets, jugee.dessins, a.auDela8,
+                    a.auDela16, ecart(a.pire), ecart(a.moyen), a.estLa() ? "oui" : "non"));
+        } catch (Intraduisible e) {
+            sortie.println(String.format("%-12s %8s", affaire.nom, "") + " non jugée : " + e.getMessage());
+        }
+    }
+
+    private static String ecart(double pas) {
+        return String.format(Locale.ROOT, "%.4f", pas);
     }
 
     private static void effacer(Path dossier) throws IOException {

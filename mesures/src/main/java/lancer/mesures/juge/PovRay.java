@@ -6,29 +6,44 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 
 /** La commande {@code povray}. Elle écrit un PNG de 16 bits par composante, proportionnel à la lumière. */
-final class PovRay implements Peintre {
+public final class PovRay implements Peintre {
 
+    /** Le nom sous lequel la chercher. */
+    public static final String COMMANDE = "povray";
+
+    private static final Pattern TRACE =
+            Pattern.compile("Trace Time:[^(]*\\(([\\d.]+) seconds\\)\\s+using \\d+ thread\\(s\\) with ([\\d.]+) CPU");
     private static final Pattern VERSION = Pattern.compile("POV-Ray (\\d[\\w.]*)");
 
     private final String commande;
     private final Path dossier;
     private final String version;
+    private String ecrite;
+    private double[] temps;
 
     /**
      * @param commande un nom à chercher dans PATH, ou un chemin
      * @param dossier où écrire scènes et images
      * @throws IOException si la commande ne peut être lancée
      */
-    PovRay(String commande, Path dossier) throws IOException {
+    public PovRay(String commande, Path dossier) throws IOException {
         this.commande = commande;
         this.dossier = dossier;
         Path journal = dossier.resolve("version.txt");
-        lancer(journal, commande, "--version");
+        try {
+            lancer(journal, commande, "--version");
+        } catch (IOException e) {
+            throw new IOException(commande + " ne se lance pas ; pour l'avoir : sudo apt-get install povray (Debian, Ubuntu), brew install"
+                    + " povray (macOS)", e);
+        }
         Matcher m = VERSION.matcher(texte(journal));
         version = m.find() ? m.group(1).replaceFirst("\\.unofficial$", "") : "inconnue";
         Files.delete(journal);
@@ -40,19 +55,24 @@ final class PovRay implements Peintre {
     }
 
     @Override
-    public Raster dessiner(String texte, String nom, int largeur, int hauteur) throws IOException {
+    public Raster dessiner(String texte, String nom, int largeur, int hauteur, String... options) throws IOException {
         Path scene = dossier.resolve(nom + ".pov");
         Path image = dossier.resolve(nom + ".png");
         Path journal = dossier.resolve(nom + ".txt");
-        Files.write(scene, texte.getBytes(StandardCharsets.UTF_8));
+        // la même que la dernière fois : ses cent mégaoctets y sont peut-être déjà
+        if (texte != ecrite) {
+            Files.write(scene, texte.getBytes(StandardCharsets.UTF_8));
+            ecrite = texte;
+        }
         Files.deleteIfExists(image);
-        // ni affichage, ni pause, ni anticrénelage ; File_Gamma=1 : les niveaux du PNG sont la lumière
-        String[] dessin = {commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur, "+H" + hauteur, "-D", "-P",
-            "-A", "-V"};
-        int statut = lancer(journal, dessin);
+        // ni affichage, ni pause, ni hasard ; File_Gamma=1 : les niveaux du PNG sont la lumière
+        List<String> dessin = new ArrayList<>(Arrays.asList(commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur,
+                "+H" + hauteur, "-D", "-P", "-V", "-J"));
+        dessin.addAll(Arrays.asList(options.length == 0 ? new String[] {"-A"} : options));
+        int statut = chronometrer(journal, dessin);
         if (statut != 0) {
             // sur une machine chargée il renonce parfois : « Timed out waiting for worker thread startup »
-            statut = lancer(journal, dessin);
+            statut = chronometrer(journal, dessin);
         }
         if (statut != 0 || !Files.exists(image)) {
             throw new IOException(commande + " n'a pas dessiné " + nom + ", statut " + statut + " : " + derniereLigne(journal));
@@ -64,6 +84,21 @@ final class PovRay implements Peintre {
         }
         Files.delete(journal);
         return lue.getRaster();
+    }
+
+    private int chronometrer(Path journal, List<String> dessin) throws IOException {
+        long debut = System.nanoTime();
+        int statut = lancer(journal, dessin.toArray(new String[0]));
+        double duree = System.nanoTime() - debut;
+        Matcher m = TRACE.matcher(texte(journal));
+        temps = m.find() ? new double[] {duree, 1e9 * Double.parseDouble(m.group(1)), 1e9 * Double.parseDouble(m.group(2))}
+                : new double[] {duree, Double.NaN, Double.NaN};
+        return statut;
+    }
+
+    /** Du dernier dessin, en nanosecondes : la commande entière ; selon elle, le dessin seul, et le temps de ses processeurs. */
+    public double[] temps() {
+        return temps.clone();
     }
 
     /** @return le statut de la commande, ses deux sorties dans {@code journal} */

@@ -2,10 +2,17 @@ package lancer.mesures.noyaux;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Locale;
-import org.openjdk.jmh.results.Result;
+import java.util.Map;
+import java.util.TreeMap;
+import lancer.atelier.PagesMesurees;
+import lancer.mesures.stabilite.Methodes;
+import lancer.mesures.stabilite.Stabilite;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
@@ -15,15 +22,26 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.VerboseMode;
 
 /**
- * Mesure les noyaux du programme par JMH, et montre chaque temps avec son erreur : l'intervalle où la moyenne se trouve, à 99,9 %.
+ * Mesure par JMH ce que coûte chaque façon de calculer une intersection, et en fait la courbe des méthodes. De chaque machine
+ * virtuelle est retenue la plus courte de ses mesures, assez brèves pour que l'une au moins ne soit pas interrompue. Le temps est leur
+ * moyenne, et son intervalle dit où elle se trouve 19 fois sur 20 ; s'il est trop large, la machine n'était pas tranquille, et rien
+ * n'est écrit.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux [options de JMH] [expression qui choisit les noyaux]
+ * java -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux [options de JMH]
  * </pre>
  */
 public final class Noyaux {
 
-    private static final String LIGNE = "%-32s %-22s %12s   %-12s %s%n";
+    private static final Path RESULTATS = Paths.get("mesures", "resultats");
+    private static final Path PAGE = Paths.get("docs", "stabilite.md");
+    private static final String LIGNE = "%-16s %-10s %10s   %-10s %s%n";
+
+    /** Part du temps que son intervalle ne doit pas dépasser, de part et d'autre. */
+    private static final double TROP_LARGE = 0.15;
+
+    /** Le quantile à 97,5 % de la loi de Student, de 1 à 7 degrés de liberté. */
+    private static final double[] STUDENT = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365};
 
     private Noyaux() {
     }
@@ -35,41 +53,72 @@ public final class Noyaux {
             if (options.shouldHelp()) {
                 options.showHelp();
             } else {
-                mesurer(options, System.out);
+                System.exit(noter(mesurer(options, System.out), RESULTATS, System.out) ? 0 : 1);
             }
         } catch (CommandLineOptionException e) {
             System.err.println("Noyaux : option de JMH impossible : " + e.getMessage());
             System.exit(2);
-        } catch (RunnerException e) {
+        } catch (RunnerException | IOException e) {
             System.err.println("Noyaux : " + e.getMessage());
             System.exit(1);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
         }
     }
 
-    static void mesurer(CommandLineOptions options, PrintStream sortie) throws RunnerException {
+    /** @return par {@link Methodes#cle}, le temps et ce qu'il y a de part et d'autre dans son intervalle */
+    static Map<String, double[]> mesurer(CommandLineOptions options, PrintStream sortie) throws RunnerException {
         OptionsBuilder mesure = new OptionsBuilder();
         mesure.parent(options).shouldFailOnError(true);
         if (!options.verbosity().hasValue()) {
             mesure.verbosity(VerboseMode.SILENT);
-            sortie.println("Mesure des noyaux, sans rien dire pendant une minute environ…");
+            sortie.println("Mesure des méthodes, sans rien dire pendant trois minutes au plus…");
         }
-        montrer(new Runner(mesure.build()).run(), sortie);
+        Map<String, double[]> temps = new TreeMap<>();
+        Collection<RunResult> resultats = new Runner(mesure.build()).run();
+        sortie.print(String.format(LIGNE, "méthode", "régime", "temps", "erreur", "unité"));
+        for (RunResult resultat : resultats) {
+            double[] t = temps(resultat);
+            String formule = resultat.getParams().getParam("formule");
+            String regime = resultat.getParams().getParam("regime");
+            temps.put(Methodes.cle(regime, formule), t);
+            sortie.print(String.format(LIGNE, formule, regime, nombre(t[0]), "± " + nombre(t[1]), "ns"));
+        }
+        return temps;
     }
 
-    private static void montrer(Collection<RunResult> resultats, PrintStream sortie) {
-        sortie.print(String.format(LIGNE, "noyau", "cas", "temps", "erreur", "unité"));
-        for (RunResult resultat : resultats) {
-            Result<?> temps = resultat.getPrimaryResult();
-            String nom = resultat.getParams().getBenchmark().replaceAll(".*\\.(\\w+\\.\\w+)$", "$1");
-            StringBuilder cas = new StringBuilder();
-            for (String cle : resultat.getParams().getParamsKeys()) {
-                cas.append(cas.length() == 0 ? "" : ", ").append(cle).append('=').append(resultat.getParams().getParam(cle));
-            }
-            sortie.print(String.format(LIGNE, nom, cas, nombre(temps.getScore()), "± " + nombre(temps.getScoreError()),
-                    temps.getScoreUnit()));
+    /** La moyenne des plus courtes mesures de chaque machine virtuelle, et ce qu'il y a de part et d'autre dans son intervalle. */
+    private static double[] temps(RunResult resultat) {
+        double[] courtes = resultat.getBenchmarkResults().stream().mapToDouble(machine -> machine.getIterationResults().stream()
+                .mapToDouble(mesure -> mesure.getPrimaryResult().getScore()).min().orElse(Double.NaN)).toArray();
+        double moyenne = Arrays.stream(courtes).average().orElse(Double.NaN);
+        double carres = Arrays.stream(courtes).map(t -> (t - moyenne) * (t - moyenne)).sum();
+        int libertes = courtes.length - 1;
+        double demi = libertes == 0 ? Double.NaN
+                : STUDENT[Math.min(libertes, STUDENT.length) - 1] * Math.sqrt(carres / libertes / courtes.length);
+        return new double[] {moyenne, demi};
+    }
+
+    /**
+     * Écrit les mesures, la courbe et la page, si toutes les méthodes ont été mesurées sans être dérangées.
+     *
+     * @return faux si elles devaient l'être, et n'ont pu
+     */
+    static boolean noter(Map<String, double[]> temps, Path resultats, PrintStream sortie) throws IOException {
+        if (!Methodes.estComplet(temps.keySet())) {
+            sortie.println("Toutes les méthodes n'ont pas été mesurées : rien n'est écrit.");
+            return true;
         }
+        long larges = temps.values().stream().filter(t -> !(t[1] <= TROP_LARGE * t[0])).count();
+        if (larges > 0 || !Files.isDirectory(resultats)) {
+            sortie.println((larges > 0 ? "La machine n'est pas tranquille, " + larges + " intervalles sur " + temps.size()
+                    + " dépassent 15 % du temps" : "À lancer à la racine du projet, " + resultats + " n'existe pas")
+                    + " : rien n'est écrit.");
+            return false;
+        }
+        Methodes.noter(resultats, temps);
+        Stabilite.dessiner(resultats);
+        PagesMesurees.reecrire(PAGE, Stabilite.pages(resultats));
+        sortie.println("Écrits : " + resultats.resolve(Methodes.CSV) + ", methodes.png et les nombres de " + PAGE);
+        return true;
     }
 
     private static String nombre(double valeur) {

@@ -1,5 +1,5 @@
 /**
- * {@code make noyaux} : le temps d'une intersection, d'une recherche, d'un éclairement, par JMH.
+ * {@code make noyaux} : le temps d'une intersection, selon la méthode et le régime, par JMH.
  *
  * <p>Le seul paquet qui connaisse JMH ; y entre ce qui se compte en nanosecondes.
  */

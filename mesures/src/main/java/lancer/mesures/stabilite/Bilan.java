@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import lancer.mesures.trace.Style;
 
@@ -19,81 +20,51 @@ final class Bilan {
         this.tous = tous;
     }
 
-    List<Exactitude> de(String figure, Formule formule) {
-        return tous.stream().filter(r -> r.figure.equals(figure) && r.formule.equals(formule.cle)).collect(Collectors.toList());
+    List<Exactitude> de(String figure, Aspect methode) {
+        return tous.stream().filter(r -> r.figure.equals(figure) && r.formule.equals(methode.cle())).collect(Collectors.toList());
     }
 
-    /** Les défauts, du plus voyant au moins voyant, ou ce que donne le programme sur les mêmes scènes, dans le même ordre. */
-    List<Exactitude> defauts(boolean programme) {
-        List<Exactitude> siens = tous.stream().filter(r -> r.figure.equals(Defauts.FIGURE)).collect(Collectors.toList());
-        List<Exactitude> naifs = siens.stream().filter(r -> !r.formule.equals(Defauts.PROGRAMME))
-                .sorted(Comparator.comparingInt((Exactitude r) -> -r.faux)).collect(Collectors.toList());
-        return !programme ? naifs : naifs.stream().map(n -> siens.stream()
-                .filter(r -> r.x == n.x && r.formule.equals(Defauts.PROGRAMME)).findFirst().get()).collect(Collectors.toList());
+    /** Les défauts, du plus voyant au moins voyant. */
+    List<Exactitude> defauts() {
+        return tous.stream().filter(r -> r.figure.equals(Defauts.FIGURE) && !r.formule.equals(Defauts.PROGRAMME))
+                .sorted(Comparator.comparingInt(r -> -r.faux)).collect(Collectors.toList());
     }
 
     static boolean estClasse(Exactitude r) {
         return r.part() <= TROP;
     }
 
-    int faux(Formule formule, String figure) {
-        return de(figure, formule).stream().mapToInt(r -> r.faux).sum();
+    int faux(Aspect methode, String figure) {
+        return de(figure, methode).stream().mapToInt(r -> r.faux).sum();
     }
 
-    int essais(Formule formule, String figure) {
-        return de(figure, formule).stream().mapToInt(r -> r.essais).sum();
+    int essais(Aspect methode, String figure) {
+        return de(figure, methode).stream().mapToInt(r -> r.essais).sum();
     }
 
-    double part(Formule formule, String figure) {
-        return (double) faux(formule, figure) / essais(formule, figure);
-    }
-
-    /** Le plus grand nombre de rayons jugés en une abscisse. */
-    int tires() {
-        return de(Mesures.SOL, Formule.PROGRAMME).stream().mapToInt(r -> r.essais).max().orElse(0);
-    }
-
-    private Exactitude auBout(Formule formule, String figure) {
-        return de(figure, formule).stream().max(Comparator.comparingDouble((Exactitude r) -> r.x)).get();
-    }
-
-    double partAuBout(Formule formule, String figure) {
-        return auBout(formule, figure).part();
-    }
-
-    int fauxAuBout(Formule formule, String figure) {
-        return auBout(formule, figure).faux;
-    }
-
-    /** La plus grande abscisse. */
-    double leBout(String figure) {
-        return auBout(Formule.PROGRAMME, figure).x;
-    }
-
-    /** Rayons tirés pour une case de la carte, au plus. */
-    int parCase() {
-        return de(Mesures.CARTE, Formule.PROGRAMME).stream().mapToInt(r -> r.essais).max().orElse(0);
-    }
-
-    /** Les rayons mal classés de plus loin que dix fois le rayon de la sphère : plus près, c'est une autre affaire. */
-    int fauxDeLoin(Formule formule) {
-        return de(Mesures.LOIN, formule).stream().filter(r -> r.x >= 10).mapToInt(r -> r.faux).sum();
-    }
-
-    /** Au départ le plus près d'une surface. */
-    int fauxAuRas(Formule formule) {
-        return de(Mesures.POSE, formule).stream().min(Comparator.comparingDouble((Exactitude r) -> r.x)).get().faux;
+    /** La plus grande de ces valeurs, celles du programme. */
+    double max(String figure, ToDoubleFunction<Exactitude> valeur) {
+        return de(figure, Aspect.PROGRAMME).stream().mapToDouble(valeur).max().orElse(0);
     }
 
     /** La pire erreur du programme, en unités de κ u t. */
     double unites(String figure) {
-        return de(figure, Formule.PROGRAMME).stream().filter(Bilan::estClasse).mapToDouble(r -> r.erreurEnUnites).max()
-                .orElse(Double.NaN);
+        return max(figure, r -> estClasse(r) ? r.erreurEnUnites : 0);
+    }
+
+    /** Ce que vaut une méthode à la plus grande abscisse, ou à la plus petite. */
+    private Exactitude auBout(String figure, Aspect methode, boolean grande) {
+        return de(figure, methode).stream().max(Comparator.comparingDouble((Exactitude r) -> grande ? r.x : -r.x)).get();
+    }
+
+    /** Les rayons mal classés de plus loin que dix fois le rayon de la sphère : plus près, c'est une autre affaire. */
+    int fauxDeLoin(Aspect methode) {
+        return de(Mesures.LOIN, methode).stream().filter(r -> r.x >= 10).mapToInt(r -> r.faux).sum();
     }
 
     /** L'exposant de la distance dans l'erreur du manuel, de dix à un million de rayons. */
     double pente() {
-        List<Exactitude> manuel = de(Mesures.LOIN, Formule.MANUEL);
+        List<Exactitude> manuel = de(Mesures.LOIN, Aspect.MANUEL);
         return (Math.log10(en(manuel, 1e6).erreurEnUnites) - Math.log10(en(manuel, 10).erreurEnUnites)) / 5;
     }
 
@@ -101,53 +72,45 @@ final class Bilan {
         return exactitudes.stream().filter(r -> Math.abs(r.x / x - 1) < 1e-6).findFirst().get();
     }
 
-    /** D'où, au-delà de dix rayons, le manuel classe mal plus d'un rayon sur dix. */
-    double perdu() {
-        return de(Mesures.LOIN, Formule.MANUEL).stream().filter(r -> r.x >= 10 && !estClasse(r)).mapToDouble(r -> r.x).min()
-                .orElse(Double.NaN);
-    }
-
     /** Combien de fois l'erreur du programme fait celle du manuel, en moyenne géométrique, là où les deux classent bien. */
-    double rapportDesErreurs(String figure) {
-        List<Exactitude> manuel = de(figure, Formule.MANUEL).stream().filter(Bilan::estClasse).collect(Collectors.toList());
-        List<Exactitude> programme = de(figure, Formule.PROGRAMME);
-        return Math.exp(manuel.stream().mapToDouble(m -> Math.log(m.erreurRelative / en(programme, m.x).erreurRelative)).average()
-                .orElse(0));
+    private double rapportDesErreurs(String figure) {
+        List<Exactitude> programme = de(figure, Aspect.PROGRAMME);
+        return Math.exp(de(figure, Aspect.MANUEL).stream().filter(Bilan::estClasse)
+                .mapToDouble(m -> Math.log(m.erreurRelative / en(programme, m.x).erreurRelative)).average().orElse(0));
     }
 
-    /** Le nombre de chiffres justes de la distance, au-dessus du plus grand sol. */
-    int chiffresJustes(Formule formule) {
-        return (int) -Math.log10(auBout(formule, Mesures.SOL).erreurRelative);
+    /** « jamais », « 3 fois ». */
+    private static String fois(int faux) {
+        return faux == 0 ? "jamais" : Style.nombre(faux) + " fois";
     }
 
-    /** Le rapport des bornes d'une case. */
-    double pasDeLaCarte() {
-        double[] xs = de(Mesures.CARTE, Formule.PROGRAMME).stream().mapToDouble(r -> r.x).distinct().sorted().toArray();
-        return xs[1] / xs[0];
-    }
-
-    /** Les nombres que montrent les pages, par leurs noms. */
-    Map<String, String> pages() {
+    /** Les nombres que montrent les titres et les pages, par leurs noms. */
+    Map<String, String> nombres() {
         Map<String, String> valeurs = new TreeMap<>();
         valeurs.put("stabilite.unites", Style.arrondi(unites(Mesures.LOIN)));
         valeurs.put("stabilite.pente", Style.arrondi(pente()));
-        valeurs.put("stabilite.perdu", Style.puissance(perdu()));
-        valeurs.put("stabilite.loin.manuel", Style.arrondi(100 * partAuBout(Formule.MANUEL, Mesures.LOIN)));
-        valeurs.put("stabilite.loin.perpendiculaire", Figures.fois(fauxDeLoin(Formule.PERPENDICULAIRE)));
-        valeurs.put("stabilite.loin.programme", Figures.fois(fauxDeLoin(Formule.PROGRAMME)));
+        // d'où, au-delà de dix rayons, le manuel classe mal plus d'un rayon sur dix
+        valeurs.put("stabilite.perdu", Style.puissance(de(Mesures.LOIN, Aspect.MANUEL).stream().filter(r -> r.x >= 10 && !estClasse(r))
+                .mapToDouble(r -> r.x).min().orElse(Double.NaN)));
+        valeurs.put("stabilite.bout", Style.puissance(max(Mesures.LOIN, r -> r.x)));
+        valeurs.put("stabilite.bout.manuel", Style.arrondi(100 * auBout(Mesures.LOIN, Aspect.MANUEL, true).part()));
+        valeurs.put("stabilite.loin.programme", fois(fauxDeLoin(Aspect.PROGRAMME)));
         valeurs.put("stabilite.ras.rapport", Style.arrondi(rapportDesErreurs(Mesures.RAS)));
-        valeurs.put("stabilite.rasloin.rapport", Style.arrondi(rapportDesErreurs(Mesures.RAS_LOIN)));
+        valeurs.put("stabilite.ras-loin.rapport", Style.arrondi(rapportDesErreurs(Mesures.RAS_LOIN)));
         valeurs.put("stabilite.ras.unites", Style.arrondi(Math.max(unites(Mesures.RAS), unites(Mesures.RAS_LOIN))));
-        for (Formule formule : Formule.values()) {
-            valeurs.put("stabilite.sol." + formule.cle, String.valueOf(chiffresJustes(formule)));
-            valeurs.put("stabilite.pose." + formule.cle, Figures.fois(fauxAuRas(formule)));
+        valeurs.put("stabilite.sol", Style.puissance(max(Mesures.SOL, r -> r.x)));
+        for (Aspect methode : Mesures.DES_COURBES) {
+            valeurs.put("stabilite.sol." + methode.cle(),
+                    String.valueOf((int) -Math.log10(auBout(Mesures.SOL, methode, true).erreurRelative)));
+            valeurs.put("stabilite.pose." + methode.cle(), fois(auBout(Mesures.POSE, methode, false).faux));
         }
-        valeurs.put("stabilite.carte.manuel", Style.arrondi(100 * part(Formule.MANUEL, Mesures.CARTE)));
-        valeurs.put("stabilite.carte.programme", Figures.fois(faux(Formule.PROGRAMME, Mesures.CARTE)));
-        valeurs.put("stabilite.carte.rayons", Style.nombre(essais(Formule.PROGRAMME, Mesures.CARTE)));
-        List<Exactitude> naifs = defauts(false);
+        int rayons = essais(Aspect.MANUEL, Mesures.CARTE);
+        valeurs.put("stabilite.carte.manuel", Style.arrondi(100.0 * faux(Aspect.MANUEL, Mesures.CARTE) / rayons));
+        valeurs.put("stabilite.carte.programme", fois(faux(Aspect.PROGRAMME, Mesures.CARTE)));
+        valeurs.put("stabilite.carte.rayons", Style.nombre(rayons));
+        List<Exactitude> naifs = defauts();
         valeurs.put("stabilite.defauts", String.valueOf(naifs.size()));
-        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Formule.PROGRAMME, Defauts.FIGURE)));
+        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Aspect.PROGRAMME, Defauts.FIGURE)));
         naifs.forEach(r -> valeurs.put("stabilite.defaut." + r.formule, Style.nombre(r.faux)));
         return valeurs;
     }

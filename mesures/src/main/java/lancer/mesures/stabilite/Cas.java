@@ -4,9 +4,11 @@ import java.util.Random;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
+import lancer.essai.Exact;
+import lancer.essai.Formule;
 
 /** Un rayon et une sphère, tirés au sort, et la réponse exacte. Une même graine donne les mêmes. */
-final class Cas {
+public final class Cas {
 
     /** Précision relative d'un double. */
     static final double U = 0x1p-53;
@@ -18,14 +20,14 @@ final class Cas {
     private final Vecteur V;
     private final Point C;
     private final double r;
-    final Exacte exacte;
+    final Exact exacte;
 
     private Cas(Point P, Point vers, Point C, double r) {
         this.P = P;
         this.V = new Rayon(P, vers).getV();
         this.C = C;
         this.r = r;
-        this.exacte = new Exacte(P, vers, C, r);
+        this.exacte = new Exact(P, vers, C, r);
     }
 
     /** De loin, vers une sphère de rayon 1 ou à côté d'elle, jusqu'à deux rayons de son centre. */
@@ -72,7 +74,7 @@ final class Cas {
     }
 
     /** Vrai si une méthode touche ce qu'il faut manquer, ou l'inverse, ou prend une racine pour l'autre. */
-    boolean malClasse(Formule formule) {
+    public boolean malClasse(Formule formule) {
         double t = formule.distance(P, V, C, r);
         if (Double.isInfinite(exacte.distance) || Double.isInfinite(t) || Double.isNaN(t)) {
             return t != exacte.distance;
@@ -81,17 +83,19 @@ final class Cas {
     }
 
     /** |Δt| / t. */
-    double erreurRelative(Formule formule) {
-        return ecart(formule) / exacte.distance;
+    public double erreurRelative(Formule formule) {
+        return Math.abs(formule.distance(P, V, C, r) - exacte.distance) / exacte.distance;
     }
 
-    /** |Δt| en unités de κ u t = u (1 + r/h) (|P − C| + r) : ce qu'un arrondi des données change à la réponse. */
+    /** |Δt| en unités de κ u t = u (1 + r/h) t : ce que l'arrondi de la direction, que personne n'évite, change à la réponse. */
     double erreurEnUnites(Formule formule) {
-        return ecart(formule) / (U * (1 + r / exacte.demiCorde) * (distanceAuCentre() + r));
+        return erreurRelative(formule) / (U * (1 + r / exacte.demiCorde));
     }
 
-    private double ecart(Formule formule) {
-        return Math.abs(formule.distance(P, V, C, r) - exacte.distance);
+    /** P, V, C et r, à la suite à partir de {@code k}. */
+    public void copier(double[] nombres, int k) {
+        double[] siens = {P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r};
+        System.arraycopy(siens, 0, nombres, k, siens.length);
     }
 
     private double distanceAuCentre() {

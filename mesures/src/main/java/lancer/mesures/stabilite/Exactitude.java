@@ -8,11 +8,17 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Une ligne de stabilite.csv : ce que valent les réponses d'une méthode, sur tant d'essais. */
+/** Ce que valent les réponses d'une méthode, sur tant d'essais : une ligne de stabilite.csv, ou de methodes.csv. */
 final class Exactitude {
 
-    private static final String EN_TETE = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites";
-    private static final int COLONNES = EN_TETE.split(",").length;
+    private static final String FIN = ",essais,faux,erreur_relative,erreur_unites";
+    static final String STABILITE = "figure,methode,x,y" + FIN;
+
+    /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans son intervalle, 19 fois sur 20. */
+    static final String METHODES = "regime,methode,ns,plus_ou_moins" + FIN;
+
+    /** Ce qui commence, en dernière ligne, ce qu'il faut savoir pour comparer. */
+    static final String NOTE = "# ";
 
     /** Quelle courbe : voir {@link Mesures}. */
     final String figure;
@@ -46,15 +52,19 @@ final class Exactitude {
         return essais == 0 ? 0 : (double) faux / essais;
     }
 
+    Exactitude en(double autreX, double autreY) {
+        return new Exactitude(figure, formule, autreX, autreY, essais, faux, erreurRelative, erreurEnUnites);
+    }
+
     private String ligne() {
         return String.join(",", figure, formule, Double.toString(x), Double.toString(y), Integer.toString(essais), Integer.toString(faux),
                 Double.toString(erreurRelative), Double.toString(erreurEnUnites));
     }
 
     /** Écrit le fichier d'un coup. */
-    static void ecrire(Path fichier, List<Exactitude> exactitudes) throws IOException {
+    static void ecrire(Path fichier, String enTete, List<Exactitude> exactitudes) throws IOException {
         List<String> lignes = new ArrayList<>();
-        lignes.add(EN_TETE);
+        lignes.add(enTete);
         exactitudes.forEach(r -> lignes.add(r.ligne()));
         Path provisoire = fichier.resolveSibling(fichier.getFileName() + ".tmp");
         Files.write(provisoire, lignes, StandardCharsets.UTF_8);
@@ -62,12 +72,12 @@ final class Exactitude {
     }
 
     /** @throws IOException si le fichier n'est pas de ceux qu'écrit {@link #ecrire} */
-    static List<Exactitude> lire(Path fichier) throws IOException {
+    static List<Exactitude> lire(Path fichier, String enTete) throws IOException {
         List<String> lignes = Files.readAllLines(fichier, StandardCharsets.UTF_8);
         List<Exactitude> exactitudes = new ArrayList<>();
-        for (int k = 1; k < lignes.size(); k++) {
+        for (int k = 1; k < lignes.size() && !lignes.get(k).startsWith(NOTE); k++) {
             String[] c = lignes.get(k).split(",");
-            if (c.length != COLONNES || !lignes.get(0).equals(EN_TETE)) {
+            if (c.length != 8 || !lignes.get(0).equals(enTete)) {
                 throw new IOException(fichier + ", ligne " + (k + 1) + " : pas une mesure de stabilité");
             }
             exactitudes.add(new Exactitude(c[0], c[1], Double.parseDouble(c[2]), Double.parseDouble(c[3]), Integer.parseInt(c[4]),

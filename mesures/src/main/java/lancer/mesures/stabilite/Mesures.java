@@ -31,8 +31,10 @@ final class Mesures {
     static final double PRES = 3;
     static final double LOINTAIN = 1000;
 
-    /** Méthodes que compare la carte. */
-    static final List<Formule> DE_LA_CARTE = Arrays.asList(Formule.MANUEL, Formule.PROGRAMME);
+    /** Méthodes que comparent les courbes, et la carte. */
+    static final List<Aspect> DES_COURBES = Arrays.asList(Aspect.GEOMETRIQUE, Aspect.RACINES, Aspect.MANUEL, Aspect.PERPENDICULAIRE,
+            Aspect.PROGRAMME);
+    static final List<Aspect> DE_LA_CARTE = Arrays.asList(Aspect.MANUEL, Aspect.PROGRAMME);
 
     /** Des rayons tirés pour une abscisse, part qui doit se juger pour qu'elle soit tracée. */
     private static final double PART_JUGEE = 0.5;
@@ -52,10 +54,14 @@ final class Mesures {
         tous.addAll(courbe(LOIN, 1, 0, 12, 2, d -> h -> Cas.deLoin(h, d)));
         tous.addAll(courbe(RAS, 2, -14, -1, 1, m -> h -> Cas.rasant(h, PRES, m)));
         tous.addAll(courbe(RAS_LOIN, 3, -12, -1, 1, m -> h -> Cas.rasant(h, LOINTAIN, m)));
-        tous.addAll(courbe(SOL, 4, 2, 9, 2, r -> h -> Cas.auSol(h, r)));
+        tous.addAll(sol());
         tous.addAll(courbe(POSE, 5, -16, -1, 1, e -> h -> Cas.pose(h, e)));
         tous.addAll(carte());
         return tous;
+    }
+
+    List<Exactitude> sol() {
+        return courbe(SOL, 4, 2, 9, 2, r -> h -> Cas.auSol(h, r));
     }
 
     /** Une abscisse par {@code 1/parDecade} puissance de dix. */
@@ -63,7 +69,7 @@ final class Mesures {
             Function<Double, Function<Random, Cas>> tirage) {
         return IntStream.rangeClosed(0, (a - de) * parDecade / pas).parallel().boxed().flatMap(k -> {
             double x = Math.pow(10, de + (double) k * pas / parDecade);
-            return juger(figure, x, 0, rayons, 1000L * graine + k, tirage.apply(x), Arrays.asList(Formule.values())).stream();
+            return juger(figure, x, 0, rayons, 1000L * graine + k, tirage.apply(x), DES_COURBES).stream();
         }).collect(Collectors.toList());
     }
 
@@ -79,28 +85,33 @@ final class Mesures {
         }).collect(Collectors.toList());
     }
 
-    /** Juge chaque méthode sur les mêmes rayons ; rien si la plupart ne se jugent pas. */
-    private static List<Exactitude> juger(String figure, double x, double y, int tires, long graine, Function<Random, Cas> tirage,
-            List<Formule> formules) {
+    /** Ceux qui se jugent de tant de rayons tirés au sort. */
+    static List<Cas> tirer(int tires, long graine, Function<Random, Cas> tirage) {
         Random hasard = new Random(graine);
-        List<Cas> cas = IntStream.range(0, tires).mapToObj(k -> tirage.apply(hasard)).filter(Cas::seJuge).collect(Collectors.toList());
+        return IntStream.range(0, tires).mapToObj(k -> tirage.apply(hasard)).filter(Cas::seJuge).collect(Collectors.toList());
+    }
+
+    /** Juge chaque méthode sur les mêmes rayons ; rien si la plupart ne se jugent pas. */
+    static List<Exactitude> juger(String figure, double x, double y, int tires, long graine, Function<Random, Cas> tirage,
+            List<Aspect> methodes) {
+        List<Cas> cas = tirer(tires, graine, tirage);
         List<Exactitude> exactitudes = new ArrayList<>();
         if (cas.size() < PART_JUGEE * tires) {
             return exactitudes;
         }
-        for (Formule formule : formules) {
+        for (Aspect methode : methodes) {
             int faux = 0;
             double relative = 0;
             double unites = 0;
             for (Cas c : cas) {
-                if (c.malClasse(formule)) {
+                if (c.malClasse(methode.formule)) {
                     faux++;
                 } else if (!Double.isInfinite(c.exacte.distance)) {
-                    relative = Math.max(relative, c.erreurRelative(formule));
-                    unites = Math.max(unites, c.erreurEnUnites(formule));
+                    relative = Math.max(relative, c.erreurRelative(methode.formule));
+                    unites = Math.max(unites, c.erreurEnUnites(methode.formule));
                 }
             }
-            exactitudes.add(new Exactitude(figure, formule.cle, x, y, cas.size(), faux, relative, unites));
+            exactitudes.add(new Exactitude(figure, methode.cle(), x, y, cas.size(), faux, relative, unites));
         }
         return exactitudes;
     }

@@ -1,22 +1,19 @@
 package lancer.mesures.stabilite;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import lancer.mesures.trace.Planche;
 
 /**
- * Où les méthodes échouent : un fichier de mesures, et les cinq planches qu'on en dessine. Aucun temps n'y entre : le fichier ne
- * dépend que du programme.
+ * Où les méthodes échouent : un fichier de mesures, et les planches qu'on en dessine. Aucun temps n'y entre : le fichier ne dépend que
+ * du programme. Ce que les méthodes coûtent est dans {@link Methodes}.
  */
 public final class Stabilite {
 
     public static final String CSV = "stabilite.csv";
-
-    /** Les planches, dans l'ordre où la page les lit. */
-    public static final String[] PLANCHES = {"stabilite-loin", "stabilite-ras", "stabilite-sol", "stabilite-carte", "stabilite-defauts"};
 
     private Stabilite() {
     }
@@ -28,21 +25,33 @@ public final class Stabilite {
      */
     public static void mesurer(Path dossier, boolean rapide) throws IOException {
         List<Exactitude> tous = new ArrayList<>(new Mesures(rapide).intersections());
-        tous.addAll(new Defauts().compter());
-        Exactitude.ecrire(dossier.resolve(CSV), tous);
+        tous.addAll(Defauts.compter(new Defauts().tous()));
+        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.STABILITE, tous);
+    }
+
+    private static Bilan lire(Path dossier) throws IOException {
+        return new Bilan(Exactitude.lire(dossier.resolve(CSV), Exactitude.STABILITE));
     }
 
     /** Dessine les mesures de ce dossier. */
     public static void dessiner(Path dossier) throws IOException {
-        Figures figures = new Figures(new Bilan(Exactitude.lire(dossier.resolve(CSV))));
-        Planche[] planches = {figures.loin(), figures.ras(), figures.sol(), figures.carte(), figures.defauts()};
-        for (int k = 0; k < planches.length; k++) {
-            planches[k].ecrire(dossier.resolve(PLANCHES[k] + ".png"));
+        Figures figures = new Figures(lire(dossier));
+        figures.loin().ecrire(dossier.resolve("stabilite-loin.png"));
+        figures.ras().ecrire(dossier.resolve("stabilite-ras.png"));
+        figures.sol().ecrire(dossier.resolve("stabilite-sol.png"));
+        figures.carte().ecrire(dossier.resolve("stabilite-carte.png"));
+        figures.defauts(new Defauts().tous()).ecrire(dossier.resolve("stabilite-defauts.png"));
+        if (Files.exists(dossier.resolve(Methodes.CSV))) {
+            new Methodes(dossier).planche().ecrire(dossier.resolve("methodes.png"));
         }
     }
 
     /** Les nombres que montrent les pages, par leurs noms. */
     public static Map<String, String> pages(Path dossier) throws IOException {
-        return new Bilan(Exactitude.lire(dossier.resolve(CSV))).pages();
+        Map<String, String> valeurs = lire(dossier).nombres();
+        if (Files.exists(dossier.resolve(Methodes.CSV))) {
+            valeurs.putAll(new Methodes(dossier).pages());
+        }
+        return valeurs;
     }
 }

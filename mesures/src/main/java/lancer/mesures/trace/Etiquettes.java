@@ -37,7 +37,7 @@ final class Etiquettes {
     /** Rien ne sera écrit le long de ce trait. */
     void reserver(double x0, double y0, double x1, double y1) {
         double longueur = Math.hypot(x1 - x0, y1 - y0);
-        for (double t = 0; t <= longueur; t += 6) {
+        for (double t = 0; t < longueur; t += 6) {
             reserver(x0 + (x1 - x0) * t / longueur, y0 + (y1 - y0) * t / longueur, 3);
         }
     }
@@ -60,7 +60,7 @@ final class Etiquettes {
                 if (cadre.contains(place) && pris.stream().noneMatch(p -> p.intersects(place))) {
                     pris.add(place);
                     if (distance > FIL) {
-                        fil(x, y, place, depart);
+                        fil(x, y, place);
                     }
                     g.setFont(police);
                     g.setColor(couleur);
@@ -72,15 +72,11 @@ final class Etiquettes {
         return false;
     }
 
-    private void fil(double x, double y, Rectangle2D place, double depart) {
+    private void fil(double x, double y, Rectangle2D place) {
         double px = Math.max(place.getMinX(), Math.min(place.getMaxX(), x));
         double py = Math.max(place.getMinY(), Math.min(place.getMaxY(), y));
-        double norme = Math.hypot(px - x, py - y);
-        double debut = depart + 4;
-        if (norme > debut) {
-            g.setColor(Style.GRIS);
-            g.setStroke(Style.trait(1.2f));
-            g.draw(new Line2D.Double(x + (px - x) * debut / norme, y + (py - y) * debut / norme, px, py));
-        }
+        g.setColor(Style.GRIS);
+        g.setStroke(Style.TRAIT_FIN);
+        g.draw(new Line2D.Double(px + 0.6 * (x - px), py + 0.6 * (y - py), px, py));
     }
 }

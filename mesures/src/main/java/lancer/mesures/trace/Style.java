@@ -3,11 +3,19 @@ package lancer.mesures.trace;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.Graphics2D;
 import java.awt.Stroke;
+import java.awt.geom.Rectangle2D;
 import java.math.RoundingMode;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.util.Locale;
+import org.jfree.chart.block.RectangleConstraint;
+import org.jfree.chart.title.TextTitle;
+import org.jfree.chart.ui.HorizontalAlignment;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.chart.ui.VerticalAlignment;
 
 /**
  * L'apparence de toutes les courbes : les mêmes tailles partout, des couleurs que distinguent ceux qui voient mal le rouge ou
@@ -20,7 +28,7 @@ public final class Style {
         System.setProperty("java.awt.headless", "true");
     }
 
-    /** Taille d'une planche, en pixels. Le README la montre deux fois plus petite. */
+    /** Taille d'une planche, en pixels, si elle n'en demande pas une autre. Les pages les montrent deux fois plus petites. */
     public static final int LARGEUR = 1600;
     public static final int HAUTEUR = 1000;
 
@@ -29,7 +37,6 @@ public final class Style {
     public static final Color ORANGE = new Color(0xE69F00);
     public static final Color CIEL = new Color(0x56B4E9);
     public static final Color VERT = new Color(0x009E73);
-    public static final Color JAUNE = new Color(0xF0E442);
     public static final Color BLEU = new Color(0x0072B2);
     public static final Color VERMILLON = new Color(0xD55E00);
     public static final Color POURPRE = new Color(0xCC79A7);
@@ -43,12 +50,9 @@ public final class Style {
 
     static final Font TITRE = police(Font.BOLD, 36);
     static final Font CONSTAT = police(Font.BOLD, 25);
-    static final Font SOUS_TITRE = police(Font.PLAIN, 23);
-    static final Font AXE = police(Font.PLAIN, 25);
-    static final Font GRADUATION = police(Font.PLAIN, 24);
+    static final Font TEXTE = police(Font.PLAIN, 24);
     static final Font ETIQUETTE = police(Font.PLAIN, 22);
-    static final Font ETIQUETTE_DEFAUT = police(Font.BOLD, 23);
-    static final Font LEGENDE = police(Font.PLAIN, 24);
+    static final Font ETIQUETTE_DEFAUT = police(Font.BOLD, 22);
     static final Font NOTE = police(Font.PLAIN, 18);
 
     static final Stroke TRAIT = trait(3f);
@@ -56,7 +60,7 @@ public final class Style {
     static final Stroke TRAIT_FRONT = trait(11f);
     static final Stroke POINTILLE = new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 1, new float[] {3, 8}, 0);
 
-    /** Blanc autour de la planche et entre ses parties, en pixels. */
+    /** Blanc autour de la planche, en pixels. */
     static final int MARGE = 28;
 
     private Style() {
@@ -64,6 +68,29 @@ public final class Style {
 
     private static Font police(int graisse, int taille) {
         return new Font(Font.SANS_SERIF, graisse, taille);
+    }
+
+    /**
+     * Écrit un texte, coupé entre ses mots pour tenir dans cette largeur, le haut en {@code y}.
+     *
+     * @param vraiment faux pour n'en vouloir que la hauteur
+     * @return sa hauteur
+     */
+    static double texte(Graphics2D g, String texte, Font police, Color couleur, double x, double y, double largeur, boolean vraiment) {
+        TextTitle titre = new TextTitle(insecable(texte), police, couleur, RectangleEdge.TOP, HorizontalAlignment.LEFT,
+                VerticalAlignment.TOP, RectangleInsets.ZERO_INSETS);
+        titre.setTextAlignment(HorizontalAlignment.LEFT);
+        double hauteur = texte.isEmpty() ? 0 : titre.arrange(g, RectangleConstraint.NONE.toFixedWidth(largeur)).getHeight();
+        if (vraiment && hauteur > 0) {
+            titre.draw(g, new Rectangle2D.Double(x, y, largeur, hauteur));
+        }
+        return hauteur;
+    }
+
+    /** Ni un guillemet ni une ponctuation haute ne se séparent de leur mot, ni un nombre de ce qui le suit. */
+    private static String insecable(String texte) {
+        return texte.replaceAll("« ", "«\u00A0").replaceAll(" ([»:;%?!×])", "\u00A0$1").replaceAll("; (?=[0-9])", ";\u00A0")
+                .replaceAll("([0-9×]) (?=[0-9×a-z])", "$1\u00A0");
     }
 
     static BasicStroke trait(float epaisseur) {
@@ -99,7 +126,7 @@ public final class Style {
     }
 
     /** Un nombre à la française, avec tant de décimales au plus. */
-    public static String decimales(double valeur, int decimales) {
+    private static String decimales(double valeur, int decimales) {
         DecimalFormatSymbols symboles = new DecimalFormatSymbols(Locale.ROOT);
         symboles.setDecimalSeparator(',');
         symboles.setGroupingSeparator('\u00A0');

@@ -1,65 +1,43 @@
 package lancer.mesures.trace;
 
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Paint;
+import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
-import org.jfree.chart.ChartRenderingInfo;
-import org.jfree.chart.JFreeChart;
+import org.jfree.chart.LegendItem;
+import org.jfree.chart.LegendItemCollection;
+import org.jfree.chart.axis.SymbolAxis;
 import org.jfree.chart.axis.ValueAxis;
-import org.jfree.chart.plot.DatasetRenderingOrder;
 import org.jfree.chart.plot.IntervalMarker;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
-import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleEdge;
-import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
-import org.jfree.data.xy.XYSeries;
-import org.jfree.data.xy.XYSeriesCollection;
 
-/** Deux axes logarithmiques et des séries : une courbe d'une {@link Planche}, sous la phrase qui dit ce qu'on y voit. */
-public final class Volet implements Contenu {
+/**
+ * Des séries entre deux axes logarithmiques, ou des rangées nommées et un seul : une partie d'une {@link Planche}. Les noms des points
+ * sont écrits près d'eux, là où il y a de la place.
+ */
+public final class Volet extends Courbe {
 
-    private static final double JEU = 1.35;
-    private static final double RETRAIT = 8;
-
-    /** Rapport des bornes au-delà duquel le jeu est une part de l'axe : une marque au bord doit y tenir. */
-    private static final double IMMENSE = 5e6;
-    private static final double PART_DU_JEU = 0.04;
-
-    private final String constat;
-    private final String sujet;
     private final String nomX;
     private final String nomY;
+    private final List<Serie> fonds = new ArrayList<>();
     private final List<Serie> series = new ArrayList<>();
-    private final List<Marque> front = new ArrayList<>();
-    private final List<Repere> reperes = new ArrayList<>();
-    private double minX = Double.POSITIVE_INFINITY;
-    private double maxX;
-    private double minY = Double.POSITIVE_INFINITY;
-    private double maxY;
-    private double plancherY;
+    private final List<Double> niveaux = new ArrayList<>();
+    private final List<String> nomsDesNiveaux = new ArrayList<>();
+    private String[] rangees;
+    private double zone;
+    private double repereX;
     private boolean versZero;
     private Axe axeX;
-    private Axe axeY;
-
-    /** Une droite horizontale qui aide à lire. */
-    private static final class Repere {
-        private final double y;
-        private final String nom;
-
-        Repere(double y, String nom) {
-            this.y = y;
-            this.nom = nom;
-        }
-    }
+    private ValueAxis axeY;
 
     /**
      * @param constat ce que montre la courbe, en une phrase
@@ -68,16 +46,22 @@ public final class Volet implements Contenu {
      * @param nomY et son unité
      */
     public Volet(String constat, String sujet, String nomX, String nomY) {
-        this.constat = constat;
-        this.sujet = sujet;
+        super(constat, sujet);
         this.nomX = nomX;
         this.nomY = nomY;
     }
 
-    /** @param plancher ce qui est plus petit est dessiné dans une bande à part, celle de zéro ; 0 : pas de bande */
-    public Volet plancher(double plancher) {
-        plancherY = plancher;
-        return this;
+    /**
+     * Des choses nommées à gauche, une par rangée, et pour chacune combien.
+     *
+     * @param noms des rangées, de haut en bas ; une marque d'ordonnée k est dans la k-ième, comptée de 0
+     * @param repere où tracer une droite verticale
+     */
+    public static Volet rangees(String constat, String nomX, List<String> noms, double repere) {
+        Volet volet = new Volet(constat, "", nomX, null);
+        volet.rangees = noms.toArray(new String[0]);
+        volet.repereX = repere;
+        return volet;
     }
 
     /** Les abscisses décroissent vers la droite : ce qui est difficile est à droite de ce qui est facile. */
@@ -87,226 +71,189 @@ public final class Volet implements Contenu {
     }
 
     public Volet serie(Serie serie) {
-        series.add(serie);
+        (serie.forme == FormeDePoint.AUCUNE ? fonds : series).add(serie);
         return this;
     }
 
     /** La ligne des marques que rien ne bat, derrière tout le reste. */
     public Volet front(List<Marque> marques) {
-        front.addAll(marques);
-        return this;
+        return serie(new Serie("le front : rien ne le bat", Style.FRONT, FormeDePoint.AUCUNE, true, marques));
     }
 
     /** Une droite horizontale en pointillé, et ce qu'elle veut dire. */
     public Volet repere(double y, String nom) {
-        reperes.add(new Repere(y, nom));
+        niveaux.add(y);
+        nomsDesNiveaux.add(nom);
+        return this;
+    }
+
+    /** Ce qui est au-dessous est ombré, et ce que cela veut dire. */
+    public Volet zone(double haut, String nom) {
+        zone = haut;
+        niveaux.add(haut);
+        nomsDesNiveaux.add(nom);
         return this;
     }
 
     @Override
-    public List<Serie> series() {
-        return Collections.unmodifiableList(series);
-    }
-
-    @Override
-    public boolean aUnFront() {
-        return !front.isEmpty();
-    }
-
-    @Override
-    public boolean aDesDefauts() {
-        return series.stream().anyMatch(s -> s.marques.stream().anyMatch(m -> m.cerclee));
-    }
-
-    @Override
-    public double enTete(Graphics2D g, double largeur) {
-        return phrase(g, largeur).hauteur() + (sujet.isEmpty() ? 0 : g.getFontMetrics(Style.SOUS_TITRE).getHeight()) + 16;
-    }
-
-    private Paragraphe phrase(Graphics2D g, double largeur) {
-        return new Paragraphe(g, constat, Style.CONSTAT, largeur - 2 * RETRAIT);
-    }
-
-    @Override
-    public void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
-        double x = place.getX() + RETRAIT;
-        Paragraphe phrase = phrase(g, place.getWidth());
-        phrase.dessiner(g, x, place.getY(), Style.ENCRE);
-        double bas = place.getY() + enTete;
-        if (!sujet.isEmpty()) {
-            new Paragraphe(g, sujet, Style.SOUS_TITRE, place.getWidth())
-                    .dessiner(g, x, place.getY() + phrase.hauteur() + 2, Style.GRIS);
+    public List<LegendItem> legende() {
+        List<LegendItem> signes = new ArrayList<>();
+        LegendItemCollection siens = plot().getLegendItems();
+        for (int k = 0; k < siens.getItemCount(); k++) {
+            signes.add(siens.get((k + fonds.size()) % siens.getItemCount()));
         }
-        Rectangle2D reste = new Rectangle2D.Double(place.getX(), bas, place.getWidth(), place.getMaxY() - bas);
+        if (series.stream().anyMatch(s -> s.marques.stream().anyMatch(m -> m.cerclee))) {
+            signes.add(new LegendItem("défaut", null, null, null, FormeDePoint.ANNEAU, Style.TRAIT, Style.NOIR));
+        }
+        return signes;
+    }
+
+    @Override
+    XYPlot plot() {
         axes();
-        JFreeChart courbe = new JFreeChart(null, null, plot(), false);
-        courbe.setBackgroundPaint(null);
-        courbe.setPadding(new RectangleInsets(0, 0, 0, 12));
-        ChartRenderingInfo info = new ChartRenderingInfo();
-        courbe.draw(g, reste, info);
-        etiqueter(g, info.getPlotInfo().getDataArea());
+        XYPlot plot = new XYPlot(donnees(fonds), axeX, axeY, new Points(fonds));
+        plot.setDataset(1, donnees(series));
+        plot.setRenderer(1, new Points(series));
+        plot.setBackgroundPaint(null);
+        if (zone > 0) {
+            plot.addRangeMarker(new IntervalMarker(axeY.getLowerBound(), zone, Style.BANDE), Layer.BACKGROUND);
+        }
+        niveaux.forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
+        if (repereX > 0) {
+            plot.addDomainMarker(new ValueMarker(repereX, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND);
+        }
+        return plot;
     }
 
     private void axes() {
+        double minX = repereX > 0 ? repereX : Double.POSITIVE_INFINITY;
+        double maxX = repereX;
+        double minY = zone > 0 ? zone / 2 : Double.POSITIVE_INFINITY;
+        double maxY = zone;
         for (Serie serie : series) {
             for (Marque m : serie.marques) {
                 minX = Math.min(minX, m.xMin);
                 maxX = Math.max(maxX, m.xMax);
                 maxY = Math.max(maxY, m.yMax);
-                minY = m.y > plancherY ? Math.min(minY, m.yMin) : minY;
+                minY = Math.min(minY, m.yMin);
             }
         }
-        boolean zero = series.stream().anyMatch(s -> s.marques.stream().anyMatch(m -> m.y <= plancherY));
-        double jeuX = Math.min(JEU, 1 + 0.2 * (maxX / minX - 1));
-        jeuX = maxX / minX > IMMENSE ? Math.pow(maxX / minX, PART_DU_JEU) : jeuX;
-        axeX = new Axe(nomX, minX / jeuX, maxX * Math.max(1.05, jeuX), 0);
+        axeX = new Axe(nomX, minX / jeu(minX, maxX), maxX * jeu(minX, maxX));
         axeX.setInverted(versZero);
-        minY = minY > maxY ? maxY / 10 : minY;
-        double jeuY = maxY / minY > IMMENSE ? Math.pow(maxY / minY, PART_DU_JEU) : JEU;
-        double bas = zero && plancherY > 0 ? plancherY : minY / jeuY;
-        double haut = maxY * jeuY;
-        axeY = new Axe(nomY, bas, haut, zero && plancherY > 0 ? bas / Math.pow(haut / bas, 0.05) : 0);
+        axeY = new Axe(nomY, minY / jeu(minY, maxY), maxY * jeu(minY, maxY));
+        if (rangees != null) {
+            SymbolAxis noms = new SymbolAxis(null, rangees);
+            noms.setGridBandsVisible(false);
+            noms.setInverted(true);
+            axeY = noms;
+        }
     }
 
-    private XYPlot plot() {
-        XYPlot plot = new XYPlot(null, axeX, axeY, null);
-        plot.setBackgroundPaint(null);
-        plot.setOutlinePaint(Style.GRIS);
-        plot.setDomainGridlinePaint(Style.GRILLE);
-        plot.setRangeGridlinePaint(Style.GRILLE);
-        plot.setDomainGridlineStroke(Style.TRAIT_FIN);
-        plot.setRangeGridlineStroke(Style.TRAIT_FIN);
-        plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
-        if (axeY.seuilDeZero() > 0) {
-            plot.addRangeMarker(new IntervalMarker(axeY.getLowerBound(), axeY.seuilDeZero(), Style.BANDE), Layer.BACKGROUND);
-        }
-        for (Repere repere : reperes) {
-            plot.addRangeMarker(new ValueMarker(repere.y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND);
-        }
-        ajouter(plot, lignes(front), ligne(Style.FRONT));
-        for (Serie serie : series) {
-            if (serie.reliee) {
-                XYLineAndShapeRenderer trait = new XYLineAndShapeRenderer(true, false);
-                trait.setSeriesPaint(0, serie.couleur);
-                trait.setSeriesStroke(0, Style.TRAIT);
-                ajouter(plot, lignes(serie.marques), trait);
+    /** De combien l'axe dépasse ce qui s'y montre : une marque au bord doit y tenir. */
+    private static double jeu(double min, double max) {
+        return Math.max(1 + 0.2 * Math.min(1, max / min - 1), Math.pow(max / min, 0.04));
+    }
+
+    private XYIntervalSeriesCollection donnees(List<Serie> partie) {
+        XYIntervalSeriesCollection donnees = new XYIntervalSeriesCollection();
+        for (int s = 0; s < partie.size(); s++) {
+            XYIntervalSeries points = new XYIntervalSeries(partie.get(s).nom, false, true);
+            for (Marque m : partie.get(s).marques) {
+                points.add(m.x, m.xMin, m.xMax, y(m.y, s), y(m.yMin, s), y(m.yMax, s));
             }
-        }
-        for (Serie serie : series) {
-            XYIntervalSeries points = new XYIntervalSeries(serie.nom, false, true);
-            for (Marque m : serie.marques) {
-                points.add(m.x, m.xMin, m.xMax, axeY.place(m.y), axeY.place(m.yMin), axeY.place(m.yMax));
-            }
-            XYIntervalSeriesCollection donnees = new XYIntervalSeriesCollection();
             donnees.addSeries(points);
-            ajouter(plot, donnees, new Points(serie));
         }
-        return plot;
+        return donnees;
     }
 
-    private static XYLineAndShapeRenderer ligne(Paint couleur) {
-        XYLineAndShapeRenderer ligne = new XYLineAndShapeRenderer(true, false);
-        ligne.setSeriesPaint(0, couleur);
-        ligne.setSeriesStroke(0, Style.TRAIT_FRONT);
-        return ligne;
+    /** L'ordonnée d'une marque sur l'axe : dans une rangée, les séries sont l'une sous l'autre. */
+    private double y(double y, int serie) {
+        return rangees == null ? y : y + (serie - (series.size() - 1) / 2.0) * 0.8 / series.size();
     }
 
-    private XYSeriesCollection lignes(List<Marque> marques) {
-        XYSeries ligne = new XYSeries("", false, true);
-        for (Marque m : marques) {
-            ligne.add(m.x, axeY.place(m.y));
-        }
-        return new XYSeriesCollection(ligne);
-    }
-
-    private static void ajouter(XYPlot plot, org.jfree.data.xy.XYDataset donnees, XYLineAndShapeRenderer rendu) {
-        int rang = plot.getDatasetCount();
-        // le premier rang existe déjà, vide
-        int libre = plot.getDataset(0) == null ? 0 : rang;
-        plot.setDataset(libre, donnees);
-        plot.setRenderer(libre, rendu);
-    }
-
-    /** Les points d'une série et leurs barres ; en creux ceux qui ne valent pas la peine. */
+    /** Les traits, puis les points et leurs barres ; en creux ceux qui ne valent pas la peine. */
     private static final class Points extends XYErrorRenderer {
 
         private static final long serialVersionUID = 1;
 
-        private final transient Serie serie;
+        private final transient List<Serie> partie;
 
-        Points(Serie serie) {
-            this.serie = serie;
-            setDrawYError(serie.marques.stream().anyMatch(m -> m.yMin < m.yMax));
-            setDrawXError(serie.marques.stream().anyMatch(m -> m.xMin < m.xMax));
+        Points(List<Serie> partie) {
+            this.partie = partie;
             setErrorStroke(Style.TRAIT_FIN);
-            setErrorPaint(serie.couleur);
+            setLegendLine(new Line2D.Double(-16, 0, 16, 0));
             setCapLength(10);
-            setSeriesPaint(0, serie.couleur);
-            setSeriesShape(0, serie.forme.dessin);
-            setSeriesOutlineStroke(0, Style.TRAIT);
             setUseFillPaint(true);
-            setDrawOutlines(true);
+            for (int s = 0; s < partie.size(); s++) {
+                Serie serie = partie.get(s);
+                boolean points = serie.forme != FormeDePoint.AUCUNE;
+                setSeriesPaint(s, serie.couleur);
+                setSeriesFillPaint(s, serie.couleur);
+                setSeriesLinesVisible(s, Boolean.valueOf(serie.reliee));
+                setSeriesShapesVisible(s, points);
+                setSeriesShape(s, serie.forme.dessin);
+                setSeriesStroke(s, serie.couleur == Style.FRONT ? Style.TRAIT_FRONT : Style.TRAIT);
+                setSeriesOutlineStroke(s, Style.TRAIT);
+                setDrawXError(points);
+                setDrawYError(points);
+                setSeriesVisibleInLegend(s, !serie.nom.isEmpty());
+            }
         }
 
         @Override
-        public Paint getItemFillPaint(int rang, int point) {
-            return serie.marques.get(point).pleine ? serie.couleur : java.awt.Color.WHITE;
+        public Paint getItemFillPaint(int s, int point) {
+            return partie.get(s).marques.get(point).pleine ? partie.get(s).couleur : Color.WHITE;
         }
     }
 
     /** Cercle les réglages par défaut, et nomme les points : les plus importants d'abord, les autres s'il y a de la place tout près. */
-    private void etiqueter(Graphics2D g, Rectangle2D cadre) {
-        ToDoubleFunction<Marque> enX = m -> pixel(axeX, m.x, cadre, RectangleEdge.BOTTOM);
-        ToDoubleFunction<Marque> enY = m -> pixel(axeY, axeY.place(m.y), cadre, RectangleEdge.LEFT);
+    @Override
+    void annoter(Graphics2D g, Rectangle2D cadre) {
         Etiquettes noms = new Etiquettes(g, cadre);
-        for (Serie serie : series) {
-            Marque avant = null;
-            for (Marque m : serie.marques) {
-                noms.reserver(enX.applyAsDouble(m), enY.applyAsDouble(m), FormeDePoint.DEMI_COTE);
+        for (int s = 0; s < series.size(); s++) {
+            double[] avant = null;
+            for (Marque m : series.get(s).marques) {
+                double[] ici = {px(m.x, cadre), py(m.y, s, cadre)};
+                noms.reserver(ici[0], ici[1], FormeDePoint.DEMI_COTE);
                 if (m.cerclee) {
-                    cercler(g, enX.applyAsDouble(m), enY.applyAsDouble(m));
+                    g.translate(ici[0], ici[1]);
+                    g.setColor(Style.NOIR);
+                    g.setStroke(Style.TRAIT);
+                    g.draw(FormeDePoint.ANNEAU);
+                    g.translate(-ici[0], -ici[1]);
                 }
-                if (serie.reliee && avant != null) {
-                    noms.reserver(enX.applyAsDouble(avant), enY.applyAsDouble(avant), enX.applyAsDouble(m), enY.applyAsDouble(m));
+                if (series.get(s).reliee && avant != null) {
+                    noms.reserver(avant[0], avant[1], ici[0], ici[1]);
                 }
-                if (m.xMin < m.xMax) {
-                    noms.reserver(pixel(axeX, m.xMin, cadre, RectangleEdge.BOTTOM), enY.applyAsDouble(m),
-                            pixel(axeX, m.xMax, cadre, RectangleEdge.BOTTOM), enY.applyAsDouble(m));
-                }
-                if (m.yMin < m.yMax) {
-                    noms.reserver(enX.applyAsDouble(m), pixel(axeY, axeY.place(m.yMin), cadre, RectangleEdge.LEFT),
-                            enX.applyAsDouble(m), pixel(axeY, axeY.place(m.yMax), cadre, RectangleEdge.LEFT));
-                }
-                avant = m;
+                noms.reserver(px(m.xMin, cadre), ici[1], px(m.xMax, cadre), ici[1]);
+                noms.reserver(ici[0], py(m.yMin, s, cadre), ici[0], py(m.yMax, s, cadre));
+                avant = ici;
             }
         }
         for (int tour = 0; tour < 3; tour++) {
-            for (Serie serie : series) {
-                for (Marque m : serie.marques) {
-                    int rang = m.cerclee ? 0 : m.pleine ? 1 : 2;
-                    if (rang == tour && !m.etiquette.isEmpty()) {
-                        noms.ecrire(m.etiquette, enX.applyAsDouble(m), enY.applyAsDouble(m), m.cerclee ? 8 : 0,
-                                m.cerclee ? Style.ETIQUETTE_DEFAUT : Style.ETIQUETTE, Style.ENCRE, m.pleine || m.cerclee || serie.reliee);
+            for (int s = 0; s < series.size(); s++) {
+                for (Marque m : series.get(s).marques) {
+                    if (tour == (m.cerclee ? 0 : m.pleine ? 1 : 2) && !m.etiquette.isEmpty()) {
+                        noms.ecrire(m.etiquette, px(m.x, cadre), py(m.y, s, cadre), m.cerclee ? 8 : 0,
+                                m.cerclee ? Style.ETIQUETTE_DEFAUT : Style.ETIQUETTE, Style.ENCRE,
+                                m.pleine || m.cerclee || series.get(s).reliee);
                     }
                 }
             }
         }
-        for (Repere repere : reperes) {
-            double y = pixel(axeY, repere.y, cadre, RectangleEdge.LEFT);
-            double largeur = g.getFontMetrics(Style.ETIQUETTE).stringWidth(repere.nom);
-            noms.ecrire(repere.nom, cadre.getMaxX() - largeur / 2 - 12, y - 18, -12, Style.ETIQUETTE, Style.GRIS, false);
+        for (int k = 0; k < niveaux.size(); k++) {
+            double largeur = g.getFontMetrics(Style.ETIQUETTE).stringWidth(nomsDesNiveaux.get(k));
+            double dessous = zone == niveaux.get(k) ? 18 : -18;
+            noms.ecrire(nomsDesNiveaux.get(k), cadre.getMaxX() - largeur / 2 - 12, py(niveaux.get(k), 0, cadre) + dessous, -12,
+                    Style.ETIQUETTE, Style.GRIS, false);
         }
     }
 
-    private static double pixel(ValueAxis axe, double valeur, Rectangle2D cadre, RectangleEdge bord) {
-        return axe.valueToJava2D(valeur, cadre, bord);
+    private double px(double x, Rectangle2D cadre) {
+        return axeX.valueToJava2D(x, cadre, RectangleEdge.BOTTOM);
     }
 
-    private static void cercler(Graphics2D g, double x, double y) {
-        g.translate(x, y);
-        g.setColor(Style.NOIR);
-        g.setStroke(Style.TRAIT);
-        g.draw(FormeDePoint.ANNEAU);
-        g.translate(-x, -y);
+    private double py(double y, int serie, Rectangle2D cadre) {
+        return axeY.valueToJava2D(y(y, serie), cadre, RectangleEdge.LEFT);
     }
 }

@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.LongAdder;
-import java.util.function.UnaryOperator;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -15,12 +14,12 @@ import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
+import lancer.atelier.FichierCsv;
+import lancer.atelier.Scenes;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
-import lancer.mesures.FichierCsv;
-import lancer.mesures.Scenes;
-import lancer.mesures.Verite;
+import lancer.mesures.Gabarit;
 import lancer.sortie.ImageMemoire;
 import lancer.temoins.LancerSurveille;
 
@@ -28,7 +27,8 @@ import lancer.temoins.LancerSurveille;
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
-            "profondeur_utile", "part_antialias", "structures", "tests_par_rayon", "rayons", "rayons_sans_economie");
+            "profondeur_utile", "part_antialias", "structures", "tests_par_rayon", "rayons", "rayons_sans_economie",
+            "rayons_utiles");
 
     /** Un Ks qui n'est pas nul, et qui ne se verra jamais. */
     private static final double INVISIBLE = 1e-300;
@@ -53,7 +53,8 @@ final class Besoin {
     String ligne() {
         return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
                 lampesUtiles(), profondeurUtile(), reel(partAntialias()), structures,
-                reel((double) compteurs.testsSpheres / compteurs.rayons()), compteurs.rayons(), rayonsSansEconomie());
+                reel((double) compteurs.testsSpheres / compteurs.rayons()), compteurs.rayons(), rayonsSansEconomie(),
+                rayonsUtiles());
     }
 
     private static String reel(double valeur) {
@@ -78,13 +79,13 @@ final class Besoin {
      */
     int profondeurUtile() {
         Lancer lancer = preparer(scene.pourUnFil(), 0);
-        int[] limite = codes(lancer, Verite.PROFONDEUR);
+        int[] limite = codes(lancer, Gabarit.PROFONDEUR);
         // de loin en loin d'abord : presque toujours, quelques réflexions suffisent
         int bas = 0;
         int haut = 0;
         while (!Arrays.equals(codes(lancer, haut), limite)) {
             bas = haut + 1;
-            haut = Math.min(2 * bas, Verite.PROFONDEUR);
+            haut = Math.min(2 * bas, Gabarit.PROFONDEUR);
         }
         while (bas < haut) {
             int milieu = (bas + haut) / 2;
@@ -109,6 +110,24 @@ final class Besoin {
         return utiles;
     }
 
+    /** Les rayons de chaque pixel, jusqu'à la dernière réflexion qui change sa couleur à l'écran. */
+    long rayonsUtiles() {
+        Lancer lancer = preparer(scene.pourUnFil(), Constantes.SEUIL);
+        Compteurs siens = lancer.getScene().getCompteurs();
+        long utiles = 0;
+        for (int k = 0; k < codes.length; k++) {
+            long avant;
+            int code;
+            int reflets = 0;
+            do {
+                avant = siens.rayons();
+                code = lancer.getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets++).getCode();
+            } while (code != codes[k]);
+            utiles += siens.rayons() - avant;
+        }
+        return utiles;
+    }
+
     /** La part des pixels auxquels la méthode du cours, à ses réglages par défaut, ne peut se contenter de quatre rayons. */
     double partAntialias() {
         Lancer lancer = preparer(scene.avec(Antialias.coins(3, 0.05), Constantes.SEUIL), Constantes.SEUIL);
@@ -124,10 +143,15 @@ final class Besoin {
         LongAdder contacts = new LongAdder();
         Modele modele = new Modele();
         modele.setAtmosphere(compteuse(contacts));
-        Scene naive = new Scene(changer(scene.getObjets(), o -> {
-            o.setKs(new Couleur(auMoins(o.getKs().r), auMoins(o.getKs().v), auMoins(o.getKs().b)));
-            return o;
-        }), scene.getLampes(), modele);
+        List<Sphere> brillantes = new ArrayList<>();
+        for (Objet3D objet : scene.getObjets()) {
+            Sphere neuve = new Sphere(((Sphere) objet).getCentre(), ((Sphere) objet).getRayon());
+            neuve.setKd(objet.getKd());
+            neuve.setKs(new Couleur(auMoins(objet.getKs().r), auMoins(objet.getKs().v), auMoins(objet.getKs().b)));
+            neuve.setNs(objet.getNs());
+            brillantes.add(neuve);
+        }
+        Scene naive = new Scene(brillantes, scene.getLampes(), modele);
         Lancer lancer = preparer(naive, 0);
         codes(lancer, Constantes.MAX_REFLETS);
         Compteurs c = lancer.getCompteurs();
@@ -136,20 +160,6 @@ final class Besoin {
 
     private static double auMoins(double ks) {
         return Math.max(ks, INVISIBLE);
-    }
-
-    /** Les mêmes sphères, neuves, et changées ainsi. */
-    private static List<Objet3D> changer(List<Objet3D> objets, UnaryOperator<Objet3D> changement) {
-        List<Objet3D> neufs = new ArrayList<>();
-        for (Objet3D objet : objets) {
-            Sphere ancienne = (Sphere) objet;
-            Sphere neuve = new Sphere(ancienne.getCentre(), ancienne.getRayon());
-            neuve.setKd(ancienne.getKd());
-            neuve.setKs(ancienne.getKs());
-            neuve.setNs(ancienne.getNs());
-            neufs.add(changement.apply(neuve));
-        }
-        return neufs;
     }
 
     /** Un air qui ne change rien, et compte les rayons qui ont rencontré quelque chose. */

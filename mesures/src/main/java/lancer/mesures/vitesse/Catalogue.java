@@ -4,18 +4,24 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
 import lancer.antialias.Antialias;
+import lancer.atelier.SceneMesuree;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.contrat.Modele;
-import lancer.mesures.Verite;
+import lancer.mesures.Gabarit;
 
 /** Tout ce qui se mesure. Le catalogue court en est une partie : {@code make mesures RAPIDE=1}. */
 final class Catalogue {
+
+    static final String METHODES = "methodes";
+    static final String DEMANDES = "demandes";
+    static final String SPHERES = "spheres";
 
     static final String BROUILLON = "brouillon";
     static final String UN_RAYON = "un rayon";
@@ -24,19 +30,17 @@ final class Catalogue {
     static final String PARTAGE = "partage";
     static final String PROFONDEUR = "profondeur";
     static final String SEUIL = "seuil";
-    static final String PHONG = "phong";
-    static final String BLINN = "blinn";
+    static final String ENSEMBLE = "ensemble";
+    static final String AUTO = "auto";
+    static final String POVRAY = "POV-Ray";
+    static final String TELLE_QUELLE = "telle quelle";
     static final String PROGRAMME = "programme";
     static final String BOUCLES = "boucles du cours";
 
-    /** La scène telle qu'elle est, à laquelle se comparent toutes celles qui demandent autre chose. */
-    static final String TELLE_QUELLE = "telle quelle";
+    static final String COINS_DEFAUT = "n=3 seuil=0.05";
 
-    private static final List<String> SCENES = Arrays.asList("scene1", "bowling", "miroirs", "tournesol");
-    private static final List<String> SCENES_COURT = Arrays.asList("scene1", "tournesol");
-
-    /** Celle à qui l'on demande autre chose. */
-    static final String SCENE_DEMANDES = "scene1";
+    /** Jusqu'à ce nombre de sphères, les boucles du cours se mesurent ; une seule fois à celui-ci. */
+    static final int BOUCLES_MAX = 10000;
 
     private final boolean court;
 
@@ -44,124 +48,146 @@ final class Catalogue {
         this.court = court;
     }
 
-    /** Les scènes des courbes principales. */
-    List<String> scenes() {
-        return court ? SCENES_COURT : SCENES;
+    /** Des méthodes qui se comparent : même scène, même référence. */
+    static final class Groupe {
+
+        final String famille;
+        final String scene;
+        final List<Methode> methodes;
+
+        /** Combien de fois chacune, et la référence, se mesurent dans des machines virtuelles neuves. */
+        final int lancements;
+
+        /** Vrai si leurs erreurs se mesurent. */
+        final boolean jugees;
+
+        Groupe(String famille, String scene, List<Methode> methodes, int lancements, boolean jugees) {
+            this.famille = famille;
+            this.scene = scene;
+            this.methodes = methodes;
+            this.lancements = lancements;
+            this.jugees = jugees;
+        }
+
+        /** @throws IllegalArgumentException s'il n'y en a pas de ce nom */
+        Methode methode(String cle) {
+            return methodes.stream().filter(m -> m.cle().equals(cle)).findFirst()
+                    .orElseThrow(() -> new IllegalArgumentException("pas de méthode " + cle));
+        }
+
+        /** Vrai si on y lance le programme entier, chaque fois. */
+        boolean enProcessus() {
+            return famille.equals(SPHERES);
+        }
     }
 
-    /** Les anticrénelages, et les deux façons de n'en pas faire. */
-    List<Methode> echantillonnages() {
-        List<Methode> methodes = new ArrayList<>();
-        methodes.add(Methode.de(Famille.ECHANTILLONNAGE, BROUILLON, "4 × 4").enBrouillon());
-        methodes.add(Methode.de(Famille.ECHANTILLONNAGE, UN_RAYON, ""));
-        for (int n : court ? new int[] {2, 3} : new int[] {2, 3, 4, 8}) {
-            methodes.add(Methode.de(Famille.ECHANTILLONNAGE, GRILLE, n + " × " + n).echantillonnee(Antialias.coins(n, 0)));
+    /** Tous, dans l'ordre où les mesurer. */
+    List<Groupe> groupes() {
+        List<Groupe> groupes = new ArrayList<>();
+        for (String scene : court ? new String[] {"scene1"} : new String[] {"scene1", "bowling", "miroirs", "tournesol"}) {
+            groupes.add(new Groupe(METHODES, scene, methodes(scene), 1, true));
         }
-        double[][] coins = court ? new double[][] {{3, 0.05}, {4, 0.05}}
-                : new double[][] {{3, 0.02}, {3, 0.05}, {3, 0.2}, {4, 0.05}, {4, 0.2}, {8, 0.05}, {8, 0.2}};
+        groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 1 : 3, false));
+        for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
+            groupes.add(new Groupe(SPHERES, SceneMesuree.FOULE + "-" + n, spheres(n, n <= BOUCLES_MAX), 1, false));
+        }
+        for (int n : court ? new int[] {100} : new int[] {100, 10000, 1000000}) {
+            groupes.add(new Groupe(SPHERES, SceneMesuree.ETOILES + "-" + n, spheres(n, false), 1, false));
+        }
+        return groupes;
+    }
+
+    /** @throws IllegalArgumentException s'il n'y en a pas de tel */
+    Groupe groupe(String famille, String scene) {
+        return groupes().stream().filter(g -> g.famille.equals(famille) && g.scene.equals(scene)).findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("rien à mesurer : " + famille + " " + scene));
+    }
+
+    /** Les réglages de la courbe principale d'une scène. */
+    private List<Methode> methodes(String scene) {
+        List<Methode> m = new ArrayList<>();
+        m.add(new Methode(UN_RAYON, ""));
+        m.add(new Methode(BROUILLON, "4 × 4").enBrouillon());
+        for (int n : court ? new int[] {2} : new int[] {2, 3, 4, 8}) {
+            m.add(new Methode(GRILLE, n + " × " + n).echantillonnee(Antialias.coins(n, 0)));
+        }
+        double[][] coins = court ? new double[][] {{3, 0.05}} : new double[][] {{3, 0.05}, {3, 0.2}, {4, 0.05}, {8, 0.05}, {8, 0.2}};
         for (double[] c : coins) {
-            methodes.add(Methode.de(Famille.ECHANTILLONNAGE, COINS, adaptative(c))
-                    .echantillonnee(Antialias.coins((int) c[0], c[1])));
+            m.add(new Methode(COINS, adaptative(c)).echantillonnee(Antialias.coins((int) c[0], c[1])));
         }
-        double[][] partages = court ? new double[][] {{4, 0.1}, {8, 0.06}}
-                : new double[][] {{4, 0.06}, {4, 0.1}, {4, 0.2}, {8, 0.03}, {8, 0.06}, {8, 0.1}, {8, 0.2}, {16, 0.03}, {16, 0.06},
-                    {16, 0.1}};
+        double[][] partages = court ? new double[][] {{4, 0.1}}
+                : new double[][] {{4, 0.06}, {4, 0.1}, {4, 0.2}, {8, 0.06}, {8, 0.1}, {16, 0.03}, {16, 0.06}};
         for (double[] p : partages) {
-            methodes.add(Methode.de(Famille.ECHANTILLONNAGE, PARTAGE, adaptative(p))
-                    .partagee(Antialias.partage((int) p[0], p[1])));
+            m.add(new Methode(PARTAGE, adaptative(p)).echantillonnee(Antialias.partage((int) p[0], p[1])));
         }
-        return methodes;
+        boolean miroirs = scene.equals("miroirs");
+        for (int p : court ? new int[] {0} : miroirs ? new int[] {0, 2, 10, 20, 40} : new int[] {0, 1, 2, 10}) {
+            m.add(new Methode(PROFONDEUR, "p=" + p).limitee(p, Constantes.SEUIL));
+        }
+        m.add(new Methode(PROFONDEUR, "p=" + Gabarit.PROFONDEUR).limitee(Gabarit.PROFONDEUR, Constantes.SEUIL));
+        for (int s : court ? new int[] {} : new int[] {16, 128}) {
+            m.add(new Methode(SEUIL, "1/" + s).limitee(Gabarit.PROFONDEUR, 1.0 / s));
+        }
+        if (miroirs) {
+            // là seulement le front demande les deux à la fois
+            for (int s : new int[] {16, 128, 1024}) {
+                m.add(new Methode(ENSEMBLE, "n=4 seuil=0.1 reflets=" + Gabarit.PROFONDEUR + " jusqu'à 1/" + s)
+                        .echantillonnee(Antialias.partage(4, 0.1)).limitee(Gabarit.PROFONDEUR, 1.0 / s));
+            }
+        }
+        for (String erreur : court ? new String[] {"2"} : new String[] {"0.5", "1", "2", "4"}) {
+            m.add(new Methode(AUTO, "erreur=" + erreur).auto(Double.parseDouble(erreur)));
+        }
+        m.add(povray("-A"));
+        if (!court) {
+            m.add(povray("+A0.3 +R3 +AM1"));
+            m.add(povray("+A0.1 +R3 +AM1"));
+            m.add(povray("+A0.1 +R3 +AM2"));
+            m.add(povray("+A0.03 +R4 +AM2"));
+        }
+        return m;
+    }
+
+    private static Methode povray(String options) {
+        return new Methode(POVRAY, options).par(Methode.Genre.POVRAY, options.split(" "));
     }
 
     private static String adaptative(double[] nEtSeuil) {
         return String.format(Locale.ROOT, "n=%.0f seuil=%s", nEtSeuil[0], Double.toString(nEtSeuil[1]));
     }
 
-    /** Les limites de réflexion : la profondeur au seuil par défaut, et le seuil sans limite de profondeur. */
-    List<Methode> reflets() {
-        List<Methode> methodes = new ArrayList<>();
-        for (int p : court ? new int[] {0, 1, 2, 5} : new int[] {0, 1, 2, 3, 5, 10}) {
-            methodes.add(Methode.de(Famille.REFLETS, PROFONDEUR, "p=" + p + " seuil=1/1024").limitee(p, Constantes.SEUIL));
-        }
-        for (int s : court ? new int[] {1024, 16} : new int[] {0, 4096, 1024, 256, 16}) {
-            methodes.add(Methode.de(Famille.REFLETS, SEUIL, "p=" + Verite.PROFONDEUR + " seuil=" + (s == 0 ? "0" : "1/" + s))
-                    .limitee(Verite.PROFONDEUR, s == 0 ? 0 : 1.0 / s));
-        }
-        return methodes;
-    }
-
-    /** Phong et Blinn, par le chemin rapide et par les boucles du cours. */
-    List<Methode> modeles() {
-        List<Methode> methodes = new ArrayList<>();
-        for (String chemin : court ? Arrays.asList("rapide") : Arrays.asList("rapide", "lisible")) {
-            Methode phong = Methode.de(Famille.MODELE, PHONG, chemin);
-            Methode blinn = Methode.de(Famille.MODELE, BLINN, chemin).sur(Catalogue::enBlinn);
-            methodes.add(chemin.equals("lisible") ? phong.lisible() : phong);
-            methodes.add(chemin.equals("lisible") ? blinn.lisible() : blinn);
-        }
-        return methodes;
-    }
-
     /** Une chose de plus, ou de moins, à la fois. */
-    List<Methode> demandes() {
-        List<Methode> methodes = new ArrayList<>(Arrays.asList(
-                demande(TELLE_QUELLE, ""),
-                demande("lampe", "une de moins").sur(s -> new Scene(s.getObjets(), s.getLampes().subList(1, s.getLampes().size()))),
-                demande("lampe", "une de plus").sur(Catalogue::uneLampeDePlus),
-                demande("reflets", "aucun").limitee(0, Constantes.SEUIL),
-                demande("reflets", "un seul").limitee(1, Constantes.SEUIL),
-                demande("brume", "").sur(Catalogue::enBrume),
-                demande("blinn", "").sur(Catalogue::enBlinn),
-                demande("antialias partage", "n=4 seuil=0.1").partagee(Antialias.partage(4, 0.1)),
-                demande("antialias coins", "n=3 seuil=0.05").echantillonnee(Antialias.coins(3, 0.05))));
+    private List<Methode> demandes() {
+        List<Methode> m = new ArrayList<>(Arrays.asList(
+                new Methode(TELLE_QUELLE, ""),
+                new Methode("lampe", "une de plus").sur(Catalogue::uneLampeDePlus),
+                new Methode("lampe", "une de moins").sur(s ->
+                        new Scene(s.getObjets(), s.getLampes().subList(1, s.getLampes().size()))),
+                new Methode("reflets", "aucun").limitee(0, Constantes.SEUIL),
+                new Methode("brume", "").sur(s -> variee(s, v -> v.setAtmosphere(new Brume()))),
+                new Methode("Blinn", "").sur(s -> variee(s, v -> v.setSpecularite(new Blinn()))),
+                new Methode(COINS, COINS_DEFAUT).echantillonnee(Antialias.coins(3, 0.05))));
         if (!court) {
-            methodes.add(demande("grille complète", "3 × 3").echantillonnee(Antialias.coins(3, 0)));
+            m.add(new Methode(PARTAGE, "n=4 seuil=0.1").echantillonnee(Antialias.partage(4, 0.1)));
+            m.add(new Methode(BOUCLES, "").enBoucles());
         }
-        return methodes;
+        return m;
     }
 
-    private static Methode demande(String nom, String parametres) {
-        return Methode.de(Famille.DEMANDES, nom, parametres);
-    }
-
-    /** Le programme, et tant que cela ne dure pas trop les boucles du cours. */
-    List<Methode> spheres(int nombre) {
-        List<Methode> methodes = new ArrayList<>();
-        methodes.add(Methode.de(Famille.SPHERES, PROGRAMME, ""));
-        if (nombre <= (court ? 100 : 1000)) {
-            methodes.add(Methode.de(Famille.SPHERES, BOUCLES, "").lisible());
+    /** Le programme entier, POV-Ray, et tant que cela ne dure pas trop les boucles du cours. */
+    private List<Methode> spheres(int nombre, boolean boucles) {
+        List<Methode> m = new ArrayList<>();
+        m.add(new Methode(PROGRAMME, "").par(Methode.Genre.PROCESSUS));
+        if (boucles) {
+            m.add(new Methode(BOUCLES, "").par(Methode.Genre.PROCESSUS, "--simple").enBoucles());
         }
-        return methodes;
+        m.add(new Methode(POVRAY, "-A").par(Methode.Genre.POVRAY, "-A"));
+        return m;
     }
 
-    /** Combien de sphères. */
-    int[] nombres() {
-        return court ? new int[] {1, 10, 100, 1000} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000};
-    }
-
-    /** Ce que fait le programme, ou le module antialias, quand on ne lui demande rien. */
-    static boolean estParDefaut(Releve r) {
-        switch (r.methode) {
-            case UN_RAYON:
-                return true;
-            case COINS:
-                return r.parametres.equals("n=3 seuil=0.05");
-            case PROFONDEUR:
-                return r.parametres.equals("p=" + Constantes.MAX_REFLETS + " seuil=1/1024");
-            default:
-                return false;
-        }
-    }
-
-    private static Scene enBrume(Scene scene) {
+    private static Scene variee(Scene scene, Consumer<Modele> variante) {
         Modele modele = new Modele();
-        modele.setAtmosphere(new Brume());
-        return new Scene(scene.getObjets(), scene.getLampes(), modele);
-    }
-
-    private static Scene enBlinn(Scene scene) {
-        Modele modele = new Modele();
-        modele.setSpecularite(new Blinn());
+        variante.accept(modele);
         return new Scene(scene.getObjets(), scene.getLampes(), modele);
     }
 

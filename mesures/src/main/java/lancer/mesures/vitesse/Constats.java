@@ -1,105 +1,196 @@
 package lancer.mesures.vitesse;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 import lancer.mesures.trace.Style;
 
-/** Ce que disent les mesures d'une scène, en phrases : les titres des courbes. Tout est calculé, rien n'est écrit d'avance. */
+/**
+ * Ce que disent les mesures, en phrases : les titres des courbes, et ce que montrent les pages, par leurs noms. Tout est calculé ; aucune
+ * différence n'est dite qu'{@link Intervalle#nettementSous} ne porte.
+ */
 final class Constats {
 
-    /** Au-dessous, une différence ne vaut pas une phrase. */
-    private static final double GAIN_MIN = 1.05;
+    /** Ce que vaut, en moyenne quadratique, d'arrondir à l'écran : une erreur plus petite y disparaît. */
+    static final double ARRONDI = 1 / Math.sqrt(12);
 
-    final Releves echantillonnages;
-    final Releves reflets;
-    final Front front;
-    final Front frontReflets;
-    private final String scene;
-    private final Cout cout;
+    private final Releves releves;
+    private final List<Map<String, String>> besoins;
 
-    Constats(String scene, Releves releves, Cout cout) {
-        this.scene = scene;
-        this.cout = cout;
-        echantillonnages = releves.de(scene, Famille.ECHANTILLONNAGE);
-        reflets = releves.de(scene, Famille.REFLETS);
-        front = new Front(echantillonnages.get(), cout);
-        frontReflets = new Front(reflets.get(), cout);
+    Constats(Releves releves, List<Map<String, String>> besoins) {
+        this.releves = releves;
+        this.besoins = besoins;
     }
 
-    /** La grille complète que bat le plus ce qui est adaptatif. */
-    String titre() {
-        Releve battue = null;
-        double gain = 1;
-        for (Releve grille : echantillonnages.de(Catalogue.GRILLE).get()) {
-            if (front.gain(grille) > gain) {
-                gain = front.gain(grille);
-                battue = grille;
+    Releves methodes(String scene) {
+        return releves.de(Catalogue.METHODES).scene(scene);
+    }
+
+    Releves demandes() {
+        return releves.de(Catalogue.DEMANDES);
+    }
+
+    Releves spheres(String famille, String methode) {
+        return new Releves(releves.de(Catalogue.SPHERES).methode(methode).get().stream().filter(r -> r.scene.startsWith(famille + "-"))
+                .collect(Collectors.toList()));
+    }
+
+    /** Ce que montrent les pages, par leurs noms. */
+    Map<String, String> pages() {
+        Map<String, String> valeurs = new TreeMap<>();
+        for (String scene : releves.de(Catalogue.METHODES).scenes()) {
+            valeurs.put(scene + ".titre", titre(scene));
+            valeurs.put(scene + ".coins", duel(scene, methodes(scene).le(Catalogue.COINS, Catalogue.COINS_DEFAUT)));
+            valeurs.put(scene + ".povray", povray(scene));
+            valeurs.put(scene + ".paliers", paliers(scene));
+            valeurs.put(scene + ".p=1000", description(methodes(scene).le(Catalogue.PROFONDEUR, "p=1000")));
+            methodes(scene).peutEtre(Catalogue.GRILLE, "8 × 8").ifPresent(r -> valeurs.put(scene + ".8x8", duel(scene, r)));
+            valeurs.put(scene + ".unrayon", Style.nombre(methodes(scene).le(Catalogue.UN_RAYON, "").erreur().valeur));
+        }
+        valeurs.put("demandes.titre", titreDesDemandes());
+        for (Releve r : demandes().get()) {
+            valeurs.put("demandes." + (r.methode + " " + r.parametres).trim(), Noms.rapport(r.rapport()));
+        }
+        valeurs.put("spheres.titre", titreDesSpheres());
+        valeurs.put("spheres.povray", spheresContrePovray());
+        valeurs.put("spheres.boucles", spheresContreBoucles());
+        valeurs.put("spheres.etoiles", etoiles());
+        valeurs.put("parcimonie.titre", titreDeLaParcimonie());
+        valeurs.put("marge", Style.arrondi(100 * (releves.marge() - 1)) + " %");
+        Releve r = releves.get().get(0);
+        valeurs.put("machine", r.texte("machine") + ", " + r.texte("coeurs") + " cœurs, " + r.texte("jvm") + ", commit " + r.texte("commit")
+                + ", " + r.texte("date").replace('T', ' '));
+        return valeurs;
+    }
+
+    // ---- une scène
+
+    /** Ce que bat, et de combien, ce qui bat de plus loin l'un des trois réglages que l'on prendrait d'abord. */
+    String titre(String scene) {
+        Releves siens = methodes(scene);
+        Releve battu = null;
+        Releve gagnant = null;
+        for (Releve r : siens.methode(Catalogue.GRILLE, Catalogue.COINS).get()) {
+            List<Releve> mieux = siens.quiBattent(r);
+            if (!mieux.isEmpty() && (battu == null || gain(mieux.get(0), r) > gain(gagnant, battu))) {
+                battu = r;
+                gagnant = mieux.get(0);
             }
         }
-        return Noms.scene(scene) + " : " + (battue == null ? "aucune méthode ne bat les grilles complètes"
-                : "mieux que " + battue.parametres + " pour " + fois(gain));
+        return Noms.scene(scene) + " : " + (battu == null ? "aucune différence que la mesure porte entre grilles, « coins » et les autres"
+                : Noms.methode(gagnant) + " bat " + Noms.methode(battu) + ", " + fois(gagnant, battu) + " moins de temps");
     }
 
-    /** Ce que vaut le réglage par défaut de l'anticrénelage, et ce qui n'est jamais sur le front. */
-    String anticrenelage() {
-        return jugement(defaut(echantillonnages, Catalogue.COINS), front) + jamais();
+    private static double gain(Releve gagnant, Releve battu) {
+        return battu.rapport().valeur / gagnant.rapport().valeur;
     }
 
-    /** Ce que vaut le réglage par défaut des reflets. */
-    String limites() {
-        Releve defaut = defaut(reflets, Catalogue.PROFONDEUR);
-        Optional<Releve> mieux = frontReflets.mieuxQue(defaut);
-        String valeur = "Le défaut, " + Noms.methode(defaut) + ", se trompe de " + pas(defaut.erreurEnPas());
-        return valeur + (mieux.isPresent() && bat(mieux.get(), defaut)
-                ? " : il est battu, " + Noms.methode(mieux.get()) + " fait au moins aussi bien pour " + fois(frontReflets.gain(defaut))
-                : mieux.isPresent() ? " et ne se distingue pas du front" : " et est sur le front");
+    /** Combien de fois plus vite, d'après le moins que portent les deux intervalles, et le plus. */
+    private static String fois(Releve gagnant, Releve battu) {
+        return "de " + Style.arrondi(battu.rapport().min / gagnant.rapport().max) + " à "
+                + Style.arrondi(battu.rapport().max / gagnant.rapport().min) + " fois";
     }
 
-    /** Vrai si la différence de coût en est une : deux temps dont les barres se touchent n'en font pas. */
-    private boolean bat(Releve mieux, Releve r) {
-        return cout.de(r) >= GAIN_MIN * cout.de(mieux)
-                && (cout != Cout.TEMPS || mieux.nombre("q3_ms") < r.nombre("q1_ms"));
+    /** Ce que coûte un réglage, et ce qui le bat. */
+    private String duel(String scene, Releve r) {
+        List<Releve> mieux = methodes(scene).quiBattent(r);
+        return description(r) + " ; " + (mieux.isEmpty() ? "rien de ce qui est mesuré ne le bat à coup sûr"
+                : "battu par " + Noms.methode(mieux.get(0)) + ", " + fois(mieux.get(0), r) + " moins de temps et "
+                + Style.nombre(mieux.get(0).erreur().valeur) + " pas d'erreur");
     }
 
-    private String jugement(Releve defaut, Front sien) {
-        Optional<Releve> mieux = sien.mieuxQue(defaut);
-        if (!mieux.isPresent()) {
-            return "Le défaut, " + Noms.methode(defaut) + ", est sur le front";
+    private static String description(Releve r) {
+        Intervalle e = r.erreur();
+        return Style.nombre(e.valeur) + " pas d'erreur (de " + Style.nombre(e.min) + " à " + Style.nombre(e.max) + "), pour le temps : "
+                + Noms.rapport(r.rapport());
+    }
+
+    /** Le plus juste de POV-Ray, et ce qui le bat chez nous. */
+    private String povray(String scene) {
+        Optional<Releve> juste = methodes(scene).methode(Catalogue.POVRAY).get().stream()
+                .min(Comparator.comparingDouble(r -> r.erreur().valeur));
+        return juste.map(r -> Noms.methode(r) + " : " + duel(scene, r)).orElse("POV-Ray n'était pas installé");
+    }
+
+    /** Une ligne de tableau : pour chaque erreur à ne pas dépasser, le réglage le plus rapide qui la tient à coup sûr. */
+    private String paliers(String scene) {
+        StringBuilder s = new StringBuilder();
+        for (double palier : new double[] {4, 2, 1, 0.5, ARRONDI}) {
+            Optional<Releve> premier = methodes(scene).get().stream().filter(r -> !r.methode.equals(Catalogue.POVRAY))
+                    .filter(r -> !r.methode.equals(Catalogue.AUTO) && r.erreur().max <= palier)
+                    .min(Comparator.comparingDouble(r -> r.rapport().valeur));
+            s.append(" | ").append(premier.map(r -> Noms.methode(r) + ", × " + Style.arrondi(r.rapport().valeur)).orElse("rien"));
         }
-        return !bat(mieux.get(), defaut) ? "Le défaut, " + Noms.methode(defaut) + ", ne se distingue pas du front"
-                : "Le défaut, " + Noms.methode(defaut) + ", est battu : " + Noms.methode(mieux.get())
-                + " fait mieux pour " + fois(sien.gain(defaut));
+        return s.substring(" | ".length());
     }
 
-    private String jamais() {
-        List<String> absentes = new ArrayList<>();
-        for (String methode : new String[] {Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE}) {
-            List<Releve> siens = echantillonnages.de(methode).get();
-            if (!siens.isEmpty() && siens.stream().allMatch(r -> front.mieuxQue(r).filter(m -> bat(m, r)).isPresent())) {
-                absentes.add(methode.equals(Catalogue.GRILLE) ? "grilles" : "« " + methode + " »");
-            }
+    // ---- ce que coûte chaque demande
+
+    private String titreDesDemandes() {
+        return "Le temps d'une lampe de plus : " + Noms.rapport(demandes().le("lampe", "une de plus").rapport());
+    }
+
+    // ---- le nombre de sphères
+
+    private String titreDesSpheres() {
+        List<Releve> siens = spheres("foule", Catalogue.PROGRAMME).get();
+        Releve petit = siens.get(siens.size() > 1 ? 1 : 0);
+        Releve grand = siens.get(siens.size() - 1);
+        return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, " + (petit.rapport().nettementSous(grand.rapport())
+                ? fois(petit, grand) + " plus de temps" : "aucune différence que la mesure porte");
+    }
+
+    private String spheresContrePovray() {
+        List<String> phrases = new ArrayList<>();
+        for (Releve nous : spheres("foule", Catalogue.PROGRAMME).get()) {
+            releves.de(Catalogue.SPHERES).scene(nous.scene).peutEtre(Catalogue.POVRAY, "-A").ifPresent(lui -> {
+                if (nous.rapport().nettementSous(lui.rapport())) {
+                    phrases.add(nombre(nous) + " (" + fois(nous, lui) + ")");
+                }
+            });
         }
-        return absentes.isEmpty() ? "" : ". Jamais sur le front : " + String.join(", ", absentes);
+        return phrases.isEmpty() ? "à aucun nombre de sphères la mesure ne porte que le programme soit le plus rapide"
+                : "le programme est le plus rapide à " + String.join(", ", phrases) + " sphères";
     }
 
-    /** Ce que ce relevé a coûté. */
-    double cout(Releve r) {
-        return cout.de(r);
+    private String spheresContreBoucles() {
+        Releve derniere = null;
+        for (Releve boucles : spheres("foule", Catalogue.BOUCLES).get()) {
+            Releve nous = releves.de(Catalogue.SPHERES).scene(boucles.scene).le(Catalogue.PROGRAMME, "");
+            derniere = nous.rapport().nettementSous(boucles.rapport()) ? boucles : derniere;
+        }
+        return derniere == null ? "aucune différence que la mesure porte" : "à " + nombre(derniere) + " sphères, "
+                + fois(releves.de(Catalogue.SPHERES).scene(derniere.scene).le(Catalogue.PROGRAMME, ""), derniere) + " plus de temps";
     }
 
-    static Releve defaut(Releves releves, String methode) {
-        return releves.de(methode).get().stream().filter(Catalogue::estParDefaut).findFirst()
-                .orElseThrow(() -> new IllegalStateException("pas de réglage par défaut pour " + methode));
+    /** Ce que neuf étoiles ajoutent aux sphères et aux cases examinées : un compte, non un temps. */
+    private String etoiles() {
+        List<Releve> siennes = spheres("etoiles", Catalogue.PROGRAMME).get();
+        Releve avec = siennes.get(siennes.size() - 1);
+        Releve sans = releves.de(Catalogue.SPHERES).scene(avec.scene.replace("etoiles", "foule")).le(Catalogue.PROGRAMME, "");
+        return "neuf étoiles à 10¹² d'une foule de " + nombre(sans) + " multiplient ce qu'examinent ses rayons par "
+                + Style.nombre(examens(avec) / examens(sans));
     }
 
-    /** « 2,1 fois moins de rayons ». */
-    String fois(double gain) {
-        return Style.arrondi(gain) + " fois moins " + cout.deQuoi;
+    static double examens(Releve r) {
+        return r.nombre("tests") + (Double.isNaN(r.nombre("noeuds")) ? 0 : r.nombre("noeuds"));
     }
 
-    /** « 0,4 pas de l'écran ». */
-    static String pas(double erreur) {
-        return Style.arrondi(erreur) + " pas d'écran";
+    static String nombre(Releve r) {
+        return Style.nombre(Double.parseDouble(r.scene.substring(r.scene.indexOf('-') + 1)));
+    }
+
+    // ---- la parcimonie
+
+    String titreDeLaParcimonie() {
+        Map<String, String> sobre = besoins.stream().max(Comparator.comparingDouble(TableBesoins::economie)).get();
+        Map<String, String> prodigue = besoins.stream().max(Comparator.comparingDouble(TableBesoins::exces)).get();
+        return "De " + Style.arrondi(100 * besoins.stream().mapToDouble(TableBesoins::economie).min().orElse(0)) + " à "
+                + Style.arrondi(100 * TableBesoins.economie(sobre)) + " % des rayons ne sont pas lancés ; il en reste jusqu'à "
+                + Style.arrondi(100 * TableBesoins.exces(prodigue)) + " % (" + prodigue.get("scene") + ") qui ne changent rien à l'écran";
     }
 }

@@ -2,107 +2,66 @@ package lancer.mesures.vitesse;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.List;
-import javax.imageio.ImageIO;
+import java.util.function.IntUnaryOperator;
+import lancer.Scene;
+import lancer.atelier.Scenes;
+import lancer.lecture.LecteurScene;
+import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
-import lancer.mesures.Verite;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Vignettes;
 
-/** Où une image se trompe : l'écart de chaque pixel à la vérité, en valeur absolue, amplifié. */
+/** Où une image se trompe : l'écart de chaque pixel de la scène du cours à la vérité, en valeur absolue, amplifié. */
 final class FigureDifferences {
 
+    static final String PNG = "differences.png";
+
     /** Ce qui multiplie l'écart : un pas d'écran devient visible. */
-    static final int AMPLIFICATION = 16;
+    private static final int AMPLIFICATION = 16;
 
-    /** Les réglages montrés, par leurs clés. */
-    private static final List<String> MONTREES = Arrays.asList("echantillonnage/un rayon/", "echantillonnage/grille/3 × 3",
-            "echantillonnage/coins/n=3 seuil=0.05", "echantillonnage/partage/n=8 seuil=0.06", "reflets/profondeur/p=5 seuil=1/1024");
+    private static final String SCENE = "scene1";
 
-    private final String scene;
-    private final Releves releves;
-    private final Path dossier;
-    private final String note;
+    private static final String[][] MONTREES = {{Catalogue.UN_RAYON, ""}, {Catalogue.PROFONDEUR, "p=0"}, {Catalogue.GRILLE, "2 × 2"},
+        {Catalogue.COINS, Catalogue.COINS_DEFAUT}, {Catalogue.PARTAGE, "n=4 seuil=0.1"}};
 
-    /** @param dossier où {@link #noter} a écrit */
-    FigureDifferences(String scene, Releves releves, Path dossier, String note) {
-        this.scene = scene;
-        this.releves = releves;
-        this.dossier = dossier;
-        this.note = note;
+    private final Taille taille;
+
+    FigureDifferences(boolean rapide) {
+        taille = rapide ? new Taille(100, 75) : new Taille(300, 225);
     }
 
-    /** Garde l'écart de cette image, si elle est de celles que l'on montre. */
-    static void noter(Path dossier, String scene, Methode methode, ImageLineaire image, ImageLineaire verite) throws IOException {
-        int rang = MONTREES.indexOf(methode.cle());
-        if (rang < 0) {
-            return;
+    void ecrire(Path dossier) throws IOException {
+        Scene scene = Scenes.lire(LecteurScene.trouver("scenes/" + SCENE + ".ini"));
+        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, 1);
+        ImageLineaire juste = gabarit.moyenne(taille.largeur, taille.hauteur);
+        Vignettes vignettes = new Vignettes(3).image(image(k -> juste.getCouleur(k).getCode()), "la vérité", "128 rayons par pixel");
+        for (String[] montree : MONTREES) {
+            Methode methode = new Catalogue(true).groupe(Catalogue.METHODES, SCENE).methode(montree[0] + "/" + montree[1]);
+            ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+            methode.new Dessin(scene, taille.largeur, taille.hauteur).faire(image, taille.fils);
+            vignettes.image(image(k -> ecart(image, juste, k)), methode.nom + " " + methode.parametres,
+                    "erreur " + Style.nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur) + " pas");
         }
-        BufferedImage ecarts = new BufferedImage(image.getLargeur(), image.getHauteur(), BufferedImage.TYPE_INT_RGB);
-        double[] a = image.getComposantes();
-        double[] b = verite.getComposantes();
-        for (int k = 0; k < image.getLargeur() * image.getHauteur(); k++) {
-            int code = 0;
-            for (int c = 3 * k; c < 3 * k + 3; c++) {
-                code = code << 8 | (int) Math.round(255 * Math.min(1, AMPLIFICATION * Math.abs(a[c] - b[c])));
-            }
-            ecarts.setRGB(k % image.getLargeur(), k / image.getLargeur(), code);
+        new Planche("Scène du cours : ce qui manque à chaque image, amplifié " + AMPLIFICATION + " fois",
+                taille.largeur + " × " + taille.hauteur + ". make mesures").volet(vignettes, 1).ecrire(dossier.resolve(PNG));
+    }
+
+    private static int ecart(ImageLineaire a, ImageLineaire b, int k) {
+        int code = 0;
+        for (int c = 3 * k; c < 3 * k + 3; c++) {
+            double ecart = Math.abs(a.getComposantes()[c] - b.getComposantes()[c]);
+            code = code << 8 | (int) Math.round(255 * Math.min(1, AMPLIFICATION * ecart));
         }
-        Files.createDirectories(dossier);
-        ImageIO.write(ecarts, "png", fichier(dossier, scene, rang).toFile());
+        return code;
     }
 
-    /** Garde l'image juste. */
-    static void noterLaVerite(Path dossier, String scene, ImageLineaire verite) throws IOException {
-        BufferedImage image = new BufferedImage(verite.getLargeur(), verite.getHauteur(), BufferedImage.TYPE_INT_RGB);
-        for (int k = 0; k < verite.getLargeur() * verite.getHauteur(); k++) {
-            image.setRGB(k % verite.getLargeur(), k / verite.getLargeur(), verite.getCouleur(k).getCode());
+    private BufferedImage image(IntUnaryOperator code) {
+        BufferedImage image = new BufferedImage(taille.largeur, taille.hauteur, BufferedImage.TYPE_INT_RGB);
+        for (int k = 0; k < taille.pixels(); k++) {
+            image.setRGB(k % taille.largeur, k / taille.largeur, code.applyAsInt(k));
         }
-        Files.createDirectories(dossier);
-        ImageIO.write(image, "png", fichierDeLaVerite(dossier, scene).toFile());
-    }
-
-    private static Path fichierDeLaVerite(Path dossier, String scene) {
-        return dossier.resolve(scene + "-verite.png");
-    }
-
-    private static String nom(Releve r) {
-        return r.famille.equals(Famille.REFLETS.nom()) ? Noms.valeur(r, "p") + " reflets au lieu de " + Verite.PROFONDEUR
-                : Noms.methode(r);
-    }
-
-    private static Path fichier(Path dossier, String scene, int rang) {
-        return dossier.resolve(scene + "-" + rang + ".png");
-    }
-
-    /** Vrai si toutes les images sont là : elles ne sont pas gardées avec les mesures. */
-    boolean possible() {
-        if (!Files.exists(fichierDeLaVerite(dossier, scene))) {
-            return false;
-        }
-        for (int rang = 0; rang < MONTREES.size(); rang++) {
-            if (!Files.exists(fichier(dossier, scene, rang))) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    Planche planche() throws IOException {
-        Vignettes vignettes = new Vignettes();
-        vignettes.image(ImageIO.read(fichierDeLaVerite(dossier, scene).toFile()), "la vérité", "la moyenne sur chaque pixel");
-        for (int rang = 0; rang < MONTREES.size(); rang++) {
-            String cle = scene + "/" + MONTREES.get(rang);
-            Releve r = releves.get().stream().filter(a -> a.cle().equals(cle)).findFirst()
-                    .orElseThrow(() -> new IllegalStateException("pas de mesure de " + cle));
-            vignettes.image(ImageIO.read(fichier(dossier, scene, rang).toFile()), nom(r),
-                    "erreur " + Style.arrondi(r.erreurEnPas()) + " pas, SSIM " + Style.decimales(r.nombre("ssim"), 4));
-        }
-        return new Planche(Noms.scene(scene) + " : ce qui manque à chaque image, amplifié " + AMPLIFICATION + " fois", note)
-                .volet(vignettes, 1);
+        return image;
     }
 }

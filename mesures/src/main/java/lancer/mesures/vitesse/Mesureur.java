@@ -1,99 +1,312 @@
 package lancer.mesures.vitesse;
 
-import java.util.ArrayList;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import lancer.Lancer;
+import java.util.stream.Collectors;
+import lancer.Constantes;
+import lancer.Main;
 import lancer.Scene;
-import lancer.contrat.Compteurs;
-import lancer.mesures.ImageFausse;
+import lancer.atelier.Circonstances;
+import lancer.atelier.FichierCsv;
+import lancer.atelier.SceneMesuree;
+import lancer.atelier.Scenes;
+import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
-import lancer.mesures.Repartition;
+import lancer.mesures.juge.Intraduisible;
+import lancer.mesures.juge.PovRay;
+import lancer.mesures.juge.SceneJugee;
 
-/**
- * Mesure des méthodes sur une scène, dans cette machine virtuelle : dessine, vérifie, échauffe, puis chronomètre. Chaque image
- * chronométrée est comparée au bit près à celle qui a été vérifiée ; une image fausse n'a pas de temps.
- */
+/** Mesure un groupe après l'autre, et note chaque méthode dès qu'elle est finie. */
 final class Mesureur {
 
-    /** Dessins chronométrés, au moins. */
-    static final int REPETITIONS_MIN = 7;
-    private static final int REPETITIONS_MAX = 100;
+    /** Ce que dure un échantillon, au moins : le dessin y est répété. */
+    private final double echantillonNs;
 
+    private final boolean court;
+    private final boolean agitee;
     private final Taille taille;
-    private final Controle controle;
-    private final long echauffementNs;
-    private final long dureeNs;
+    private final Path csv;
+    private final Path dossier;
+    private final PrintStream sortie;
+    private final Manches manches;
+    private final PovRay povray;
+    private final Circonstances circonstances = new Circonstances();
 
-    Mesureur(Taille taille, boolean court) {
-        this.taille = taille;
-        controle = new Controle(taille, court ? 5e6 : 1e8);
-        echauffementNs = TimeUnit.MILLISECONDS.toNanos(court ? 30 : 200);
-        dureeNs = TimeUnit.MILLISECONDS.toNanos(court ? 30 : 300);
+    /** @param csv où noter ; ses temporaires sont à côté */
+    Mesureur(boolean court, boolean agitee, Path csv, PrintStream sortie) throws IOException {
+        this.court = court;
+        this.agitee = agitee;
+        this.csv = csv;
+        this.sortie = sortie;
+        echantillonNs = TimeUnit.MILLISECONDS.toNanos(court || agitee ? 20 : 200);
+        taille = court ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
+        dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
+        manches = new Manches(new Etalon()::estCalme, agitee);
+        povray = povray();
+        sortie.println(circonstances.machine + ", " + circonstances.jvm + ", commit " + circonstances.commit);
+        Files.write(csv, Collections.singletonList(String.join(",", Releve.COLONNES)));
     }
 
-    /** Une méthode mesurée. */
-    static final class Mesure {
-        final Methode methode;
-        final ImageLineaire image;
-        final Compteurs compteurs;
-        final int verifies;
-        private final Lancer lancer;
-        private final List<Long> temps = new ArrayList<>();
-
-        Mesure(Methode methode, Lancer lancer, ImageLineaire image, int verifies) {
-            this.methode = methode;
-            this.lancer = lancer;
-            this.image = image;
-            this.compteurs = lancer.getCompteurs();
-            this.verifies = verifies;
-        }
-
-        Repartition temps() {
-            return new Repartition(temps.stream().mapToLong(Long::longValue).toArray());
+    private PovRay povray() {
+        try {
+            return new PovRay(PovRay.COMMANDE, dossier);
+        } catch (IOException e) {
+            sortie.println("Sans POV-Ray : " + e.getMessage());
+            return null;
         }
     }
 
-    /**
-     * Mesure ces méthodes ensemble : à chaque tour, un dessin de chacune, pour qu'une machine qui ralentit ralentisse toutes.
-     *
-     * @throws ImageFausse si une image n'est pas celle des boucles du cours, ou change d'un dessin à l'autre
-     */
-    List<Mesure> mesurer(Scene scene, List<Methode> methodes) {
-        List<Mesure> mesures = new ArrayList<>();
-        for (Methode methode : methodes) {
-            Lancer lancer = methode.preparer(scene, taille.largeur, taille.hauteur);
-            ImageLineaire image = dessin(methode, lancer);
-            mesures.add(new Mesure(methode, lancer, image, controle.verifier(methode, scene, image, lancer.getCompteurs())));
+    /** @throws Manches.Troublee si la machine ne nous est pas assez laissée */
+    void mesurer(List<Catalogue.Groupe> groupes) throws IOException {
+        for (Catalogue.Groupe groupe : groupes) {
+            sortie.println(groupe.famille + ", " + groupe.scene);
+            Path fichier = SceneMesuree.fichier(groupe.scene, dossier);
+            if (groupe.enProcessus()) {
+                enProcessus(groupe, fichier);
+            } else {
+                enDessins(groupe, fichier);
+            }
         }
-        long debut = System.nanoTime();
-        do {
-            mesures.forEach(this::chronometrer);
-        } while (System.nanoTime() - debut < echauffementNs * methodes.size());
-        mesures.forEach(m -> m.temps.clear());
-        debut = System.nanoTime();
-        for (int tour = 0; tour < REPETITIONS_MIN
-                || tour < REPETITIONS_MAX && System.nanoTime() - debut < dureeNs * methodes.size(); tour++) {
-            mesures.forEach(this::chronometrer);
-        }
-        return mesures;
     }
 
-    private ImageLineaire dessin(Methode methode, Lancer lancer) {
-        ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-        image.effacer();
-        methode.dessiner(lancer, image, taille.fils);
-        return image;
+    private int voulues(double echantillonNs) {
+        return agitee ? 2 : court ? 3 : echantillonNs < 1.5e9 ? 7 : 4;
     }
 
-    private void chronometrer(Mesure mesure) {
-        ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-        image.effacer();
-        long debut = System.nanoTime();
-        mesure.methode.dessiner(mesure.lancer, image, taille.fils);
-        mesure.temps.add(System.nanoTime() - debut);
-        if (!image.memesBits(mesure.image)) {
-            throw new ImageFausse("deux dessins de la même scène diffèrent (" + mesure.methode.cle() + ")");
+    // ---- des machines virtuelles qui durent
+
+    private void enDessins(Catalogue.Groupe groupe, Path fichier) throws IOException {
+        Scene scene = Scenes.lire(fichier);
+        Gabarit gabarit = groupe.jugees ? new Gabarit(scene, taille.largeur, taille.hauteur, court ? 3 : 5) : null;
+        int lancements = agitee ? 1 : groupe.lancements;
+        Map<Methode, Map<String, Object>> champs = new HashMap<>();
+        Map<Methode, Manches.Temps> temps = new HashMap<>();
+        for (int lancement = 1; lancement <= lancements; lancement++) {
+            try (Machine reperes = new Machine(groupe, groupe.methodes.get(0), fichier)) {
+                for (Methode methode : groupe.methodes) {
+                    if (methode.genre == Methode.Genre.POVRAY && povray == null) {
+                        continue;
+                    }
+                    Map<String, Object> siens = champs.computeIfAbsent(methode, m -> new HashMap<>());
+                    temps.merge(methode, methode.genre == Methode.Genre.POVRAY ? parPovRay(groupe, methode, reperes, gabarit, siens)
+                            : parNous(groupe, methode, fichier, reperes, gabarit, siens), Manches.Temps::plus);
+                    if (lancement == lancements) {
+                        noter(groupe, methode, scene.getObjets().size(), siens, temps.get(methode));
+                    }
+                }
+            }
         }
+    }
+
+    private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Gabarit gabarit,
+            Map<String, Object> champs) throws IOException {
+        try (Machine machine = new Machine(groupe, methode, fichier)) {
+            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(machine.dureeNs()));
+            String[] comptes = machine.finir().split(" ", 8);
+            String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies", "choix"};
+            for (int k = 0; k < noms.length; k++) {
+                champs.put(noms[k], comptes[k]);
+            }
+            if (gabarit != null) {
+                ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+                image.lire(machine.image);
+                juger(gabarit, image, champs);
+            }
+            return temps;
+        }
+    }
+
+    /** Il ne prépare que ce dessin-ci : le temps est celui qu'il dit avoir passé à tracer. */
+    private Manches.Temps parPovRay(Catalogue.Groupe groupe, Methode methode, Machine reperes, Gabarit gabarit, Map<String, Object> champs)
+            throws IOException {
+        try {
+            SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(SceneMesuree.fichier(groupe.scene, dossier)),
+                    Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
+            Manches.Temps temps = manches.mesurer(reperes, () -> {
+                jugee.dessiner(methode.options);
+                return new double[] {povray.temps()[1], povray.temps()[2]};
+            }, voulues(0));
+            juger(gabarit, jugee.image(methode.options), champs);
+            return temps;
+        } catch (Intraduisible e) {
+            throw new IOException("POV-Ray : " + e.getMessage(), e);
+        }
+    }
+
+    private static void juger(Gabarit gabarit, ImageLineaire image, Map<String, Object> champs) {
+        Intervalle erreur = Intervalle.deLaRacine(gabarit.carres(image));
+        champs.put("erreur", Releve.reel(erreur.valeur));
+        champs.put("erreur_min", Releve.reel(erreur.min));
+        champs.put("erreur_max", Releve.reel(erreur.max));
+    }
+
+    /** Un {@link Ouvrier}, échauffé, et l'image qu'il écrira. */
+    private final class Machine implements Manches.Echantillon, AutoCloseable {
+
+        private final Processus processus;
+        private final Path image = dossier.resolve("image.bin");
+        private final double dessinNs;
+        private final int fois;
+
+        Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
+            processus = new Processus(Ouvrier.class, "dessiner", court, groupe.famille, groupe.scene, methode.cle(), fichier,
+                    taille.largeur, taille.hauteur, image);
+            dessinNs = nombres(processus.demander(agitee ? "1" : "echauffer"))[0];
+            fois = Math.max(1, (int) Math.ceil(echantillonNs / dessinNs));
+        }
+
+        @Override
+        public double[] prendre() throws IOException {
+            return nombres(processus.demander(String.valueOf(fois)));
+        }
+
+        private double dureeNs() {
+            return fois * dessinNs;
+        }
+
+        private String finir() throws IOException {
+            return processus.demander("finir");
+        }
+
+        @Override
+        public void close() {
+            processus.close();
+        }
+    }
+
+    private static double[] nombres(String mots) {
+        return Arrays.stream(mots.split(" ")).mapToDouble(Double::parseDouble).toArray();
+    }
+
+    // ---- le programme entier, lancé chaque fois
+
+    private void enProcessus(Catalogue.Groupe groupe, Path fichier) throws IOException {
+        Path repere = SceneMesuree.fichier(SceneMesuree.FOULE + "-1", dossier);
+        int spheres = Scenes.lire(fichier).getObjets().size();
+        for (Methode methode : groupe.methodes) {
+            Map<String, Object> champs = new HashMap<>();
+            Programme programme = new Programme(fichier, methode.options);
+            boolean longue = spheres >= Catalogue.BOUCLES_MAX;
+            int voulues = methode.boucles && longue ? 1 : court || agitee ? 2 : longue ? 3 : 5;
+            Manches.Echantillon echantillon = programme;
+            if (methode.genre == Methode.Genre.POVRAY) {
+                if (povray == null) {
+                    continue;
+                }
+                echantillon = povray(groupe, fichier, methode);
+            }
+            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues);
+            if (echantillon == programme) {
+                programme.statistiques.forEach((nom, valeur) -> champs.put(colonne(nom), valeur));
+                int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);
+                champs.put("pixels_verifies", pixels == 0 ? 0L : (long) refaire(fichier, pixels, programme.image)[0]);
+            }
+            noter(groupe, methode, spheres, champs, temps);
+        }
+        if (groupe.scene.startsWith(SceneMesuree.FOULE) && groupe.methodes.stream().noneMatch(m -> m.boucles)) {
+            extrapoler(groupe, fichier, spheres);
+        }
+        Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));
+    }
+
+    /** Où noter une statistique du programme : « rayons.ombre » dans ombre, « tests.spheres » dans tests, « trace.ms » dans trace_ms. */
+    private static String colonne(String statistique) {
+        return statistique.replaceFirst("^(rayons|pixels)\\.", "").replaceFirst("^(tests|noeuds)\\..*", "$1").replace('.', '_');
+    }
+
+    /** Du démarrage de Java au PNG écrit. */
+    private final class Programme implements Manches.Echantillon {
+
+        private final Path fichier;
+        private final String[] options;
+        private final Path image = dossier.resolve("image.png");
+        private Map<String, String> statistiques;
+
+        Programme(Path fichier, String... options) {
+            this.fichier = fichier;
+            this.options = options;
+        }
+
+        @Override
+        public double[] prendre() throws IOException {
+            Object[] args = new Object[options.length + 6];
+            Object[] miens = {"--image", image, "--taille", taille, "--statistiques", fichier};
+            System.arraycopy(miens, 0, args, 0, miens.length);
+            System.arraycopy(options, 0, args, miens.length, options.length);
+            long debut = System.nanoTime();
+            try (Processus processus = new Processus(Main.class, args)) {
+                List<String> lignes = processus.lignes();
+                long duree = System.nanoTime() - debut;
+                statistiques = lignes.stream().map(l -> l.split(": ")).filter(l -> l.length == 2)
+                        .collect(Collectors.toMap(l -> l[0], l -> l[1], (a, b) -> b));
+                return new double[] {duree, Double.NaN};
+            }
+        }
+    }
+
+    private Manches.Echantillon povray(Catalogue.Groupe groupe, Path fichier, Methode methode) throws IOException {
+        try {
+            SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
+                    taille.hauteur);
+            return () -> {
+                jugee.dessiner(methode.options);
+                return new double[] {povray.temps()[0], Double.NaN};
+            };
+        } catch (Intraduisible e) {
+            throw new IOException("POV-Ray : " + e.getMessage(), e);
+        }
+    }
+
+    /** Le moins qui en dise quelque chose quand chacun essaie un million de sphères par rayon. */
+    static int pixelsARefaire(int spheres) {
+        return Math.max(64, Math.min(2000, 100_000_000 / spheres));
+    }
+
+    /** Combien de pixels, et combien de sphères les boucles du cours y ont essayées. */
+    private double[] refaire(Path fichier, int pixels, Path png) throws IOException {
+        Object[] args = {"pixels", fichier, taille.largeur, taille.hauteur, pixels, png};
+        try (Processus processus = new Processus(Ouvrier.class, png == null ? Arrays.copyOf(args, args.length - 1) : args)) {
+            return nombres(processus.reponse());
+        }
+    }
+
+    /** Ce que les boucles du cours essaieraient, compté sur quelques pixels : leur temps n'est pas mesuré. */
+    private void extrapoler(Catalogue.Groupe groupe, Path fichier, int spheres) throws IOException {
+        double[] refaits = refaire(fichier, pixelsARefaire(spheres), null);
+        Map<String, Object> champs = new HashMap<>();
+        champs.put("tests", Math.round(refaits[1] / refaits[0] * taille.pixels()));
+        noter(groupe, new Methode(Catalogue.BOUCLES, "extrapolé de " + Math.round(refaits[0]) + " pixels"), spheres, champs,
+                new Manches.Temps(new double[0], 0, 0, Double.NaN, Double.NaN));
+    }
+
+    private void noter(Catalogue.Groupe groupe, Methode methode, int spheres, Map<String, Object> champs, Manches.Temps temps)
+            throws IOException {
+        Circonstances c = circonstances;
+        Object[] communs = {"machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
+            groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
+            "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees", temps.jetees,
+            "reference_ms", Releve.reel(temps.referenceNs / 1e6), "processeur_ms", Releve.reel(temps.processeurNs / 1e6),
+            "rapport", Releve.reel(temps.rapport.valeur), "rapport_min", Releve.reel(temps.rapport.min),
+            "rapport_max", Releve.reel(temps.rapport.max)};
+        for (int k = 0; k < communs.length; k += 2) {
+            champs.put((String) communs[k], communs[k + 1]);
+        }
+        String ligne = FichierCsv.ligne(Releve.COLONNES.stream().map(n -> champs.getOrDefault(n, "")).toArray());
+        Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  %2d/%d%s", methode.nom,
+                methode.parametres, temps.rapport.valeur, temps.rapport.min, temps.rapport.max,
+                temps.rapport.valeur * temps.referenceNs / 1e6, temps.manches - temps.jetees, temps.manches,
+                champs.containsKey("erreur") ? "  erreur " + champs.get("erreur") : ""));
     }
 }

@@ -1,17 +1,23 @@
 package lancer.mesures.vitesse;
 
+import java.util.Collections;
 import java.util.function.UnaryOperator;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.antialias.Antialias;
+import lancer.auto.Auto;
+import lancer.auto.Souhait;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
+import lancer.contrat.Variante;
 import lancer.temoins.LancerSurveille;
 
-/** Une façon de dessiner une scène : ce qui se mesure. Immuable : chaque précision en donne une autre. */
+/** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
 final class Methode {
 
-    final Famille famille;
+    /** Qui dessine : une machine virtuelle qui dure, le programme lancé chaque fois, ou POV-Ray. */
+    enum Genre { DESSIN, PROCESSUS, POVRAY }
 
     /** Ce que l'on fait, en un mot. */
     final String nom;
@@ -19,105 +25,110 @@ final class Methode {
     /** Avec quoi ; vide s'il n'y a rien à choisir. */
     final String parametres;
 
-    private final Echantillonnage echantillonnage;
-    private final int profondeur;
-    private final double seuil;
-    private final UnaryOperator<Scene> changement;
-    private final boolean brouillon;
-    private final boolean lisible;
-    private final boolean parPaves;
+    Genre genre = Genre.DESSIN;
 
-    private Methode(Famille famille, String nom, String parametres, Echantillonnage echantillonnage, int profondeur, double seuil,
-            UnaryOperator<Scene> changement, boolean brouillon, boolean lisible, boolean parPaves) {
-        this.famille = famille;
+    /** Celles du programme, ou de POV-Ray. */
+    String[] options = {};
+
+    /** Vrai pour les boucles du cours. */
+    boolean boucles;
+
+    private Echantillonnage echantillonnage = Echantillonnage.CENTRE;
+    private int profondeur = Constantes.MAX_REFLETS;
+    private double seuil = Constantes.SEUIL;
+    private UnaryOperator<Scene> changement = UnaryOperator.identity();
+    private boolean brouillon;
+    private double erreurVoulue;
+
+    Methode(String nom, String parametres) {
         this.nom = nom;
         this.parametres = parametres;
-        this.echantillonnage = echantillonnage;
-        this.profondeur = profondeur;
-        this.seuil = seuil;
-        this.changement = changement;
-        this.brouillon = brouillon;
-        this.lisible = lisible;
-        this.parPaves = parPaves;
-    }
-
-    /** Comme le programme sans option : un rayon par pixel, les limites de réflexion par défaut. */
-    static Methode de(Famille famille, String nom, String parametres) {
-        return new Methode(famille, nom, parametres, Echantillonnage.CENTRE, Constantes.MAX_REFLETS, Constantes.SEUIL,
-                UnaryOperator.identity(), false, false, false);
     }
 
     Methode echantillonnee(Echantillonnage autre) {
-        return new Methode(famille, nom, parametres, autre, profondeur, seuil, changement, brouillon, lisible, parPaves);
-    }
-
-    /** Avec un échantillonnage où des pixels voisins partagent des rayons, à l'intérieur d'un pavé. */
-    Methode partagee(Echantillonnage autre) {
-        return new Methode(famille, nom, parametres, autre, profondeur, seuil, changement, brouillon, lisible, true);
+        echantillonnage = autre;
+        return this;
     }
 
     Methode limitee(int autreProfondeur, double autreSeuil) {
-        return new Methode(famille, nom, parametres, echantillonnage, autreProfondeur, autreSeuil, changement, brouillon, lisible,
-                parPaves);
+        profondeur = autreProfondeur;
+        seuil = autreSeuil;
+        return this;
     }
 
     /** Une fois la scène changée ainsi. */
-    Methode sur(UnaryOperator<Scene> autreChangement) {
-        return new Methode(famille, nom, parametres, echantillonnage, profondeur, seuil, autreChangement, brouillon, lisible, parPaves);
+    Methode sur(UnaryOperator<Scene> autre) {
+        changement = autre;
+        return this;
     }
 
     /** Le brouillon de la fenêtre, au lieu de l'image. */
     Methode enBrouillon() {
-        return new Methode(famille, nom, parametres, echantillonnage, profondeur, seuil, changement, true, lisible, parPaves);
+        brouillon = true;
+        echantillonnage = Echantillonnage.BROUILLON;
+        return this;
     }
 
     /** Par les boucles du cours. */
-    Methode lisible() {
-        return new Methode(famille, nom, parametres, echantillonnage, profondeur, seuil, changement, brouillon, true, parPaves);
+    Methode enBoucles() {
+        boucles = true;
+        return this;
+    }
+
+    /** Ce que choisit {@code --auto} pour cette erreur ; ses essais ne sont pas du dessin. */
+    Methode auto(double voulue) {
+        erreurVoulue = voulue;
+        return this;
+    }
+
+    Methode par(Genre autre, String... siennes) {
+        genre = autre;
+        options = siennes;
+        return this;
     }
 
     /** Ce qui la distingue des autres sur une même scène. */
     String cle() {
-        return famille.nom() + "/" + nom + "/" + parametres;
+        return nom + "/" + parametres;
     }
 
-    /** Vrai si un pixel n'y dépend pas de ses voisins. */
-    boolean pixelParPixel() {
-        return !brouillon && !parPaves;
-    }
+    /** Une scène prête. */
+    final class Dessin {
 
-    boolean estBrouillon() {
-        return brouillon;
-    }
+        /** Ce qui a été choisi, si c'était à choisir. */
+        final String choix;
+        final Lancer lancer;
+        private final Scene scene;
+        private final Echantillonnage choisi;
+        private final int reflets;
 
-    boolean estLisible() {
-        return lisible;
-    }
+        Dessin(Scene lue, int largeur, int hauteur) {
+            scene = changement.apply(lue);
+            Lancer prepare = LancerSurveille.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, boucles);
+            if (erreurVoulue > 0) {
+                Auto auto = Auto.choisir(prepare, Souhait.erreur(erreurVoulue), Runtime.getRuntime().availableProcessors(),
+                        Collections.<Variante>singletonList(new Antialias()));
+                lancer = auto.getLancer();
+                reflets = auto.getChoisi().getReflets();
+                choix = auto.getChoisi().toString();
+            } else {
+                lancer = prepare;
+                reflets = brouillon ? Math.min(profondeur, Constantes.REFLETS_BROUILLON) : profondeur;
+                choix = "";
+            }
+            choisi = lancer.getScene().getEchantillonnage();
+        }
 
-    Echantillonnage getEchantillonnage() {
-        return echantillonnage;
-    }
+        /** Une fois, par le chemin du programme. */
+        void faire(Toile toile, int fils) {
+            lancer.TracerPixels(toile, reflets, fils);
+        }
 
-    /** Prépare cette scène, qui n'est pas changée, par le chemin du programme. */
-    Lancer preparer(Scene scene, int largeur, int hauteur) {
-        return preparer(scene, largeur, hauteur, echantillonnage, lisible);
-    }
-
-    /** La même image par les boucles du cours, avec cet échantillonnage-là. */
-    Lancer preparerLisible(Scene scene, int largeur, int hauteur, Echantillonnage autre) {
-        return preparer(scene, largeur, hauteur, autre, true);
-    }
-
-    private Lancer preparer(Scene scene, int largeur, int hauteur, Echantillonnage choisi, boolean boucles) {
-        return LancerSurveille.preparer(changement.apply(scene).avec(choisi, seuil), largeur, hauteur, boucles);
-    }
-
-    /** Dessine, une fois. */
-    void dessiner(Lancer lancer, Toile toile, int fils) {
-        if (brouillon) {
-            lancer.TracerBrouillon(toile, profondeur, fils);
-        } else {
-            lancer.TracerPixels(toile, profondeur, fils);
+        /** Par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */
+        void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
+            Echantillonnage partiel = filtre.apply(choisi);
+            LancerSurveille.preparer(scene.avec(partiel, lancer.getScene().getSeuil()), lancer.getCamera().getLargeur(),
+                    lancer.getCamera().getHauteur(), true).parcourir(partiel, toile, reflets, fils);
         }
     }
 }

@@ -1,9 +1,14 @@
 package lancer.mesures.vitesse;
 
-import lancer.mesures.Verite;
+import lancer.mesures.trace.Style;
 
-/** Comment écrire dans une phrase, ou près d'un point, ce que le CSV nomme sèchement. */
+/** Comment écrire dans une phrase, ou près d'un point, ce que le CSV nomme sèchement ; et comment dire un rapport. */
 final class Noms {
+
+    private static final Intervalle UN = new Intervalle(1, 1, 1);
+
+    /** Au-delà, une hausse se dit en « fois », non en pour cent. */
+    private static final double EN_FOIS = 1.5;
 
     private Noms() {
     }
@@ -23,9 +28,15 @@ final class Noms {
             case Catalogue.BROUILLON:
                 return "le brouillon";
             case Catalogue.PROFONDEUR:
-                return "la profondeur " + valeur(r, "p");
+                return "un rayon à " + etiquette(r) + " réflexions";
             case Catalogue.SEUIL:
-                return "le seuil " + valeur(r, "seuil");
+                return "un rayon jusqu'au seuil " + etiquette(r);
+            case Catalogue.ENSEMBLE:
+                return "« partage » (4 ; 0,1) jusqu'au seuil " + etiquette(r);
+            case Catalogue.AUTO:
+                return "le choix de --auto erreur=" + etiquette(r);
+            case Catalogue.POVRAY:
+                return "POV-Ray (" + r.parametres + ")";
             default:
                 return "« " + r.methode + " » (" + etiquette(r) + ")";
         }
@@ -40,24 +51,12 @@ final class Noms {
                 return "brouillon";
             case Catalogue.COINS:
             case Catalogue.PARTAGE:
-                return valeur(r, "n") + " ; " + valeur(r, "seuil").replace('.', ',');
-            case Catalogue.PROFONDEUR:
-                return valeur(r, "p");
-            case Catalogue.SEUIL:
-                return valeur(r, "seuil");
+                return r.parametres.replaceAll("n=(\\d+) seuil=(.*)", "$1 ; $2").replace('.', ',');
+            case Catalogue.ENSEMBLE:
+                return r.parametres.substring(r.parametres.lastIndexOf(' ') + 1);
             default:
-                return r.parametres;
+                return r.parametres.substring(r.parametres.indexOf('=') + 1).replace('.', ',');
         }
-    }
-
-    /** La valeur d'un paramètre « nom=valeur ». */
-    static String valeur(Releve r, String nom) {
-        for (String mot : r.parametres.split(" ")) {
-            if (mot.startsWith(nom + "=")) {
-                return mot.substring(nom.length() + 1);
-            }
-        }
-        throw new IllegalArgumentException("pas de " + nom + " dans « " + r.parametres + " »");
     }
 
     /** Une série, pour la légende. */
@@ -65,18 +64,36 @@ final class Noms {
         switch (methode) {
             case Catalogue.GRILLE:
                 return "grille complète";
-            case Catalogue.UN_RAYON:
-                return "un rayon";
             case Catalogue.COINS:
-                return "« coins » (n ; seuil)";
             case Catalogue.PARTAGE:
-                return "« partage » (n ; seuil)";
+                return "« " + methode + " » (n ; seuil)";
             case Catalogue.PROFONDEUR:
-                return "profondeur (seuil 1/1024)";
+                return "un rayon, tant de réflexions";
             case Catalogue.SEUIL:
-                return "seuil (profondeur " + Verite.PROFONDEUR + ")";
+                return "un rayon, jusqu'à ce seuil";
+            case Catalogue.ENSEMBLE:
+                return "« partage » (4 ; 0,1), jusqu'à ce seuil";
+            case Catalogue.AUTO:
+                return "--auto, pour cette erreur";
+            case Catalogue.POVRAY:
+                return "POV-Ray et ses options";
             default:
                 return methode;
         }
+    }
+
+    /** De combien c'est plus que 1, et entre quoi ; ou qu'on ne sait pas le dire. */
+    static String rapport(Intervalle i) {
+        if (!UN.nettementSous(i) && !i.nettementSous(UN)) {
+            return "aucune différence que la mesure porte (de " + pourCent(i.min) + " à " + pourCent(i.max) + ")";
+        }
+        return i.valeur < EN_FOIS ? pourCent(i.valeur) + " (de " + pourCent(i.min) + " à " + pourCent(i.max) + ")"
+                : "× " + Style.nombre(i.valeur) + " (de " + Style.nombre(i.min) + " à " + Style.nombre(i.max) + ")";
+    }
+
+    /** « + 12 % ». */
+    static String pourCent(double facteur) {
+        return Double.isInfinite(facteur) || facteur == 0 ? "on ne sait"
+                : (facteur < 1 ? "\u2212" : "+") + "\u00A0" + Style.arrondi(Math.abs(100 * (facteur - 1))) + "\u00A0%";
     }
 }

@@ -1,111 +1,163 @@
 package lancer.mesures.vitesse;
 
+import com.sun.management.OperatingSystemMXBean;
+import java.awt.image.BufferedImage;
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.List;
-import java.util.Locale;
+import java.util.HashSet;
+import java.util.Random;
 import java.util.Set;
-import java.util.stream.Collectors;
+import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
 import lancer.Constantes;
+import lancer.Lancer;
 import lancer.Scene;
-import lancer.commande.Pannes;
-import lancer.mesures.Circonstances;
-import lancer.mesures.Erreur;
-import lancer.mesures.ImageFausse;
-import lancer.mesures.Verite;
+import lancer.atelier.Scenes;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Pave;
+import lancer.mesures.ImageLineaire;
+import lancer.temoins.LancerSurveille;
 
-/** Fait un {@link Travail} dans cette machine virtuelle, et note chaque mesure dès qu'elle est finie. */
+/**
+ * Une machine virtuelle qui ne dessine que d'une façon, et le fait quand on le lui demande, sur son entrée : « echauffer », puis un
+ * nombre de dessins à chronométrer, autant de fois qu'on veut, et « finir ». L'image n'est vérifiée qu'à la fin : jusque-là, rien n'y
+ * est compilé que pour elle.
+ */
 final class Ouvrier {
 
-    static final String CSV = "vitesse.csv";
-    static final String DIFFERENCES = "differences";
+    /** L'échauffement : tant de dessins, ou moins s'ils durent plus que cela. */
+    static final int ECHAUFFEMENT = 10;
+    static final long ECHAUFFEMENT_NS = TimeUnit.SECONDS.toNanos(3);
 
-    /** Changement d'une composante au-dessous duquel un pixel de la vérité ne double plus : un dixième de pas d'écran. */
-    private static final double TOLERANCE = 0.1 / 255;
-    private static final int N_RAPIDE = 16;
+    /** Ce que l'on refait par les boucles du cours, en sphères essayées, à peu près. */
+    private static final double BUDGET = 1e8;
 
-    private final Travail travail;
-    private final boolean court;
-    private final Path atelier;
-    private final PrintStream sortie;
-    private final Journal journal;
-    private final Taille taille = Taille.COURBES;
-    private final Circonstances circonstances = new Circonstances();
+    /** Ce que coûte un rayon des boucles avant sa première sphère, en sphères. */
+    private static final int SOCLE = 20;
 
-    Ouvrier(Travail travail, boolean court, Path atelier, PrintStream sortie) {
-        this.travail = travail;
-        this.court = court;
-        this.atelier = atelier;
-        this.sortie = sortie;
-        journal = new Journal(atelier.resolve(CSV));
+    private static final long GRAINE = 800600;
+
+    private Ouvrier() {
     }
 
-    /** @param args le rang du travail, « true » si la mesure est rapide, et l'atelier */
+    /**
+     * @param args « dessiner », catalogue court ou non, famille, scène, méthode, fichier, largeur, hauteur, image ;
+     *     ou « pixels », fichier, largeur, hauteur, nombre et PNG : voir {@link #pixels}
+     */
     public static void main(String[] args) throws IOException {
-        System.setProperty("java.awt.headless", "true");
         PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
-        boolean court = Boolean.parseBoolean(args[1]);
-        Travail travail = Travail.tous(court).get(Integer.parseInt(args[0]));
         try {
-            new Ouvrier(travail, court, Paths.get(args[2]), sortie).faire();
-        } catch (ImageFausse e) {
-            sortie.println("  " + travail.nom() + " : PAS DE TEMPS, image fausse : " + e.getMessage());
-            System.exit(1);
+            if (args[0].equals("pixels")) {
+                sortie.println(pixels(Paths.get(args[1]), new Taille(Integer.parseInt(args[2]), Integer.parseInt(args[3])),
+                        Integer.parseInt(args[4]), args.length > 5 ? Paths.get(args[5]) : null));
+                return;
+            }
+            Methode methode = new Catalogue(Boolean.parseBoolean(args[1])).groupe(args[2], args[3]).methode(args[4]);
+            dessiner(methode, Scenes.lire(Paths.get(args[5])), new Taille(Integer.parseInt(args[6]), Integer.parseInt(args[7])),
+                    Paths.get(args[8]), new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)), sortie);
         } catch (RuntimeException | OutOfMemoryError e) {
-            sortie.println("  " + travail.nom() + " : " + Pannes.message(e));
-            System.exit(1);
+            sortie.println("faute " + e);
         }
     }
 
-    /** Mesure ce qui ne l'est pas encore. */
-    void faire() throws IOException {
-        Set<String> faites = journal.clesFaites();
-        Scene scene = travail.lire();
-        Verite verite = verite(scene, faites);
-        Mesureur mesureur = new Mesureur(taille, court);
-        for (List<Methode> groupe : travail.groupes) {
-            List<Methode> reste = groupe.stream().filter(m -> !faites.contains(travail.scene + "/" + m.cle()))
-                    .collect(Collectors.toList());
-            for (Mesureur.Mesure mesure : mesureur.mesurer(scene, reste)) {
-                noter(mesure, verite, scene.getObjets().size());
+    static void dessiner(Methode methode, Scene scene, Taille taille, Path fichier, BufferedReader entree, PrintStream sortie)
+            throws IOException {
+        Methode.Dessin dessin = methode.new Dessin(scene, taille.largeur, taille.hauteur);
+        ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+        for (String demande = entree.readLine(); demande != null; demande = entree.readLine()) {
+            if (demande.equals("finir")) {
+                int verifies = verifier(dessin, scene, image, taille);
+                image.ecrire(fichier);
+                Compteurs c = dessin.lancer.getCompteurs();
+                sortie.println(c.primaires + " " + c.ombre + " " + c.reflechis + " " + c.testsSpheres + " " + c.noeudsVisites + " "
+                        + c.pixelsRaffines + " " + verifies + " " + dessin.choix);
+                return;
+            }
+            boolean echauffement = demande.equals("echauffer");
+            double[] temps = repeter(dessin, image, taille, echauffement ? ECHAUFFEMENT : Integer.parseInt(demande),
+                    echauffement ? ECHAUFFEMENT_NS : Long.MAX_VALUE);
+            sortie.println(temps[0] + " " + temps[1]);
+        }
+    }
+
+    /** Le temps réel et celui des processeurs, par dessin ; le dernier seul s'il s'agit d'échauffer. */
+    private static double[] repeter(Methode.Dessin dessin, ImageLineaire image, Taille taille, int fois, long limiteNs) {
+        OperatingSystemMXBean systeme = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+        long processeur = systeme.getProcessCpuTime();
+        long debut = System.nanoTime();
+        long dernier = debut;
+        int faits = 0;
+        while (faits < fois && System.nanoTime() - debut < limiteNs) {
+            dernier = System.nanoTime();
+            dessin.faire(image, taille.fils);
+            faits++;
+        }
+        long fin = System.nanoTime();
+        return limiteNs < Long.MAX_VALUE ? new double[] {fin - dernier, Double.NaN}
+                : new double[] {(double) (fin - debut) / fois, (double) (systeme.getProcessCpuTime() - processeur) / fois};
+    }
+
+    /**
+     * Refait par les boucles du cours des pavés tirés au hasard, toujours les mêmes, et les compare au bit près.
+     *
+     * @return le nombre de pixels refaits
+     * @throws IllegalStateException si l'un d'eux n'est pas le même
+     */
+    static int verifier(Methode.Dessin dessin, Scene scene, ImageLineaire image, Taille taille) {
+        double cout = (double) dessin.lancer.getCompteurs().rayons() * (scene.getObjets().size() + SOCLE);
+        int nombre = Pave.nombre(taille.largeur, taille.hauteur);
+        Set<Long> choisis = new HashSet<>();
+        new Random(GRAINE).ints(0, nombre).distinct().limit(Math.max(1, (int) (nombre * Math.min(1, BUDGET / cout))))
+                .mapToObj(k -> Pave.deRang(k, taille.largeur, taille.hauteur)).forEach(p -> choisis.add(coin(p)));
+        ImageLineaire juste = new ImageLineaire(taille.largeur, taille.hauteur);
+        juste.effacer();
+        dessin.refaire(entier -> filtrer(entier, choisis), juste, taille.fils);
+        int refaits = 0;
+        for (int k = 0; k < taille.pixels(); k++) {
+            if (!Double.isNaN(juste.getComposantes()[3 * k])) {
+                refaits++;
+                if (!juste.memesBits(image, k)) {
+                    throw new IllegalStateException("image fausse : le pixel (" + k % taille.largeur + ", " + k / taille.largeur
+                            + ") est " + image.getCouleur(k) + " au lieu de " + juste.getCouleur(k));
+                }
             }
         }
+        return refaits;
     }
 
-    private void noter(Mesureur.Mesure mesure, Verite verite, int spheres) throws IOException {
-        Erreur erreur = verite == null ? null : Erreur.entre(mesure.image, verite.image);
-        if (verite != null) {
-            FigureDifferences.noter(atelier.resolve(DIFFERENCES), travail.scene, mesure.methode, mesure.image, verite.image);
-        }
-        journal.ajouter(Releve.ligne(circonstances, taille, travail.scene, spheres, mesure.methode, mesure.compteurs,
-                mesure.verifies, mesure.temps(), erreur));
-        sortie.println(String.format(Locale.ROOT, "  %-12s %-18s %-18s %8.2f rayons/pixel %10.3f ms%s", travail.scene,
-                mesure.methode.nom, mesure.methode.parametres, (double) mesure.compteurs.rayons() / taille.pixels(),
-                mesure.temps().mediane() / 1e6, erreur == null ? "" : String.format(Locale.ROOT, "   erreur %.4f pas", 255 * erreur.rmse)));
+    private static Echantillonnage filtrer(Echantillonnage entier, Set<Long> choisis) {
+        return (pave, vue, toile) -> choisis.contains(coin(pave)) ? entier.tracer(pave, vue, toile) : 0;
     }
 
-    /** Ce à quoi se comparent les méthodes de ce travail, notée elle aussi ; {@code null} si elles n'ont pas d'erreur. */
-    private Verite verite(Scene scene, Set<String> faites) throws IOException {
-        boolean reflets = travail.famille == Famille.REFLETS;
-        if (!reflets && travail.famille != Famille.ECHANTILLONNAGE) {
-            return null;
+    private static Long coin(Pave pave) {
+        return (long) pave.j0 << Integer.SIZE | pave.i0;
+    }
+
+    /**
+     * Refait par les boucles du cours, un par un, des pixels tirés au hasard, toujours les mêmes, et les compare à une image écrite par
+     * le programme.
+     *
+     * @param png l'image, {@code null} s'il n'y en a pas à comparer
+     * @return combien de pixels, et combien de sphères ils ont fait essayer
+     */
+    static String pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
+        Lancer lancer = LancerSurveille.preparer(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
+        BufferedImage image = png == null ? null : ImageIO.read(png.toFile());
+        for (int k : new Random(GRAINE).ints(nombre, 0, taille.pixels()).toArray()) {
+            int i = k % taille.largeur;
+            int j = k / taille.largeur;
+            int code = lancer.getCouleurPixel(i + 0.5, j + 0.5, Constantes.MAX_REFLETS).getCode();
+            if (image != null && image.getRGB(i, j) != code) {
+                throw new IllegalStateException("image fausse : " + png + ", pixel (" + i + ", " + j + ")");
+            }
         }
-        Verite verite = reflets ? Verite.sansLimite(scene, taille.largeur, taille.hauteur)
-                : Verite.desPixels(scene, taille.largeur, taille.hauteur, Constantes.MAX_REFLETS, Constantes.SEUIL, TOLERANCE,
-                        court ? N_RAPIDE : Verite.N_MAX);
-        String nom = reflets ? "sans limite" : "moyenne";
-        String parametres = reflets ? "p=" + verite.effort + " seuil=0" : "n=" + verite.effort;
-        if (!reflets) {
-            FigureDifferences.noterLaVerite(atelier.resolve(DIFFERENCES), travail.scene, verite.image);
-        }
-        if (!faites.contains(travail.scene + "/" + Famille.VERITE.nom() + "/" + nom + "/" + parametres)) {
-            journal.ajouter(Releve.ligneDeVerite(circonstances, taille, travail.scene, scene.getObjets().size(), nom, parametres,
-                    verite.compteurs, verite.reste));
-        }
-        sortie.println(String.format(Locale.ROOT, "  %-12s vérité, %s, %s : à %.3g pas près, %.0f rayons de l'écran par pixel",
-                travail.scene, nom, parametres, 255 * verite.reste, (double) verite.compteurs.primaires / taille.pixels()));
-        return verite;
+        return nombre + " " + lancer.getScene().getCompteurs().testsSpheres;
     }
 }

@@ -9,61 +9,53 @@ import java.nio.file.Paths;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import lancer.atelier.FichierCsv;
+import lancer.atelier.PagesMesurees;
 import lancer.mesures.stabilite.Stabilite;
 import lancer.mesures.trace.Planche;
 
-/** Des mesures notées aux courbes, aux tableaux et aux pages. */
+/** Des mesures d'un dossier aux courbes, aux tableaux et aux pages. */
 final class Rapport {
 
     /** Ce que « make mesures » réécrit dans le projet. */
     static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md")};
 
     private final Path dossier;
-    private final Path atelier;
     private final PrintStream sortie;
+    private final Releves releves;
+    private final List<Map<String, String>> besoins;
 
-    /**
-     * @param dossier où sont les mesures, et où vont les courbes
-     * @param atelier où les images des différences ont été gardées
-     */
-    Rapport(Path dossier, Path atelier, PrintStream sortie) {
+    /** @param dossier où sont les mesures, et où vont les courbes */
+    Rapport(Path dossier, PrintStream sortie) throws IOException {
         this.dossier = dossier;
-        this.atelier = atelier;
         this.sortie = sortie;
+        releves = Releves.lire(dossier.resolve(Vitesse.CSV));
+        besoins = FichierCsv.lire(dossier.resolve(Vitesse.BESOINS));
+    }
+
+    /** Ce que montrent les pages, par leurs noms. */
+    Map<String, String> valeurs() throws IOException {
+        Map<String, String> valeurs = new TreeMap<>(new Constats(releves, besoins).pages());
+        valeurs.putAll(Stabilite.pages(dossier));
+        return valeurs;
     }
 
     /** @param pages vrai pour réécrire aussi les nombres des pages du projet */
     void ecrire(boolean pages) throws IOException {
-        Releves releves = new Releves(new Journal(dossier.resolve(Ouvrier.CSV)).lire());
-        if (releves.estVide()) {
-            throw new IOException("aucune mesure dans " + dossier.resolve(Ouvrier.CSV));
+        Planches planches = new Planches(releves, besoins);
+        for (String scene : releves.de(Catalogue.METHODES).scenes()) {
+            ecrire(planches.scene(scene, false), scene);
+            ecrire(planches.scene(scene, true), scene + "-vignette");
         }
-        String note = note(releves.get().get(releves.get().size() - 1));
-        for (String scene : releves.de(Famille.ECHANTILLONNAGE).scenes()) {
-            for (Cout cout : Cout.values()) {
-                ecrire(new FigureScene(scene, releves, cout, note).planche(), scene + "-" + cout.nom);
-            }
-            FigureDifferences differences = new FigureDifferences(scene, releves, atelier.resolve(Ouvrier.DIFFERENCES), note);
-            if (differences.possible()) {
-                ecrire(differences.planche(), scene + "-differences");
-            }
-        }
-        ecrire(new FigureModele(releves, note).planche(), "phong-blinn");
-        ecrire(new FigureDemandes(releves, note).planche(), "demandes");
-        ecrire(new FigureSpheres(releves, note).planche(), "spheres");
+        ecrire(planches.demandes(), "demandes");
+        ecrire(planches.spheres(), "spheres");
+        ecrire(planches.parcimonie(), "parcimonie");
         Stabilite.dessiner(dossier);
-        List<Map<String, String>> besoins = TableBesoins.lire(dossier.resolve("besoins.csv"));
         Files.write(dossier.resolve("besoins.md"), TableBesoins.markdown(besoins).getBytes(StandardCharsets.UTF_8));
-        for (String scene : releves.de(Famille.ECHANTILLONNAGE).scenes()) {
-            Constats constats = new Constats(scene, releves, Cout.RAYONS);
-            sortie.println(constats.titre());
-            sortie.println("  " + constats.anticrenelage());
-            sortie.println("  " + constats.limites());
-        }
-        if (pages) {
-            Map<String, String> valeurs = new TreeMap<>(new Chiffres(releves, besoins).get());
-            valeurs.putAll(Stabilite.pages(dossier));
-            for (Path page : PAGES) {
+        Map<String, String> valeurs = valeurs();
+        valeurs.forEach((nom, valeur) -> sortie.println(nom + " : " + valeur));
+        for (Path page : PAGES) {
+            if (pages) {
                 PagesMesurees.reecrire(page, valeurs);
             }
         }
@@ -71,12 +63,5 @@ final class Rapport {
 
     private void ecrire(Planche planche, String nom) throws IOException {
         planche.ecrire(dossier.resolve(nom + ".png"));
-    }
-
-    private static String note(Releve r) {
-        String fils = r.texte("fils").equals("1") ? "un fil" : r.texte("fils") + " fils";
-        return "Images de " + r.texte("largeur") + " × " + r.texte("hauteur") + ", " + fils + ". " + r.texte("machine") + ", "
-                + r.texte("jvm") + ", commit " + r.texte("commit") + ", " + r.texte("date").replace('T', ' ')
-                + ". Barres : la moitié centrale des temps. make mesures";
     }
 }

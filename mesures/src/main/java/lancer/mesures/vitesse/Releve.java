@@ -4,67 +4,39 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import lancer.contrat.Compteurs;
-import lancer.mesures.Circonstances;
-import lancer.mesures.Erreur;
-import lancer.mesures.FichierCsv;
-import lancer.mesures.Repartition;
 
 /** Ce qu'a donné une méthode sur une scène : une ligne du CSV. Un nombre qui manque y est vide, et ici NaN. */
 final class Releve {
 
-    static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "largeur", "hauteur", "fils",
-            "scene", "spheres", "famille", "methode", "parametres", "primaires", "ombre", "reflechis", "tests", "noeuds", "raffines",
-            "pixels_verifies", "repetitions", "mediane_ms", "q1_ms", "q3_ms", "min_ms", "max_ms", "rmse", "max", "ssim", "pas",
-            "pixels_differents");
+    static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
+            "methode", "parametres", "choix", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
+            "raffines", "pixels_verifies", "lecture_ms", "preparation_ms", "trace_ms", "manches", "jetees", "reference_ms", "processeur_ms",
+            "rapport", "rapport_min", "rapport_max", "erreur", "erreur_min", "erreur_max");
 
-    private static final double NS_PAR_MS = 1e6;
-
-    final String scene;
     final String famille;
+    final String scene;
     final String methode;
     final String parametres;
     private final Map<String, String> champs;
 
+    /** Ce dont deux machines virtuelles qui font la même chose s'écartent, un facteur : les rapports ne disent rien de plus fin. */
+    private double marge = 1;
+
     /** @param champs par nom de colonne */
     Releve(Map<String, String> champs) {
         this.champs = champs;
-        scene = texte("scene");
         famille = texte("famille");
+        scene = texte("scene");
         methode = texte("methode");
         parametres = texte("parametres");
     }
 
-    /** @param erreur {@code null} si rien n'est à comparer */
-    static String ligne(Circonstances c, Taille t, String scene, int spheres, Methode m, Compteurs n, int verifies,
-            Repartition temps, Erreur erreur) {
-        return FichierCsv.ligne(c.machine, c.coeurs, c.jvm, c.date, c.commit, t.largeur, t.hauteur, t.fils, scene, spheres,
-                m.famille.nom(), m.nom, m.parametres, n.primaires, n.ombre, n.reflechis, n.testsSpheres, n.noeudsVisites,
-                n.pixelsRaffines, verifies, temps.nombre(), ms(temps.mediane()), ms(temps.premierQuartile()),
-                ms(temps.troisiemeQuartile()), ms(temps.min()), ms(temps.max()), erreur == null ? "" : reel(erreur.rmse),
-                erreur == null ? "" : reel(erreur.max), erreur == null ? "" : reel(erreur.ssim), erreur == null ? "" : erreur.pas,
-                erreur == null ? "" : erreur.pixels);
+    static String reel(double valeur) {
+        return Double.isNaN(valeur) || Double.isInfinite(valeur) ? "" : valeur == 0 ? "0" : String.format(Locale.ROOT, "%.5g", valeur);
     }
 
-    /** La ligne d'une vérité : ni temps, ni erreur que son reste. */
-    static String ligneDeVerite(Circonstances c, Taille t, String scene, int spheres, String nom, String parametres, Compteurs n,
-            double reste) {
-        return FichierCsv.ligne(c.machine, c.coeurs, c.jvm, c.date, c.commit, t.largeur, t.hauteur, c.coeurs, scene, spheres,
-                Famille.VERITE.nom(), nom, parametres, n.primaires, n.ombre, n.reflechis, n.testsSpheres, n.noeudsVisites,
-                n.pixelsRaffines, 0, 0, "", "", "", "", "", reel(reste), "", "", "", "");
-    }
-
-    private static String ms(double ns) {
-        return String.format(Locale.ROOT, "%.4f", ns / NS_PAR_MS);
-    }
-
-    private static String reel(double valeur) {
-        return valeur == 0 ? "0" : String.format(Locale.ROOT, "%.6g", valeur);
-    }
-
-    /** Ce qui distingue cette ligne de toutes les autres. */
-    String cle() {
-        return scene + "/" + famille + "/" + methode + "/" + parametres;
+    void elargir(double facteur) {
+        marge = facteur;
     }
 
     String texte(String colonne) {
@@ -77,25 +49,29 @@ final class Releve {
         return texte.isEmpty() ? Double.NaN : Double.parseDouble(texte);
     }
 
-    double pixels() {
-        return nombre("largeur") * nombre("hauteur");
+    /** Du temps, à celui de la référence ; sans bornes si l'on n'a qu'une manche. */
+    Intervalle rapport() {
+        double max = nombre("rapport_max");
+        return new Intervalle(nombre("rapport"), Double.isNaN(max) ? 0 : nombre("rapport_min"),
+                Double.isNaN(max) ? Double.POSITIVE_INFINITY : max).elargi(marge);
     }
 
-    /** De toutes sortes, par pixel de l'image. */
-    double rayonsParPixel() {
-        return (nombre("primaires") + nombre("ombre") + nombre("reflechis")) / pixels();
+    /** En niveaux. */
+    Intervalle erreur() {
+        return new Intervalle(nombre("erreur"), nombre("erreur_min"), nombre("erreur_max"));
     }
 
-    double testsParRayon() {
-        return nombre("tests") / (rayonsParPixel() * pixels());
+    double rayons() {
+        return nombre("primaires") + nombre("ombre") + nombre("reflechis");
     }
 
-    double medianeMs() {
-        return nombre("mediane_ms");
+    /** Vrai si ce n'en est pas la mesure, mais celle de la référence dans une autre machine virtuelle. */
+    boolean estTemoin() {
+        return methode.equals(Catalogue.UN_RAYON) || methode.equals(Catalogue.TELLE_QUELLE);
     }
 
-    /** L'écart quadratique moyen, en pas de l'écran. */
-    double erreurEnPas() {
-        return 255 * nombre("rmse");
+    /** Celui-ci va plus vite, et se trompe moins, à coup sûr. */
+    boolean bat(Releve autre) {
+        return rapport().nettementSous(autre.rapport()) && erreur().nettementSous(autre.erreur());
     }
 }

@@ -1,39 +1,70 @@
 package lancer.mesures.vitesse;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.NoSuchElementException;
+import java.util.Optional;
 import java.util.stream.Collectors;
+import lancer.atelier.FichierCsv;
 
 /** Des mesures, et de quoi y retrouver celle qu'on cherche. */
 final class Releves {
 
+    /** Deux machines virtuelles ne sont jamais supposées plus semblables que cela. */
+    private static final double MARGE_MIN = 1.01;
+
     private final List<Releve> tous;
 
     Releves(List<Releve> tous) {
-        this.tous = new ArrayList<>(tous);
+        this.tous = tous;
+    }
+
+    /** Lit un CSV ; les intervalles des rapports y prennent la marge que montrent ceux qui devraient valoir 1. */
+    static Releves lire(Path csv) throws IOException {
+        List<Releve> lus = new ArrayList<>();
+        for (Map<String, String> champs : FichierCsv.lire(csv)) {
+            lus.add(new Releve(champs));
+        }
+        Releves releves = new Releves(lus);
+        double marge = releves.marge();
+        lus.forEach(r -> r.elargir(marge));
+        return releves;
+    }
+
+    /** Le plus grand écart à 1 des rapports de la référence à elle-même, d'une machine virtuelle à l'autre. */
+    double marge() {
+        return tous.stream().filter(Releve::estTemoin).mapToDouble(r -> r.nombre("rapport"))
+                .map(r -> Math.max(r, 1 / r)).reduce(MARGE_MIN, Math::max);
     }
 
     List<Releve> get() {
         return tous;
     }
 
-    Releves de(String scene, Famille famille) {
-        return new Releves(tous.stream().filter(r -> r.scene.equals(scene) && r.famille.equals(famille.nom()))
-                .collect(Collectors.toList()));
+    Releves de(String famille) {
+        return new Releves(tous.stream().filter(r -> r.famille.equals(famille)).collect(Collectors.toList()));
     }
 
-    Releves de(Famille famille) {
-        return new Releves(tous.stream().filter(r -> r.famille.equals(famille.nom())).collect(Collectors.toList()));
+    Releves scene(String scene) {
+        return new Releves(tous.stream().filter(r -> r.scene.equals(scene)).collect(Collectors.toList()));
     }
 
-    Releves de(String methode) {
-        return new Releves(tous.stream().filter(r -> r.methode.equals(methode)).collect(Collectors.toList()));
+    Releves methode(String... noms) {
+        return new Releves(tous.stream().filter(r -> Arrays.asList(noms).contains(r.methode)).collect(Collectors.toList()));
+    }
+
+    Optional<Releve> peutEtre(String methode, String parametres) {
+        return tous.stream().filter(r -> r.methode.equals(methode) && r.parametres.equals(parametres)).findFirst();
     }
 
     /** @throws NoSuchElementException si elle n'a pas été mesurée */
     Releve le(String methode, String parametres) {
-        return tous.stream().filter(r -> r.methode.equals(methode) && r.parametres.equals(parametres)).findFirst()
+        return peutEtre(methode, parametres)
                 .orElseThrow(() -> new NoSuchElementException("pas de mesure de " + methode + " " + parametres));
     }
 
@@ -42,7 +73,27 @@ final class Releves {
         return tous.stream().map(r -> r.scene).distinct().collect(Collectors.toList());
     }
 
-    boolean estVide() {
-        return tous.isEmpty();
+    /** De la meilleure manche de toutes, en millisecondes : ce qui donne un temps à chaque rapport. */
+    double referenceMs() {
+        return tous.stream().mapToDouble(r -> r.nombre("reference_ms")).filter(t -> !Double.isNaN(t)).min().orElse(Double.NaN);
+    }
+
+    /** Du moins cher au plus juste, ce que rien ne bat en rapport et en erreur, d'après leurs seules valeurs. */
+    List<Releve> front() {
+        List<Releve> parCout = new ArrayList<>(tous);
+        parCout.sort(Comparator.comparingDouble((Releve r) -> r.rapport().valeur).thenComparingDouble(r -> r.erreur().valeur));
+        List<Releve> front = new ArrayList<>();
+        for (Releve r : parCout) {
+            if (front.isEmpty() || r.erreur().valeur < front.get(front.size() - 1).erreur().valeur) {
+                front.add(r);
+            }
+        }
+        return front;
+    }
+
+    /** Ce qui bat celui-ci à coup sûr, le plus rapide d'abord. */
+    List<Releve> quiBattent(Releve r) {
+        return tous.stream().filter(a -> a.bat(r)).sorted(Comparator.comparingDouble(a -> a.rapport().valeur))
+                .collect(Collectors.toList());
     }
 }

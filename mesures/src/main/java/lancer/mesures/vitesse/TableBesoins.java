@@ -1,12 +1,7 @@
 package lancer.mesures.vitesse;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lancer.Constantes;
@@ -18,34 +13,15 @@ final class TableBesoins {
     private static final Map<String, String> STRUCTURES = new HashMap<>();
 
     static {
-        STRUCTURES.put("CarteOeil", "une carte vue de l'œil");
-        STRUCTURES.put("Boucle", "la boucle");
+        STRUCTURES.put("Carte", "une carte vue de l'œil");
         STRUCTURES.put("Grille", "une grille");
-        STRUCTURES.put("Departs", "une carte par sphère de départ");
         STRUCTURES.put("CarteLampe", "une carte");
-        STRUCTURES.put("Secours", "un arbre");
         STRUCTURES.put("Arbre", "un arbre");
         STRUCTURES.put("Masques", "des masques");
         STRUCTURES.put("Ombres", "des masques");
-        STRUCTURES.put("Carte", "une carte vue de l'œil");
     }
 
     private TableBesoins() {
-    }
-
-    /** Les lignes du CSV, chacune par nom de colonne. */
-    static List<Map<String, String>> lire(Path csv) throws IOException {
-        List<Map<String, String>> besoins = new ArrayList<>();
-        List<String> lignes = Files.readAllLines(csv, StandardCharsets.UTF_8);
-        for (String ligne : lignes.subList(1, lignes.size())) {
-            List<String> champs = Journal.champs(ligne);
-            Map<String, String> besoin = new LinkedHashMap<>();
-            for (int c = 0; c < Besoin.COLONNES.size(); c++) {
-                besoin.put(Besoin.COLONNES.get(c), champs.get(c));
-            }
-            besoins.add(besoin);
-        }
-        return besoins;
     }
 
     static String markdown(List<Map<String, String>> besoins) {
@@ -68,23 +44,29 @@ final class TableBesoins {
                 + "sa couleur. La dernière colonne est celle de l'anticrénelage du cours, à ses réglages par défaut.\n\n"
                 + "## Ce que le programme fait pour elle\n\n"
                 + "| scène | premiers rayons | rayons réfléchis | ombres, lampe par lampe "
-                + "| sphères essayées par rayon | rayons non lancés |\n"
-                + "|---|---|---|---|---|---|\n");
+                + "| sphères essayées par rayon | rayons non lancés | rayons lancés de trop |\n"
+                + "|---|---|---|---|---|---|---|\n");
         for (Map<String, String> b : besoins) {
             String[] noms = b.get("structures").split(" ");
             s.append("| `").append(b.get("scene")).append("` | ").append(STRUCTURES.get(noms[0])).append(" | ")
                     .append(STRUCTURES.get(noms[1])).append(" | ").append(ombres(noms)).append(" | ")
                     .append(Style.nombre(Double.parseDouble(b.get("tests_par_rayon")))).append(" | ")
-                    .append(Style.arrondi(100 * economie(b))).append(" % |\n");
+                    .append(Style.arrondi(100 * economie(b))).append(" % | ").append(Style.arrondi(100 * exces(b))).append(" % |\n");
         }
         return s.append("\nLes rayons non lancés le seraient par qui suivrait partout les reflets jusqu'à la cinquième réflexion, et\n"
                 + "demanderait à chaque contact si chaque lampe y est cachée : reflets d'un Ks nul, ou d'un produit des Ks trop\n"
-                + "petit ; ombres dans le dos d'un objet, ou là où la lampe n'éclairerait rien.\n").toString();
+                + "petit ; ombres dans le dos d'un objet, ou là où la lampe n'éclairerait rien. Les rayons lancés de trop\n"
+                + "suivent, dans leur pixel, la dernière réflexion qui change sa couleur à l'écran.\n").toString();
     }
 
     /** La part des rayons qui n'ont pas été lancés. */
     static double economie(Map<String, String> b) {
         return 1 - Double.parseDouble(b.get("rayons")) / Double.parseDouble(b.get("rayons_sans_economie"));
+    }
+
+    /** La part des rayons lancés qui ne changent rien à l'écran. */
+    static double exces(Map<String, String> b) {
+        return 1 - Double.parseDouble(b.get("rayons_utiles")) / Double.parseDouble(b.get("rayons"));
     }
 
     private static String lampes(Map<String, String> b) {

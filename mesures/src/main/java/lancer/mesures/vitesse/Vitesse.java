@@ -10,39 +10,53 @@ import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lancer.Constantes;
 import lancer.SceneFautive;
+import lancer.atelier.Arguments;
 import lancer.commande.Pannes;
 import lancer.lecture.LecteurScene;
-import lancer.mesures.Circonstances;
 import lancer.mesures.stabilite.Stabilite;
 
 /**
- * La vitesse face à la précision : mesure tout ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux.
+ * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--dessiner | --stabilite] [--dossier DOSSIER]
+ * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--agitee] [--spheres | --stabilite | --dessiner]
+ *      [--dossier DOSSIER]
  * </pre>
  *
- * Chaque mesure est notée dès qu'elle est finie ; interrompue, la même commande reprend où elle en était. Statut de sortie : 0
- * tout est juste ; 1 une image est fausse, ou la machine n'a pas pu ; 2 la demande était fausse.
+ * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
+ * changé à {@code mesures/resultats} ; 2 la demande était fausse.
  */
 public final class Vitesse {
 
-    private static final String EMPREINTE = "empreinte.txt";
-    private static final String SCENE = "scenes/scene1.ini";
-    private static final String BESOINS = "besoins.csv";
-    private static final Taille TAILLE_BESOINS = new Taille(800, 600, Runtime.getRuntime().availableProcessors());
-    private static final Taille TAILLE_BESOINS_RAPIDE = new Taille(200, 150, Runtime.getRuntime().availableProcessors());
+    static final String CSV = "vitesse.csv";
+    static final String BESOINS = "besoins.csv";
 
-    private final OptionsVitesse options;
+    private static final String USAGE = "[--rapide] [--agitee] [--spheres | --stabilite | --dessiner] [--dossier DOSSIER]";
+
+    /** Où finit une mesure complète, avec ses courbes. */
+    private static final String RESULTATS = "mesures/resultats";
+
+    private static final String SCENE = "scenes/scene1.ini";
+
+    private final Arguments arguments;
+    private final boolean rapide;
     private final PrintStream sortie;
 
-    private Vitesse(OptionsVitesse options, PrintStream sortie) {
-        this.options = options;
+    /** Où mesurer, et où porter le tout à la fin. */
+    private final Path atelier;
+    private final Path resultats;
+
+    private Vitesse(PrintStream sortie, String... args) {
+        arguments = new Arguments(USAGE, false, args);
         this.sortie = sortie;
+        rapide = arguments.a("--rapide");
+        boolean aPart = rapide || arguments.a("--agitee") || arguments.a("--spheres");
+        atelier = Paths.get("mesures/target", rapide ? "vitesse-rapide" : arguments.a("--spheres") ? "spheres" : "vitesse");
+        resultats = arguments.a("--dossier") ? Paths.get(arguments.valeur("--dossier", "")) : aPart ? atelier : Paths.get(RESULTATS);
     }
 
     /** @param args voir la description de la classe */
@@ -55,7 +69,8 @@ public final class Vitesse {
         // les courbes ne demandent pas d'écran, et un écran qui ne répond pas ne doit pas les empêcher
         System.setProperty("java.awt.headless", "true");
         try {
-            return new Vitesse(OptionsVitesse.lire(args), sortie).faire();
+            new Vitesse(sortie, args).faire();
+            return 0;
         } catch (SceneFautive e) {
             erreurs.println("Vitesse : " + e.getMessage() + " ; à lancer à la racine du projet");
             return 2;
@@ -63,7 +78,7 @@ public final class Vitesse {
             erreurs.println("Vitesse : " + e.getMessage());
             return 2;
         } catch (IOException e) {
-            erreurs.println("Vitesse : " + (e.getClass() == IOException.class ? e.getMessage() : e));
+            erreurs.println("Vitesse : " + (e.getMessage() == null ? e : e.getMessage()));
             return 1;
         } catch (RuntimeException | OutOfMemoryError e) {
             erreurs.println("Vitesse : " + Pannes.message(e));
@@ -71,102 +86,60 @@ public final class Vitesse {
         }
     }
 
-    private int faire() throws IOException {
-        if (options.dessiner) {
-            new Rapport(options.resultats, options.atelier, sortie).ecrire(options.montres());
-            return 0;
-        }
-        if (options.stabilite) {
-            Files.createDirectories(options.resultats);
-            Stabilite.mesurer(options.resultats, options.rapide);
-            new Rapport(options.resultats, options.atelier, sortie).ecrire(options.montres());
-            return 0;
-        }
-        long debut = System.nanoTime();
-        commencer();
-        if (!mesurer()) {
-            return 1;
-        }
-        compterLesBesoins();
-        sortie.println("stabilité");
-        Stabilite.mesurer(options.atelier, options.rapide);
-        if (!options.resultats.equals(options.atelier)) {
-            Files.createDirectories(options.resultats);
-            for (String nom : new String[] {Ouvrier.CSV, BESOINS, Stabilite.CSV}) {
-                Files.copy(options.atelier.resolve(nom), options.resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
-            }
-        }
-        new Rapport(options.resultats, options.atelier, sortie).ecrire(options.montres());
-        // la prochaine fois, tout sera mesuré à nouveau
-        Files.deleteIfExists(options.atelier.resolve(EMPREINTE));
-        sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + options.resultats);
-        return 0;
-    }
-
-    /** Reprend une mesure interrompue si elle est de ce programme et de cette machine ; sinon la met de côté. */
-    private void commencer() throws IOException {
+    private void faire() throws IOException {
         // avant d'écrire quoi que ce soit : sommes-nous dans le projet ?
         LecteurScene.trouver(SCENE);
-        Path empreinte = options.atelier.resolve(EMPREINTE);
-        Path csv = options.atelier.resolve(Ouvrier.CSV);
-        Circonstances circonstances = new Circonstances();
-        String sienne = Empreinte.de(circonstances);
-        Files.createDirectories(options.atelier);
-        sortie.println(circonstances.machine + ", " + circonstances.jvm + ", commit " + circonstances.commit);
-        if (Files.exists(csv) && Empreinte.est(empreinte, sienne)) {
-            sortie.println("Reprise : " + new Journal(csv).lire().size() + " mesures déjà faites dans " + csv);
-            return;
+        long debut = System.nanoTime();
+        List<String> neufs = new ArrayList<>();
+        Files.createDirectories(atelier);
+        if (arguments.a("--stabilite")) {
+            neufs.add(Stabilite.CSV);
+        } else if (!arguments.a("--dessiner")) {
+            mesurer();
+            neufs.add(CSV);
         }
-        if (Files.exists(csv)) {
-            Files.move(csv, options.atelier.resolve("vitesse-precedente.csv"), StandardCopyOption.REPLACE_EXISTING);
+        if (neufs.contains(CSV) && !arguments.a("--spheres")) {
+            compterLesBesoins();
+            new FigureDifferences(rapide).ecrire(atelier);
+            neufs.add(BESOINS);
+            neufs.add(FigureDifferences.PNG);
+            neufs.add(Stabilite.CSV);
         }
-        Files.write(empreinte, sienne.getBytes(StandardCharsets.UTF_8));
-    }
-
-    /** @return faux si une image est fausse, ou si une machine virtuelle s'est arrêtée */
-    private boolean mesurer() throws IOException {
-        boolean juste = true;
-        List<Travail> travaux = Travail.tous(options.rapide);
-        Journal journal = new Journal(options.atelier.resolve(Ouvrier.CSV));
-        for (int k = 0; k < travaux.size(); k++) {
-            Travail travail = travaux.get(k);
-            Set<String> faites = journal.clesFaites();
-            if (travail.methodes().stream().allMatch(m -> faites.contains(travail.scene + "/" + m.cle()))) {
-                continue;
+        if (neufs.contains(Stabilite.CSV)) {
+            sortie.println("stabilité");
+            Stabilite.mesurer(atelier, rapide);
+        }
+        Files.createDirectories(resultats);
+        for (String nom : neufs) {
+            if (!resultats.equals(atelier)) {
+                Files.copy(atelier.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
             }
-            sortie.println(travail.nom() + " (" + (k + 1) + "/" + travaux.size() + ")");
-            juste &= lancer(k) == 0;
         }
-        return juste;
+        if (!arguments.a("--spheres")) {
+            new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
+        }
+        sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + resultats);
     }
 
-    /** Chaque travail a sa machine virtuelle : le code n'y est compilé que pour lui. */
-    private int lancer(int rang) throws IOException {
-        Process processus = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-                System.getProperty("java.class.path"), Ouvrier.class.getName(), String.valueOf(rang), String.valueOf(options.rapide),
-                options.atelier.toString()).inheritIO().start();
-        try {
-            return processus.waitFor();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IOException("mesure interrompue");
-        } finally {
-            processus.destroy();
-        }
+    private void mesurer() throws IOException {
+        boolean spheres = arguments.a("--spheres");
+        new Mesureur(rapide, arguments.a("--agitee"), atelier.resolve(CSV), sortie).mesurer(new Catalogue(rapide).groupes().stream()
+                .filter(g -> !spheres || g.famille.equals(Catalogue.SPHERES)).collect(Collectors.toList()));
     }
 
     /** Toutes les scènes livrées, dans l'ordre de leurs noms. */
     private void compterLesBesoins() throws IOException {
-        List<Path> scenes = new ArrayList<>();
-        try (Stream<Path> fichiers = Files.list(LecteurScene.trouver(SCENE).getParent())) {
-            scenes.addAll(fichiers.filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList()));
+        List<Path> scenes;
+        try (Stream<Path> fichiers = Files.list(LecteurScene.trouver(SCENE).toAbsolutePath().getParent())) {
+            scenes = fichiers.filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList());
         }
+        Taille taille = rapide ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
         List<String> lignes = new ArrayList<>();
         lignes.add(String.join(",", Besoin.COLONNES));
         for (Path scene : scenes) {
-            lignes.add(new Besoin(scene, options.rapide ? TAILLE_BESOINS_RAPIDE : TAILLE_BESOINS).ligne());
+            lignes.add(new Besoin(scene, taille).ligne());
             sortie.println("besoins de " + scene.getFileName());
         }
-        Files.write(options.atelier.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
+        Files.write(atelier.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
     }
 }

@@ -1,7 +1,6 @@
 package lancer.mesures.juge;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -19,7 +18,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import lancer.Scene;
-import lancer.mesures.Scenes;
+import lancer.atelier.Scenes;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -57,7 +56,7 @@ class JugeTest {
         }
 
         @Override
-        public Raster dessiner(String texte, String nom, int largeur, int hauteur) {
+        public Raster dessiner(String texte, String nom, int largeur, int hauteur, String... options) {
             dessins.add(nom);
             Scene lue = Scenes.lire(scene);
             lue.setSeuil(texte.contains("adc_bailout 0.0") ? 0 : lue.getSeuil());
@@ -92,18 +91,18 @@ class JugeTest {
     }
 
     @Test
-    void deuxImagesDAccordNAppellentAucuneExplication() throws IOException {
+    void deuxImagesDAccordSontNotees() throws IOException {
         Path csv = dossier.resolve("nouveau/juge.csv");
         Sosie sosie = new Sosie(grise, 0);
         assertEquals(0, juger((c, d) -> sosie, "--taille", TAILLE, "--reflets", "3", "--csv", csv.toString(), grise.toString()));
         assertEquals("", texte(erreurs));
-        assertTrue(texte(sortie).contains("rien à expliquer"), texte(sortie));
+        assertTrue(texte(sortie).contains("d'accord"), texte(sortie));
         assertEquals(Arrays.asList("grise"), sosie.dessins);
         List<String> lignes = Files.readAllLines(csv);
         assertEquals(2, lignes.size());
         assertEquals(lignes.get(0).split(",").length, lignes.get(1).split(",").length);
-        assertTrue(lignes.get(1).startsWith("le sosie,40,30,grise,2,3,9.765625E-4,1,0,0,0.00"), lignes.get(1));
-        assertTrue(lignes.get(1).endsWith(",0,0,0,0,0,0,0,0"), lignes.get(1));
+        assertTrue(lignes.get(1).startsWith("grise,40,30,2,3,1,0,0,0.00"), lignes.get(1));
+        assertTrue(lignes.get(1).endsWith(",oui"), lignes.get(1));
     }
 
     @Test
@@ -114,18 +113,16 @@ class JugeTest {
     }
 
     @Test
-    void unSeulPixelFauxDeDeuxNiveauxEstDenonce() {
-        assertEquals(1, juger((c, d) -> new Sosie(grise, 2), "--taille", TAILLE, "--reflets", "3", grise.toString()));
-        assertTrue(texte(sortie).contains("inexpliqué 1"), texte(sortie));
-        assertTrue(texte(sortie).contains("pixel (5, 5) : lancer "), texte(sortie));
-        assertTrue(texte(sortie).contains("PIXELS INEXPLIQUÉS : 1"), texte(sortie));
+    void unPixelFauxDUnNiveauDEcranEstDenonce() {
+        assertEquals(1, juger((c, d) -> new Sosie(grise, 300), "--taille", TAILLE, "--reflets", "3", grise.toString()));
+        assertTrue(texte(sortie).contains("DÉSACCORD, le pire au pixel (5, 5) : lancer "), texte(sortie));
     }
 
     @Test
     void unReglageDeTropSeVoit() {
         // le juge a 3 reflets, nous 0
         assertEquals(1, juger((c, d) -> new Sosie(grise, 0), "--taille", TAILLE, "--reflets", "0", grise.toString()));
-        assertFalse(texte(sortie).contains("rien à expliquer"), texte(sortie));
+        assertTrue(texte(sortie).contains("DÉSACCORD"), texte(sortie));
     }
 
     @Test
@@ -150,14 +147,14 @@ class JugeTest {
         Path dedans = Files.write(dossier.resolve("dedans.ini"), Arrays.asList("[Sphere]", "centre=0 0 0", "rayon=1"));
         assertEquals(0, juger((c, d) -> new Sosie(grise, 0), "--taille", TAILLE, "--reflets", "3", dedans.toString(), grise.toString()));
         assertTrue(texte(sortie).contains("non jugée : Sphere("), texte(sortie));
-        assertTrue(texte(sortie).contains("rien à expliquer"), texte(sortie));
+        assertTrue(texte(sortie).contains("d'accord"), texte(sortie));
     }
 
     @ParameterizedTest(name = "« {0} »")
     @ValueSource(strings = {"--inconnue 3", "--csv", "--reflets -1 x.ini", "--reflets 3", "--taille 0x0 x.ini", "absente.ini"})
     void uneDemandeFausseTientEnUneLigneEtLeStatut2(String args) {
         assertEquals(2, juger((c, d) -> new Sosie(grise, 0), args.split(" ")));
-        assertEquals("", texte(sortie).replaceAll("(?s)Le juge est.*explication\\s*", ""));
+        assertEquals("", texte(sortie).replaceAll("(?s)Le juge est.*verdict\\s*", ""));
         assertEquals(1, texte(erreurs).split("\n").length, texte(erreurs));
         assertTrue(texte(erreurs).startsWith("Juge : "), texte(erreurs));
     }
@@ -165,9 +162,9 @@ class JugeTest {
     @Test
     void sansSceneToutesLesScenesLivreesSontJugees() {
         List<String> noms = new ArrayList<>();
-        OptionsJuge.lire().affaires.forEach(a -> noms.add(a.nom + " " + a.reflets));
+        Affaire.toutes().forEach(a -> noms.add(a.nom + " " + a.reflets));
         assertEquals(Arrays.asList("scene1 5", "diffus 5", "ombres 5", "miroirs 5", "bowling 5", "tournesol 5", "brume 5", "miroirs 40",
-                "flocon-7381 5", "foule-10000 5"), noms);
+                "flocon-4 5", "foule-10000 5"), noms);
         Path scenes = Paths.get("..", "scenes");
         String[] livrees = scenes.toFile().list((d, nom) -> nom.endsWith(".ini"));
         for (String livree : livrees) {
@@ -185,7 +182,7 @@ class JugeTest {
         Path garde = dossier.resolve("garde");
         assertEquals(0, juger(PovRay::new, "--taille", TAILLE, "--garder", garde.toString(), grise.toString(), coloree.toString()),
                 texte(sortie) + texte(erreurs));
-        assertEquals(2, texte(sortie).split("rien à expliquer", -1).length - 1, texte(sortie));
+        assertEquals(2, texte(sortie).split("  d'accord", -1).length - 1, texte(sortie));
         assertTrue(Files.exists(garde.resolve("grise.pov")) && Files.exists(garde.resolve("coloree-verte.png")));
     }
 }

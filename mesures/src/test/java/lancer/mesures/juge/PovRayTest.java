@@ -40,7 +40,8 @@ class PovRayTest {
                 "[ \"$1\" = --version ] && { echo 'POV-Ray 3.9.1.unofficial'; exit; }",
                 "echo \"$@\" >> demandes",
                 "[ $(wc -l < demandes) -gt $(cat echecs) ] || { echo; echo 'Fatal error: en retard'; exit 3; }",
-                "cp image.png \"${2#+O}\""), StandardCharsets.UTF_8);
+                "echo 'Trace Time:       0 hours  0 minutes  1 seconds (1.250 seconds)'",
+                "echo '              using 2 thread(s) with 2.500 CPU-seconds total'", "cp image.png \"${2#+O}\""), StandardCharsets.UTF_8);
         assertTrue(commande.toFile().setExecutable(true));
     }
 
@@ -67,8 +68,17 @@ class PovRayTest {
                 lue.getPixels(0, 0, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, (int[]) null));
         assertEquals("la scène", new String(Files.readAllBytes(dossier.resolve("essai.pov")), StandardCharsets.UTF_8));
         assertEquals(Arrays.asList("+I" + dossier.resolve("essai.pov") + " +O" + dossier.resolve("essai.png")
-                + " +FN16 File_Gamma=1 +W40 +H30 -D -P -A -V"), Files.readAllLines(dossier.resolve("demandes")));
+                + " +FN16 File_Gamma=1 +W40 +H30 -D -P -V -J -A"), Files.readAllLines(dossier.resolve("demandes")));
         assertEquals("POV-Ray 3.9.1", new PovRay(commande.toString(), dossier).nom());
+    }
+
+    @Test
+    void sonTempsEstCeluiQuIlDitAvoirPasseATracer() throws IOException {
+        preparer(0, image());
+        PovRay povray = new PovRay(commande.toString(), dossier);
+        povray.dessiner("la scène", "essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, "+A0.1", "+R3");
+        assertArrayEquals(new double[] {1.25e9, 2.5e9}, Arrays.copyOfRange(povray.temps(), 1, 3));
+        assertTrue(Files.readAllLines(dossier.resolve("demandes")).get(0).endsWith(" -J +A0.1 +R3"));
     }
 
     @Test

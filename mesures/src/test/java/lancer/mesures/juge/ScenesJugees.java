@@ -13,7 +13,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.sortie.ImageMemoire;
+import lancer.mesures.ImageLineaire;
 
 /** De petites scènes, et des images de 16 bits faites de nos couleurs. */
 final class ScenesJugees {
@@ -48,17 +48,17 @@ final class ScenesJugees {
         return new Lancer(scene, new Camera(LARGEUR, HAUTEUR));
     }
 
-    static float[] couleurs(Scene scene) {
-        ImageMemoire image = new ImageMemoire(LARGEUR, HAUTEUR, true);
-        lancer(scene).TracerPixels(image, REFLETS, 1);
-        return image.getLineaire();
+    static ImageLineaire couleurs(Scene scene) {
+        return ImageLineaire.de(lancer(scene), REFLETS, 1);
     }
 
     /** Ces couleurs, limitées et arrondies comme dans un PNG de 16 bits. */
-    static WritableRaster image(float[] couleurs) {
+    static WritableRaster image(ImageLineaire couleurs) {
         WritableRaster image = Raster.createInterleavedRaster(DataBuffer.TYPE_USHORT, LARGEUR, HAUTEUR, 3, null);
-        for (int k = 0; k < couleurs.length; k++) {
-            image.setSample(k / 3 % LARGEUR, k / 3 / LARGEUR, k % 3, (int) Math.round(65535 * Accord.limite(couleurs[k])));
+        double[] composantes = couleurs.getComposantes();
+        for (int k = 0; k < composantes.length; k++) {
+            image.setSample(k / 3 % LARGEUR, k / 3 / LARGEUR, k % 3,
+                    (int) Math.round(65535 * Math.max(0, Math.min(1, composantes[k]))));
         }
         return image;
     }

@@ -38,27 +38,17 @@ class StyleTest {
         assertEquals("1", Style.arrondi(0.999));
     }
 
-    private List<String> graduations(double min, double max, double zero) {
-        return new Axe("", min, max, zero).refreshTicks(g, new AxisState(), new Rectangle2D.Double(0, 0, 600, 400), RectangleEdge.LEFT)
+    private List<String> graduations(double min, double max) {
+        return new Axe("", min, max).refreshTicks(g, new AxisState(), new Rectangle2D.Double(0, 0, 600, 400), RectangleEdge.LEFT)
                 .stream().map(NumberTick::getText).collect(Collectors.toList());
     }
 
     @Test
     void unAxeLogarithmiqueEstGradueDeNombresRondsDAutantMoinsQuIlEstLong() {
-        assertEquals(Arrays.asList("0,5", "1", "2", "5", "10", "20"), graduations(0.4, 25, 0));
-        assertEquals(Arrays.asList("2", "2,5", "3", "3,5", "4", "4,5"),
-                graduations(2, 4.6, 0).stream().limit(6).collect(Collectors.toList()));
-        assertEquals(Arrays.asList("0,001", "0,01", "0,1", "1", "10", "100"), graduations(0.001, 100, 0));
-        assertEquals(Arrays.asList("0,01", "0,1", "1", "10", "100", "0"), graduations(0.001, 100, 0.0005));
-    }
-
-    @Test
-    void zeroEstDessineDansSaBandeSurUnAxeQuiNeSauraitLAtteindre() {
-        Axe axe = new Axe("", 0.001, 100, 0.0005);
-        assertEquals(0.0005, axe.place(0));
-        assertEquals(0.0005, axe.place(1e-9));
-        assertEquals(0.5, axe.place(0.5));
-        assertTrue(axe.getLowerBound() < 0.0005);
+        assertEquals(Arrays.asList("0,5", "1", "2", "5", "10", "20"), graduations(0.4, 25));
+        assertEquals(Arrays.asList("2", "2,5", "3", "4"),
+                graduations(2, 4.6));
+        assertEquals(Arrays.asList("10⁻³", "0,01", "0,1", "1", "10", "100"), graduations(0.001, 100));
     }
 
     @Test
@@ -83,19 +73,21 @@ class StyleTest {
 
     @Test
     void unGuillemetNEstPasSepareDeSonMot() {
-        Paragraphe etroit = new Paragraphe(g, "un « mot » : 2 fois", Style.AXE, 1);
-        assertEquals(3 * g.getFontMetrics(Style.AXE).getHeight(), etroit.hauteur(), "un / « mot » : / 2 fois");
+        double une = Style.texte(g, "un", Style.TEXTE, Color.BLACK, 0, 0, 500, false);
+        // « un / « mot » : / 2 fois »
+        assertEquals(3 * une, Style.texte(g, "un « mot » : 2 fois", Style.TEXTE, Color.BLACK, 0, 0, 100, false), 0.1 * une);
     }
 
     @Test
     void toutesLesPlanchesOntLaMemeTailleEtDesMarquesDeToutesLesCouleursDeLaLegende() {
         Serie serie = new Serie("mesures", Style.VERMILLON, FormeDePoint.LOSANGE, true,
-                Arrays.asList(Marque.en(1, 10).nommee("un").entreX(0.8, 1.2), Marque.en(10, 1).creuse(), Marque.en(100, 0).cerclee()));
-        Volet volet = new Volet("Le constat", "le sujet", "x, en ms", "y, en pas").plancher(0.1).serie(serie)
-                .front(serie.marques).repere(5, "un repère");
+                Arrays.asList(Marque.en(1, 10).nommee("un").entreX(0.8, 1.2), Marque.en(10, 1).creuse(), Marque.en(100, 0.4).cerclee()));
+        Volet volet = new Volet("Le constat", "le sujet", "x, en ms", "y, en pas").serie(serie)
+                .front(serie.marques).repere(5, "un repère").zone(0.5, "rien d'autre");
         BufferedImage planche = new Planche("Un titre", "une note").volet(volet, 1).volet(volet, 2).dessiner();
         assertEquals(Style.LARGEUR, planche.getWidth());
         assertEquals(Style.HAUTEUR, planche.getHeight());
+        assertEquals(800, new Planche("Un titre", "").volet(volet, 1).taille(800, 500).dessiner().getWidth());
         int[] pixels = planche.getRGB(0, 0, planche.getWidth(), planche.getHeight(), null, 0, planche.getWidth());
         for (Color couleur : new Color[] {Style.VERMILLON, Style.FRONT, Style.BANDE, Style.NOIR}) {
             assertTrue(Arrays.stream(pixels).filter(p -> p == couleur.getRGB()).count() > 100, couleur.toString());

@@ -11,13 +11,14 @@ import java.nio.file.Paths;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import lancer.atelier.FichierCsv;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Ce que demande une scène. */
 class BesoinTest {
 
-    private static final Taille TAILLE = new Taille(80, 60, 2);
+    private static final Taille TAILLE = new Taille(80, 60);
 
     @TempDir
     Path dossier;
@@ -31,7 +32,7 @@ class BesoinTest {
     private Map<String, String> champs(Besoin besoin) throws IOException {
         Path csv = dossier.resolve("besoins.csv");
         Files.write(csv, (String.join(",", Besoin.COLONNES) + "\n" + besoin.ligne() + "\n").getBytes(StandardCharsets.UTF_8));
-        return TableBesoins.lire(csv).get(0);
+        return FichierCsv.lire(csv).get(0);
     }
 
     @Test

@@ -2,126 +2,114 @@ package lancer.mesures.vitesse;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
+import java.util.Collections;
 import java.util.List;
-import java.util.Set;
-import javax.imageio.ImageIO;
-import lancer.mesures.stabilite.Stabilite;
+import java.util.stream.Collectors;
+import lancer.atelier.FichierCsv;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** La commande {@code make mesures}. */
+/** La mesure de bout en bout, et ce qu'elle en dit. */
 class VitesseTest {
-
-    private static final List<String> COURBES = Arrays.asList("scene1-rayons", "scene1-temps", "bowling-rayons", "bowling-temps",
-            "miroirs-rayons", "miroirs-temps", "tournesol-rayons", "tournesol-temps", "phong-blinn", "demandes", "spheres",
-            "stabilite-loin", "stabilite-ras", "stabilite-sol", "stabilite-carte", "stabilite-defauts");
 
     @TempDir
     Path dossier;
 
     private final ByteArrayOutputStream sortie = new ByteArrayOutputStream();
-    private final ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
 
-    private int vitesse(String... args) throws IOException {
-        return Vitesse.executer(args, new PrintStream(sortie, true, "UTF-8"), new PrintStream(erreurs, true, "UTF-8"));
-    }
-
-    @ParameterizedTest(name = "« {0} » est refusé d'une ligne")
-    @ValueSource(strings = {"--vite", "--dossier", "--rapide=1", "scenes/scene1.ini"})
-    void uneDemandeFausseTientEnUneLigne(String demande) throws IOException {
-        assertEquals(2, vitesse(demande));
-        assertEquals("", sortie.toString("UTF-8"));
-        assertTrue(erreurs.toString("UTF-8").matches("Vitesse : .+\\R"), erreurs.toString("UTF-8"));
+    @ParameterizedTest(name = "« {0} »")
+    @ValueSource(strings = {"--inconnue", "--dossier", "scene1", "--rapide --rapide"})
+    void uneDemandeFausseTientEnUneLigneEtLeStatut2(String args) {
+        ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
+        assertEquals(2, Vitesse.executer(args.split(" "), new PrintStream(sortie), new PrintStream(erreurs)));
+        assertEquals("", sortie.toString());
+        assertTrue(erreurs.toString().startsWith("Vitesse : ") && erreurs.toString().trim().split("\n").length == 1, erreurs.toString());
     }
 
     @Test
-    void lanceeHorsDuProjetElleLeDitDUneLigneEtNEcritRien() throws IOException, InterruptedException {
-        Path ailleurs = Files.createDirectories(dossier.resolve("ailleurs").resolve("loin"));
-        Process processus = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-                System.getProperty("java.class.path"), Vitesse.class.getName(), "--rapide").directory(ailleurs.toFile())
-                .redirectErrorStream(true).redirectOutput(dossier.resolve("sortie.txt").toFile()).start();
-        assertEquals(2, processus.waitFor());
-        List<String> lignes = Files.readAllLines(dossier.resolve("sortie.txt"));
-        assertEquals(1, lignes.size(), lignes.toString());
-        assertTrue(lignes.get(0).contains("à la racine du projet"), lignes.get(0));
-        try (java.util.stream.Stream<Path> ecrits = Files.list(ailleurs)) {
-            assertEquals(0, ecrits.count());
-        }
+    void chaqueMethodeEstMesureeVerifieeJugeeEtNotee() throws IOException {
+        Catalogue.Groupe tout = new Catalogue(true).groupe(Catalogue.METHODES, "scene1");
+        List<Methode> deux = Arrays.asList(tout.methodes.get(0), tout.methode("grille/2 × 2"));
+        Path csv = dossier.resolve("vitesse.csv");
+        new Mesureur(true, true, csv, new PrintStream(sortie)).mesurer(
+                Collections.singletonList(new Catalogue.Groupe(Catalogue.METHODES, "scene1", deux, 1, true)));
+        Releves releves = Releves.lire(csv);
+        Releve un = releves.le(Catalogue.UN_RAYON, "");
+        Releve grille = releves.le(Catalogue.GRILLE, "2 × 2");
+        assertEquals(30000, un.nombre("primaires"));
+        assertEquals(4 * 30000, grille.nombre("primaires"));
+        assertEquals(30000, un.nombre("pixels_verifies"));
+        assertTrue(grille.erreur().nettementSous(un.erreur()), "quatre rayons par pixel se trompent moins qu'un");
+        assertTrue(un.nombre("reference_ms") > 0 && un.nombre("rapport") > 0 && un.nombre("manches") == 2);
+    }
+
+    // ---- ce qu'on en dit
+
+    private final List<String> lignes = new ArrayList<>(Collections.singletonList(String.join(",", Releve.COLONNES)));
+
+    private void noter(String methode, String parametres, double rapport, double erreur) {
+        List<String> champs = Arrays.asList("famille", Catalogue.METHODES, "scene", "scene1", "methode", methode, "parametres", parametres,
+                "rapport", "" + rapport, "rapport_min", "" + rapport / 1.05, "rapport_max", "" + rapport * 1.05, "erreur", "" + erreur,
+                "erreur_min", "" + erreur * 0.95, "erreur_max", "" + erreur * 1.05, "reference_ms", "40");
+        lignes.add(FichierCsv.ligne(Releve.COLONNES.stream()
+                .map(c -> champs.indexOf(c) < 0 ? "" : champs.get(champs.indexOf(c) + 1)).toArray()));
+    }
+
+    private String titre() throws IOException {
+        Path csv = Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8);
+        return new Constats(Releves.lire(csv), Collections.emptyList()).titre("scene1");
     }
 
     @Test
-    void sansMesuresADessinerElleLeDitDUneLigne() throws IOException {
-        assertEquals(1, vitesse("--dessiner", "--dossier", dossier.toString()));
-        assertTrue(erreurs.toString("UTF-8").matches("Vitesse : .+\\R"), erreurs.toString("UTF-8"));
+    void unReglageNEnBatUnAutreQueSiLesDeuxIntervallesLePortent() throws IOException {
+        noter(Catalogue.COINS, Catalogue.COINS_DEFAUT, 4, 1.5);
+        noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 2, 1.45);
+        assertTrue(titre().contains("aucune différence"), titre());
+        noter(Catalogue.PARTAGE, "n=4 seuil=0.06", 2, 1.2);
+        assertEquals("Scène du cours : « partage » (4 ; 0,06) bat « coins » (3 ; 0,05), de 1,8 à 2,2 fois moins de temps", titre());
     }
 
     @Test
-    void toutesLesCourbesSeRedessinentDesMesuresNoteesMemeSiLEcranNeRepondPas() throws IOException, InterruptedException {
-        for (String nom : new String[] {Ouvrier.CSV, "besoins.csv", Stabilite.CSV}) {
-            Files.copy(Faux.projet("mesures/resultats").resolve(nom), dossier.resolve(nom));
-        }
-        ProcessBuilder commande = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-                System.getProperty("java.class.path"), Vitesse.class.getName(), "--dessiner", "--dossier", dossier.toString());
-        commande.environment().put("DISPLAY", ":987");
-        assertEquals(0, commande.inheritIO().redirectOutput(dossier.resolve("sortie.txt").toFile()).start().waitFor());
-        Set<Integer> differentes = new HashSet<>();
-        for (String courbe : COURBES) {
-            BufferedImage image = ImageIO.read(dossier.resolve(courbe + ".png").toFile());
-            assertEquals(1600, image.getWidth(), courbe);
-            assertEquals(1000, image.getHeight(), courbe);
-            int[] pixels = image.getRGB(0, 0, 1600, 1000, null, 0, 1600);
-            long encre = Arrays.stream(pixels).filter(p -> p != -1).count();
-            assertTrue(encre > 30000 && encre < 800000, courbe + " : " + encre + " pixels dessinés");
-            differentes.add(Arrays.hashCode(pixels));
-        }
-        assertEquals(COURBES.size(), differentes.size());
-        assertFalse(Files.exists(dossier.resolve("scene1-rayons.png.tmp")));
+    void ceDontDeuxMachinesVirtuellesDifferentNEstPasUneDifference() throws IOException {
+        noter(Catalogue.COINS, Catalogue.COINS_DEFAUT, 4, 1.5);
+        noter(Catalogue.PARTAGE, "n=4 seuil=0.06", 3, 1.2);
+        assertFalse(titre().contains("aucune différence"), titre());
+        // la même chose, ailleurs, va un quart plus lentement : trois quarts ne se distinguent plus de un
+        noter(Catalogue.UN_RAYON, "", 1.25, 6);
+        assertTrue(titre().contains("aucune différence"), titre());
     }
 
     @Test
-    void rapideElleNEcritQueDansSonDossierEtNeMesureQuUnePartieDuCatalogue() {
-        OptionsVitesse rapide = OptionsVitesse.lire("--rapide");
-        assertEquals(rapide.atelier, rapide.resultats);
-        assertFalse(rapide.montres());
-        assertNotEquals(rapide.atelier, OptionsVitesse.lire().atelier);
-        assertTrue(OptionsVitesse.lire().montres());
-        Set<String> toutes = new HashSet<>();
-        Travail.tous(false).forEach(t -> t.methodes().forEach(m -> assertTrue(toutes.add(t.scene + m.cle()), m.cle())));
-        Travail.tous(true).forEach(t -> t.methodes().forEach(m -> assertTrue(toutes.contains(t.scene + m.cle()), m.cle())));
+    void leFrontEstCeQueRienNeBatEnTempsEtEnErreur() throws IOException {
+        noter(Catalogue.BROUILLON, "4 × 4", 0.1, 20);
+        noter(Catalogue.UN_RAYON, "", 1, 6);
+        noter(Catalogue.GRILLE, "2 × 2", 4, 1.5);
+        noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 3, 1.5);
+        noter(Catalogue.PROFONDEUR, "p=0", 0.5, 40);
+        Path csv = Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8);
+        assertEquals(Arrays.asList(Catalogue.BROUILLON, Catalogue.UN_RAYON, Catalogue.PARTAGE),
+                Releves.lire(csv).front().stream().map(r -> r.methode).collect(Collectors.toList()));
     }
 
     @Test
-    void chaqueReglageParDefautEstMesureUneFoisParScene() throws IOException {
-        Releves releves = new Releves(new Journal(Faux.projet("mesures/resultats").resolve(Ouvrier.CSV)).lire());
-        assertEquals(new Catalogue(false).scenes(), releves.de(Famille.ECHANTILLONNAGE).scenes());
-        for (String scene : new Catalogue(false).scenes()) {
-            assertEquals(2, releves.de(scene, Famille.ECHANTILLONNAGE).get().stream().filter(Catalogue::estParDefaut).count());
-            assertEquals(1, releves.de(scene, Famille.REFLETS).get().stream().filter(Catalogue::estParDefaut).count());
-        }
-    }
-
-    @Test
-    void laVeriteEstConnueBienMieuxQueLesErreursQuElleJuge() throws IOException {
-        Releves releves = new Releves(new Journal(Faux.projet("mesures/resultats").resolve(Ouvrier.CSV)).lire());
-        for (String scene : releves.de(Famille.VERITE).scenes()) {
-            double reste = releves.de(scene, Famille.VERITE).de("moyenne").get().get(0).erreurEnPas();
-            Releve defaut = Constats.defaut(releves.de(scene, Famille.ECHANTILLONNAGE), Catalogue.COINS);
-            assertTrue(reste < defaut.erreurEnPas() / 5, scene + " : " + reste + " pas");
-            assertTrue(releves.de(scene, Famille.VERITE).de("sans limite").get().get(0).erreurEnPas() < 1e-6, scene);
+    void chaqueMethodeDuCatalogueASonNomEtChaqueGroupeSaReference() {
+        for (boolean court : new boolean[] {true, false}) {
+            for (Catalogue.Groupe groupe : new Catalogue(court).groupes()) {
+                assertEquals(groupe.methodes.size(), groupe.methodes.stream().map(Methode::cle).distinct().count(), groupe.scene);
+                assertTrue(groupe.enProcessus() || groupe.methodes.get(0).cle().endsWith("/"), groupe.scene);
+            }
         }
     }
 }

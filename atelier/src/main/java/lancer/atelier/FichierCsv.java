@@ -1,0 +1,76 @@
+package lancer.atelier;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** Des lignes de champs séparés par des virgules (RFC 4180), sans fin de ligne dans un champ ; la première les nomme. */
+public final class FichierCsv {
+
+    private FichierCsv() {
+    }
+
+    /** Une ligne, sans sa fin. */
+    public static String ligne(Object... valeurs) {
+        return Arrays.stream(valeurs).map(v -> champ(v.toString())).collect(Collectors.joining(","));
+    }
+
+    /** Entre guillemets si une virgule ou un guillemet l'exige. */
+    private static String champ(String texte) {
+        return texte.matches("[^\",\\r\\n]*") ? texte : '"' + texte.replace("\"", "\"\"") + '"';
+    }
+
+    /**
+     * Les lignes d'un fichier, chacune par noms de colonnes.
+     *
+     * @throws IOException si une ligne n'a pas les champs que nomme la première
+     */
+    public static List<Map<String, String>> lire(Path fichier) throws IOException {
+        List<String> lignes = Files.readAllLines(fichier, StandardCharsets.UTF_8);
+        List<Map<String, String>> lues = new ArrayList<>();
+        List<String> colonnes = lignes.isEmpty() ? new ArrayList<>() : champs(lignes.get(0));
+        for (int k = 1; k < lignes.size(); k++) {
+            List<String> valeurs = champs(lignes.get(k));
+            if (valeurs.size() != colonnes.size()) {
+                throw new IOException(fichier + ", ligne " + (k + 1) + " : " + valeurs.size() + " champs au lieu de "
+                        + colonnes.size());
+            }
+            Map<String, String> parNom = new LinkedHashMap<>();
+            for (int c = 0; c < valeurs.size(); c++) {
+                parNom.put(colonnes.get(c), valeurs.get(c));
+            }
+            lues.add(parNom);
+        }
+        return lues;
+    }
+
+    /** Les champs d'une ligne. */
+    static List<String> champs(String ligne) {
+        List<String> champs = new ArrayList<>();
+        StringBuilder champ = new StringBuilder();
+        boolean cite = false;
+        for (int k = 0; k < ligne.length(); k++) {
+            char c = ligne.charAt(k);
+            if (cite && c == '"' && k + 1 < ligne.length() && ligne.charAt(k + 1) == '"') {
+                champ.append('"');
+                k++;
+            } else if (c == '"') {
+                cite = !cite;
+            } else if (c == ',' && !cite) {
+                champs.add(champ.toString());
+                champ.setLength(0);
+            } else {
+                champ.append(c);
+            }
+        }
+        champs.add(champ.toString());
+        return champs;
+    }
+}

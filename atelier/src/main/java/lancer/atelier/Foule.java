@@ -1,0 +1,85 @@
+package lancer.atelier;
+
+import java.io.IOException;
+import java.util.Random;
+
+/** Voir {@link Generateur#foule}. */
+final class Foule {
+
+    /** La boîte qui contient toutes les boules, tout entière dans l'image. */
+    private static final double LARGEUR = 4.8;
+    private static final double HAUTEUR = 3.6;
+    private static final double FOND = 6;
+    private static final double Z = 6;
+
+    /** Part des cases qui ont une boule : ni grille régulière, ni boîte vide. */
+    private static final double REMPLISSAGE = 0.6;
+
+    private static final int MATERIAUX = 36;
+
+    private final Plume plume;
+    private final int n;
+    private final long graine;
+    private final Random hasard;
+
+    Foule(Plume plume, int n, long graine, Random hasard) {
+        this.plume = plume;
+        this.n = n;
+        this.graine = graine;
+        this.hasard = hasard;
+    }
+
+    void ecrire() throws IOException {
+        plume.commentaires("Une foule : " + n + " boules au hasard, qui ne se touchent pas.", "",
+                "À regarder : le temps du dessin, et comment il grandit avec le nombre de boules.", "",
+                "Écrite par lancer.atelier.Generateur foule " + n + " " + graine);
+        String[] materiaux = new String[MATERIAUX];
+        for (int i = 0; i < MATERIAUX; i++) {
+            double[] kd = Teinte.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);
+            materiaux[i] = Plume.materiau(kd, Teinte.gris(0.2 + 0.1 * (i % 3)), 40 + 40 * (i % 3));
+        }
+        double cote = StrictMath.cbrt(LARGEUR * HAUTEUR * FOND * REMPLISSAGE / n);
+        while (cases(cote) < n) {
+            cote *= 0.99;
+        }
+        semer(cote, materiaux);
+        plume.lampe("principale", -40, 60, -50, 1, 0.95, 0.86);
+        plume.lampe("appoint", 50, 20, -20, 0.35, 0.4, 0.5);
+        plume.vider();
+    }
+
+    /** Une boule au plus par case : deux boules ne peuvent se toucher, et rien n'est gardé en mémoire. */
+    private void semer(double cote, String[] materiaux) throws IOException {
+        long nx = (long) (LARGEUR / cote);
+        long ny = (long) (HAUTEUR / cote);
+        long nz = (long) (FOND / cote);
+        long restentCases = cases(cote);
+        long restentBoules = n;
+        for (long k = 0; k < nz; k++) {
+            // chaque couche et chaque rangée décalées : sans quoi l'œil verrait des allées
+            double dy = hasard.nextDouble() - 0.5;
+            for (long j = 0; j < ny; j++) {
+                double dx = hasard.nextDouble() - 0.5;
+                for (long i = 0; i < nx; i++) {
+                    // chaque choix de n cases est aussi probable (Knuth, algorithme S)
+                    if (hasard.nextDouble() * restentCases < restentBoules) {
+                        restentBoules--;
+                        boule((i - nx / 2.0 + dx) * cote, (j - ny / 2.0 + dy) * cote, Z + k * cote, cote, materiaux);
+                    }
+                    restentCases--;
+                }
+            }
+        }
+    }
+
+    private void boule(double x, double y, double z, double cote, String[] materiaux) throws IOException {
+        double rayon = cote * (0.2 + 0.22 * hasard.nextDouble());
+        double jeu = cote - 2 * rayon;
+        plume.sphere(x + rayon + jeu * hasard.nextDouble(), y + rayon + jeu * hasard.nextDouble(),
+                z + rayon + jeu * hasard.nextDouble(), rayon, materiaux[hasard.nextInt(MATERIAUX)]);
+    }
+
+    private static long cases(double cote) {
+        return (long) (LARGEUR / cote) * (long) (HAUTEUR / cote) * (long) (FOND / cote);
+    }
+}

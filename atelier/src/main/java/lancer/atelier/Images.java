@@ -1,0 +1,80 @@
+package lancer.atelier;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+
+/**
+ * Met à jour un dossier d'images PNG : n'y remplace que celles dont un pixel a changé. Les octets d'un PNG, eux, dépendent de
+ * la bibliothèque de compression de la machine.
+ *
+ * <pre>
+ * java -cp mesures/target/mesures.jar lancer.atelier.Images target/images images
+ * </pre>
+ */
+public final class Images {
+
+    private Images() {
+    }
+
+    /** @param args le dossier des images neuves, et celui à mettre à jour */
+    public static void main(String[] args) {
+        if (args.length != 2) {
+            System.err.println("Images : usage : Images DOSSIER_NEUF DOSSIER");
+            System.exit(2);
+        }
+        try {
+            for (String nom : actualiser(Paths.get(args[0]), Paths.get(args[1]))) {
+                System.out.println("changée : " + nom);
+            }
+        } catch (IOException | UncheckedIOException e) {
+            System.err.println("Images : " + e.getMessage());
+            System.exit(1);
+        }
+    }
+
+    /** @return les noms des images remplacées ou ajoutées */
+    static List<String> actualiser(Path neuves, Path dossier) throws IOException {
+        Files.createDirectories(dossier);
+        List<Path> changees;
+        try (Stream<Path> fichiers = Files.list(neuves)) {
+            changees = fichiers.filter(f -> f.toString().endsWith(".png"))
+                    .filter(f -> !memesPixels(f, dossier.resolve(f.getFileName()))).sorted().collect(Collectors.toList());
+        }
+        for (Path changee : changees) {
+            Files.copy(changee, dossier.resolve(changee.getFileName()), StandardCopyOption.REPLACE_EXISTING);
+        }
+        return changees.stream().map(f -> f.getFileName().toString()).collect(Collectors.toList());
+    }
+
+    private static boolean memesPixels(Path neuve, Path ancienne) {
+        try {
+            if (!Files.exists(ancienne)) {
+                return false;
+            }
+            BufferedImage a = ImageIO.read(neuve.toFile());
+            BufferedImage b = ImageIO.read(ancienne.toFile());
+            if (a == null || b == null || a.getWidth() != b.getWidth() || a.getHeight() != b.getHeight()) {
+                return false;
+            }
+            for (int y = 0; y < a.getHeight(); y++) {
+                for (int x = 0; x < a.getWidth(); x++) {
+                    if (a.getRGB(x, y) != b.getRGB(x, y)) {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

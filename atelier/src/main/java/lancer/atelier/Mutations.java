@@ -1,0 +1,132 @@
+package lancer.atelier;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Compare les rapports CSV de PIT à ce qu'en dit docs/mutations.md : le score de chaque classe, et les mutants qu'aucun test n'a tués.
+ * Un mutant est reconnu à sa méthode, à sa mutation et au texte de sa ligne, non au numéro de celle-ci.
+ *
+ * <pre>
+ * java -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md . brume blinn antialias
+ * </pre>
+ */
+public final class Mutations {
+
+    /** {@code classe : tués sur tous}, ou {@code - Classe.méthode, Mutateur ×2, `ligne` : raison} moins la raison. */
+    private static final Pattern ECRIT = Pattern.compile("([\\w.$]+ : [0-9]+ sur [0-9]+)|(- \\S+, \\w+ ×[0-9]+, `.+`) : .+");
+
+    private Mutations() {
+    }
+
+    /** @param args docs/mutations.md, puis les dossiers des modules */
+    public static void main(String[] args) {
+        if (args.length < 2) {
+            System.err.println("Mutations : usage : Mutations LISTE.md MODULE…");
+            System.exit(2);
+        }
+        try {
+            List<Path> modules = new ArrayList<>();
+            for (int k = 1; k < args.length; k++) {
+                modules.add(Paths.get(args[k]));
+            }
+            StringBuilder dit = new StringBuilder();
+            boolean conforme = verifier(Paths.get(args[0]), modules, dit);
+            System.out.print(dit);
+            System.exit(conforme ? 0 : 1);
+        } catch (IOException e) {
+            System.err.println("Mutations : " + e);
+            System.exit(1);
+        }
+    }
+
+    /**
+     * Vrai si la page dit exactement ce que disent les rapports.
+     *
+     * @param dit le score de chaque classe, puis ce qui manque à la page, prêt à y être mis, et ce qu'elle a de trop
+     */
+    static boolean verifier(Path page, List<Path> modules, StringBuilder dit) throws IOException {
+        Map<String, int[]> scores = new TreeMap<>();
+        Map<String, Integer> survivants = new TreeMap<>();
+        int tropLongs = 0;
+        for (Path module : modules) {
+            tropLongs += lire(module, scores, survivants);
+        }
+        Set<String> vrai = new TreeSet<>();
+        scores.forEach((classe, n) -> vrai.add(classe + " : " + n[0] + " sur " + n[1]));
+        vrai.forEach(ligne -> dit.append(ligne).append('\n'));
+        if (tropLongs > 0) {
+            dit.append("dont arrêtés, trop longs : ").append(tropLongs).append(" (boucle sans fin, ou machine trop chargée)\n");
+        }
+        survivants.forEach((mutant, fois) -> vrai.add("- " + mutant.replaceFirst(", `", " ×" + fois + ", `")));
+        Set<String> ecrit = ecrit(page);
+        dire(dit, "manque à " + page, vrai, ecrit);
+        dire(dit, "n'est plus vrai dans " + page, ecrit, vrai);
+        return vrai.equals(ecrit);
+    }
+
+    private static void dire(StringBuilder dit, String quoi, Set<String> lignes, Set<String> saufElles) {
+        Set<String> reste = new TreeSet<>(lignes);
+        reste.removeAll(saufElles);
+        if (!reste.isEmpty()) {
+            dit.append(quoi).append(" :\n").append(String.join("\n", reste)).append('\n');
+        }
+    }
+
+    /**
+     * Une ligne du rapport : fichier, classe, mutateur, méthode, ligne, sort, test.
+     *
+     * @return le nombre de mutants arrêtés parce que trop longs, que PIT compte parmi les tués
+     */
+    private static int lire(Path module, Map<String, int[]> scores, Map<String, Integer> survivants) throws IOException {
+        int tropLongs = 0;
+        for (String mutant : lignes(module.resolve("target/pit-reports/mutations.csv"))) {
+            String[] m = mutant.split(",");
+            String classe = m[1].replaceFirst("\\$.*", "");
+            boolean survit = m[5].equals("SURVIVED") || m[5].equals("NO_COVERAGE");
+            tropLongs += m[5].equals("TIMED_OUT") ? 1 : 0;
+            for (String qui : new String[] {classe, "total"}) {
+                int[] n = scores.computeIfAbsent(qui, rien -> new int[2]);
+                n[0] += survit ? 0 : 1;
+                n[1]++;
+            }
+            if (survit) {
+                Path source = module.resolve("src/main/java").resolve(classe.replace('.', '/') + ".java");
+                String ligne = lignes(source).get(Integer.parseInt(m[4]) - 1).trim();
+                survivants.merge(apresDernierPoint(m[1]) + "." + m[3] + ", " + apresDernierPoint(m[2]) + ", `" + ligne + "`", 1,
+                        Integer::sum);
+            }
+        }
+        return tropLongs;
+    }
+
+    private static String apresDernierPoint(String nom) {
+        return nom.substring(nom.lastIndexOf('.') + 1);
+    }
+
+    private static Set<String> ecrit(Path page) throws IOException {
+        Set<String> ecrit = new TreeSet<>();
+        for (String ligne : lignes(page)) {
+            Matcher m = ECRIT.matcher(ligne);
+            if (m.matches()) {
+                ecrit.add(m.group(1) != null ? m.group(1) : m.group(2));
+            }
+        }
+        return ecrit;
+    }
+
+    private static List<String> lignes(Path fichier) throws IOException {
+        return Files.readAllLines(fichier, StandardCharsets.UTF_8);
+    }
+}

@@ -1,0 +1,242 @@
+package lancer.atelier;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.contrat.Specularite;
+
+/**
+ * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme.
+ *
+ * <pre>
+ * java -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
+ * </pre>
+ */
+public final class Reponses {
+
+    private static final int[] EXPOSANTS = {1, 8, 32, 128, 1024};
+    private static final String[] COULEURS = {"#000000", "#0072B2", "#009E73", "#E69F00", "#D55E00"};
+
+    private static final int LARGEUR = 240;
+    private static final int HAUTEUR = 180;
+
+    /** Rayons par pixel et par côté de la figure des étapes ; côté d'un pixel grossi de celle des escaliers. */
+    private static final int FINESSE = 3;
+    private static final int LOUPE = 12;
+
+    private Reponses() {
+    }
+
+    /** @param args la page, et le dossier des images */
+    public static void main(String[] args) throws IOException {
+        Path images = Paths.get(args[1]);
+        PagesMesurees.reecrire(Paths.get(args[0]), valeurs());
+        Files.write(images.resolve("reponses-cosinus.svg"), cosinus().getBytes(StandardCharsets.UTF_8));
+        Path neuves = Files.createTempDirectory("reponses");
+        ImageIO.write(etapes(), "png", neuves.resolve("reponses-etapes.png").toFile());
+        ImageIO.write(escaliers(), "png", neuves.resolve("reponses-escaliers.png").toFile());
+        Images.actualiser(neuves, images).forEach(nom -> System.out.println("changée : " + nom));
+    }
+
+    /** Les nombres de la page, par nom. */
+    static Map<String, String> valeurs() {
+        Map<String, String> valeurs = new LinkedHashMap<>();
+        for (int[] taille : new int[][] {{800, 600}, {1280, 1024}, {1600, 1200}}) {
+            Point coin = new Camera(taille[0], taille[1]).getRayon(0, 0).getP();
+            valeurs.put("naif." + taille[0], "(" + nombre(-taille[0] / 2.0) + " ; " + nombre(taille[1] / 2.0) + ")");
+            valeurs.put("coin." + taille[0], "(" + nombre(coin.x) + " ; " + nombre(coin.y) + " ; 0)");
+        }
+        Point bas = new Camera(800, 600).getRayon(800, 600).getP();
+        valeurs.put("bas.800", "(" + nombre(bas.x) + " ; " + nombre(bas.y) + " ; 0)");
+        valeurs.put("focale", nombre(Camera.FOCALE));
+        Scene scene = new Scene("scenes/scene1.ini");
+        valeurs.put("miroir", String.format(Locale.FRANCE, "%.0e", plusGrand(scene, Reponses::ecartDuMiroir))
+                .replaceFirst("e-0?(\\d+)", " · 10<sup>−$1</sup>"));
+        for (String nom : Arrays.asList("diffus", "brume")) {
+            Scene vue = new Scene("scenes/" + nom + ".ini");
+            valeurs.put(nom + ".distance", nombre(mediane(vue, c -> c.contact.distance)));
+        }
+        for (int n : Arrays.asList(32, 128)) {
+            double angle = Math.toDegrees(Math.acos(Math.pow(0.5, 1.0 / n)));
+            valeurs.put("phong." + n, nombre(angle));
+            valeurs.put("blinn." + n, nombre(2 * angle));
+        }
+        return valeurs;
+    }
+
+    private static String nombre(double x) {
+        return String.format(Locale.FRANCE, "%.3f", x).replaceFirst(",?0+$", "").replace('-', '−');
+    }
+
+    /** Un rayon et ce qu'il rencontre. */
+    private static final class Vu {
+        private final Rayon rayon;
+        private final PointContact contact;
+
+        Vu(Rayon rayon, PointContact contact) {
+            this.rayon = rayon;
+            this.contact = contact;
+        }
+    }
+
+    /** De combien le miroir d'un vecteur de longueur 1 s'en écarte avant qu'on le normalise. */
+    private static double ecartDuMiroir(Vu vu) {
+        Vecteur V = vu.rayon.getV();
+        Vecteur N = vu.contact.objet.getNormale(vu.contact);
+        return Math.abs(V.sub(N.mul(2 * V.dot(N))).norme() - 1);
+    }
+
+    private static double plusGrand(Scene scene, ToDoubleFunction<Vu> mesure) {
+        double[] mesures = mesures(scene, mesure);
+        return mesures[mesures.length - 1];
+    }
+
+    private static double mediane(Scene scene, ToDoubleFunction<Vu> mesure) {
+        double[] mesures = mesures(scene, mesure);
+        return mesures[mesures.length / 2];
+    }
+
+    /** Ce que vaut une mesure en chaque contact d'une petite image, du plus petit au plus grand. */
+    private static double[] mesures(Scene scene, ToDoubleFunction<Vu> mesure) {
+        Camera camera = new Camera(200, 150);
+        return IntStream.range(0, 200 * 150).mapToObj(k -> camera.getRayon(k % 200 + 0.5, k / 200 + 0.5))
+                .map(rayon -> new Vu(rayon, scene.getClosestIntersection(rayon))).filter(vu -> vu.contact != null)
+                .mapToDouble(mesure).sorted().toArray();
+    }
+
+    /** Le graphe du cours : l'éclat que donne le programme, selon l'angle entre R et L. */
+    static String cosinus() {
+        StringBuilder svg = new StringBuilder("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" "
+                + "height=\"360\" font-family=\"sans-serif\" font-size=\"14\">\n"
+                + "<rect width=\"640\" height=\"360\" fill=\"white\"/>\n");
+        for (int k = 0; k <= 4; k++) {
+            double y = 320 - 75 * k;
+            svg.append(String.format(Locale.ROOT,
+                    "<path d=\"M60 %.0fH540\" stroke=\"#ddd\"/><text x=\"52\" y=\"%.0f\" "
+                    + "text-anchor=\"end\">%s</text>%n", y, y + 5,
+                    nombre(k / 4.0)));
+        }
+        for (int k = 0; k <= 6; k++) {
+            svg.append(String.format(Locale.ROOT, "<text x=\"%d\" y=\"340\" text-anchor=\"middle\">%s</text>%n", 60
+                    + 80 * k, nombre(k / 4.0)));
+        }
+        svg.append("<text x=\"300\" y=\"357\" text-anchor=\"middle\">angle entre −V et R, en radians</text>\n");
+        Vecteur N = new Vecteur(0, 0, -1);
+        for (int e = 0; e < EXPOSANTS.length; e++) {
+            svg.append("<path fill=\"none\" stroke-width=\"2\" stroke=\"" + COULEURS[e] + "\" d=\"");
+            for (int k = 0; k <= 240; k++) {
+                double angle = k / 160.0;
+                Vecteur L = new Vecteur(Math.sin(angle), 0, -Math.cos(angle));
+                double eclat = Specularite.PHONG.eclat(N.neg(), N, L, N, EXPOSANTS[e]);
+                svg.append(String.format(Locale.ROOT, "%s%d %.1f", k == 0 ? "M" : "L", 60 + 2 * k, 320 - 300 * eclat));
+            }
+            svg.append(String.format(Locale.ROOT, "\"/>%n<text x=\"548\" y=\"%d\" fill=\"%s\">n = %d</text>%n", 40
+                    + 22 * e, COULEURS[e], EXPOSANTS[e]));
+        }
+        return svg.append("</svg>\n").toString().replace(System.lineSeparator(), "\n");
+    }
+
+    /** La scène des étapes : une boule, une autre qui lui fait de l'ombre et s'y reflète, un sol. */
+    private static Scene scene(boolean brillante) {
+        List<Sphere> boules = Arrays.asList(new Sphere(new Point(0.35, 0, 7), 1.1),
+                new Sphere(new Point(-1.3, -0.35, 5.8), 0.5),
+                new Sphere(new Point(0, -1001.1, 7), 1000));
+        Couleur[] Kd = {new Couleur(0.75, 0.12, 0.1), new Couleur(0.1, 0.3, 0.75), new Couleur(0.6, 0.55, 0.45)};
+        for (int k = 0; k < boules.size(); k++) {
+            boules.get(k).setKd(Kd[k]);
+            boules.get(k).setKs(brillante ? new Couleur(k == 2 ? 0.1 : 0.35) : new Couleur());
+            boules.get(k).setNs(60);
+        }
+        return new Scene(boules, Arrays.asList(new Lampe(new Point(-5, 5, -1), new Couleur(0.9)),
+                new Lampe(new Point(4, 3, -3), new Couleur(0.25))));
+    }
+
+    /**
+     * Ce que voit un rayon à une étape du TP : 0, le jaune vif ; 1, Lambert ; 2, Phong ; 3, les ombres ; 4, les
+     * reflets.
+     */
+    private static Couleur couleur(int etape, Scene scene, Rayon rayon) {
+        PointContact contact = scene.getClosestIntersection(rayon);
+        if (contact == null) {
+            return rayon.getSkyColor();
+        }
+        if (etape == 0) {
+            return new Couleur(1, 1, 0);
+        }
+        // seul, un objet n'est à l'ombre de rien
+        List<Objet3D> seul = Collections.singletonList(contact.objet);
+        Scene vue = etape < 3 ? new Scene(seul, scene.getLampes()) : scene;
+        return contact.objet.getColor(vue, rayon, contact, etape < 4 ? 0 : Constantes.MAX_REFLETS);
+    }
+
+    /** Les cinq étapes, côte à côte. */
+    static BufferedImage etapes() {
+        BufferedImage image = new BufferedImage(5 * LARGEUR + 4 * 4, HAUTEUR, BufferedImage.TYPE_INT_RGB);
+        remplir(image, 0xFFFFFF);
+        Camera camera = new Camera(LARGEUR, HAUTEUR);
+        for (int etape = 0; etape < 5; etape++) {
+            Scene scene = scene(etape > 1);
+            for (int p = 0; p < LARGEUR * HAUTEUR; p++) {
+                image.setRGB(etape * (LARGEUR + 4) + p % LARGEUR, p / LARGEUR,
+                        moyenne(etape, scene, camera, p % LARGEUR, p / LARGEUR, FINESSE).getCode());
+            }
+        }
+        return image;
+    }
+
+    private static Couleur moyenne(int etape, Scene scene, Camera camera, int i, int j, int n) {
+        Couleur somme = new Couleur();
+        for (int k = 0; k < n * n; k++) {
+            somme = somme.add(couleur(etape, scene, camera.getRayon(i + (k % n + 0.5) / n, j + (k / n + 0.5) / n)));
+        }
+        return somme.div(n * n);
+    }
+
+    /** Le bord d'une boule, à la loupe : un rayon par pixel, puis 3 × 3. */
+    static BufferedImage escaliers() {
+        int cote = 28;
+        BufferedImage image = new BufferedImage(2 * cote * LOUPE + 8, cote * LOUPE, BufferedImage.TYPE_INT_RGB);
+        remplir(image, 0xFFFFFF);
+        Camera camera = new Camera(100, 75);
+        Scene scene = scene(true);
+        for (int n = 1; n <= 3; n += 2) {
+            for (int p = 0; p < cote * cote; p++) {
+                int code = moyenne(4, scene, camera, 60 + p % cote, 12 + p / cote, n).getCode();
+                for (int q = 0; q < LOUPE * LOUPE; q++) {
+                    image.setRGB((n - 1) / 2 * (cote * LOUPE + 8) + p % cote * LOUPE + q % LOUPE, p / cote * LOUPE
+                            + q / LOUPE, code);
+                }
+            }
+        }
+        return image;
+    }
+
+    private static void remplir(BufferedImage image, int code) {
+        for (int k = 0; k < image.getWidth() * image.getHeight(); k++) {
+            image.setRGB(k % image.getWidth(), k / image.getWidth(), code);
+        }
+    }
+}

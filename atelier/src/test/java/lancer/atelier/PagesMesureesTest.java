@@ -1,0 +1,43 @@
+package lancer.atelier;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collections;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Les nombres des pages. */
+class PagesMesureesTest {
+
+    @TempDir
+    Path dossier;
+
+    @Test
+    void ilsViennentDesMesuresEtLeTexteAutourNeBougePas() {
+        assertEquals("un <!--v:a-->2,1<!--/v--> deux <!--v:a-->2,1<!--/v-->",
+                PagesMesurees.remplacer("un <!--v:a-->0<!--/v--> deux <!--v:a--><!--/v-->", Collections.singletonMap("a", "2,1")));
+        assertEquals("$1 \\", PagesMesurees.remplacer("$1 \\", Collections.emptyMap()));
+    }
+
+    @Test
+    void ceuxQuiNeViennentDAucuneMesureSontRefuses() {
+        IllegalArgumentException faute = assertThrows(IllegalArgumentException.class,
+                () -> PagesMesurees.remplacer("<!--v:b-->0<!--/v-->", Collections.singletonMap("a", "1")));
+        assertTrue(faute.getMessage().contains("« b »"), faute.getMessage());
+    }
+
+    @Test
+    void unePageNEstReecriteQueSIlsChangent() throws IOException {
+        Path page = dossier.resolve("page.md");
+        Files.write(page, "<!--v:a-->0<!--/v-->\n".getBytes(StandardCharsets.UTF_8));
+        PagesMesurees.reecrire(page, Collections.singletonMap("a", "1"));
+        assertEquals("<!--v:a-->1<!--/v-->\n", new String(Files.readAllBytes(page), StandardCharsets.UTF_8));
+        PagesMesurees.reecrire(dossier.resolve("absente.md"), Collections.emptyMap());
+    }
+}

@@ -1,0 +1,132 @@
+package lancer.mesures.stabilite;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import lancer.atelier.Circonstances;
+import lancer.mesures.trace.Marque;
+import lancer.mesures.trace.Planche;
+import lancer.mesures.trace.Serie;
+import lancer.mesures.trace.Style;
+import lancer.mesures.trace.Volet;
+
+/** Ce que coûte chaque façon de calculer une distance, et de combien elle se trompe, dans chaque {@link Regime}. */
+public final class Methodes {
+
+    public static final String CSV = "methodes.csv";
+
+    private final List<Exactitude> toutes;
+    private final String note;
+
+    /** Les mesures de ce dossier. */
+    Methodes(Path dossier) throws IOException {
+        toutes = Exactitude.lire(dossier.resolve(CSV), Exactitude.METHODES);
+        List<String> lignes = Files.readAllLines(dossier.resolve(CSV), StandardCharsets.UTF_8);
+        note = lignes.get(lignes.size() - 1).substring(Exactitude.NOTE.length());
+    }
+
+    /** Où ranger le temps d'une méthode dans un régime. @param formule son nom dans {@link lancer.essai.Formule} */
+    public static String cle(String regime, String formule) {
+        return (regime + " " + formule).toLowerCase(Locale.ROOT);
+    }
+
+    /** Vrai si ces clés sont celles de toutes les méthodes dans tous les régimes. */
+    public static boolean estComplet(Set<String> cles) {
+        return Arrays.stream(Regime.values())
+                .allMatch(r -> Arrays.stream(Aspect.values()).allMatch(m -> cles.contains(cle(r.name(), m.cle()))));
+    }
+
+    /**
+     * Juge chaque méthode, sans arrondi, et l'écrit dans {@link #CSV} auprès de son temps.
+     *
+     * @param temps par {@link #cle}, en nanosecondes, et ce qu'il y a de part et d'autre dans son intervalle
+     */
+    public static void noter(Path dossier, Map<String, double[]> temps) throws IOException {
+        List<Exactitude> toutes = new ArrayList<>();
+        for (Regime regime : Regime.values()) {
+            for (Exactitude r : regime.juger()) {
+                double[] ns = temps.get(cle(r.figure, r.formule));
+                toutes.add(r.en(ns[0], ns[1]));
+            }
+        }
+        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.METHODES, toutes);
+        Circonstances c = new Circonstances();
+        Files.write(dossier.resolve(CSV), Collections.singletonList(Exactitude.NOTE + c.machine + ", " + c.jvm + ", commit " + c.commit
+                + ", " + c.date.replace('T', ' ')), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+    }
+
+    private Exactitude une(Regime regime, Aspect methode) {
+        return toutes.stream().filter(r -> cle(r.figure, r.formule).equals(cle(regime.name(), methode.cle()))).findFirst().get();
+    }
+
+    /** Le temps d'une méthode, celui du manuel valant 1 : un rapport seulement si les intervalles disent lequel est le plus long. */
+    private String cout(Regime regime, Aspect methode) {
+        Exactitude a = une(regime, methode);
+        Exactitude b = une(regime, Aspect.MANUEL);
+        return Math.abs(a.x - b.x) <= a.y + b.y ? "autant, à l'intervalle près" : "× " + Style.arrondi(a.x / b.x);
+    }
+
+    Planche planche() {
+        Planche planche = new Planche("Le temps, comparé au manuel : perpendiculaire " + cout(Regime.ORDINAIRE, Aspect.PERPENDICULAIRE)
+                + " ; programme " + cout(Regime.ORDINAIRE, Aspect.PROGRAMME) + ", au-dessus d'un sol "
+                + cout(Regime.SOL, Aspect.PROGRAMME), "Temps d'une intersection, par JMH ; barres : 19 fois sur 20 ; erreur : la pire de "
+                + Style.nombre(Regime.RAYONS) + " rayons, jugés sans arrondi ; 1 est l'effet d'un arrondi de la direction, κ u t = "
+                + "u (1 + r/h) t. En creux : plus d'un rayon sur dix est mal classé, et l'erreur ne dit que celle des autres. " + note
+                + ". make noyaux")
+                .colonnes(2).taille(Style.LARGEUR, 1500);
+        for (Regime regime : Regime.values()) {
+            Exactitude programme = une(regime, Aspect.PROGRAMME);
+            Volet volet = new Volet(regime.nom, "Le programme : " + Style.nombre(programme.x) + " ns, "
+                    + Style.arrondi(programme.erreurEnUnites) + (programme.erreurEnUnites < 2 ? " unité" : " unités"),
+                    "temps d'une intersection, en ns", "pire erreur de t, en unités de κ u t").repere(Cas.K, "8, la borne promise");
+            for (Aspect methode : Aspect.values()) {
+                Exactitude r = une(regime, methode);
+                Marque m = Marque.en(r.x, Math.max(0.05, r.erreurEnUnites)).entreX(Math.max(r.x / 2, r.x - r.y), r.x + r.y);
+                m = r.faux > 0 ? m.nommee("faux : " + Style.arrondi(100 * r.part()) + " %") : m;
+                volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, false,
+                        Collections.singletonList(Bilan.estClasse(r) ? m : m.creuse())));
+            }
+            planche.volet(volet, 1);
+        }
+        return planche;
+    }
+
+    /** Les nombres que montre la page : le tableau, et ceux que cite le texte. */
+    Map<String, String> pages() {
+        Map<String, String> valeurs = new TreeMap<>();
+        StringBuilder tableau = new StringBuilder("\n\n| |");
+        StringBuilder regle = new StringBuilder("|---|");
+        for (Regime regime : Regime.values()) {
+            String cle = regime.name().toLowerCase(Locale.ROOT);
+            tableau.append(' ').append(cle).append(" |");
+            regle.append("---|");
+            for (Aspect methode : Aspect.values()) {
+                valeurs.put("methodes." + methode.cle() + "." + cle, cout(regime, methode));
+            }
+        }
+        tableau.append('\n').append(regle).append('\n');
+        for (Aspect methode : Aspect.values()) {
+            tableau.append("| ").append(methode.nom.replace("|", "\\|")).append(" |");
+            for (Regime regime : Regime.values()) {
+                Exactitude r = une(regime, methode);
+                String erreur = r.erreurEnUnites < 1e4 ? Style.arrondi(r.erreurEnUnites) : Style.puissance(r.erreurEnUnites);
+                tableau.append(' ').append(Style.nombre(r.x)).append(" ± ").append(Style.arrondi(r.y)).append(" ns ; ").append(erreur)
+                        .append(r.faux == 0 ? "" : " ; " + Style.nombre(r.faux) + " faux").append(" |");
+            }
+            tableau.append('\n');
+        }
+        valeurs.put("methodes.tableau", tableau.append('\n').toString());
+        valeurs.put("methodes.rayons", Style.nombre(une(Regime.ORDINAIRE, Aspect.PROGRAMME).essais));
+        return valeurs;
+    }
+}

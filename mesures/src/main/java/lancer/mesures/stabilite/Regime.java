@@ -1,0 +1,46 @@
+package lancer.mesures.stabilite;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import java.util.function.Function;
+
+/** Ce que rencontre un rayon, sur quoi les méthodes se comparent en temps et en erreur. */
+public enum Regime {
+
+    ORDINAIRE("D'ordinaire : une boule à portée de 3 à 30 rayons", h -> Cas.deLoin(h, puissance(h, 0.5, 1.5))),
+    LOIN("De loin : de 10⁵ à 10⁹ rayons, une lampe lointaine", h -> Cas.deLoin(h, puissance(h, 5, 9))),
+    RASANT("Au ras : à 10⁻³ … 10⁻¹³ rayon de la tangente", h -> Cas.rasant(h, puissance(h, 0.5, 1.5),
+            (h.nextBoolean() ? 1 : -1) * puissance(h, -13, -3))),
+    SOL("Au-dessus d'un sol de rayon 20 000, à hauteur 1", h -> Cas.auSol(h, 20_000));
+
+    /** Rayons tirés pour juger ; les premiers servent à mesurer le temps. */
+    static final int RAYONS = 4_000;
+
+    final String nom;
+    private final Function<Random, Cas> tirage;
+
+    Regime(String nom, Function<Random, Cas> tirage) {
+        this.nom = nom;
+        this.tirage = tirage;
+    }
+
+    private static double puissance(Random h, double de, double a) {
+        return Math.pow(10, de + (a - de) * h.nextDouble());
+    }
+
+    private long graine() {
+        return 7_000L + ordinal();
+    }
+
+    /** Les mêmes à chaque fois, hors ceux que l'arrondi de leur direction suffit à faire changer d'avis. */
+    public List<Cas> tirer(int tires) {
+        return Mesures.tirer(tires, graine(), tirage);
+    }
+
+    /** Ce que vaut chaque méthode. */
+    List<Exactitude> juger() {
+        return Mesures.juger(name().toLowerCase(Locale.ROOT), 0, 0, RAYONS, graine(), tirage, Arrays.asList(Aspect.values()));
+    }
+}

@@ -1,0 +1,63 @@
+package lancer.mesures.vitesse;
+
+import java.lang.management.ManagementFactory;
+import java.util.concurrent.atomic.AtomicLong;
+
+/**
+ * Un calcul toujours le même, par autant de fils que de cœurs : ce que la machine nous laisse. Elle est troublée si ces fils n'ont pas
+ * eu {@value #PART_MIN} du temps de leurs cœurs, ou s'ils ont mis {@value #LENTEUR_MAX} fois leur meilleur temps.
+ */
+final class Etalon {
+
+    static final double PART_MIN = 0.85;
+    static final double LENTEUR_MAX = 1.25;
+
+    private static final int PAS = 12_000_000;
+    private static final int ECHAUFFEMENT = 10;
+
+    private final int fils = Runtime.getRuntime().availableProcessors();
+    private double meilleurNs = Double.POSITIVE_INFINITY;
+
+    /** Ce qu'a rendu le calcul : sans quoi la machine virtuelle pourrait l'omettre. */
+    private volatile long rendu;
+
+    Etalon() {
+        for (int k = 0; k < ECHAUFFEMENT; k++) {
+            estCalme();
+        }
+    }
+
+    /** Vrai si la machine vient d'être à nous. */
+    boolean estCalme() {
+        AtomicLong processeur = new AtomicLong();
+        Thread[] threads = new Thread[fils];
+        long debut = System.nanoTime();
+        for (int k = 0; k < fils; k++) {
+            threads[k] = new Thread(() -> {
+                long avant = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+                calculer();
+                processeur.addAndGet(ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - avant);
+            }, "etalon");
+            threads[k].start();
+        }
+        try {
+            for (Thread thread : threads) {
+                thread.join();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
+        double duree = System.nanoTime() - debut;
+        meilleurNs = Math.min(meilleurNs, duree);
+        return processeur.get() >= PART_MIN * fils * duree && duree <= LENTEUR_MAX * meilleurNs;
+    }
+
+    private void calculer() {
+        long x = 1;
+        for (int k = 0; k < PAS; k++) {
+            x = x * 6364136223846793005L + 1442695040888963407L;
+        }
+        rendu = x;
+    }
+}

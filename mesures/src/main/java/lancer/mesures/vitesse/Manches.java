@@ -1,0 +1,132 @@
+package lancer.mesures.vitesse;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Des temps pris tour à tour, ceux de la référence et ceux de ce qui lui est comparé : ce que l'on en garde est leur rapport, manche par
+ * manche. Une manche est jetée si {@link Etalon} est troublé juste avant ou juste après, ou si l'un des deux dessins n'a pas eu, par
+ * seconde, {@value #PART_MIN} du temps des processeurs de sa meilleure manche.
+ */
+final class Manches {
+
+    static final double PART_MIN = 0.8;
+
+    /** Au-delà, et si la moitié des manches sont jetées, la machine n'est pas à nous. */
+    private static final int ESSAIS = 20;
+    private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(60);
+
+    private final BooleanSupplier etalon;
+    private final boolean agitee;
+    private int toutes;
+    private int jetees;
+
+    /** De quoi prendre un temps, autant de fois qu'on veut. */
+    interface Echantillon {
+
+        /** D'un dessin, en nanosecondes : réel, et des processeurs (NaN si l'on n'en sait rien). */
+        double[] prendre() throws IOException;
+    }
+
+    /** La machine est trop troublée pour qu'on y prenne des temps. */
+    static final class Troublee extends IOException {
+
+        private static final long serialVersionUID = 1;
+
+        Troublee(String raison) {
+            super("machine troublée : " + raison + " ; aucun résultat n'est changé");
+        }
+    }
+
+    /** Ce que donnent quelques manches. */
+    static final class Temps {
+        final double[] rapports;
+        final Intervalle rapport;
+        final int manches;
+        final int jetees;
+
+        /** De la meilleure manche, en nanosecondes : la référence, et les processeurs pour ce qui lui est comparé. */
+        final double referenceNs;
+        final double processeurNs;
+
+        Temps(double[] rapports, int manches, int jetees, double referenceNs, double processeurNs) {
+            this.rapports = rapports;
+            this.rapport = Intervalle.desRapports(rapports);
+            this.manches = manches;
+            this.jetees = jetees;
+            this.referenceNs = referenceNs;
+            this.processeurNs = processeurNs;
+        }
+
+        /** Celles d'une autre machine virtuelle, en plus. */
+        Temps plus(Temps autre) {
+            double[] tous = Arrays.copyOf(rapports, rapports.length + autre.rapports.length);
+            System.arraycopy(autre.rapports, 0, tous, rapports.length, autre.rapports.length);
+            boolean siens = referenceNs <= autre.referenceNs;
+            return new Temps(tous, manches + autre.manches, jetees + autre.jetees, Math.min(referenceNs, autre.referenceNs),
+                    siens ? processeurNs : autre.processeurNs);
+        }
+    }
+
+    /**
+     * @param etalon vrai si la machine est calme
+     * @param agitee vrai pour garder toutes les manches : les intervalles diront ce qu'elles valent
+     */
+    Manches(BooleanSupplier etalon, boolean agitee) {
+        this.etalon = etalon;
+        this.agitee = agitee;
+    }
+
+    /**
+     * @param voulues manches à garder
+     * @throws Troublee si la machine ne nous est pas assez souvent laissée
+     */
+    Temps mesurer(Echantillon reference, Echantillon methode, int voulues) throws IOException {
+        List<Double> rapports = new ArrayList<>();
+        double meilleure = Double.POSITIVE_INFINITY;
+        double processeur = Double.NaN;
+        double[] parts = new double[2];
+        long debut = System.nanoTime();
+        boolean calme = etalon.getAsBoolean();
+        int essais = 0;
+        while (rapports.size() < voulues) {
+            double[] r = reference.prendre();
+            double[] m = methode.prendre();
+            boolean garde = partTenue(parts, 0, r) & partTenue(parts, 1, m) & calme;
+            calme = etalon.getAsBoolean();
+            essais++;
+            toutes++;
+            if (garde && calme || agitee) {
+                rapports.add(m[0] / r[0]);
+                if (r[0] < meilleure) {
+                    meilleure = r[0];
+                    processeur = m[1];
+                }
+            } else {
+                jetees++;
+                renoncer(essais, rapports.size(), voulues, System.nanoTime() - debut);
+            }
+        }
+        return new Temps(rapports.stream().mapToDouble(Double::doubleValue).toArray(), essais, essais - rapports.size(), meilleure,
+                processeur);
+    }
+
+    private static boolean partTenue(double[] meilleures, int qui, double[] temps) {
+        double part = temps[1] / temps[0];
+        meilleures[qui] = Double.isNaN(part) ? meilleures[qui] : Math.max(meilleures[qui], part);
+        return !(part < PART_MIN * meilleures[qui]);
+    }
+
+    private void renoncer(int essais, int gardees, int voulues, long dureeNs) throws Troublee {
+        if (toutes >= ESSAIS && 2 * jetees > toutes) {
+            throw new Troublee(jetees + " manches jetées sur " + toutes);
+        }
+        if (essais >= 2 * voulues && dureeNs > PATIENCE_NS) {
+            throw new Troublee(gardees + " manches gardées sur " + essais + " en " + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
+        }
+    }
+}

@@ -1,0 +1,201 @@
+package lancer.mesures.vitesse;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
+import lancer.Constantes;
+import lancer.mesures.trace.FormeDePoint;
+import lancer.mesures.trace.Marque;
+import lancer.mesures.trace.Planche;
+import lancer.mesures.trace.Serie;
+import lancer.mesures.trace.Style;
+import lancer.mesures.trace.Volet;
+
+/** Des mesures aux courbes. */
+final class Planches {
+
+    private static final int LARGEUR_VIGNETTE = 1000;
+    private static final int HAUTEUR_VIGNETTE = 800;
+
+    /** Ce que montre une barre, au plus : tant de fois plus, et moins. */
+    private static final double BARRE = 3;
+
+    private final Releves releves;
+    private final Constats constats;
+    private final List<Map<String, String>> besoins;
+    private final String note;
+
+    Planches(Releves releves, List<Map<String, String>> besoins) {
+        this.releves = releves;
+        this.besoins = besoins;
+        constats = new Constats(releves, besoins);
+        Releve r = releves.get().get(0);
+        note = r.texte("largeur") + " × " + r.texte("hauteur") + ", " + r.texte("fils") + " fils. " + r.texte("machine") + ", "
+                + r.texte("jvm") + ", commit " + r.texte("commit") + ", " + r.texte("date").replace('T', ' ') + ". make mesures";
+    }
+
+    // ---- la courbe principale d'une scène
+
+    private static final Object[][] SERIES = {
+        {Catalogue.BROUILLON, Style.GRIS, FormeDePoint.POINTE}, {Catalogue.UN_RAYON, Style.NOIR, FormeDePoint.ROND},
+        {Catalogue.PROFONDEUR, Style.VERMILLON, FormeDePoint.ROND}, {Catalogue.SEUIL, Style.POURPRE, FormeDePoint.CROIX},
+        {Catalogue.GRILLE, Style.BLEU, FormeDePoint.CARRE}, {Catalogue.COINS, Style.ORANGE, FormeDePoint.TRIANGLE},
+        {Catalogue.PARTAGE, Style.VERT, FormeDePoint.LOSANGE}, {Catalogue.ENSEMBLE, Style.VERMILLON, FormeDePoint.LOSANGE},
+        {Catalogue.AUTO, Style.NOIR, FormeDePoint.ETOILE}, {Catalogue.POVRAY, Style.CIEL, FormeDePoint.TRIANGLE}};
+
+    /** @param vignette vrai pour une image plus petite, de mêmes caractères, dont les points n'ont pas tous leur nom */
+    Planche scene(String scene, boolean vignette) {
+        Releves siens = constats.methodes(scene);
+        double reference = siens.referenceMs();
+        List<Releve> front = siens.front();
+        Volet volet = new Volet("", "", "temps d'un dessin à chaud, en ms", "erreur, en pas d'écran")
+                .zone(Constats.ARRONDI, "sous l'arrondi de l'écran, en moyenne quadratique")
+                .front(front.stream().map(r -> marque(r, reference, true)).collect(Collectors.toList()));
+        for (Object[] s : SERIES) {
+            List<Marque> marques = new ArrayList<>();
+            for (Releve r : siens.methode((String) s[0]).get()) {
+                Marque m = marque(r, reference, front.contains(r));
+                m = !vignette || front.contains(r) || estParDefaut(r) ? m.nommee(Noms.etiquette(r)) : m;
+                marques.add(estParDefaut(r) ? m.cerclee() : m);
+            }
+            if (!marques.isEmpty()) {
+                volet.serie(new Serie(Noms.serie((String) s[0]), (Color) s[1], (FormeDePoint) s[2],
+                        s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
+            }
+        }
+        String lire = "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat. Erreur : contre la moyenne de"
+                + " chaque pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un rayon, fois "
+                + Style.nombre(reference) + " ms. ";
+        Planche planche = new Planche(constats.titre(scene), lire + note).volet(volet, 1);
+        return vignette ? planche.taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE) : planche;
+    }
+
+    private static Marque marque(Releve r, double reference, boolean pleine) {
+        Intervalle temps = borne(r.rapport().fois(reference));
+        Intervalle erreur = r.erreur();
+        Marque m = Marque.en(temps.valeur, erreur.valeur).entreX(temps.min, temps.max)
+                .entreY(borne(erreur).min, borne(erreur).max);
+        return pleine ? m : m.creuse();
+    }
+
+    /** D'une seule manche, on ne montre que le temps ; une barre n'écrase pas la courbe. */
+    private static Intervalle borne(Intervalle i) {
+        return Double.isInfinite(i.max) ? new Intervalle(i.valeur, i.valeur, i.valeur)
+                : new Intervalle(i.valeur, Math.max(i.min, i.valeur / BARRE), Math.min(i.max, i.valeur * BARRE));
+    }
+
+    /** Ce que fait le programme, ou le module antialias, quand on ne lui demande rien. */
+    private static boolean estParDefaut(Releve r) {
+        return r.methode.equals(Catalogue.UN_RAYON) || r.methode.equals(Catalogue.COINS) && r.parametres.equals(Catalogue.COINS_DEFAUT);
+    }
+
+    // ---- ce que coûte chaque demande
+
+    private static final String[][] DEMANDES = {{"lampe une de moins", "une lampe de moins"}, {"lampe une de plus", "une lampe de plus"},
+        {"reflets aucun", "aucun reflet"}, {"brume", "la brume"}, {"Blinn", "Blinn pour Phong"},
+        {"telle quelle", "la même, ailleurs"}, {"partage n=4 seuil=0.1", "« partage » (4 ; 0,1)"},
+        {"coins n=3 seuil=0.05", "« coins » (3 ; 0,05)"}, {"boucles du cours", "les boucles du cours"}};
+
+    Planche demandes() {
+        Releves siens = constats.demandes();
+        Releve base = siens.le(Catalogue.TELLE_QUELLE, "");
+        List<String> noms = new ArrayList<>();
+        List<Marque> temps = new ArrayList<>();
+        List<Marque> rayons = new ArrayList<>();
+        for (String[] nom : DEMANDES) {
+            for (Releve r : siens.get()) {
+                if ((r.methode + " " + r.parametres).trim().equals(nom[0])) {
+                    Intervalle i = borne(r.rapport());
+                    temps.add(Marque.en(i.valeur, noms.size()).entreX(i.min, i.max).nommee("× " + Style.nombre(i.valeur)));
+                    rayons.add(Marque.en(r.rayons() / base.rayons(), noms.size()));
+                    noms.add(nom[1]);
+                }
+            }
+        }
+        Volet volet = Volet.rangees("", "fois autant que la scène du cours telle quelle", noms, 1)
+                .serie(new Serie("rayons, comptés", Style.BLEU, FormeDePoint.CARRE, false, rayons))
+                .serie(new Serie("temps, 19 fois sur 20", Style.VERMILLON, FormeDePoint.ROND, false, temps));
+        return new Planche(constats.pages().get("demandes.titre"), "« La même, ailleurs » : la même scène dans une autre machine virtuelle,"
+                + " ce dont l'écart à 1 élargit toutes les barres. " + note).volet(volet, 1);
+    }
+
+    // ---- le nombre de sphères
+
+    Planche spheres() {
+        Releves processus = releves.de(Catalogue.SPHERES);
+        double reference = processus.referenceMs();
+        Volet volet = new Volet("", "", "nombre de sphères", "de la commande au PNG écrit, en secondes");
+        ToDoubleFunction<Releve> nombre = r -> Double.parseDouble(r.scene.substring(r.scene.indexOf('-') + 1));
+        Object[][] series = {{"foule", Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
+            {"foule", Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
+            {"etoiles", Catalogue.PROGRAMME, "le programme, neuf étoiles en plus", Style.POURPRE, FormeDePoint.LOSANGE},
+            {"foule", Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
+        Releve derniere = null;
+        for (Object[] s : series) {
+            List<Marque> marques = new ArrayList<>();
+            for (Releve r : constats.spheres((String) s[0], (String) s[1]).get()) {
+                Intervalle t = borne(r.rapport().fois(reference / 1000));
+                if (!Double.isNaN(t.valeur)) {
+                    marques.add(Marque.en(nombre.applyAsDouble(r), t.valeur).entreY(t.min, t.max).nommee(Style.nombre(t.valeur)));
+                    derniere = r.methode.equals(Catalogue.BOUCLES) ? r : derniere;
+                }
+            }
+            if (!marques.isEmpty()) {
+                volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));
+            }
+        }
+        extrapoler(volet, derniere, reference, nombre);
+        return new Planche(constats.pages().get("spheres.titre"), "Démarrage de Java, lecture, préparation, dessin, écriture, à froid."
+                + " Au-delà de 10 000 sphères, le temps des boucles n'est pas mesuré : leurs examens sont comptés sur quelques pixels. "
+                + note)
+                .volet(volet, 1);
+    }
+
+    private void extrapoler(Volet volet, Releve derniere, double reference, ToDoubleFunction<Releve> nombre) {
+        List<Marque> marques = new ArrayList<>();
+        for (Releve r : constats.spheres("foule", Catalogue.BOUCLES).get()) {
+            if (derniere != null && r.nombre("tests") > derniere.nombre("tests")) {
+                double secondes = derniere.rapport().valeur * reference / 1000 * r.nombre("tests") / derniere.nombre("tests");
+                marques.add(Marque.en(nombre.applyAsDouble(r), secondes).creuse().nommee("≈ " + Style.arrondi(secondes / 60) + " min"));
+            }
+        }
+        if (!marques.isEmpty()) {
+            volet.serie(new Serie("les boucles, extrapolées", Style.BLEU, FormeDePoint.CARRE, false, marques));
+        }
+    }
+
+    // ---- la parcimonie
+
+    Planche parcimonie() {
+        List<String> noms = besoins.stream().map(b -> b.get("scene") + ", " + b.get("lampes_utiles") + " lampe"
+                + (b.get("lampes_utiles").equals("1") ? "" : "s") + " sur " + b.get("lampes")).collect(Collectors.toList());
+        Volet rayons = Volet.rangees("Des rayons par pixel", "rayons par pixel", noms, 0);
+        String[][] series = {{"rayons_utiles", "ceux qui peuvent changer un pixel"}, {"rayons", "ceux que lance le programme"},
+            {"rayons_sans_economie", "sans économie : tous les reflets, toutes les ombres"}};
+        Color[] couleurs = {Style.VERT, Style.VERMILLON, Style.GRIS};
+        FormeDePoint[] formes = {FormeDePoint.LOSANGE, FormeDePoint.ROND, FormeDePoint.CARRE};
+        for (int s = 0; s < series.length; s++) {
+            List<Marque> marques = new ArrayList<>();
+            for (int k = 0; k < besoins.size(); k++) {
+                Map<String, String> b = besoins.get(k);
+                marques.add(Marque.en(Double.parseDouble(b.get(series[s][0]))
+                        / (Double.parseDouble(b.get("largeur")) * Double.parseDouble(b.get("hauteur"))), k));
+            }
+            rayons.serie(new Serie(series[s][1], couleurs[s], formes[s], false, marques));
+        }
+        List<Marque> demandees = new ArrayList<>();
+        for (int k = 0; k < besoins.size(); k++) {
+            double reflets = Double.parseDouble(besoins.get(k).get("profondeur_utile"));
+            demandees.add(Marque.en(Math.max(0.5, reflets), k).nommee(reflets == 0 ? "aucun" : Style.nombre(reflets)));
+        }
+        Volet reflets = Volet.rangees("Des reflets qui comptent : le programme en suit " + Constantes.MAX_REFLETS, "reflets à la suite",
+                besoins.stream().map(b -> b.get("scene")).collect(Collectors.toList()), Constantes.MAX_REFLETS)
+                .serie(new Serie("ce qu'en demande l'écran", Style.BLEU, FormeDePoint.ROND, false, demandees));
+        return new Planche(constats.titreDeLaParcimonie(), "Tout est compté, rien n'est chronométré ; un rayon par pixel, "
+                + besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur") + ". make mesures")
+                .volet(rayons, 1.35).volet(reflets, 1);
+    }
+}

@@ -1,0 +1,62 @@
+package lancer.mesures.vitesse;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/** Ce qui se sait d'un nombre mesuré. */
+class IntervalleTest {
+
+    @Test
+    void dixNeufFoisSurVingtLeRapportJusteEstDansLIntervalle() {
+        Random hasard = new Random(1);
+        int dedans = 0;
+        for (int essai = 0; essai < 2000; essai++) {
+            double[] rapports = hasard.doubles(7).map(x -> 2 * Math.exp(0.1 * hasard.nextGaussian())).toArray();
+            Intervalle i = Intervalle.desRapports(rapports);
+            dedans += i.min <= 2 && i.max >= 2 ? 1 : 0;
+        }
+        assertEquals(0.95, dedans / 2000.0, 0.015);
+    }
+
+    @Test
+    void unRapportEtSonInverseDisentLaMemeChose() {
+        Intervalle i = Intervalle.desRapports(1.1, 1.3, 1.2);
+        Intervalle inverse = Intervalle.desRapports(1 / 1.1, 1 / 1.3, 1 / 1.2);
+        assertEquals(1, i.min * inverse.max, 1e-12);
+        assertEquals(1, i.valeur * inverse.valeur, 1e-12);
+    }
+
+    @Test
+    void duneSeuleMancheRienNeSeDit() {
+        Intervalle un = Intervalle.desRapports(100);
+        assertEquals(100, un.valeur, 1e-9);
+        assertFalse(new Intervalle(1, 1, 1).nettementSous(un) || un.nettementSous(new Intervalle(1e6, 1e6, 1e6)));
+    }
+
+    @Test
+    void dixNeufFoisSurVingtLErreurJusteEstDansLIntervalle() {
+        Random hasard = new Random(2);
+        int dedans = 0;
+        for (int essai = 0; essai < 1000; essai++) {
+            // un pixel sur dix a une erreur de 10, les autres aucune
+            Intervalle i = Intervalle.deLaRacine(hasard.doubles(2000).map(x -> x < 0.1 ? 100 : 0).toArray());
+            dedans += i.min <= Math.sqrt(10) && i.max >= Math.sqrt(10) ? 1 : 0;
+        }
+        assertEquals(0.95, dedans / 1000.0, 0.02);
+    }
+
+    @Test
+    void deuxIntervallesQuiSeTouchentNeFontPasUneDifference() {
+        Intervalle petit = new Intervalle(1, 0.9, 1.1);
+        assertTrue(petit.nettementSous(new Intervalle(1.3, 1.2, 1.4)));
+        assertFalse(petit.nettementSous(new Intervalle(1.3, 1.1, 1.5)));
+        assertFalse(petit.elargi(1.1).nettementSous(new Intervalle(1.3, 1.2, 1.4)));
+        assertEquals("aucune différence que la mesure porte (de \u2212\u00A010\u00A0% à +\u00A010\u00A0%)", Noms.rapport(petit));
+        assertEquals("+\u00A030\u00A0% (de +\u00A020\u00A0% à +\u00A040\u00A0%)", Noms.rapport(new Intervalle(1.3, 1.2, 1.4)));
+        assertEquals("× 3 (de 2 à 4)", Noms.rapport(new Intervalle(3, 2, 4)));
+    }
+}

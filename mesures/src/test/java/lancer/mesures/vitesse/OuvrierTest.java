@@ -1,0 +1,102 @@
+package lancer.mesures.vitesse;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.StringReader;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import lancer.Scene;
+import lancer.atelier.SceneMesuree;
+import lancer.atelier.Scenes;
+import lancer.mesures.ImageLineaire;
+import lancer.sortie.ImageMemoire;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Ce que fait la machine virtuelle d'une méthode, sans elle. */
+class OuvrierTest {
+
+    private static final Taille TAILLE = new Taille(64, 48);
+
+    @TempDir
+    Path dossier;
+
+    private Scene scene() throws IOException {
+        return Scenes.lire(SceneMesuree.fichier("foule-30", dossier));
+    }
+
+    private Methode methode(String cle) {
+        return new Catalogue(false).groupe(Catalogue.METHODES, "miroirs").methode(cle);
+    }
+
+    @Test
+    void ilDessineAutantDeFoisQuOnLeDemandePuisRendComptesEtImage() throws IOException {
+        ByteArrayOutputStream sortie = new ByteArrayOutputStream();
+        Path image = dossier.resolve("image.bin");
+        Ouvrier.dessiner(methode("partage/n=4 seuil=0.1"), scene(), TAILLE, image,
+                new BufferedReader(new StringReader("echauffer\n3\n2\nfinir\n5\n")), new PrintStream(sortie));
+        String[] lignes = sortie.toString("UTF-8").split("\n");
+        assertEquals(4, lignes.length);
+        assertTrue(Double.parseDouble(lignes[1].split(" ")[0]) > 0);
+        Methode.Dessin dessin = methode("partage/n=4 seuil=0.1").new Dessin(scene(), TAILLE.largeur, TAILLE.hauteur);
+        ImageLineaire attendue = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
+        dessin.faire(attendue, 1);
+        assertEquals(dessin.lancer.getCompteurs().primaires, Long.parseLong(lignes[3].split(" ")[0]));
+        assertEquals(TAILLE.pixels(), Integer.parseInt(lignes[3].split(" ")[6]), "tous vérifiés");
+        ImageLineaire lue = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
+        lue.lire(image);
+        for (int k = 0; k < TAILLE.pixels(); k++) {
+            assertTrue(attendue.memesBits(lue, k));
+        }
+    }
+
+    @Test
+    void unBitDeTropRendLImageFausse() throws IOException {
+        for (String cle : new String[] {"un rayon/", "brouillon/4 × 4", "coins/n=3 seuil=0.05",
+            "ensemble/n=4 seuil=0.1 reflets=1000 jusqu'à 1/128"}) {
+            Methode.Dessin dessin = methode(cle).new Dessin(scene(), TAILLE.largeur, TAILLE.hauteur);
+            ImageLineaire image = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
+            dessin.faire(image, 2);
+            assertEquals(TAILLE.pixels(), Ouvrier.verifier(dessin, scene(), image, TAILLE));
+            image.getComposantes()[1000] = Math.nextUp(image.getComposantes()[1000]);
+            IllegalStateException faute = assertThrows(IllegalStateException.class,
+                    () -> Ouvrier.verifier(dessin, scene(), image, TAILLE));
+            assertTrue(faute.getMessage().startsWith("image fausse : le pixel (13, 5) est "), faute.getMessage());
+        }
+    }
+
+    @Test
+    void leChoixDAutoEstNoteEtVerifie() throws IOException {
+        Methode.Dessin dessin = methode("auto/erreur=4").new Dessin(scene(), TAILLE.largeur, TAILLE.hauteur);
+        ImageLineaire image = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
+        dessin.faire(image, 2);
+        assertTrue(dessin.choix.contains("reflets"), dessin.choix);
+        assertEquals(TAILLE.pixels(), Ouvrier.verifier(dessin, scene(), image, TAILLE));
+    }
+
+    @Test
+    void unPngDuProgrammeEstComparePixelParPixelEtLesExamensDesBouclesSontComptes() throws IOException {
+        Path fichier = SceneMesuree.fichier("foule-30", dossier);
+        String compte = Ouvrier.pixels(fichier, TAILLE, 200, null);
+        assertTrue(compte.startsWith("200 ") && Long.parseLong(compte.substring(4)) >= 200 * 30, compte);
+        ImageMemoire image = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);
+        methode("un rayon/").new Dessin(scene(), TAILLE.largeur, TAILLE.hauteur).faire(image, 1);
+        assertEquals(compte, Ouvrier.pixels(fichier, TAILLE, 200, ecrire(image.getCodes())));
+        assertThrows(IllegalStateException.class, () -> Ouvrier.pixels(fichier, TAILLE, 200, ecrire(new int[TAILLE.pixels()])));
+    }
+
+    private Path ecrire(int[] codes) throws IOException {
+        BufferedImage image = new BufferedImage(TAILLE.largeur, TAILLE.hauteur, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, TAILLE.largeur, TAILLE.hauteur, codes, 0, TAILLE.largeur);
+        Path png = dossier.resolve("image.png");
+        ImageIO.write(image, "png", png.toFile());
+        return png;
+    }
+}

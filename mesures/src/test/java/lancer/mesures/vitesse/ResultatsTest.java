@@ -1,0 +1,120 @@
+package lancer.mesures.vitesse;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import lancer.atelier.FichierCsv;
+import lancer.atelier.PagesMesurees;
+import lancer.atelier.SceneMesuree;
+import lancer.atelier.Scenes;
+import lancer.contrat.Compteurs;
+import lancer.lecture.LecteurScene;
+import lancer.mesures.ImageLineaire;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Les résultats notés avec le programme, et les pages qui les montrent : ce que le programme compte aujourd'hui. */
+class ResultatsTest {
+
+    private static final Path RESULTATS = projet("mesures/resultats");
+
+    /** Lignes recomptées de chaque sorte ; une image de plus de rayons que cela prendrait trop de temps à refaire. */
+    private static final int LIGNES = 6;
+    private static final double RAYONS_MAX = 2e7;
+
+    @TempDir
+    Path dossier;
+
+    /** Que les tests soient lancés à la racine ou dans le module. */
+    private static Path projet(String chemin) {
+        return Paths.get(Files.exists(Paths.get("ensemble.xml")) ? "" : "..").resolve(chemin);
+    }
+
+    private static List<Releve> auSort(List<Releve> releves) {
+        List<Releve> possibles = releves.stream().filter(r -> r.rayons() < RAYONS_MAX && r.nombre("spheres") < 20000)
+                .collect(Collectors.toList());
+        assertTrue(possibles.size() >= LIGNES, possibles.size() + " lignes");
+        return new Random(1).ints(0, possibles.size()).distinct().limit(LIGNES).mapToObj(possibles::get).collect(Collectors.toList());
+    }
+
+    private static void verifier(Releve r, Compteurs c) {
+        assertEquals(r.texte("primaires") + " " + r.texte("ombre") + " " + r.texte("reflechis") + " " + r.texte("tests") + " "
+                + r.texte("noeuds") + " " + r.texte("raffines"),
+                c.primaires + " " + c.ombre + " " + c.reflechis + " " + c.testsSpheres + " " + c.noeudsVisites + " " + c.pixelsRaffines,
+                "vitesse.csv n'est plus de ce programme (make mesures) : " + r.scene + " " + r.methode + " " + r.parametres);
+    }
+
+    @Test
+    void lesComptesDesReglagesSontEncoreCeuxDuProgramme() throws IOException {
+        List<Releve> tous = Releves.lire(RESULTATS.resolve(Vitesse.CSV)).get().stream()
+                .filter(r -> !r.famille.equals(Catalogue.SPHERES) && !r.methode.equals(Catalogue.POVRAY)).collect(Collectors.toList());
+        for (Releve r : auSort(tous)) {
+            Methode methode = new Catalogue(false).groupe(r.famille, r.scene).methode(r.methode + "/" + r.parametres);
+            Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
+            Methode.Dessin dessin = methode.new Dessin(Scenes.lire(LecteurScene.trouver("scenes/" + r.scene + ".ini")),
+                    taille.largeur, taille.hauteur);
+            dessin.faire(new ImageLineaire(taille.largeur, taille.hauteur), taille.fils);
+            assertEquals(r.texte("choix"), dessin.choix, r.scene + " " + r.parametres);
+            verifier(r, dessin.lancer.getCompteurs());
+        }
+    }
+
+    @Test
+    void lesComptesDesFoulesSontEncoreCeuxDuProgramme() throws IOException {
+        List<Releve> tous = Releves.lire(RESULTATS.resolve(Vitesse.CSV)).de(Catalogue.SPHERES).methode(Catalogue.PROGRAMME).get();
+        for (Releve r : auSort(tous).subList(0, 3)) {
+            Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
+            Methode.Dessin dessin = new Methode("", "").new Dessin(Scenes.lire(SceneMesuree.fichier(r.scene, dossier)), taille.largeur,
+                    taille.hauteur);
+            dessin.faire(new ImageLineaire(taille.largeur, taille.hauteur), taille.fils);
+            verifier(r, dessin.lancer.getCompteurs());
+        }
+    }
+
+    @Test
+    void lesBesoinsSontEncoreCeuxQueCompteLeProgramme() throws IOException {
+        Map<String, String> diffus = FichierCsv.lire(RESULTATS.resolve(Vitesse.BESOINS)).stream()
+                .filter(b -> b.get("scene").equals("diffus")).findFirst().get();
+        assertEquals(String.join(",", diffus.values()), new Besoin(LecteurScene.trouver("scenes/diffus.ini"),
+                new Taille(Integer.parseInt(diffus.get("largeur")), Integer.parseInt(diffus.get("hauteur")))).ligne());
+    }
+
+    @Test
+    void lesNombresDesPagesSontCeuxDesMesures() throws IOException {
+        Map<String, String> valeurs = new Rapport(RESULTATS, new PrintStream(System.out)).valeurs();
+        for (Path relative : Rapport.PAGES) {
+            String texte = new String(Files.readAllBytes(projet(relative.toString())), StandardCharsets.UTF_8);
+            assertTrue(texte.contains("<!--v:"), relative + " montre des mesures");
+            assertEquals(PagesMesurees.remplacer(texte, valeurs), texte, relative + " : make mesures, ou MESURES=--dessiner, le réécrit");
+        }
+        assertEquals(TableBesoins.markdown(FichierCsv.lire(RESULTATS.resolve(Vitesse.BESOINS))),
+                new String(Files.readAllBytes(RESULTATS.resolve("besoins.md")), StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void lesCourbesMontreesExistent() throws IOException {
+        for (Path relative : Rapport.PAGES) {
+            Path page = projet(relative.toString()).toAbsolutePath();
+            Matcher m = Pattern.compile("[(\"]([^()\"\\s]*resultats/[^()\"\\s]*\\.png)[)\"]")
+                    .matcher(new String(Files.readAllBytes(page), StandardCharsets.UTF_8));
+            int courbes = 0;
+            while (m.find()) {
+                assertTrue(Files.exists(page.resolveSibling(m.group(1)).normalize()), page + " montre " + m.group(1));
+                courbes++;
+            }
+            assertTrue(courbes > 0, page + " montre des courbes");
+        }
+    }
+}
