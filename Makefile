@@ -62,7 +62,7 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 captures: mesures/target/mesures.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
-	@xvfb-run -a -s "-screen 0 1600x900x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
+	@xvfb-run -a -s "-screen 0 800x700x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
 	    -cp mesures/target/mesures.jar lancer.atelier.Captures target/captures
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images target/captures images
 

@@ -109,7 +109,7 @@ final class Dialogues {
                 + "un clic   les rayons du pixel ; flèches   le pixel voisin, Maj   de dix en dix\n"
                 + "F5   relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi\n"
                 + "F3   vitesse ou précision : les réglages possibles, à dessiner d'un clic\n"
-                + "Échap   arrêter le dessin ; sinon, quitter le plein écran, ou fermer l'inspecteur\n"
+                + "Échap   arrêter le dessin ; sinon, fermer l'inspecteur, ou quitter le plein écran\n"
                 + "Ctrl+Q   quitter\n"
                 + "F1   ces touches", "Touches", JOptionPane.PLAIN_MESSAGE);
         parent.requestFocus();

@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import java.awt.Dimension;
 import java.awt.GraphicsDevice;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -26,6 +27,8 @@ final class MenuAffichage {
     private final JMenuItem demander;
     private final JMenuItem remplir;
     private final JCheckBoxMenuItem plein;
+    /** Celle du cadre avant le plein écran. */
+    private Rectangle place;
 
     /**
      * @param barre ce que le plein écran cache, avec les menus
@@ -88,6 +91,7 @@ final class MenuAffichage {
                 ouvertes.add(fenetre);
             }
         }
+        place = entre ? cadre.getBounds() : place;
         // un cadre garde sa barre de titre, même en plein écran, et n'en change que fermé
         cadre.dispose();
         cadre.setUndecorated(entre);
@@ -96,6 +100,7 @@ final class MenuAffichage {
         barre.setVisible(!entre);
         panneau.getBandeau().fautesSeules(entre);
         ecran.setFullScreenWindow(entre ? cadre : null);
+        cadre.setBounds(entre ? cadre.getBounds() : place);
         cadre.setVisible(true);
         cadre.requestFocus();
         for (Window fenetre : ouvertes) {

@@ -31,6 +31,11 @@ final class CaptureInspecteur {
         EventQueue.invokeAndWait(() -> panneau.dispatchEvent(new MouseEvent(panneau, MouseEvent.MOUSE_CLICKED, 0,
                 InputEvent.BUTTON1_DOWN_MASK, x, y, 1, false, MouseEvent.BUTTON1)));
         attendre("verdict", "Au bit près");
+        photographier(args[0]);
+    }
+
+    /** Écrit ce que montrent les fenêtres du programme, et le termine. */
+    static void photographier(String fichier) throws Exception {
         Thread.sleep(PEINTURE_MS);
         Rectangle place = new Rectangle(-1, -1);
         for (Window fenetre : Window.getWindows()) {
@@ -38,12 +43,12 @@ final class CaptureInspecteur {
                 place.add(fenetre.getBounds());
             }
         }
-        ImageIO.write(new Robot().createScreenCapture(place), "png", new File(args[0]));
+        ImageIO.write(new Robot().createScreenCapture(place), "png", new File(fichier));
         System.exit(0);
     }
 
     /** Le composant de ce nom, une fois à l'écran, et ce texte dedans. */
-    private static Component attendre(String nom, String texte) throws InterruptedException {
+    static Component attendre(String nom, String texte) throws InterruptedException {
         while (true) {
             for (Window fenetre : Window.getWindows()) {
                 Component trouve = fenetre.isShowing() ? dans(fenetre, nom) : null;
