@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.KeyStroke;
+import lancer.fenetre.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
 /** « Vitesse ou précision » : des points, dont chacun se dessine d'un clic et se mesure. */
