@@ -110,7 +110,7 @@ class DependancesTest {
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
         verifier("lancer\\.auto\\..*", COURS + "lancer\\.contrat\\..*|lancer\\.commande\\.Options");
-        verifier("lancer\\.(?!Main|sortie\\.VersFichiers|fenetre\\.(Panneau|Graphique)Vitesse).*", "(?!lancer\\.auto\\.).*");
+        verifier("lancer\\.(?!Main|sortie\\.VersFichiers|fenetre\\.(PanneauVitesse|figures\\.GraphiqueVitesse)).*", "(?!lancer\\.auto\\.).*");
     }
 
     @Test
