@@ -59,11 +59,11 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images $(NEUVES)/icones src/main/resources/lancer/fenetre
 
 # Les captures d'écran du README, sur un écran à elles.
-captures: mesures/target/mesures.jar
+captures: blinn/target/blinn.jar mesures/target/mesures.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
 	@xvfb-run -a -s "-screen 0 800x700x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
-	    -cp mesures/target/mesures.jar lancer.atelier.Captures target/captures
+	    -cp blinn/target/blinn.jar:mesures/target/mesures.jar lancer.atelier.Captures target/captures
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images target/captures images
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini

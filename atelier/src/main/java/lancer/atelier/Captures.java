@@ -21,7 +21,7 @@ import lancer.fenetre.Fenetre;
  * Les captures d'écran du README : le programme, ouvert devant un robot qui frappe des touches.
  *
  * <pre>
- * xvfb-run java -cp mesures/target/mesures.jar lancer.mesures.Captures target/captures
+ * xvfb-run java -cp blinn/target/blinn.jar:mesures/target/mesures.jar lancer.mesures.Captures target/captures
  * </pre>
  */
 public final class Captures {
