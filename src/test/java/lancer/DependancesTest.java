@@ -133,7 +133,7 @@ class DependancesTest {
 
     @Test
     void laLectureEtLesSortiesNeSeConnaissentPas() {
-        verifier("lancer\\.lecture\\..*", COURS + "lancer\\.(contrat|texte)\\..*|lancer\\.fils\\.Suivi|org\\.ini4j\\..*");
+        verifier("lancer\\.lecture\\..*", COURS + "lancer\\.(contrat|texte)\\..*|org\\.ini4j\\..*");
     }
 
     /** Celui du cours lui-même mis à part : il se sert de tous. */
