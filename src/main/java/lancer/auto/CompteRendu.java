@@ -36,7 +36,8 @@ final class CompteRendu {
      */
     static String controle(Souhait souhait, Estimation erreur, int pixels, double dessin, double essais) {
         String mesure = erreur == null ? "erreur non mesurée, faute de temps"
-                : texte("erreur de %.2f ± %.2f, sur %d pixels", erreur.erreur(), erreur.incertitude(), pixels);
+                : texte("erreur de %.2f ± %.2f, sur %d pixel%s", erreur.erreur(), erreur.incertitude(), pixels,
+                        pixels > 1 ? "s" : "");
         return mesure + texte(" ; dessin en %.3f s, essais en %.3f s ; ", dessin, essais)
                 + (souhait.erreur > 0 ? verdict(souhait.erreur, erreur)
                 : "temps voulu " + (dessin + essais <= souhait.temps ? "tenu" : "dépassé"));
