@@ -1,6 +1,7 @@
 package lancer.mesures.trace;
 
 import java.awt.Color;
+import java.awt.Stroke;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -12,6 +13,7 @@ public final class Serie {
     final FormeDePoint forme;
     final boolean reliee;
     final List<Marque> marques;
+    private Stroke trait = Style.TRAIT;
 
     /** @param reliee vrai si un trait joint les marques, dans l'ordre donné */
     public Serie(String nom, Color couleur, FormeDePoint forme, boolean reliee, List<Marque> marques) {
@@ -20,5 +22,15 @@ public final class Serie {
         this.forme = forme;
         this.reliee = reliee;
         this.marques = new ArrayList<>(marques);
+    }
+
+    /** Ce trait-là n'est pas mesuré. */
+    public Serie enPointille() {
+        trait = Style.POINTILLE;
+        return this;
+    }
+
+    Stroke trait() {
+        return couleur == Style.FRONT ? Style.TRAIT_FRONT : trait;
     }
 }

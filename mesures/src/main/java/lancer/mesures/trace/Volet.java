@@ -193,7 +193,7 @@ public final class Volet extends Courbe {
                 setSeriesLinesVisible(s, Boolean.valueOf(serie.reliee));
                 setSeriesShapesVisible(s, points);
                 setSeriesShape(s, serie.forme.dessin);
-                setSeriesStroke(s, serie.couleur == Style.FRONT ? Style.TRAIT_FRONT : Style.TRAIT);
+                setSeriesStroke(s, serie.trait());
                 setSeriesOutlineStroke(s, Style.TRAIT);
                 setDrawXError(points);
                 setDrawYError(points);

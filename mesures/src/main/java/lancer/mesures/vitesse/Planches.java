@@ -163,7 +163,8 @@ final class Planches {
             }
         }
         if (!marques.isEmpty()) {
-            volet.serie(new Serie("les boucles, extrapolées", Style.BLEU, FormeDePoint.CARRE, false, marques));
+            marques.add(0, Marque.en(nombre.applyAsDouble(derniere), derniere.rapport().valeur * reference / 1000));
+            volet.serie(new Serie("les boucles, extrapolation", Style.BLEU, FormeDePoint.CARRE, true, marques).enPointille());
         }
     }
 
