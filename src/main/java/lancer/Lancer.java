@@ -6,7 +6,6 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Ecoute;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Temoignage;
@@ -166,14 +165,7 @@ public class Lancer {
         @Override
         public Couleur couleur(double xe, double ye) {
             equipe.verifier();
-            Couleur couleur = sien.voir(xe, ye, profondeur);
-            Ecoute.regard(scene.ecoute, xe, ye, couleur);
-            return couleur;
-        }
-
-        @Override
-        public void compter(Couleur couleur, double poids) {
-            Ecoute.compte(scene.ecoute, couleur, poids);
+            return sien.voir(xe, ye, profondeur);
         }
 
         @Override
