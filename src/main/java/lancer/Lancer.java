@@ -8,7 +8,6 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
@@ -109,9 +108,9 @@ public class Lancer {
         return brouillonFait;
     }
 
-    /** Ce que des pixels témoins ont dit de la recherche du dernier dessin ; les boucles du cours n'en ont pas. */
-    public Temoignage getTemoignage() {
-        return Temoignage.SANS_OBJET;
+    /** Le premier écart que des pixels témoins ont vu, en une phrase qui nomme le pixel ; {@code null} si aucun. */
+    public String getEcart() {
+        return null;
     }
 
     /** Ce que le dernier dessin achevé a compté, tous fils ensemble. */

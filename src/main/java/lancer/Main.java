@@ -167,8 +167,8 @@ public class Main implements Toile, Dessinateur {
 
     /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
     private void direEcart(Lancer dessine) {
-        if (dessine.getTemoignage().ecart != null) {
-            Pannes.avertir(Collections.singletonList(dessine.getTemoignage().ecart), erreur);
+        if (dessine.getEcart() != null) {
+            Pannes.avertir(Collections.singletonList(dessine.getEcart()), erreur);
         }
     }
 
