@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.function.DoubleConsumer;
 import lancer.commande.Aide;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
@@ -11,7 +12,6 @@ import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Suivi;
 import lancer.contrat.Toile;
 import lancer.fenetre.Fenetre;
 import lancer.inspection.Inspection;
@@ -41,9 +41,10 @@ public class Main implements Toile, Dessinateur {
     private volatile String fichier;
     private volatile ReglagesDessin reglages;
     private volatile double avancement;
-    private final Suivi suivi = new Suivi() {
+    // une classe, car la première lambda d'un programme coûte cher à son démarrage
+    private final DoubleConsumer suivi = new DoubleConsumer() {
         @Override
-        public void fait(double part) {
+        public void accept(double part) {
             avancement = part;
         }
     };

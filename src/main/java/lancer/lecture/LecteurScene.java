@@ -19,6 +19,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.DoubleConsumer;
 import java.util.regex.Pattern;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -28,7 +29,6 @@ import lancer.contrat.Forme;
 import lancer.contrat.Modele;
 import lancer.contrat.Origines;
 import lancer.contrat.Section;
-import lancer.contrat.Suivi;
 import lancer.contrat.Variante;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -86,11 +86,11 @@ public final class LecteurScene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static LecteurScene lire(String fichier) {
-        return lire(fichier, Suivi.AUCUN);
+        return lire(fichier, part -> { });
     }
 
     /** De même, en disant à {@code suivi} la part lue du fichier, de 0 à 1. */
-    public static LecteurScene lire(String fichier, Suivi suivi) {
+    public static LecteurScene lire(String fichier, DoubleConsumer suivi) {
         LecteurScene lecteur = new LecteurScene(fichier);
         lecteur.lire(suivi);
         lecteur.origines.finir();
@@ -98,7 +98,7 @@ public final class LecteurScene {
         return lecteur;
     }
 
-    private void lire(Suivi suivi) {
+    private void lire(DoubleConsumer suivi) {
         Path chemin = trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();

@@ -11,7 +11,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
-import lancer.contrat.Suivi;
+import java.util.function.DoubleConsumer;
 import lancer.texte.Texte;
 
 /**
@@ -38,7 +38,7 @@ final class Lignes extends Reader {
     private int lusPourElle;
 
     /** @param aLire la longueur du fichier, en octets ; ce n'est qu'une promesse */
-    Lignes(InputStream entree, long aLire, Suivi suivi) {
+    Lignes(InputStream entree, long aLire, DoubleConsumer suivi) {
         InputStream suivie = new FilterInputStream(entree) {
             private long total;
 
@@ -53,7 +53,7 @@ final class Lignes extends Reader {
                 int lus = super.read(cible, position, nombre);
                 lusPourElle += Math.max(0, lus);
                 total += Math.max(0, lus);
-                suivi.fait(Math.min(1, (double) total / Math.max(1, aLire)));
+                suivi.accept(Math.min(1, (double) total / Math.max(1, aLire)));
                 return lus;
             }
         };

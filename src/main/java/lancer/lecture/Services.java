@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
+import java.util.stream.Collectors;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
@@ -63,11 +64,7 @@ public final class Services implements Runnable {
 
     /** Les noms des variantes présentes. */
     public static List<String> nomsDesVariantes() {
-        List<String> noms = new ArrayList<>();
-        for (Variante variante : new Services().variantes().values()) {
-            noms.add(variante.getSection());
-        }
-        return noms;
+        return new Services().variantes().values().stream().map(Variante::getSection).collect(Collectors.toList());
     }
 
     @Override
@@ -95,6 +92,7 @@ public final class Services implements Runnable {
             preneurs.putIfAbsent(type, "la variante " + type);
         }
         Map<String, Forme> types = new LinkedHashMap<>();
+        types.put("sphere", SPHERE);
         for (Forme forme : inscrites(Forme.class)) {
             types.put(prendre(forme.getSection(), forme.getClass().getName(), preneurs), forme);
         }
@@ -154,19 +152,13 @@ public final class Services implements Runnable {
 
     /** Vrai si ce type de section est celui d'une variante de la maison, présente ou non. */
     public static boolean varianteConnue(String type) {
-        for (String connue : VARIANTES_CONNUES) {
-            if (Texte.memeMot(connue, type)) {
-                return true;
-            }
-        }
-        return false;
+        return VARIANTES_CONNUES.stream().anyMatch(connue -> Texte.memeMot(connue, type));
     }
 
     /** Tous les types de section que l'on peut écrire. */
     String types() {
         chercher();
         Set<String> types = new LinkedHashSet<>();
-        types.add(SPHERE.getSection());
         for (Forme forme : formes.values()) {
             types.add(forme.getSection());
         }

@@ -1,13 +1,13 @@
 package lancer.temoins;
 
 import java.util.Collections;
+import java.util.function.DoubleConsumer;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
-import lancer.contrat.Suivi;
 import lancer.contrat.Toile;
 import lancer.fils.Equipe;
 import lancer.rapide.Preparation;
@@ -37,11 +37,11 @@ public final class LancerSurveille extends Lancer {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
-        return preparer(scene, largeur, hauteur, simple, Suivi.AUCUN);
+        return preparer(scene, largeur, hauteur, simple, part -> { });
     }
 
     /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
-    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, Suivi suivi) {
+    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, DoubleConsumer suivi) {
         Camera camera = new Camera(largeur, hauteur);
         scene.setRecherche(simple ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
                 : Preparation.pour(scene, camera, suivi));

@@ -21,7 +21,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
-import lancer.contrat.Suivi;
 import lancer.fils.Equipe;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
@@ -32,7 +31,7 @@ class TemoinsTest {
     private static final Camera CAMERA = new Camera(97, 61);
 
     private static Scene rapide(Scene scene, Camera camera) {
-        scene.setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX, Suivi.AUCUN));
+        scene.setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX, part -> { }));
         return scene;
     }
 
