@@ -109,9 +109,11 @@ public final class LecteurScene {
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
         } catch (CharacterCodingException e) {
-            throw pasUtf8(e);
+            throw refus(lignes.estUtf16() ? "fichier en UTF-16" : "octets qui ne sont pas de l'UTF-8 : "
+                    + Texte.cite(lignes.getTexte().trim()), "un fichier enregistré en UTF-8");
         } catch (Lignes.LigneTropLongue e) {
-            throw refus("ligne trop longue", "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne", e);
+            throw new SceneFautive(Section.message(fichier, lignes.getNumero(), null, null, "ligne trop longue",
+                    "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne"), e);
         } catch (IOException e) {
             throw inutilisable(fichier, pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), e);
         }
@@ -359,30 +361,19 @@ public final class LecteurScene {
         String cite = " : " + Texte.cite(texte);
         if (texte.startsWith("[")) {
             int crochet = texte.indexOf(']');
-            return crochet < 0 ? refus("crochet non fermé" + cite, "par exemple [Sphere 1]", null)
+            return crochet < 0 ? refus("crochet non fermé" + cite, "par exemple [Sphere 1]")
                     : crochet < texte.length() - 1 ? refus("du texte après le crochet" + cite,
-                            "[Section] seule sur sa ligne, un commentaire sur la sienne", null)
-                    : refus("section sans nom" + cite, "par exemple [Sphere 1]", null);
+                            "[Section] seule sur sa ligne, un commentaire sur la sienne")
+                    : refus("section sans nom" + cite, "par exemple [Sphere 1]");
         }
-        if (courante == null) {
-            return refus((texte.indexOf('=') > 0 ? "clé" : "texte") + " avant toute section" + cite,
-                    "d'abord une section, par exemple [Sphere 1]", null);
-        }
-        return courante.fautive(lignes.getNumero(), null, "ligne illisible" + cite,
+        return courante == null ? refus((texte.indexOf('=') > 0 ? "clé" : "texte") + " avant toute section" + cite,
+                "d'abord une section, par exemple [Sphere 1]") : refus("ligne illisible" + cite,
                 "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #");
     }
 
-    private SceneFautive pasUtf8(IOException cause) {
-        String texte = lignes.getTexte().trim();
-        String faute = lignes.estUtf16() ? "fichier en UTF-16" : "octets qui ne sont pas de l'UTF-8 : "
-                + Texte.cite(texte);
-        String nom = courante == null || texte.startsWith("[") ? null : courante.getNom();
-        return new SceneFautive(Section.message(fichier, lignes.getNumero(), nom, null, faute,
-                "un fichier enregistré en UTF-8"), cause);
-    }
-
-    /** @param cause l'exception qui l'a fait voir, {@code null} si aucune */
-    private SceneFautive refus(String faute, String attendu, Throwable cause) {
-        return new SceneFautive(Section.message(fichier, lignes.getNumero(), null, null, faute, attendu), cause);
+    /** Refuse la ligne en cours, qui est de la section en cours si elle n'en commence pas une autre. */
+    private SceneFautive refus(String faute, String attendu) {
+        String nom = courante == null || lignes.getTexte().trim().startsWith("[") ? null : courante.getNom();
+        return new SceneFautive(Section.message(fichier, lignes.getNumero(), nom, null, faute, attendu));
     }
 }
