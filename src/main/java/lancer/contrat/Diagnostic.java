@@ -1,9 +1,10 @@
 package lancer.contrat;
 
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -46,14 +47,10 @@ public final class Diagnostic extends RechercheSimple {
             verifier(eclat >= 0 && eclat <= 1, reflet, "eclat", eclat);
             return eclat;
         });
-        Scene verifiee = new Scene(scene.getObjets(), scene.getLampes(), modele);
-        verifiee.setSeuil(scene.getSeuil());
+        Scene verifiee = scene.avec(modele, scene.getSeuil());
         verifiee.setRecherche(diagnostic);
-        Set<String> classes = new HashSet<>();
-        classes.add(Modele.nom(air));
-        classes.add(Modele.nom(reflet));
-        classes.add(Modele.nom(scene.getEchantillonnage()));
-        scene.getObjets().forEach(o -> classes.add(Modele.nom(o)));
+        Set<String> classes = Stream.concat(Stream.of(air, reflet, scene.getEchantillonnage()),
+                scene.getObjets().stream()).map(Modele::nom).collect(Collectors.toSet());
         try {
             for (Lampe lampe : scene.getLampes()) {
                 verifier(lampe.getPosition() != null, lampe, "getPosition", null);

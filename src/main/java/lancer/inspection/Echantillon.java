@@ -20,10 +20,6 @@ public final class Echantillon {
         this.couleur = couleur;
     }
 
-    boolean estAu(Echantillon autre) {
-        return xe == autre.xe && ye == autre.ye;
-    }
-
     /** Vrai s'il est pris dans ce pixel, et non dans un voisin qui le partage. */
     public boolean estDans(int x, int y) {
         return Math.floor(xe) == x && Math.floor(ye) == y;

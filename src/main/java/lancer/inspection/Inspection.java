@@ -112,7 +112,8 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         }
         vue = duFil;
         entier.tracer(entier.parPixel() ? new Pave(x, y, x + 1, y + 1) : pave, this, this);
-        echantillons = vus.values().stream().filter(e -> e.estDans(x, y) || termes.stream().anyMatch(e::estAu))
+        echantillons = vus.values().stream()
+                .filter(e -> e.estDans(x, y) || termes.stream().anyMatch(t -> t.xe == e.xe && t.ye == e.ye))
                 .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
                 .collect(Collectors.toList());
         if (!echantillons.isEmpty()) {
