@@ -5,7 +5,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lancer.commande.Aide;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
@@ -61,7 +60,7 @@ public class Main implements Toile, Dessinateur {
     /** @param args voir {@code --aide} */
     public static void main(String[] args) {
         int statut = executer(args, System.out, System.err);
-        if (statut != CodeSortie.FAIT) {
+        if (statut != 0) {
             System.exit(statut);
         }
     }
@@ -92,14 +91,14 @@ public class Main implements Toile, Dessinateur {
             } else {
                 Fenetre.ouvrir(this, options, erreur);
             }
-            return CodeSortie.FAIT;
+            return 0;
         } catch (PixelFautif e) {
             throw nommer(e);
         }
     }
 
     private void versFichiers() {
-        VersFichiers fichiers = VersFichiers.pourDessiner(options, sortie, erreur);
+        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
         List<String> avertissements = lireScene(options.scene);
         image = fichiers.creerImage();
         Lancer dessine = fichiers.dessiner(preparer(), reglages.getVariantesLibres(), this, image, lectureNs,
@@ -120,11 +119,10 @@ public class Main implements Toile, Dessinateur {
 
     /** @return le statut de sortie ; que des images diffèrent est une réponse, pas une panne */
     private int comparer() {
-        VersFichiers fichiers = VersFichiers.pourComparer(options, sortie, erreur);
         ImageMemoire attendue = LectureImage.lire(options.comparer);
-        if (LectureImage.estImage(options.scene)) {
-            image = LectureImage.lire(options.scene);
-        } else {
+        image = Options.estImage(options.scene) ? LectureImage.lire(options.scene) : null;
+        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
+        if (image == null) {
             lireScene(options.scene);
             image = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
             preparer().TracerPixels(this, reglages.getReflets(), options.fils);
@@ -176,7 +174,7 @@ public class Main implements Toile, Dessinateur {
         int largeur = image == null ? options.largeur : image.getLargeur();
         int hauteur = image == null ? options.hauteur : image.getHauteur();
         PixelFautif precise = Diagnostic.preciser(panne, scene, new Camera(largeur, hauteur), reglages.getReflets());
-        return new Echec(CodeSortie.PANNE, Pannes.duPixel(precise, reglages.getOptions(), fichier, largeur, hauteur));
+        return Echec.panne(Pannes.duPixel(precise, reglages.getOptions(), fichier, largeur, hauteur));
     }
 
     /** Prépare la scène lue pour l'image à dessiner. */
@@ -204,7 +202,8 @@ public class Main implements Toile, Dessinateur {
         }
         direEcart(nouveau);
         if (options.statistiques) {
-            sortie.println(new Statistiques(nouveau.getCompteurs(), lectureNs, preparationNs, nouveau.getDureeNs()));
+            sortie.println(Statistiques.lignes(nouveau.getCompteurs(), lectureNs, preparationNs,
+                    nouveau.getDureeNs()));
             sortie.flush();
         }
     }

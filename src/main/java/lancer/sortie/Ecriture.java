@@ -5,7 +5,6 @@ import java.io.File;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -13,7 +12,6 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.texte.Texte;
 
@@ -52,7 +50,7 @@ public final class Ecriture {
     public Ecriture(String nom) {
         this.nom = nom;
         try {
-            cible = suivre(Paths.get(nom));
+            cible = suivre(Paths.get(nom).toAbsolutePath());
         } catch (InvalidPathException e) {
             throw impossible("nom de fichier impossible" + Texte.horsLangue(nom));
         } catch (IOException e) {
@@ -61,8 +59,8 @@ public final class Ecriture {
         if (Files.isDirectory(cible)) {
             throw impossible("c'est un dossier");
         }
-        Path dossier = cible.toAbsolutePath().getParent();
-        if (dossier == null || !Files.isDirectory(dossier)) {
+        Path dossier = cible.getParent();
+        if (!Files.isDirectory(dossier)) {
             throw impossible("le dossier n'existe pas");
         }
         if (!estSpecial() && !Files.isWritable(dossier)) {
@@ -76,19 +74,15 @@ public final class Ecriture {
     /** Le fichier au bout des liens, qu'il existe ou non, dans le vrai dossier : un fichier n'a que ce nom. */
     private static Path suivre(Path chemin) throws IOException {
         Path lien = chemin;
-        for (int suivis = 0; Files.isSymbolicLink(lien); suivis++) {
+        for (int suivis = 0; Files.isSymbolicLink(lien) && !Files.exists(lien); suivis++) {
             if (suivis == LIENS_MAX) {
                 throw new IOException("trop de liens symboliques");
             }
-            Path suivant = lien.resolveSibling(Files.readSymbolicLink(lien));
-            if (Files.exists(lien) && !Files.exists(suivant)) {
-                // un tube : /proc/self/fd/1 est un lien vers « pipe:[123] », qui n'est le nom de rien
-                return lien;
-            }
-            lien = suivant;
+            lien = lien.resolveSibling(Files.readSymbolicLink(lien));
         }
-        Path dossier = lien.toAbsolutePath().getParent();
-        return dossier == null ? lien : dossier.toRealPath().resolve(lien.getFileName());
+        // celui d'un tube, /proc/self/fd/1, mène à « pipe:[123] », qui n'est le nom de rien
+        return Files.isRegularFile(lien) ? lien.toRealPath()
+                : Files.exists(lien) ? lien : lien.getParent().toRealPath().resolve(lien.getFileName());
     }
 
     /** Vrai pour ce qui n'est pas un fichier ordinaire : on y écrit, on ne le remplace pas. */
@@ -101,22 +95,19 @@ public final class Ecriture {
         return cible;
     }
 
-    /** Vrai si écrire écraserait cet autre fichier : le même nom, ou le même fichier sous un autre nom. */
-    public boolean vise(Path autre) {
-        try {
-            // de deux chemins qui existent, seul le système sait s'ils mènent au même fichier : « lien/.. » est
-            // trompeur
-            return Files.exists(cible) && Files.exists(autre) ? Files.isSameFile(cible, autre)
-                    : cible.equals(autre.toAbsolutePath().normalize());
-        } catch (IOException e) {
-            return false;
-        }
-    }
-
-    /** @throws Echec si écrire écraserait cet autre fichier. @param faute comment le dire */
+    /**
+     * Refuse d'écraser cet autre fichier, que ce soit sous ce nom ou un autre.
+     *
+     * @throws Echec si c'est lui que l'on écrirait
+     * @param faute comment le dire
+     */
     public void epargner(Path autre, String faute) {
-        if (vise(autre)) {
-            throw new Echec(CodeSortie.DEMANDE, faute + " ; attendu : un autre fichier");
+        try {
+            if (Files.isSameFile(cible, autre)) {
+                throw Echec.demande(faute);
+            }
+        } catch (IOException e) {
+            // un seul des deux existe
         }
     }
 
@@ -130,7 +121,7 @@ public final class Ecriture {
                 return;
             }
             String processus = new File(PROCESSUS, "self").getCanonicalFile().getName();
-            balayer(cible.toAbsolutePath().getParent().toFile(), processus);
+            balayer(cible.getParent().toFile(), processus);
             try {
                 ecrireACote(image, format, processus);
             } catch (NoSuchFileException e) {
@@ -198,16 +189,10 @@ public final class Ecriture {
     }
 
     private static String raison(IOException e) {
-        if (e instanceof AccessDeniedException) {
-            return "écriture interdite";
-        }
-        if (e instanceof NoSuchFileException) {
-            return "le dossier n'existe pas";
-        }
-        return Texte.panne(e);
+        return e instanceof NoSuchFileException ? "le dossier n'existe pas" : Texte.panne(e);
     }
 
     private Echec impossible(String raison) {
-        return new Echec(CodeSortie.PANNE, Texte.echappe(nom) + " : écriture impossible, " + raison);
+        return Echec.panne(Texte.echappe(nom) + " : écriture impossible, " + raison);
     }
 }

@@ -9,7 +9,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import lancer.Constantes;
 import lancer.Scene;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.contrat.Modele;
@@ -60,7 +59,7 @@ public final class ReglagesDessin {
                 connue |= Texte.memeMot(presente.getSection(), type);
             }
             if (!connue) {
-                throw new Echec(CodeSortie.DEMANDE, "valeur impossible pour --sans : " + Texte.cite(type)
+                throw Echec.demande("valeur impossible pour --sans : " + Texte.cite(type)
                         + " ; attendu : une variante, par exemple Brume");
             }
             debranchees.add(Texte.minuscules(type));

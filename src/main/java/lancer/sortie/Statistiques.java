@@ -12,29 +12,19 @@ public final class Statistiques {
 
     private static final double NS_PAR_MS = 1e6;
 
-    private final Compteurs compteurs;
-    private final long lectureNs;
-    private final long preparationNs;
-    private final long[] tracesNs;
+    private Statistiques() {
+    }
 
     /**
-     * @param compteurs ceux d'un dessin
+     * Des lignes {@code nom: valeur}, sans fin de ligne après la dernière.
+     *
+     * @param c ce qu'a compté un dessin
      * @param lectureNs temps de lecture de la scène, en nanosecondes
      * @param preparationNs temps de construction des structures de recherche, en nanosecondes
      * @param tracesNs temps de chaque dessin, dans l'ordre, en nanosecondes
      */
-    public Statistiques(Compteurs compteurs, long lectureNs, long preparationNs, long... tracesNs) {
-        this.compteurs = compteurs;
-        this.lectureNs = lectureNs;
-        this.preparationNs = preparationNs;
-        this.tracesNs = tracesNs.clone();
-    }
-
-    /** Les lignes {@code nom: valeur}, sans fin de ligne après la dernière. */
-    @Override
-    public String toString() {
+    public static String lignes(Compteurs c, long lectureNs, long preparationNs, long... tracesNs) {
         double trace = mediane(tracesNs);
-        Compteurs c = compteurs;
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
                 + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\nexamens.essais: %d\npixels.raffines: %d\n"
                 + "pixels.temoins: %d\n"
@@ -45,10 +35,9 @@ public final class Statistiques {
     }
 
     /** La médiane de la seconde moitié : au début, la machine virtuelle compile encore. */
-    static double mediane(long[] temps) {
+    private static double mediane(long[] temps) {
         long[] tries = Arrays.copyOfRange(temps, temps.length / 2, temps.length);
         Arrays.sort(tries);
-        int milieu = tries.length / 2;
-        return tries.length % 2 == 1 ? tries[milieu] : (tries[milieu - 1] + tries[milieu]) / 2.0;
+        return (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2.0;
     }
 }

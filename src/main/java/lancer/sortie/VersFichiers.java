@@ -8,7 +8,6 @@ import java.util.function.DoubleSupplier;
 import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.auto.Souhait;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
@@ -26,39 +25,30 @@ public final class VersFichiers {
     private final Ecriture png;
     private final Ecriture pfm;
 
-    private VersFichiers(Options options, PrintStream sortie, PrintStream erreur) {
+    /** @throws Echec si un fichier ne pourra être écrit, ou écraserait un de ceux qui sont lus, ou l'autre sortie */
+    public VersFichiers(Options options, PrintStream sortie, PrintStream erreur) {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
+        boolean deuxImages = options.comparer != null && Options.estImage(options.scene);
+        Path scene = deuxImages ? Paths.get(options.scene) : LecteurScene.trouver(options.scene);
         png = options.image == null ? null : new Ecriture(options.image);
         pfm = options.lineaire == null ? null : new Ecriture(options.lineaire);
-    }
-
-    /** @throws Echec si une sortie ne pourra être écrite, ou si elle écraserait la scène ou l'autre sortie */
-    public static VersFichiers pourDessiner(Options options, PrintStream sortie, PrintStream erreur) {
-        Path scene = LecteurScene.trouver(options.scene);
-        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
-        fichiers.epargner(scene, "la sortie est la scène elle-même : " + Texte.echappe(scene.toString()));
-        if (fichiers.png != null && fichiers.pfm != null && fichiers.png.vise(fichiers.pfm.getCible())) {
-            throw new Echec(CodeSortie.DEMANDE, "--image et --lineaire écrivent le même fichier : "
+        epargner(scene, deuxImages ? "une des images comparées" : "la scène elle-même");
+        if (options.comparer != null) {
+            epargner(Paths.get(options.comparer), "une des images comparées");
+        }
+        if (png != null && pfm != null) {
+            png.epargner(pfm.getCible(), "--image et --lineaire écrivent le même fichier : "
                     + Texte.echappe(options.image) + " ; attendu : deux fichiers");
         }
-        return fichiers;
     }
 
-    /** @throws Echec si l'image des différences ne pourra être écrite, ou écraserait une des images comparées */
-    public static VersFichiers pourComparer(Options options, PrintStream sortie, PrintStream erreur) {
-        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
-        String faute = "la sortie est une des images comparées : " + Texte.echappe(String.valueOf(options.image));
-        fichiers.epargner(Paths.get(options.comparer), faute);
-        fichiers.epargner(Paths.get(options.scene), faute);
-        return fichiers;
-    }
-
-    private void epargner(Path fichier, String faute) {
+    private void epargner(Path fichier, String quoi) {
         for (Ecriture ecriture : new Ecriture[] {png, pfm}) {
             if (ecriture != null) {
-                ecriture.epargner(fichier, faute);
+                ecriture.epargner(fichier, "la sortie est " + quoi + " : " + Texte.echappe(fichier.toString())
+                        + " ; attendu : un autre fichier");
             }
         }
     }
@@ -92,8 +82,8 @@ public final class VersFichiers {
             pfm.ecrire(image, new FichierPfm());
         }
         if (options.statistiques) {
-            Object nombres = new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces);
-            Pannes.repondre(auto == null ? nombres.toString()
+            String nombres = Statistiques.lignes(lancer.getCompteurs(), lectureNs, preparationNs, traces);
+            Pannes.repondre(auto == null ? nombres
                     : nombres + System.lineSeparator() + auto.getStatistiques(), sortie);
         }
         if (auto != null) {
@@ -112,14 +102,12 @@ public final class VersFichiers {
     private long[] tracer(Lancer lancer, Toile toile, int reflets) {
         long[] traces = new long[options.repeter];
         // une classe : la première lambda d'un programme coûte cher à son démarrage
-        DoubleSupplier avancement = new DoubleSupplier() {
+        BarreProgression barre = BarreProgression.commencer(new DoubleSupplier() {
             @Override
             public double getAsDouble() {
                 return lancer.getAvancement();
             }
-        };
-        BarreProgression barre = new BarreProgression(avancement, erreur);
-        barre.commencer();
+        }, erreur);
         try {
             for (int k = 0; k < traces.length; k++) {
                 long debut = System.nanoTime();
@@ -139,6 +127,6 @@ public final class VersFichiers {
             png.ecrire(comparaison.getDifferences(), new FichierPng());
         }
         Pannes.repondre(comparaison.toString(), sortie);
-        return comparaison.sontPareilles() ? CodeSortie.FAIT : CodeSortie.PANNE;
+        return comparaison.sontPareilles() ? 0 : 1;
     }
 }
