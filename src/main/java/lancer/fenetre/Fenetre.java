@@ -33,11 +33,11 @@ import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.dessin.Dessinateur;
+import lancer.dessin.ReglagesDessin;
 import lancer.lecture.Services;
 import lancer.sortie.BarreProgression;
-import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
-import lancer.sortie.ReglagesDessin;
 
 /**
  * La fenêtre : elle montre l'image pendant que {@link Tracage} la dessine. Le fil des événements ne calcule pas, ne lit

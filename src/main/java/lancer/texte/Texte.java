@@ -4,7 +4,6 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.FileSystemException;
-import java.util.Locale;
 
 /** Un texte venu d'ailleurs (fichier, ligne de commande), rendu montrable dans un message d'une ligne. */
 public final class Texte {
@@ -104,9 +103,7 @@ public final class Texte {
             int type = Character.getType(c);
             boolean dit = s.indexOf(new String(Character.toChars(c))) >= 0;
             if (c > 0xFF && visible(type) && type != Character.OTHER_SYMBOL && !dit) {
-                String code = Integer.toHexString(c).toUpperCase(Locale.ROOT);
-                s.append(s.length() == 0 ? ", où « " : ", « ").appendCodePoint(c).append(" » est U+")
-                        .append("0000", Math.min(4, code.length()), 4).append(code);
+                s.append(String.format(s.length() == 0 ? ", où « %c » est U+%04X" : ", « %c » est U+%04X", c, c));
             }
         }
         return s.toString();
@@ -156,12 +153,9 @@ public final class Texte {
     }
 
     private static void echapper(int c, StringBuilder s) {
-        if (c == '\n') {
-            s.append("\\n");
-        } else if (c == '\r') {
-            s.append("\\r");
-        } else if (c == '\t') {
-            s.append("\\t");
+        int blanc = "\n\r\t".indexOf(c);
+        if (blanc >= 0) {
+            s.append('\\').append("nrt".charAt(blanc));
         } else if (c == ' ' || visible(Character.getType(c))) {
             s.appendCodePoint(c);
         } else {

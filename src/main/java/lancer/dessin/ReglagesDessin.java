@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.dessin;
 
 import java.util.ArrayList;
 import java.util.HashMap;

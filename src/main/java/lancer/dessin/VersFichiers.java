@@ -1,9 +1,8 @@
-package lancer.sortie;
+package lancer.dessin;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.List;
 import java.util.function.DoubleSupplier;
 import lancer.Lancer;
 import lancer.auto.Auto;
@@ -12,8 +11,13 @@ import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Toile;
-import lancer.contrat.Variante;
 import lancer.lecture.LecteurScene;
+import lancer.sortie.BarreProgression;
+import lancer.sortie.Comparaison;
+import lancer.sortie.Ecriture;
+import lancer.sortie.FichierPfm;
+import lancer.sortie.FichierPng;
+import lancer.sortie.ImageMemoire;
 import lancer.texte.Texte;
 
 /** Le travail sans fenêtre : les fichiers demandés, vérifiés avant de dessiner, et ce qu'il y a à dire du dessin. */
@@ -62,27 +66,25 @@ public final class VersFichiers {
      * Dessine autant de fois que demandé, écrit les fichiers, et répond aux demandes de nombres.
      *
      * @param prepare la scène, prête à être dessinée
-     * @param libres les variantes que {@code --auto} peut régler
-     * @param toile ce qui dessine dans {@code image}
      * @return ce qui a dessiné : {@code prepare}, ou ce qu'a choisi {@code --auto}
      */
-    public Lancer dessiner(Lancer prepare, List<Variante> libres, Toile toile, ImageMemoire image, long lectureNs,
-            long preparationNs) {
-        Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils, libres) : null;
+    public Lancer dessiner(Dessinateur dessinateur, Lancer prepare) {
+        Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils,
+                dessinateur.getReglages().getVariantesLibres()) : null;
         Lancer lancer = auto == null ? prepare : auto.getLancer();
-        long[] traces = auto == null ? tracer(lancer, toile, options.reflets)
-                : tracer(lancer, auto.surveiller(toile), auto.getChoisi().getReflets());
+        long[] traces = auto == null ? tracer(lancer, dessinateur, options.reflets)
+                : tracer(lancer, auto.surveiller(dessinateur), auto.getChoisi().getReflets());
         if (auto != null) {
             auto.controler();
         }
         if (png != null) {
-            png.ecrire(image, new FichierPng());
+            png.ecrire(dessinateur.getImage(), new FichierPng());
         }
         if (pfm != null) {
-            pfm.ecrire(image, new FichierPfm());
+            pfm.ecrire(dessinateur.getImage(), new FichierPfm());
         }
         if (options.statistiques) {
-            String nombres = Statistiques.lignes(lancer.getCompteurs(), lectureNs, preparationNs, traces);
+            String nombres = dessinateur.statistiques(lancer, traces);
             Pannes.repondre(auto == null ? nombres
                     : nombres + System.lineSeparator() + auto.getStatistiques(), sortie);
         }
