@@ -239,8 +239,8 @@ public final class Options {
     private int entier(String nom, int defaut, int min, int max) {
         String attendu = "un entier de " + min + " à " + max;
         String texte = valeur(nom, attendu);
-        double n = texte == null ? defaut : texte.matches("[0-9]+") ? Nombre.lire(texte) : -1;
-        if (n < min || n > max) {
+        double n = texte == null ? defaut : chiffres(texte);
+        if (!(n >= min && n <= max)) {
             throw impossible(nom, attendu);
         }
         return (int) n;
@@ -255,60 +255,66 @@ public final class Options {
         return valeur;
     }
 
-    /** Deux entiers, aussi grands qu'on les écrive ; {@code null} si ce n'en est pas. */
-    private static double[] deuxEntiers(String texte, String separateur) {
-        if (!texte.matches("[0-9]+" + separateur + "[0-9]+")) {
-            return null;
+    /** L'entier écrit, aussi grand soit-il ; ni positif ni nul si ce n'en est pas un. */
+    private static double chiffres(String texte) {
+        // une expression régulière coûterait cher au démarrage
+        for (char c : texte.toCharArray()) {
+            if (c < '0' || c > '9') {
+                return -1;
+            }
         }
-        String[] mots = texte.split(separateur);
-        return new double[] {Nombre.lire(mots[0]), Nombre.lire(mots[1])};
+        return Nombre.lire(texte);
+    }
+
+    /** Les deux {@link #chiffres} autour du premier séparateur. */
+    private static double[] deuxEntiers(String texte, char separateur) {
+        int k = texte.indexOf(separateur);
+        return k < 0 ? new double[] {-1, -1}
+                : new double[] {chiffres(texte.substring(0, k)), chiffres(texte.substring(k + 1))};
     }
 
     private void taille() {
         String texte = valeur("--taille", "une taille, par exemple 800x600");
-        if (texte == null) {
-            return;
+        if (texte != null) {
+            double[] cotes = deuxEntiers(texte, 'x');
+            if (!(Math.min(cotes[0], cotes[1]) >= 1 && Math.max(cotes[0], cotes[1]) <= COTE_MAX
+                    && cotes[0] * cotes[1] <= PIXELS_MAX)) {
+                throw impossible("--taille", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
+                        + " chacune, et au plus " + PIXELS_MAX + " pixels");
+            }
+            largeur = (int) cotes[0];
+            hauteur = (int) cotes[1];
         }
-        double[] cotes = deuxEntiers(texte, "x");
-        if (cotes == null || Math.min(cotes[0], cotes[1]) < 1 || Math.max(cotes[0], cotes[1]) > COTE_MAX
-                || cotes[0] * cotes[1] > PIXELS_MAX) {
-            throw impossible("--taille", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
-                    + " chacune, et au plus " + PIXELS_MAX + " pixels");
-        }
-        largeur = (int) cotes[0];
-        hauteur = (int) cotes[1];
     }
 
     private void pixel() {
         String texte = valeur("--pixel", PIXEL);
-        if (texte == null) {
-            return;
+        pixel = texte != null;
+        if (pixel) {
+            double[] xy = deuxEntiers(texte, ',');
+            if (!(Math.min(xy[0], xy[1]) >= 0)) {
+                throw impossible("--pixel", PIXEL);
+            }
+            pixelX = (int) xy[0];
+            pixelY = (int) xy[1];
         }
-        double[] xy = deuxEntiers(texte, ",");
-        if (xy == null) {
-            throw impossible("--pixel", PIXEL);
-        }
-        pixel = true;
-        pixelX = (int) xy[0];
-        pixelY = (int) xy[1];
     }
 
     private void souhait() {
         String texte = valeur("--auto", AUTO);
-        if (texte == null) {
-            return;
-        }
-        if (texte.startsWith("erreur=")) {
-            erreurVoulue = Nombre.lire(texte.substring("erreur=".length()));
-        } else if (texte.matches("temps=.*s")) {
-            boolean ms = texte.endsWith("ms");
-            tempsVoulu = Nombre.lire(texte.substring("temps=".length(), texte.length() - (ms ? 2 : 1)))
-                    / (ms ? 1000 : 1);
-        }
-        auto = erreurVoulue >= ERREUR_MIN && erreurVoulue <= ERREUR_MAX
-                || tempsVoulu >= TEMPS_MIN && tempsVoulu <= TEMPS_MAX;
-        if (!auto) {
-            throw impossible("--auto", AUTO);
+        auto = texte != null;
+        if (auto) {
+            if (texte.startsWith("erreur=")) {
+                erreurVoulue = Nombre.lire(texte.substring("erreur=".length()));
+            } else if (texte.matches("temps=.*s")) {
+                boolean ms = texte.endsWith("ms");
+                String nombre = texte.substring("temps=".length(), texte.length() - (ms ? 2 : 1));
+                tempsVoulu = Nombre.lire(nombre) / (ms ? 1000 : 1);
+            }
+            if (!(erreurVoulue >= ERREUR_MIN && erreurVoulue <= ERREUR_MAX
+                    || tempsVoulu >= TEMPS_MIN && tempsVoulu <= TEMPS_MAX)) {
+                throw impossible("--auto", AUTO);
+            }
         }
     }
 
