@@ -1,6 +1,8 @@
 package lancer.dessin;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
 import lancer.Lancer;
@@ -9,17 +11,19 @@ import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.contrat.Compteurs;
 import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Suivi;
 import lancer.contrat.Toile;
 import lancer.lecture.LecteurScene;
 import lancer.sortie.ImageMemoire;
-import lancer.sortie.Statistiques;
 import lancer.temoins.LancerSurveille;
 
 /** Une scène lue, comment la dessiner, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres regardent. */
 public abstract class Dessinateur implements Toile {
+
+    private static final double NS_PAR_MS = 1e6;
 
     protected final Options options;
     private volatile Scene scene;
@@ -121,9 +125,29 @@ public abstract class Dessinateur implements Toile {
         return lancer;
     }
 
-    /** Ce que dit {@code --statistiques}. @param tracesNs le temps de chaque dessin, en nanosecondes */
+    /**
+     * Ce que dit {@code --statistiques} : comptes d'un dessin, et temps. Toujours avec un point décimal, sans
+     * séparateur de milliers ni exposant, quelle que soit la langue de la machine.
+     *
+     * @param tracesNs le temps de chaque dessin, dans l'ordre, en nanosecondes
+     */
     protected String statistiques(Lancer dessine, long... tracesNs) {
-        return Statistiques.lignes(dessine.getCompteurs(), lectureNs, preparationNs, tracesNs);
+        Compteurs c = dessine.getCompteurs();
+        double traceNs = mediane(tracesNs);
+        return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
+                + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\nexamens.essais: %d\npixels.raffines: %d\n"
+                + "pixels.temoins: %d\n"
+                + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
+                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites, c.examensEssais,
+                c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS, preparationNs / NS_PAR_MS,
+                traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
+    }
+
+    /** La médiane de la seconde moitié : au début, la machine virtuelle compile encore. */
+    private static double mediane(long[] temps) {
+        long[] tries = Arrays.copyOfRange(temps, temps.length / 2, temps.length);
+        Arrays.sort(tries);
+        return (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2.0;
     }
 
     /** Ce qu'il faut dire d'un pixel de la scène lue qui n'a pu être calculé. */

@@ -159,13 +159,11 @@ public final class ReglagesDessin {
      * @param luesApres ceux de cette scène
      */
     public ReglagesDessin pour(ReglagesDessin luesApres) {
-        Map<String, Section> gardees = new HashMap<>();
+        Map<String, Section> gardees = new HashMap<>(changees);
         for (Variante apres : luesApres.lues.keySet()) {
-            for (Variante avant : lues.keySet()) {
-                if (type(avant).equals(type(apres)) && changees.containsKey(type(avant))
-                        && lues.get(avant).toString().equals(luesApres.lues.get(apres).toString())) {
-                    gardees.put(type(avant), changees.get(type(avant)));
-                }
+            Section avant = lues.get(getVariante(apres.getSection()));
+            if (!avant.toString().equals(luesApres.lues.get(apres).toString())) {
+                gardees.remove(type(apres));
             }
         }
         return new ReglagesDessin(reflets, seuil, luesApres.lues, gardees, debranchees, luesApres);

@@ -1,8 +1,6 @@
 package lancer.sortie;
 
-import java.io.BufferedOutputStream;
 import java.io.File;
-import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
@@ -27,8 +25,6 @@ public final class Ecriture {
     public interface Format {
         void ecrire(ImageMemoire image, OutputStream sortie) throws IOException;
     }
-
-    private static final int TAMPON = 1 << 16;
 
     /** Autour d'un nom provisoire, court : celui de la cible peut déjà être aussi long que le système le permet. */
     private static final String DEBUT_PROVISOIRE = ".lancer-";
@@ -115,7 +111,7 @@ public final class Ecriture {
     public void ecrire(ImageMemoire image, Format format) {
         try {
             if (estSpecial()) {
-                try (OutputStream sortie = new BufferedOutputStream(Files.newOutputStream(cible), TAMPON)) {
+                try (OutputStream sortie = Files.newOutputStream(cible)) {
                     format.ecrire(image, sortie);
                 }
                 return;
@@ -150,11 +146,10 @@ public final class Ecriture {
     private void ecrireACote(ImageMemoire image, Format format, String processus) throws IOException {
         Path provisoire = cible.resolveSibling(
                 DEBUT_PROVISOIRE + processus + "-" + Long.toHexString(System.nanoTime()) + FIN_PROVISOIRE);
-        File aEffacer = provisoire.toFile();
         // Ctrl+C pendant l'écriture ne laisse rien derrière lui
-        aEffacer.deleteOnExit();
+        provisoire.toFile().deleteOnExit();
         try {
-            try (OutputStream sortie = new BufferedOutputStream(creer(aEffacer), TAMPON)) {
+            try (OutputStream sortie = Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW)) {
                 // avant d'écrire : ce que l'ancien fichier cachait ne se voit pas un instant
                 garderLesPermissions(provisoire);
                 format.ecrire(image, sortie);
@@ -164,18 +159,6 @@ public final class Ecriture {
         } finally {
             Files.deleteIfExists(provisoire);
         }
-    }
-
-    /** Un fichier neuf, par {@code java.io}, déjà chargé ; si cela échoue, {@code java.nio} dit pourquoi. */
-    private static OutputStream creer(File fichier) throws IOException {
-        try {
-            if (fichier.createNewFile()) {
-                return new FileOutputStream(fichier);
-            }
-        } catch (IOException e) {
-            // la suite échouera de même
-        }
-        return Files.newOutputStream(fichier.toPath(), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
     }
 
     private void garderLesPermissions(Path provisoire) {
