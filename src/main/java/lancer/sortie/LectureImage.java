@@ -16,7 +16,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
-import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import lancer.Couleur;
 import lancer.commande.Echec;
@@ -63,15 +62,11 @@ public final class LectureImage {
 
     private static ImageMemoire lirePng(byte[] octets) throws IOException {
         BufferedImage lue;
-        ImageReader lecteur = ImageIO.getImageReadersByFormatName("png").next();
         try {
             verifierPng(ByteBuffer.wrap(octets));
-            lecteur.setInput(new MemoryCacheImageInputStream(new ByteArrayInputStream(octets)), true, true);
-            lue = lecteur.read(0);
+            lue = ImageIO.read(new MemoryCacheImageInputStream(new ByteArrayInputStream(octets)));
         } catch (IOException | RuntimeException e) {
             throw new IOException("ce n'est pas un PNG, ou il est coupé ou abîmé");
-        } finally {
-            lecteur.dispose();
         }
         Raster echantillons = lue.getColorModel() instanceof IndexColorModel
                 ? ((IndexColorModel) lue.getColorModel()).convertToIntDiscrete(lue.getRaster(), true).getRaster()
