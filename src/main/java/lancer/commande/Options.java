@@ -13,19 +13,10 @@ import lancer.texte.Texte;
 /** La ligne de commande, lue de gauche à droite : ce qui est demandé, ou un {@link Echec} qui dit pourquoi non. */
 public final class Options {
 
-    /** Plus grand côté d'une image, en pixels. */
-    public static final int COTE_MAX = 16384;
-
-    /** Plus grand nombre de pixels d'une image. */
-    public static final int PIXELS_MAX = 100_000_000;
-
-    private static final int REFLETS_MAX = 1000;
+    private static final int COTE_MAX = 16384;
+    private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
-    private static final int REPETER_MAX = 100_000;
-    private static final double ERREUR_MIN = 0.01;
-    private static final double ERREUR_MAX = 255;
-    private static final double TEMPS_MIN = 0.001;
-    private static final double TEMPS_MAX = 3600;
+
     private static final String AUTO =
             "erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
 
@@ -166,14 +157,14 @@ public final class Options {
         image = fichier("--image", ".png");
         lineaire = fichier("--lineaire", ".pfm");
         taille();
-        reflets = entier("--reflets", reflets, 0, REFLETS_MAX);
+        reflets = entier("--reflets", reflets, 0, 1000);
         refletsDonnes = donnees.containsKey("--reflets");
         seuil = positif("--seuil", seuil, "un nombre positif ou nul", "0.001");
         seuilDonne = donnees.containsKey("--seuil");
         String variantes = valeur("--sans", "une variante, par exemple Brume");
         sans = variantes == null ? sans : Arrays.asList(variantes.split(","));
         fils = entier("--fils", fils, 1, FILS_MAX);
-        repeter = entier("--repeter", repeter, 1, REPETER_MAX);
+        repeter = entier("--repeter", repeter, 1, 100_000);
         statistiques = donnees.containsKey("--statistiques");
         simple = donnees.containsKey("--simple");
         pixel();
@@ -311,8 +302,7 @@ public final class Options {
                 String nombre = texte.substring("temps=".length(), texte.length() - (ms ? 2 : 1));
                 tempsVoulu = Nombre.lire(nombre) / (ms ? 1000 : 1);
             }
-            if (!(erreurVoulue >= ERREUR_MIN && erreurVoulue <= ERREUR_MAX
-                    || tempsVoulu >= TEMPS_MIN && tempsVoulu <= TEMPS_MAX)) {
+            if (!(erreurVoulue >= 0.01 && erreurVoulue <= 255 || tempsVoulu >= 0.001 && tempsVoulu <= 3600)) {
                 throw impossible("--auto", AUTO);
             }
         }

@@ -58,7 +58,7 @@ public final class BarreProgression extends TimerTask {
             double part = avancement.getAsDouble();
             char[] barre = new char[LARGEUR];
             Arrays.fill(barre, '.');
-            Arrays.fill(barre, 0, (int) (LARGEUR * part), '#');
+            Arrays.fill(barre, 0, Math.min(LARGEUR, (int) (LARGEUR * part)), '#');
             montrer("\r[" + new String(barre) + "] " + (int) (100 * part) + " %");
         }
     }

@@ -92,10 +92,8 @@ public final class Ecriture {
     }
 
     /**
-     * Refuse d'écraser cet autre fichier, que ce soit sous ce nom ou un autre.
-     *
-     * @throws Echec si c'est lui que l'on écrirait
      * @param faute comment le dire
+     * @throws Echec si c'est cet autre fichier que l'on écrirait, sous ce nom ou un autre
      */
     public void epargner(Path autre, String faute) {
         try {

@@ -9,7 +9,7 @@ import java.nio.file.FileSystemException;
 public final class Texte {
 
     /** Longueur au-delà de laquelle une citation est coupée, en caractères. */
-    public static final int CITATION_MAX = 60;
+    private static final int CITATION_MAX = 60;
 
     /** Ce que dit le système, ou Java, et ce que nous en disons ; en français, le système se fait comprendre seul. */
     private static final String[][] PANNES = {
