@@ -36,15 +36,7 @@ public final class Texte {
      * petite, au contraire de {@link String#equalsIgnoreCase} pour qui le signe du kelvin est un k.
      */
     public static boolean memeMot(String a, String b) {
-        if (a.length() != b.length()) {
-            return false;
-        }
-        for (int i = 0; i < a.length(); i++) {
-            if (minuscule(a.charAt(i)) != minuscule(b.charAt(i))) {
-                return false;
-            }
-        }
-        return true;
+        return a.equals(b) || a.equalsIgnoreCase(b) && minuscules(a).equals(minuscules(b));
     }
 
     /** Le mot tel que tous ceux que {@link #memeMot} dit égaux le donnent. */
