@@ -54,10 +54,9 @@ public final class Pannes {
 
     /** De même, des lignes en UTF-8, que la console en soit ou non. */
     public static void repondreEnUtf8(List<String> lignes, PrintStream sortie) {
-        for (String ligne : lignes) {
-            byte[] octets = (ligne + System.lineSeparator()).getBytes(StandardCharsets.UTF_8);
-            sortie.write(octets, 0, octets.length);
-        }
+        String fin = System.lineSeparator();
+        byte[] octets = (String.join(fin, lignes) + fin).getBytes(StandardCharsets.UTF_8);
+        sortie.write(octets, 0, octets.length);
         verifier(sortie);
     }
 
