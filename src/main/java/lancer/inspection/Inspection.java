@@ -63,7 +63,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         lancer = new Lancer(scene.avec(this, scene.getSeuil()).ecoutee(chaine), camera);
     }
 
-    /** Explique l'échantillon le plus proche du centre. @throws CancellationException si {@link #arreter} est appelé */
+    /** Explique, une fois, l'échantillon le plus proche du centre. @throws CancellationException si on l'arrête */
     public void faire() {
         faire(AU_CENTRE);
     }
