@@ -128,7 +128,7 @@ public final class Juge {
         try {
             SceneJugee jugee = new SceneJugee(juge, affaire.nom, scene, affaire.reflets, dessin.largeur, dessin.hauteur);
             ImageLineaire nous = ImageLineaire.de(jugee.lancer, affaire.reflets, Runtime.getRuntime().availableProcessors());
-            Accord a = new Accord(nous, jugee.image());
+            Accord a = new Accord(nous, jugee.image(jugee.dessiner()));
             accord &= a.estLa();
             String verdict = a.estLa() ? "d'accord" : "DÉSACCORD, le pire au pixel (" + a.pirePixel % dessin.largeur + ", "
                     + a.pirePixel / dessin.largeur + ") : lancer " + nous.getCouleur(a.pirePixel);

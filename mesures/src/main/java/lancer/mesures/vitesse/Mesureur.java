@@ -1,5 +1,6 @@
 package lancer.mesures.vitesse;
 
+import java.awt.image.Raster;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -29,6 +30,9 @@ import lancer.mesures.juge.SceneJugee;
 
 /** Mesure un groupe après l'autre, et note chaque méthode dès qu'elle est finie. */
 final class Mesureur {
+
+    /** D'ici à cinq fois plus, un échantillon est long ; ceux de POV-Ray le sont tous. */
+    private static final double LONGUE_NS = 1e9;
 
     /** Ce que dure un échantillon, au moins : le dessin y est répété. */
     private final double echantillonNs;
@@ -80,8 +84,17 @@ final class Mesureur {
         }
     }
 
-    private int voulues(double echantillonNs) {
-        return agitee ? 2 : court ? 3 : echantillonNs < 1.5e9 ? 7 : 4;
+    /** Moins de manches si elles sont longues, donc moins bruyantes ; décidé avant la première : rien de ce qu'elles donnent ne les arrête. */
+    private int voulues(Catalogue.Groupe groupe, double echantillonNs) {
+        return agitee || groupe.lancements > 1 ? 2 : court ? 3 : echantillonNs < LONGUE_NS ? 5
+                : echantillonNs < 5 * LONGUE_NS ? 4 : 3;
+    }
+
+    /** Les mêmes, de programmes entiers. */
+    private int voulues(Catalogue.Groupe groupe, Methode methode, int spheres) {
+        boolean longue = methode.boucles ? spheres >= 1000 : methode.genre == Methode.Genre.POVRAY && spheres >= 100_000;
+        return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2
+                : longue || groupe.scene.startsWith(SceneMesuree.ETOILES) ? 3 : 5;
     }
 
     // ---- des machines virtuelles qui durent
@@ -89,7 +102,7 @@ final class Mesureur {
     private void enDessins(Catalogue.Groupe groupe, Path fichier) throws IOException {
         Scene scene = Scenes.lire(fichier);
         Gabarit gabarit = groupe.jugees ? new Gabarit(scene, taille.largeur, taille.hauteur, court ? 3 : 5) : null;
-        int lancements = agitee ? 1 : groupe.lancements;
+        int lancements = groupe.lancements;
         Map<Methode, Map<String, Object>> champs = new HashMap<>();
         Map<Methode, Manches.Temps> temps = new HashMap<>();
         for (int lancement = 1; lancement <= lancements; lancement++) {
@@ -99,9 +112,12 @@ final class Mesureur {
                         continue;
                     }
                     Map<String, Object> siens = champs.computeIfAbsent(methode, m -> new HashMap<>());
-                    temps.merge(methode, methode.genre == Methode.Genre.POVRAY ? parPovRay(groupe, methode, reperes, gabarit, siens)
-                            : parNous(groupe, methode, fichier, reperes, gabarit, siens), Manches.Temps::plus);
-                    if (lancement == lancements) {
+                    boolean dernier = lancement == lancements;
+                    Manches.Temps pris = methode.genre == Methode.Genre.POVRAY ? parPovRay(groupe, methode, reperes, gabarit, siens)
+                            : parNous(groupe, methode, fichier, reperes, gabarit, dernier ? siens : null);
+                    temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
+                    if (dernier) {
+                        siens.put("lancements", lancements);
                         noter(groupe, methode, scene.getObjets().size(), siens, temps.get(methode));
                     }
                 }
@@ -109,10 +125,14 @@ final class Mesureur {
         }
     }
 
+    /** @param champs où noter ce qui se compte et se vérifie une fois les temps pris ; {@code null} pour s'en passer */
     private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Gabarit gabarit,
             Map<String, Object> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
-            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(machine.dureeNs()));
+            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, machine.dureeNs()));
+            if (champs == null) {
+                return temps;
+            }
             String[] comptes = machine.finir().split(" ", 8);
             String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies", "choix"};
             for (int k = 0; k < noms.length; k++) {
@@ -133,11 +153,12 @@ final class Mesureur {
         try {
             SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(SceneMesuree.fichier(groupe.scene, dossier)),
                     Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
+            Raster[] image = new Raster[1];
             Manches.Temps temps = manches.mesurer(reperes, () -> {
-                jugee.dessiner(methode.options);
+                image[0] = jugee.dessiner(methode.options);
                 return new double[] {povray.temps()[1], povray.temps()[2]};
-            }, voulues(0));
-            juger(gabarit, jugee.image(methode.options), champs);
+            }, voulues(groupe, LONGUE_NS));
+            juger(gabarit, jugee.image(image[0], methode.options), champs);
             return temps;
         } catch (Intraduisible e) {
             throw new IOException("POV-Ray : " + e.getMessage(), e);
@@ -197,8 +218,6 @@ final class Mesureur {
         for (Methode methode : groupe.methodes) {
             Map<String, Object> champs = new HashMap<>();
             Programme programme = new Programme(fichier, methode.options);
-            boolean longue = spheres >= Catalogue.BOUCLES_MAX;
-            int voulues = methode.boucles && longue ? 1 : court || agitee ? 2 : longue ? 3 : 5;
             Manches.Echantillon echantillon = programme;
             if (methode.genre == Methode.Genre.POVRAY) {
                 if (povray == null) {
@@ -206,7 +225,8 @@ final class Mesureur {
                 }
                 echantillon = povray(groupe, fichier, methode);
             }
-            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues);
+            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues(groupe, methode, spheres));
+            champs.put("lancements", temps.rapports.length);
             if (echantillon == programme) {
                 programme.statistiques.forEach((nom, valeur) -> champs.put(colonne(nom), valeur));
                 int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);

@@ -10,6 +10,9 @@ final class Noms {
     /** Au-delà, une hausse se dit en « fois », non en pour cent. */
     private static final double EN_FOIS = 1.5;
 
+    /** Au-delà, une borne ne dit rien. */
+    private static final double INCONNU = 100;
+
     private Noms() {
     }
 
@@ -93,7 +96,7 @@ final class Noms {
 
     /** « + 12 % ». */
     static String pourCent(double facteur) {
-        return Double.isInfinite(facteur) || facteur == 0 ? "on ne sait"
+        return !(facteur > 1 / INCONNU && facteur < INCONNU) ? "on ne sait"
                 : (facteur < 1 ? "\u2212" : "+") + "\u00A0" + Style.arrondi(Math.abs(100 * (facteur - 1))) + "\u00A0%";
     }
 }

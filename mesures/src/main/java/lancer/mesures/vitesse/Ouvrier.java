@@ -34,7 +34,7 @@ final class Ouvrier {
 
     /** L'échauffement : tant de dessins, ou moins s'ils durent plus que cela. */
     static final int ECHAUFFEMENT = 10;
-    static final long ECHAUFFEMENT_NS = TimeUnit.SECONDS.toNanos(3);
+    static final long ECHAUFFEMENT_NS = TimeUnit.MILLISECONDS.toNanos(1500);
 
     /** Ce que l'on refait par les boucles du cours, en sphères essayées, à peu près. */
     private static final double BUDGET = 1e8;

@@ -94,7 +94,7 @@ final class Planches {
 
     // ---- ce que coûte chaque demande
 
-    private static final String[][] DEMANDES = {{"lampe une de moins", "une lampe de moins"}, {"lampe une de plus", "une lampe de plus"},
+    private static final String[][] DEMANDES = {{"lampe une de plus", "une lampe de plus"},
         {"reflets aucun", "aucun reflet"}, {"brume", "la brume"}, {"Blinn", "Blinn pour Phong"},
         {"telle quelle", "la même, ailleurs"}, {"partage n=4 seuil=0.1", "« partage » (4 ; 0,1)"},
         {"coins n=3 seuil=0.05", "« coins » (3 ; 0,05)"}, {"boucles du cours", "les boucles du cours"}};

@@ -10,7 +10,7 @@ final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
             "methode", "parametres", "choix", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
-            "raffines", "pixels_verifies", "lecture_ms", "preparation_ms", "trace_ms", "manches", "jetees", "reference_ms", "processeur_ms",
+            "raffines", "pixels_verifies", "lecture_ms", "preparation_ms", "trace_ms", "lancements", "manches", "jetees", "reference_ms", "processeur_ms",
             "rapport", "rapport_min", "rapport_max", "erreur", "erreur_min", "erreur_max");
 
     final String famille;
@@ -65,9 +65,14 @@ final class Releve {
         return nombre("primaires") + nombre("ombre") + nombre("reflechis");
     }
 
+    /** Vrai si elle n'a eu qu'une machine virtuelle : l'intervalle de ses manches ignore ce qui en distingue deux. */
+    boolean estDUneMachine() {
+        return !(nombre("lancements") > 1);
+    }
+
     /** Vrai si ce n'en est pas la mesure, mais celle de la référence dans une autre machine virtuelle. */
     boolean estTemoin() {
-        return methode.equals(Catalogue.UN_RAYON) || methode.equals(Catalogue.TELLE_QUELLE);
+        return estDUneMachine() && (methode.equals(Catalogue.UN_RAYON) || methode.equals(Catalogue.TELLE_QUELLE));
     }
 
     /** Celui-ci va plus vite, et se trompe moins, à coup sûr. */

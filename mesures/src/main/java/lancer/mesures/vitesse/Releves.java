@@ -24,7 +24,7 @@ final class Releves {
         this.tous = tous;
     }
 
-    /** Lit un CSV ; les intervalles des rapports y prennent la marge que montrent ceux qui devraient valoir 1. */
+    /** Lit un CSV ; les rapports pris dans une seule machine virtuelle y ont la marge que montrent ceux qui devraient valoir 1. */
     static Releves lire(Path csv) throws IOException {
         List<Releve> lus = new ArrayList<>();
         for (Map<String, String> champs : FichierCsv.lire(csv)) {
@@ -32,7 +32,7 @@ final class Releves {
         }
         Releves releves = new Releves(lus);
         double marge = releves.marge();
-        lus.forEach(r -> r.elargir(marge));
+        lus.stream().filter(Releve::estDUneMachine).forEach(r -> r.elargir(marge));
         return releves;
     }
 
