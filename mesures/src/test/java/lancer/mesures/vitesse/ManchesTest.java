@@ -67,7 +67,7 @@ class ManchesTest {
         Manches.Temps deux = une.enUnRapport().plus(autre.enUnRapport());
         assertEquals(2, deux.rapports.length);
         assertEquals(4, deux.manches);
-        assertTrue(deux.rapport.max > 10 * deux.rapport.valeur, "deux rapports n'en disent guère");
+        assertTrue(deux.rapport.max > 5 * deux.rapport.valeur, "deux rapports n'en disent guère");
     }
 
     @Test
