@@ -38,10 +38,6 @@ final class Bilan {
         return de(figure, methode).stream().mapToInt(r -> r.faux).sum();
     }
 
-    int essais(Aspect methode, String figure) {
-        return de(figure, methode).stream().mapToInt(r -> r.essais).sum();
-    }
-
     /** La plus grande de ces valeurs, celles du programme. */
     double max(String figure, ToDoubleFunction<Exactitude> valeur) {
         return de(figure, Aspect.PROGRAMME).stream().mapToDouble(valeur).max().orElse(0);
@@ -104,10 +100,6 @@ final class Bilan {
                     String.valueOf((int) -Math.log10(auBout(Mesures.SOL, methode, true).erreurRelative)));
             valeurs.put("stabilite.pose." + methode.cle(), fois(auBout(Mesures.POSE, methode, false).faux));
         }
-        int rayons = essais(Aspect.MANUEL, Mesures.CARTE);
-        valeurs.put("stabilite.carte.manuel", Style.arrondi(100.0 * faux(Aspect.MANUEL, Mesures.CARTE) / rayons));
-        valeurs.put("stabilite.carte.programme", fois(faux(Aspect.PROGRAMME, Mesures.CARTE)));
-        valeurs.put("stabilite.carte.rayons", Style.nombre(rayons));
         List<Exactitude> naifs = defauts();
         valeurs.put("stabilite.defauts", String.valueOf(naifs.size()));
         valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Aspect.PROGRAMME, Defauts.FIGURE)));

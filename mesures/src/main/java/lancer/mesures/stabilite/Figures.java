@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
-import lancer.mesures.trace.Damier;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
@@ -14,7 +13,7 @@ import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Vignettes;
 import lancer.mesures.trace.Volet;
 
-/** Les cinq planches de la stabilité. */
+/** Les quatre planches de la stabilité. */
 final class Figures {
 
     private static final String ERREUR = "erreur relative de t, la pire";
@@ -85,24 +84,7 @@ final class Figures {
                 + " par la perpendiculaire", note).volet(sol, 1).volet(pose, 1);
     }
 
-    /** D : qui touche, qui manque. */
-    Planche carte() {
-        Planche planche = new Planche("Toucher ou manquer : manuel faux à " + nombre("carte.manuel") + " %, programme "
-                + nombre("carte.programme"), "Part des rayons mal classés, d'un côté de la tangente ou de l'autre ; blanc : aucun. Chaque "
-                + "case : " + Style.nombre(bilan.max(Mesures.CARTE, r -> r.essais)) + " rayons tirés au sort, jugés sans arrondi. Sans "
-                + "objet : un arrondi de la direction change la réponse. make mesures");
-        // la première case commence à 1
-        double cote = Math.pow(bilan.max(Mesures.CARTE, r -> 1 / r.x), -2);
-        for (Aspect methode : Mesures.DE_LA_CARTE) {
-            Damier damier = new Damier(Style.nombre(bilan.faux(methode, Mesures.CARTE)) + " faux sur " + nombre("carte.rayons"),
-                    methode.nom, "|P − C| / r", "|1 − l/r| : plus haut, plus près de la tangente", cote);
-            bilan.de(Mesures.CARTE, methode).forEach(c -> damier.caseEn(c.x, c.y, c.part()));
-            planche.volet(damier, 1);
-        }
-        return planche;
-    }
-
-    /** E : les défauts, en images. */
+    /** D : les défauts, en images. */
     Planche defauts(List<Defauts.Defaut> images) {
         List<Exactitude> naifs = bilan.defauts();
         Vignettes vignettes = new Vignettes(3);

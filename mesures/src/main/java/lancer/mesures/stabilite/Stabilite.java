@@ -39,7 +39,6 @@ public final class Stabilite {
         figures.loin().ecrire(dossier.resolve("stabilite-loin.png"));
         figures.ras().ecrire(dossier.resolve("stabilite-ras.png"));
         figures.sol().ecrire(dossier.resolve("stabilite-sol.png"));
-        figures.carte().ecrire(dossier.resolve("stabilite-carte.png"));
         figures.defauts(new Defauts().tous()).ecrire(dossier.resolve("stabilite-defauts.png"));
         if (Files.exists(dossier.resolve(Methodes.CSV))) {
             new Methodes(dossier).planche().ecrire(dossier.resolve("methodes.png"));

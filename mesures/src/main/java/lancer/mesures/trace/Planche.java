@@ -33,6 +33,7 @@ public final class Planche {
     private final String note;
     private final List<Contenu> contenus = new ArrayList<>();
     private final List<Double> parts = new ArrayList<>();
+    private boolean legende = true;
     private int colonnes = Integer.MAX_VALUE;
     private int largeur = Style.LARGEUR;
     private int hauteur = Style.HAUTEUR;
@@ -50,6 +51,12 @@ public final class Planche {
     public Planche taille(int largeur, int hauteur) {
         this.largeur = largeur;
         this.hauteur = hauteur;
+        return this;
+    }
+
+    /** Les signes sont ceux d'une planche voisine. */
+    public Planche sansLegende() {
+        legende = false;
         return this;
     }
 
@@ -116,7 +123,7 @@ public final class Planche {
     /** La légende de tous les volets, chaque nom une fois, au-dessus de {@code bas}. @return sa hauteur */
     private double legender(Graphics2D g, double bas, double utile) {
         Map<String, LegendItem> signes = new LinkedHashMap<>();
-        contenus.forEach(c -> c.legende().forEach(s -> signes.putIfAbsent(s.getLabel(), s)));
+        contenus.stream().filter(c -> legende).forEach(c -> c.legende().forEach(s -> signes.putIfAbsent(s.getLabel(), s)));
         LegendItemCollection items = new LegendItemCollection();
         signes.values().forEach(items::add);
         LegendTitle legende = new LegendTitle(() -> items,

@@ -18,7 +18,7 @@ import lancer.mesures.trace.Volet;
 final class Planches {
 
     private static final int LARGEUR_VIGNETTE = 1000;
-    private static final int HAUTEUR_VIGNETTE = 800;
+    private static final int HAUTEUR_VIGNETTE = 640;
 
     /** Ce que montre une barre, au plus : tant de fois plus, et moins. */
     private static final double BARRE = 3;
@@ -46,7 +46,7 @@ final class Planches {
         {Catalogue.PARTAGE, Style.VERT, FormeDePoint.LOSANGE}, {Catalogue.ENSEMBLE, Style.VERMILLON, FormeDePoint.LOSANGE},
         {Catalogue.AUTO, Style.NOIR, FormeDePoint.ETOILE}, {Catalogue.POVRAY, Style.CIEL, FormeDePoint.TRIANGLE}};
 
-    /** @param vignette vrai pour une image plus petite, de mêmes caractères, dont les points n'ont pas tous leur nom */
+    /** @param vignette vrai pour une image plus petite, de mêmes caractères, sans légende, dont les points n'ont pas tous leur nom */
     Planche scene(String scene, boolean vignette) {
         Releves siens = constats.methodes(scene);
         double reference = siens.referenceMs();
@@ -66,11 +66,12 @@ final class Planches {
                         s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
             }
         }
-        String lire = "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat. Erreur : contre la moyenne de"
-                + " chaque pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un rayon, fois "
-                + Style.nombre(reference) + " ms. ";
-        Planche planche = new Planche(constats.titre(scene), lire + note).volet(volet, 1);
-        return vignette ? planche.taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE) : planche;
+        if (vignette) {
+            return new Planche(constats.titre(scene), "").taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE).sansLegende().volet(volet, 1);
+        }
+        return new Planche(constats.titre(scene), "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat. Erreur :"
+                + " contre la moyenne de chaque pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un rayon, fois "
+                + Style.nombre(reference) + " ms. " + note).volet(volet, 1);
     }
 
     private static Marque marque(Releve r, double reference, boolean pleine) {

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -19,6 +20,9 @@ final class Rapport {
 
     /** Ce que « make mesures » réécrit dans le projet. */
     static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md")};
+
+    /** Celles que le README montre l'une près de l'autre, sous la courbe de la scène du cours. */
+    private static final List<String> VIGNETTES = Arrays.asList("miroirs", "tournesol");
 
     private final Path dossier;
     private final PrintStream sortie;
@@ -45,7 +49,9 @@ final class Rapport {
         Planches planches = new Planches(releves, besoins);
         for (String scene : releves.de(Catalogue.METHODES).scenes()) {
             ecrire(planches.scene(scene, false), scene);
-            ecrire(planches.scene(scene, true), scene + "-vignette");
+            if (VIGNETTES.contains(scene)) {
+                ecrire(planches.scene(scene, true), scene + "-vignette");
+            }
         }
         ecrire(planches.demandes(), "demandes");
         ecrire(planches.spheres(), "spheres");
