@@ -12,7 +12,7 @@ final class Plume {
     /** Caractères gardés avant d'être confiés à la sortie. */
     private static final int TAMPON = 1 << 15;
 
-    /** Décimales écrites, zéros de fin retirés : assez pour la neuvième génération d'un flocon, de rayon 7e-5. */
+    /** Décimales écrites, zéros de fin retirés : assez pour la plus petite boule d'une foule de cent millions. */
     private static final int DECIMALES = 9;
     private static final double UNITE = 1e9;
     /** Au-delà, un multiple de 1e-9 ne tient plus dans un {@code long}. */

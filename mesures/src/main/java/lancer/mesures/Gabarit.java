@@ -77,13 +77,6 @@ public final class Gabarit {
         return Math.sqrt(Math.max(0, Arrays.stream(carres(image)).average().orElse(0)));
     }
 
-    /** La même contre une vérité. */
-    static double erreur(ImageLineaire image, ImageLineaire verite) {
-        double[] b = verite.getComposantes();
-        return Math.sqrt(Arrays.stream(carres(image.getComposantes(), b, b,
-                IntStream.range(0, b.length / 3).toArray())).average().orElse(0));
-    }
-
     /** La vérité, connue de 128 rayons par pixel : pour la montrer. */
     public ImageLineaire moyenne(int largeur, int hauteur) {
         ImageLineaire moyenne = new ImageLineaire(largeur, hauteur);

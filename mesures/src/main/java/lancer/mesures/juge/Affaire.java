@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Scene;
-import lancer.atelier.SceneMesuree;
 import lancer.atelier.Scenes;
 
 /** Une scène à juger : un fichier, ou une scène par son nom, et le nombre de reflets. */
@@ -34,15 +33,14 @@ final class Affaire {
         return new Affaire(chemin.getFileName().toString().replaceFirst("\\.ini$", ""), reflets, chemin);
     }
 
-    /** Toutes les scènes livrées, puis deux grandes scènes engendrées, où quelques pixels sont sur un bord. */
+    /** Toutes les scènes livrées, puis une grande foule engendrée, où quelques pixels sont sur un bord. */
     static List<Affaire> toutes() {
         List<Affaire> toutes = new ArrayList<>();
         for (String nom : TOUTES) {
             toutes.add(new Affaire(nom, Constantes.MAX_REFLETS, null));
         }
         toutes.add(new Affaire("miroirs", REFLETS_DU_TUNNEL, null));
-        toutes.add(new Affaire(SceneMesuree.FLOCON + "-4", Constantes.MAX_REFLETS, null));
-        toutes.add(new Affaire(SceneMesuree.FOULE + "-10000", Constantes.MAX_REFLETS, null));
+        toutes.add(new Affaire(Scenes.FOULE + "-10000", Constantes.MAX_REFLETS, null));
         return toutes;
     }
 
@@ -52,6 +50,6 @@ final class Affaire {
      * @param dossier où écrire celles qui sont engendrées
      */
     Scene lire(Path dossier) throws IOException {
-        return Scenes.lire(fichier != null ? fichier : SceneMesuree.fichier(nom, dossier));
+        return Scenes.lire(fichier != null ? fichier : Scenes.fichier(nom, dossier));
     }
 }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -14,6 +13,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import lancer.atelier.Circonstances;
+import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Serie;
@@ -59,10 +59,9 @@ public final class Methodes {
                 toutes.add(r.en(ns[0], ns[1]));
             }
         }
-        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.METHODES, toutes);
         Circonstances c = new Circonstances();
-        Files.write(dossier.resolve(CSV), Collections.singletonList(Exactitude.NOTE + c.machine + ", " + c.jvm + ", commit " + c.commit
-                + ", " + c.date.replace('T', ' ')), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.METHODES, toutes, c.machine + ", " + c.jvm + ", commit " + c.commit + ", "
+                + c.date.replace('T', ' '));
     }
 
     private Exactitude une(Regime regime, Aspect methode) {
@@ -71,9 +70,9 @@ public final class Methodes {
 
     /** Le temps d'une méthode, celui du manuel valant 1 : un rapport seulement si les intervalles disent lequel est le plus long. */
     private String cout(Regime regime, Aspect methode) {
-        Exactitude a = une(regime, methode);
-        Exactitude b = une(regime, Aspect.MANUEL);
-        return Math.abs(a.x - b.x) <= a.y + b.y ? "autant, à l'intervalle près" : "× " + Style.arrondi(a.x / b.x);
+        Intervalle a = une(regime, methode).temps();
+        Intervalle b = une(regime, Aspect.MANUEL).temps();
+        return a.nettementSous(b) || b.nettementSous(a) ? "× " + Style.arrondi(a.valeur / b.valeur) : "autant, à l'intervalle près";
     }
 
     Planche planche() {

@@ -26,7 +26,7 @@ public final class Stabilite {
     public static void mesurer(Path dossier, boolean rapide) throws IOException {
         List<Exactitude> tous = new ArrayList<>(new Mesures(rapide).intersections());
         tous.addAll(Defauts.compter(new Defauts().tous()));
-        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.STABILITE, tous);
+        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.STABILITE, tous, "");
     }
 
     private static Bilan lire(Path dossier) throws IOException {

@@ -9,7 +9,7 @@ import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.atelier.SceneMesuree;
+import lancer.atelier.Scenes;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.contrat.Modele;
@@ -88,10 +88,10 @@ final class Catalogue {
         }
         groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5, false));
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
-            groupes.add(new Groupe(SPHERES, SceneMesuree.FOULE + "-" + n, spheres(true, n <= BOUCLES_MAX), 1, false));
+            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(true, n <= BOUCLES_MAX), 1, false));
         }
         for (int n : court ? new int[] {100} : new int[] {100, 10000, 1000000}) {
-            groupes.add(new Groupe(SPHERES, SceneMesuree.ETOILES + "-" + n, spheres(false, false), 1, false));
+            groupes.add(new Groupe(SPHERES, Scenes.ETOILES + "-" + n, spheres(false, false), 1, false));
         }
         return groupes;
     }

@@ -9,6 +9,7 @@ import lancer.atelier.Scenes;
 import lancer.lecture.LecteurScene;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Vignettes;

@@ -20,10 +20,10 @@ import lancer.Main;
 import lancer.Scene;
 import lancer.atelier.Circonstances;
 import lancer.atelier.FichierCsv;
-import lancer.atelier.SceneMesuree;
 import lancer.atelier.Scenes;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.Intervalle;
 import lancer.mesures.juge.Intraduisible;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
@@ -75,7 +75,7 @@ final class Mesureur {
     void mesurer(List<Catalogue.Groupe> groupes) throws IOException {
         for (Catalogue.Groupe groupe : groupes) {
             sortie.println(groupe.famille + ", " + groupe.scene);
-            Path fichier = SceneMesuree.fichier(groupe.scene, dossier);
+            Path fichier = Scenes.fichier(groupe.scene, dossier);
             if (groupe.enProcessus()) {
                 enProcessus(groupe, fichier);
             } else {
@@ -94,7 +94,7 @@ final class Mesureur {
     private int voulues(Catalogue.Groupe groupe, Methode methode, int spheres) {
         boolean longue = methode.boucles ? spheres >= 1000 : methode.genre == Methode.Genre.POVRAY && spheres >= 100_000;
         return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2
-                : longue || groupe.scene.startsWith(SceneMesuree.ETOILES) ? 3 : 5;
+                : longue || groupe.scene.startsWith(Scenes.ETOILES) ? 3 : 5;
     }
 
     // ---- des machines virtuelles qui durent
@@ -151,7 +151,7 @@ final class Mesureur {
     private Manches.Temps parPovRay(Catalogue.Groupe groupe, Methode methode, Machine reperes, Gabarit gabarit, Map<String, Object> champs)
             throws IOException {
         try {
-            SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(SceneMesuree.fichier(groupe.scene, dossier)),
+            SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(Scenes.fichier(groupe.scene, dossier)),
                     Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
             Raster[] image = new Raster[1];
             Manches.Temps temps = manches.mesurer(reperes, () -> {
@@ -213,7 +213,7 @@ final class Mesureur {
     // ---- le programme entier, lancé chaque fois
 
     private void enProcessus(Catalogue.Groupe groupe, Path fichier) throws IOException {
-        Path repere = SceneMesuree.fichier(SceneMesuree.FOULE + "-1", dossier);
+        Path repere = Scenes.fichier(Scenes.FOULE + "-1", dossier);
         int spheres = Scenes.lire(fichier).getObjets().size();
         for (Methode methode : groupe.methodes) {
             Map<String, Object> champs = new HashMap<>();
@@ -234,7 +234,7 @@ final class Mesureur {
             }
             noter(groupe, methode, spheres, champs, temps);
         }
-        if (groupe.scene.startsWith(SceneMesuree.FOULE) && groupe.methodes.stream().noneMatch(m -> m.boucles)) {
+        if (groupe.scene.startsWith(Scenes.FOULE) && groupe.methodes.stream().noneMatch(m -> m.boucles)) {
             extrapoler(groupe, fichier, spheres);
         }
         Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));

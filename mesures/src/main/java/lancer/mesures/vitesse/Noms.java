@@ -1,5 +1,6 @@
 package lancer.mesures.vitesse;
 
+import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
 
 /** Comment écrire dans une phrase, ou près d'un point, ce que le CSV nomme sèchement ; et comment dire un rapport. */

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import lancer.mesures.Intervalle;
 
 /** Ce qu'a donné une méthode sur une scène : une ligne du CSV. Un nombre qui manque y est vide, et ici NaN. */
 final class Releve {

@@ -120,7 +120,7 @@ class StabiliteTest {
         Files.write(autre, Arrays.asList("scene,famille", "a,b"));
         assertThrows(IOException.class, () -> Exactitude.lire(autre, Exactitude.STABILITE));
         List<Exactitude> une = Collections.singletonList(new Exactitude("loin", "manuel", 0.1, 1e-14, 3, 1, 1e-300, Double.MAX_VALUE));
-        Exactitude.ecrire(autre, Exactitude.STABILITE, une);
+        Exactitude.ecrire(autre, Exactitude.STABILITE, une, "");
         assertThrows(IOException.class, () -> Exactitude.lire(autre, Exactitude.METHODES));
         Exactitude relue = Exactitude.lire(autre, Exactitude.STABILITE).get(0);
         assertEquals(0.1, relue.x);

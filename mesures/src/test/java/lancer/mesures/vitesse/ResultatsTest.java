@@ -17,7 +17,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.PagesMesurees;
-import lancer.atelier.SceneMesuree;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.lecture.LecteurScene;
@@ -76,7 +75,7 @@ class ResultatsTest {
         List<Releve> tous = Releves.lire(RESULTATS.resolve(Vitesse.CSV)).de(Catalogue.SPHERES).methode(Catalogue.PROGRAMME).get();
         for (Releve r : auSort(tous).subList(0, 3)) {
             Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
-            Methode.Dessin dessin = new Methode("", "").new Dessin(Scenes.lire(SceneMesuree.fichier(r.scene, dossier)), taille.largeur,
+            Methode.Dessin dessin = new Methode("", "").new Dessin(Scenes.lire(Scenes.fichier(r.scene, dossier)), taille.largeur,
                     taille.hauteur);
             dessin.faire(new ImageLineaire(taille.largeur, taille.hauteur), taille.fils);
             verifier(r, dessin.lancer.getCompteurs());
