@@ -92,7 +92,7 @@ juge: mesures/target/mesures.jar
 
 # --auto tient-il parole ? AUTO="1000 20" pour vingt scènes au sort, de graine 1000 et suivantes.
 mesure-auto: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.MesureAuto mesures/resultats/auto.csv $(AUTO)
+	@$(JAVA) -cp mesures/target/mesures.jar:mesures/target/test-classes lancer.mesures.MesureAuto mesures/resultats/auto.csv $(AUTO)
 
 # Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; docs/mutations.md dit ce qui leur échappe, et pourquoi.
 mutations: mesures/target/mesures.jar

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Paths;
 import java.util.Arrays;
 import lancer.Scene;
-import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 import lancer.lecture.LecteurScene;
 import lancer.temoins.LancerSurveille;

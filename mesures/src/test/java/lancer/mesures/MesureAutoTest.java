@@ -12,7 +12,6 @@ import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.atelier.SceneAuHasard;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 

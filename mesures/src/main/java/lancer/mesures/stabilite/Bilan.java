@@ -26,7 +26,7 @@ final class Bilan {
 
     /** Les défauts, du plus voyant au moins voyant. */
     List<Exactitude> defauts() {
-        return tous.stream().filter(r -> r.figure.equals(Defauts.FIGURE) && !r.formule.equals(Defauts.PROGRAMME))
+        return tous.stream().filter(r -> r.figure.equals(FigureDefauts.FIGURE) && !r.formule.equals(FigureDefauts.PROGRAMME))
                 .sorted(Comparator.comparingInt(r -> -r.faux)).collect(Collectors.toList());
     }
 
@@ -102,7 +102,7 @@ final class Bilan {
         }
         List<Exactitude> naifs = defauts();
         valeurs.put("stabilite.defauts", String.valueOf(naifs.size()));
-        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Aspect.PROGRAMME, Defauts.FIGURE)));
+        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Aspect.PROGRAMME, FigureDefauts.FIGURE)));
         naifs.forEach(r -> valeurs.put("stabilite.defaut." + r.formule, Style.nombre(r.faux)));
         return valeurs;
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import lancer.essai.Defauts;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
@@ -85,12 +86,13 @@ final class Figures {
     }
 
     /** D : les défauts, en images. */
-    Planche defauts(List<Defauts.Defaut> images) {
+    Planche defauts() {
+        List<Defauts.Defaut> images = FigureDefauts.tous();
         List<Exactitude> naifs = bilan.defauts();
         Vignettes vignettes = new Vignettes(3);
         for (Exactitude r : naifs) {
             Defauts.Defaut defaut = images.stream().filter(d -> d.cle.equals(r.formule)).findFirst().get();
-            vignettes.image(defaut.image(), defaut.nom, Style.nombre(r.faux) + (r.faux > 1 ? " pixels faux" : " pixel faux"));
+            vignettes.image(FigureDefauts.image(defaut), defaut.nom, Style.nombre(r.faux) + (r.faux > 1 ? " pixels faux" : " pixel faux"));
         }
         return new Planche(naifs.size() + " défauts courants : de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à "
                 + Style.nombre(naifs.get(0).faux) + " pixels faux ; le programme : " + nombre("defauts.programme"),

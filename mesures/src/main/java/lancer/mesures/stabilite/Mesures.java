@@ -44,7 +44,7 @@ final class Mesures {
         pas = rapide ? 2 : 1;
     }
 
-    /** Toutes, dans un ordre fixe ; les images fausses viennent de {@link Defauts}. */
+    /** Toutes, dans un ordre fixe ; les images fausses viennent de {@link FigureDefauts}. */
     List<Exactitude> intersections() {
         List<Exactitude> tous = new ArrayList<>();
         tous.addAll(courbe(LOIN, 1, 0, 12, 2, d -> h -> Cas.deLoin(h, d)));

@@ -84,7 +84,7 @@ final class Mesureur {
         }
     }
 
-    /** Moins de manches si elles sont longues, donc moins bruyantes ; décidé avant la première : rien de ce qu'elles donnent ne les arrête. */
+    /** Moins de manches si elles sont longues, donc moins bruyantes ; décidé avant la première. */
     private int voulues(Catalogue.Groupe groupe, double echantillonNs) {
         return agitee || groupe.lancements > 1 ? 2 : court ? 3 : echantillonNs < LONGUE_NS ? 5
                 : echantillonNs < 5 * LONGUE_NS ? 4 : 3;

@@ -70,9 +70,9 @@ final class Planches {
         if (vignette) {
             return new Planche(constats.titre(scene), "").taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE).sansLegende().volet(volet, 1);
         }
-        return new Planche(constats.titre(scene), "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat. Erreur :"
-                + " contre la moyenne de chaque pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un rayon, fois "
-                + Style.nombre(reference) + " ms. " + note).volet(volet, 1);
+        return new Planche(constats.titre(scene), "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat."
+                + " Erreur : contre la moyenne de chaque pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un"
+                + " rayon, fois " + Style.nombre(reference) + " ms. " + note).volet(volet, 1);
     }
 
     private static Marque marque(Releve r, double reference, boolean pleine) {

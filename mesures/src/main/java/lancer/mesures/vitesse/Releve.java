@@ -11,8 +11,8 @@ final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
             "methode", "parametres", "choix", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
-            "raffines", "pixels_verifies", "lecture_ms", "preparation_ms", "trace_ms", "lancements", "manches", "jetees", "reference_ms", "processeur_ms",
-            "rapport", "rapport_min", "rapport_max", "erreur", "erreur_min", "erreur_max");
+            "raffines", "pixels_verifies", "lecture_ms", "preparation_ms", "trace_ms", "lancements", "manches", "jetees", "reference_ms",
+            "processeur_ms", "rapport", "rapport_min", "rapport_max", "erreur", "erreur_min", "erreur_max");
 
     final String famille;
     final String scene;
