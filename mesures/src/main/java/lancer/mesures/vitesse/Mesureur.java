@@ -24,7 +24,6 @@ import lancer.atelier.Scenes;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
-import lancer.mesures.juge.Intraduisible;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
 
@@ -150,19 +149,18 @@ final class Mesureur {
     /** Il ne prépare que ce dessin-ci : le temps est celui qu'il dit avoir passé à tracer. */
     private Manches.Temps parPovRay(Catalogue.Groupe groupe, Methode methode, Machine reperes, Gabarit gabarit, Map<String, Object> champs)
             throws IOException {
-        try {
-            SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(Scenes.fichier(groupe.scene, dossier)),
-                    Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
-            Raster[] image = new Raster[1];
-            Manches.Temps temps = manches.mesurer(reperes, () -> {
-                image[0] = jugee.dessiner(methode.options);
-                return new double[] {povray.temps()[1], povray.temps()[2]};
-            }, voulues(groupe, LONGUE_NS));
-            juger(gabarit, jugee.image(image[0], methode.options), champs);
-            return temps;
-        } catch (Intraduisible e) {
-            throw new IOException("POV-Ray : " + e.getMessage(), e);
-        }
+        SceneJugee jugee = jugee(groupe, Scenes.fichier(groupe.scene, dossier));
+        Raster[] image = new Raster[1];
+        Manches.Temps temps = manches.mesurer(reperes, () -> {
+            image[0] = jugee.dessiner(methode.options);
+            return new double[] {povray.temps()[1], povray.temps()[2]};
+        }, voulues(groupe, LONGUE_NS));
+        juger(gabarit, jugee.image(image[0], methode.options), champs);
+        return temps;
+    }
+
+    private SceneJugee jugee(Catalogue.Groupe groupe, Path fichier) throws IOException {
+        return new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
     }
 
     private static void juger(Gabarit gabarit, ImageLineaire image, Map<String, Object> champs) {
@@ -276,16 +274,11 @@ final class Mesureur {
     }
 
     private Manches.Echantillon povray(Catalogue.Groupe groupe, Path fichier, Methode methode) throws IOException {
-        try {
-            SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
-                    taille.hauteur);
-            return () -> {
-                jugee.dessiner(methode.options);
-                return new double[] {povray.temps()[0], Double.NaN};
-            };
-        } catch (Intraduisible e) {
-            throw new IOException("POV-Ray : " + e.getMessage(), e);
-        }
+        SceneJugee jugee = jugee(groupe, fichier);
+        return () -> {
+            jugee.dessiner(methode.options);
+            return new double[] {povray.temps()[0], Double.NaN};
+        };
     }
 
     /** Le moins qui en dise quelque chose quand chacun essaie un million de sphères par rayon. */
