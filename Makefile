@@ -62,8 +62,10 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 captures: blinn/target/blinn.jar mesures/target/mesures.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
+	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
 	@xvfb-run -a -s "-screen 0 800x700x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
-	    -cp blinn/target/blinn.jar:mesures/target/mesures.jar lancer.atelier.Captures target/captures
+	    -cp blinn/target/blinn.jar:target/test-classes lancer.fenetre.CaptureReglages target/captures/fenetre-reglages.png \
+	    --sans=Brume,Antialias scenes/bowling.ini
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images target/captures images
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
