@@ -40,12 +40,16 @@ final class Planches {
 
     // ---- la courbe principale d'une scène
 
-    private static final Object[][] SERIES = {
-        {Catalogue.BROUILLON, Style.GRIS, FormeDePoint.POINTE}, {Catalogue.UN_RAYON, Style.NOIR, FormeDePoint.ROND},
-        {Catalogue.PROFONDEUR, Style.VERMILLON, FormeDePoint.ROND}, {Catalogue.SEUIL, Style.POURPRE, FormeDePoint.CROIX},
-        {Catalogue.GRILLE, Style.BLEU, FormeDePoint.CARRE}, {Catalogue.COINS, Style.ORANGE, FormeDePoint.TRIANGLE},
-        {Catalogue.PARTAGE, Style.VERT, FormeDePoint.LOSANGE}, {Catalogue.ENSEMBLE, Style.VERMILLON, FormeDePoint.LOSANGE},
-        {Catalogue.AUTO, Style.NOIR, FormeDePoint.ETOILE}, {Catalogue.POVRAY, Style.CIEL, FormeDePoint.TRIANGLE}};
+    private static final Object[][] SERIES = {{Catalogue.BROUILLON, "brouillon", Style.GRIS, FormeDePoint.POINTE},
+        {Catalogue.UN_RAYON, "un rayon", Style.NOIR, FormeDePoint.ROND},
+        {Catalogue.PROFONDEUR, "un rayon, tant de réflexions", Style.VERMILLON, FormeDePoint.ROND},
+        {Catalogue.SEUIL, "un rayon, jusqu'à ce seuil", Style.POURPRE, FormeDePoint.CROIX},
+        {Catalogue.GRILLE, "grille complète", Style.BLEU, FormeDePoint.CARRE},
+        {Catalogue.COINS, "« coins » (n ; seuil)", Style.ORANGE, FormeDePoint.TRIANGLE},
+        {Catalogue.PARTAGE, "« partage » (n ; seuil)", Style.VERT, FormeDePoint.LOSANGE},
+        {Catalogue.ENSEMBLE, "« partage » (4 ; 0,1), jusqu'à ce seuil", Style.VERMILLON, FormeDePoint.LOSANGE},
+        {Catalogue.AUTO, "--auto, pour cette erreur", Style.NOIR, FormeDePoint.ETOILE},
+        {Catalogue.POVRAY, "POV-Ray et ses options", Style.CIEL, FormeDePoint.TRIANGLE}};
 
     /** @param vignette vrai pour une image plus petite, de mêmes caractères, sans légende, dont les points n'ont pas tous leur nom */
     Planche scene(String scene, boolean vignette) {
@@ -63,7 +67,7 @@ final class Planches {
                 marques.add(estParDefaut(r) ? m.cerclee() : m);
             }
             if (!marques.isEmpty()) {
-                volet.serie(new Serie(Noms.serie((String) s[0]), (Color) s[1], (FormeDePoint) s[2],
+                volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3],
                         s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
             }
         }
@@ -131,14 +135,13 @@ final class Planches {
         double reference = processus.referenceMs();
         Volet volet = new Volet("", "", "nombre de sphères", "de la commande au PNG écrit, en secondes");
         ToDoubleFunction<Releve> nombre = r -> Double.parseDouble(r.scene.substring(r.scene.indexOf('-') + 1));
-        Object[][] series = {{"foule", Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
-            {"foule", Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
-            {"etoiles", Catalogue.PROGRAMME, "le programme, neuf étoiles en plus", Style.POURPRE, FormeDePoint.LOSANGE},
-            {"foule", Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
+        Object[][] series = {{Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
+            {Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
+            {Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
         Releve derniere = null;
         for (Object[] s : series) {
             List<Marque> marques = new ArrayList<>();
-            for (Releve r : constats.spheres((String) s[0], (String) s[1]).get()) {
+            for (Releve r : constats.spheres((String) s[0])) {
                 Intervalle t = borne(r.rapport().fois(reference / 1000));
                 if (!Double.isNaN(t.valeur)) {
                     marques.add(Marque.en(nombre.applyAsDouble(r), t.valeur).entreY(t.min, t.max).nommee(Style.nombre(t.valeur)));
@@ -146,7 +149,7 @@ final class Planches {
                 }
             }
             if (!marques.isEmpty()) {
-                volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));
+                volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true, marques));
             }
         }
         extrapoler(volet, derniere, reference, nombre);
@@ -158,7 +161,7 @@ final class Planches {
 
     private void extrapoler(Volet volet, Releve derniere, double reference, ToDoubleFunction<Releve> nombre) {
         List<Marque> marques = new ArrayList<>();
-        for (Releve r : constats.spheres("foule", Catalogue.BOUCLES).get()) {
+        for (Releve r : constats.spheres(Catalogue.BOUCLES)) {
             if (derniere != null && r.nombre("tests") > derniere.nombre("tests")) {
                 double secondes = derniere.rapport().valeur * reference / 1000 * r.nombre("tests") / derniere.nombre("tests");
                 marques.add(Marque.en(nombre.applyAsDouble(r), secondes).creuse().nommee("≈ " + Style.arrondi(secondes / 60) + " min"));
