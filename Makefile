@@ -113,7 +113,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 
 # Les figures et les nombres de docs/reponses.md.
 reponses: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
+	@$(JAVA) -cp mesures/target/mesures.jar:atelier/target/test-classes lancer.atelier.Reponses docs/reponses.md images
 
 # Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
 comparer: $(BASE)

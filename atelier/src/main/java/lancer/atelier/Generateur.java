@@ -69,24 +69,22 @@ public final class Generateur {
 
     /** Ce qui ne va pas dans les arguments, ou {@code null}. */
     private static String refuser(String[] args) {
-        if (args.length == 0) {
-            return "il manque le nom d'une scène";
-        }
-        boolean foule = args[0].equals("foule");
-        if (!foule && !args[0].equals("tournesol")) {
-            return "scène inconnue : « " + args[0] + " »";
+        String scene = args.length == 0 ? "" : args[0];
+        boolean foule = scene.equals("foule");
+        if (!foule && !scene.equals("tournesol")) {
+            return "scène inconnue : « " + scene + " »";
         }
         if (args.length < 2) {
-            return args[0] + " : il manque un nombre";
+            return scene + " : il manque un nombre";
         }
         if (args.length > (foule ? 3 : 2)) {
-            return args[0] + " : un argument de trop : « " + args[args.length - 1] + " »";
+            return scene + " : un argument de trop : « " + args[args.length - 1] + " »";
         }
         if (!estEntier(args[1], 1, N_MAX)) {
-            return args[0] + " : « " + args[1] + " » n'est pas un entier de 1 à " + N_MAX;
+            return scene + " : « " + args[1] + " » n'est pas un entier de 1 à " + N_MAX;
         }
         if (args.length > 2 && !estEntier(args[2], Long.MIN_VALUE, Long.MAX_VALUE)) {
-            return args[0] + " : la graine « " + args[2] + " » n'est pas un entier";
+            return scene + " : la graine « " + args[2] + " » n'est pas un entier";
         }
         return null;
     }

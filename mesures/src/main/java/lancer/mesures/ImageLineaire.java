@@ -13,7 +13,6 @@ import lancer.contrat.Toile;
 public final class ImageLineaire implements Toile {
 
     private final int largeur;
-    private final int hauteur;
 
     /** Rouge, vert, bleu de chaque pixel, ligne par ligne depuis le haut. */
     private final double[] composantes;
@@ -24,7 +23,6 @@ public final class ImageLineaire implements Toile {
      */
     public ImageLineaire(int largeur, int hauteur) {
         this.largeur = largeur;
-        this.hauteur = hauteur;
         composantes = new double[3 * largeur * hauteur];
     }
 
@@ -46,14 +44,6 @@ public final class ImageLineaire implements Toile {
         composantes[k] = coul.r;
         composantes[k + 1] = coul.v;
         composantes[k + 2] = coul.b;
-    }
-
-    public int getLargeur() {
-        return largeur;
-    }
-
-    public int getHauteur() {
-        return hauteur;
     }
 
     /** Trois composantes par pixel, ligne par ligne depuis le haut : le tableau même. */

@@ -24,11 +24,11 @@ class GabaritTest {
     @Test
     void lesPixelsSemesDonnentLErreurDeTouteLImage() {
         Scene scene = SceneAuHasard.de(2);
-        Gabarit entier = new Gabarit(scene, LARGEUR, HAUTEUR);
+        Gabarit entier = new Gabarit(scene, LARGEUR, HAUTEUR, 1);
         Gabarit seme = new Gabarit(scene, LARGEUR, HAUTEUR, 3);
         double[] carres = seme.carres(image(scene, 5));
         assertEquals(54 * 40, carres.length, "un par carré");
-        assertEquals(1, Math.sqrt(Arrays.stream(carres).average().getAsDouble()) / entier.erreur(image(scene, 5)), 0.15);
+        assertEquals(1, Math.sqrt(Arrays.stream(carres).average().getAsDouble()) / Intervalle.deLaRacine(entier.carres(image(scene, 5))).valeur, 0.15);
     }
 
     @Test

@@ -64,7 +64,7 @@ final class MesureAuto {
     }
 
     private void mesurer(String sorte, String nom, Scene scene) throws IOException {
-        Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR);
+        Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR, 1);
         for (double voulue : ERREURS) {
             PromesseAuto promesse = new PromesseAuto(nom, scene, LARGEUR, HAUTEUR, gabarit, voulue);
             Files.write(csv, Collections.singletonList(promesse.csv()), StandardOpenOption.APPEND);

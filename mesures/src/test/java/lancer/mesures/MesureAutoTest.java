@@ -40,11 +40,11 @@ class MesureAutoTest {
         for (long graine : new long[] {1, 2}) {
             Scene scene = SceneAuHasard.de(graine);
             ImageLineaire verite = verite(scene);
-            Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR);
+            Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR, 1);
             for (int reflets : new int[] {0, 5}) {
                 ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
                 double attendue = erreur(image, verite);
-                assertEquals(1, gabarit.erreur(image) / attendue, 0.05, "graine " + graine + ", " + attendue + " niveaux");
+                assertEquals(1, Intervalle.deLaRacine(gabarit.carres(image)).valeur / attendue, 0.05, "graine " + graine + ", " + attendue + " niveaux");
             }
         }
     }
@@ -54,7 +54,7 @@ class MesureAutoTest {
         Scene scene = SceneAuHasard.de(1);
         ImageLineaire verite = verite(scene);
         // ce qui reste est le hasard des deux images, qui ne fait que s'annuler à peu près
-        assertTrue(new Gabarit(scene, LARGEUR, HAUTEUR).erreur(verite) < 0.5);
+        assertTrue(Intervalle.deLaRacine(new Gabarit(scene, LARGEUR, HAUTEUR, 1).carres(verite)).valeur < 0.5);
     }
 
     @Test
@@ -70,7 +70,7 @@ class MesureAutoTest {
     @Test
     void laPromesseDUneSceneSimpleEstTenueEtDecrite() {
         Scene scene = SceneAuHasard.de(3);
-        PromesseAuto promesse = new PromesseAuto("essai", scene, LARGEUR, HAUTEUR, new Gabarit(scene, LARGEUR, HAUTEUR), 8);
+        PromesseAuto promesse = new PromesseAuto("essai", scene, LARGEUR, HAUTEUR, new Gabarit(scene, LARGEUR, HAUTEUR, 1), 8);
         assertTrue(promesse.promise && promesse.estTenue(), promesse.csv());
         assertTrue(promesse.csv().startsWith("essai,8.0,\"[Antialias] n="), promesse.csv());
         // une virgule dans une colonne, entre guillemets

@@ -49,13 +49,13 @@ final class Figures {
                 "Rayons mal classés", "|P − C| / r", "rayons mal classés, en %").repere(AUCUN, "aucun");
         courbes(genre, Mesures.LOIN, r -> Math.max(AUCUN, 100 * r.part()), false);
         return new Planche("De loin : le manuel se perd dès " + nombre("perdu") + " r ; le programme, "
-                + nombre("loin.programme"), note).volet(erreur, 1.2).volet(genre, 1);
+                + nombre("loin.programme"), note).volet(erreur).volet(genre);
     }
 
     /** B : au ras. */
     Planche ras() {
         return new Planche("Au ras : le programme, " + nombre("ras.unites") + " fois l'effet d'un seul arrondi", note)
-                .volet(rasant(Mesures.RAS, Mesures.PRES), 1).volet(rasant(Mesures.RAS_LOIN, Mesures.LOINTAIN), 1);
+                .volet(rasant(Mesures.RAS, Mesures.PRES)).volet(rasant(Mesures.RAS_LOIN, Mesures.LOINTAIN));
     }
 
     private Volet rasant(String figure, double distance) {
@@ -82,7 +82,7 @@ final class Figures {
                 + nombre("pose.programme"), "Un départ posé sur une surface", "hauteur du départ / rayon", ERREUR).versZero();
         courbes(pose, Mesures.POSE, r -> r.erreurRelative, true);
         return new Planche("Près d'une surface : " + nombre("sol.programme") + " chiffres justes, " + nombre("sol.perpendiculaire")
-                + " par la perpendiculaire", note).volet(sol, 1).volet(pose, 1);
+                + " par la perpendiculaire", note).volet(sol).volet(pose);
     }
 
     /** D : les défauts, en images. */
@@ -98,7 +98,7 @@ final class Figures {
                 + Style.nombre(naifs.get(0).faux) + " pixels faux ; le programme : " + nombre("defauts.programme"),
                 "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-pas de "
                 + "l'écran d'écart à ce que donne la géométrie. Images de " + Style.nombre(naifs.get(0).essais) + " pixels. make mesures")
-                .taille(Style.LARGEUR, 1480).volet(vignettes, 1);
+                .taille(Style.LARGEUR, 1480).volet(vignettes);
     }
 
     /** Chaque méthode. @param juste vrai pour ne tracer que là où elle touche et manque encore comme il faut */

@@ -95,7 +95,7 @@ public final class Methodes {
                 volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, false,
                         Collections.singletonList(Bilan.estClasse(r) ? m : m.creuse())));
             }
-            planche.volet(volet, 1);
+            planche.volet(volet);
         }
         return planche;
     }

@@ -41,6 +41,11 @@ final class Catalogue {
     /** Jusqu'à ce nombre de sphères, les boucles du cours se mesurent ; une seule fois à celui-ci. */
     static final int BOUCLES_MAX = 10000;
 
+    /** Ce que le catalogue court garde des réglages de la scène du cours. */
+    private static final List<String> COURT = Arrays.asList(UN_RAYON + "/", BROUILLON + "/4 × 4", GRILLE + "/2 × 2",
+            COINS + "/" + COINS_DEFAUT, PARTAGE + "/n=4 seuil=0.1", PROFONDEUR + "/p=0", PROFONDEUR + "/p=" + Gabarit.PROFONDEUR,
+            AUTO + "/erreur=2", POVRAY + "/-A");
+
     private final boolean court;
 
     Catalogue(boolean court) {
@@ -109,22 +114,19 @@ final class Catalogue {
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(UN_RAYON, ""));
         m.add(new Methode(BROUILLON, "4 × 4").enBrouillon());
-        for (int n : court ? new int[] {2} : miroirs ? new int[] {2, 8} : cours ? new int[] {2, 4, 8} : new int[] {2, 4}) {
+        for (int n : miroirs ? new int[] {2, 8} : cours ? new int[] {2, 4, 8} : new int[] {2, 4}) {
             m.add(new Methode(GRILLE, n + " × " + n).echantillonnee(Antialias.coins(n, 0)));
         }
-        for (int n : court || miroirs ? new int[] {3} : cours ? new int[] {3, 4, 8} : new int[] {3, 4}) {
+        for (int n : miroirs ? new int[] {3} : cours ? new int[] {3, 4, 8} : new int[] {3, 4}) {
             m.add(new Methode(COINS, "n=" + n + " seuil=0.05").echantillonnee(Antialias.coins(n, 0.05)));
         }
-        double[][] partages = court || miroirs ? new double[][] {{4, 0.1}} : new double[][] {{4, 0.1}, {4, 0.2}, {8, 0.06}, {16, 0.03},
-            {16, 0.06}};
-        for (double[] p : partages) {
+        for (double[] p : miroirs ? new double[][] {{4, 0.1}} : new double[][] {{4, 0.1}, {4, 0.2}, {8, 0.06}, {16, 0.03}, {16, 0.06}}) {
             m.add(new Methode(PARTAGE, "n=" + (int) p[0] + " seuil=" + p[1]).echantillonnee(Antialias.partage((int) p[0], p[1])));
         }
-        for (int p : court ? new int[] {0} : miroirs ? new int[] {0, 2, 10, 20} : new int[] {0, 1, 2}) {
+        for (int p : miroirs ? new int[] {0, 2, 10, 20, Gabarit.PROFONDEUR} : new int[] {0, 1, 2, Gabarit.PROFONDEUR}) {
             m.add(new Methode(PROFONDEUR, "p=" + p).limitee(p, Constantes.SEUIL));
         }
-        m.add(new Methode(PROFONDEUR, "p=" + Gabarit.PROFONDEUR).limitee(Gabarit.PROFONDEUR, Constantes.SEUIL));
-        for (int s : court || !miroirs && !cours ? new int[] {} : miroirs ? new int[] {16, 128} : new int[] {16}) {
+        for (int s : miroirs ? new int[] {16, 128} : cours ? new int[] {16} : new int[] {}) {
             m.add(new Methode(SEUIL, "1/" + s).limitee(Gabarit.PROFONDEUR, 1.0 / s));
             if (miroirs) {
                 // là seulement le front demande les deux à la fois
@@ -132,16 +134,15 @@ final class Catalogue {
                         .echantillonnee(Antialias.partage(4, 0.1)).limitee(Gabarit.PROFONDEUR, 1.0 / s));
             }
         }
-        for (String erreur : court ? new String[] {"2"} : new String[] {"0.5", "1", "2", "4"}) {
+        for (String erreur : new String[] {"0.5", "1", "2", "4"}) {
             m.add(new Methode(AUTO, "erreur=" + erreur).auto(Double.parseDouble(erreur)));
         }
         m.add(povray("-A"));
-        if (!court) {
-            m.add(povray("+A0.3 +R3 +AM1"));
-        }
-        if (!court && !miroirs) {
+        m.add(povray("+A0.3 +R3 +AM1"));
+        if (!miroirs) {
             m.add(povray(scene.equals("tournesol") ? "+A0.1 +R3 +AM2" : "+A0.03 +R4 +AM2"));
         }
+        m.removeIf(methode -> court && !COURT.contains(methode.cle()));
         return m;
     }
 
@@ -151,8 +152,7 @@ final class Catalogue {
 
     /** Une chose changée à la fois. */
     private List<Methode> demandes() {
-        List<Methode> m = new ArrayList<>(Arrays.asList(
-                new Methode(TELLE_QUELLE, ""),
+        List<Methode> m = new ArrayList<>(Arrays.asList(new Methode(TELLE_QUELLE, ""),
                 new Methode("lampe", "une de plus").sur(Catalogue::uneLampeDePlus),
                 new Methode("reflets", "aucun").limitee(0, Constantes.SEUIL),
                 new Methode("brume", "").sur(s -> variee(s, v -> v.setAtmosphere(new Brume()))),

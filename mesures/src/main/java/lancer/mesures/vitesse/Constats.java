@@ -167,7 +167,7 @@ final class Constats {
     }
 
     static String nombre(Releve r) {
-        return Style.nombre(Double.parseDouble(r.scene.substring(r.scene.indexOf('-') + 1)));
+        return Style.nombre(r.nombre("spheres"));
     }
 
     // ---- la parcimonie

@@ -46,7 +46,7 @@ final class FigureDifferences {
                     "erreur " + Style.nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur) + " pas");
         }
         new Planche("Scène du cours : ce qui manque à chaque image, amplifié " + AMPLIFICATION + " fois",
-                taille.largeur + " × " + taille.hauteur + ". make mesures").volet(vignettes, 1).ecrire(dossier.resolve(PNG));
+                taille.largeur + " × " + taille.hauteur + ". make mesures").volet(vignettes).ecrire(dossier.resolve(PNG));
     }
 
     private static int ecart(ImageLineaire a, ImageLineaire b, int k) {

@@ -4,7 +4,6 @@ import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.mesures.Intervalle;
@@ -72,11 +71,11 @@ final class Planches {
             }
         }
         if (vignette) {
-            return new Planche(constats.titre(scene), "").taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE).sansLegende().volet(volet, 1);
+            return new Planche(constats.titre(scene), "").taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE).sansLegende().volet(volet);
         }
         return new Planche(constats.titre(scene), "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat."
                 + " Erreur : contre la moyenne de chaque pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un"
-                + " rayon, fois " + Style.nombre(reference) + " ms. " + note).volet(volet, 1);
+                + " rayon, fois " + Style.nombre(reference) + " ms. " + note).volet(volet);
     }
 
     private static Marque marque(Releve r, double reference, boolean pleine) {
@@ -124,8 +123,8 @@ final class Planches {
         Volet volet = Volet.rangees("", "fois autant que la scène du cours telle quelle", noms, 1)
                 .serie(new Serie("rayons, comptés", Style.BLEU, FormeDePoint.CARRE, false, rayons))
                 .serie(new Serie("temps, 19 fois sur 20", Style.VERMILLON, FormeDePoint.ROND, false, temps));
-        return new Planche(constats.pages().get("demandes.titre"), "« La même, ailleurs » : la même scène dans une autre machine virtuelle,"
-                + " ce dont l'écart à 1 élargit toutes les barres. " + note).volet(volet, 1);
+        return new Planche(constats.pages().get("demandes.titre"), "« La même, ailleurs » : la même scène dans d'autres machines"
+                + " virtuelles, ce qui ne devrait rien changer. " + note).volet(volet);
     }
 
     // ---- le nombre de sphères
@@ -134,7 +133,6 @@ final class Planches {
         Releves processus = releves.de(Catalogue.SPHERES);
         double reference = processus.referenceMs();
         Volet volet = new Volet("", "", "nombre de sphères", "de la commande au PNG écrit, en secondes");
-        ToDoubleFunction<Releve> nombre = r -> Double.parseDouble(r.scene.substring(r.scene.indexOf('-') + 1));
         Object[][] series = {{Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
             {Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
             {Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
@@ -144,7 +142,7 @@ final class Planches {
             for (Releve r : constats.spheres((String) s[0])) {
                 Intervalle t = borne(r.rapport().fois(reference / 1000));
                 if (!Double.isNaN(t.valeur)) {
-                    marques.add(Marque.en(nombre.applyAsDouble(r), t.valeur).entreY(t.min, t.max).nommee(Style.nombre(t.valeur)));
+                    marques.add(Marque.en(r.nombre("spheres"), t.valeur).entreY(t.min, t.max).nommee(Style.nombre(t.valeur)));
                     derniere = r.methode.equals(Catalogue.BOUCLES) ? r : derniere;
                 }
             }
@@ -152,23 +150,23 @@ final class Planches {
                 volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true, marques));
             }
         }
-        extrapoler(volet, derniere, reference, nombre);
+        extrapoler(volet, derniere, reference);
         return new Planche(constats.pages().get("spheres.titre"), "Démarrage de Java, lecture, préparation, dessin, écriture, à froid."
                 + " Au-delà de 10 000 sphères, le temps des boucles n'est pas mesuré : leurs examens sont comptés sur quelques pixels. "
                 + note)
-                .volet(volet, 1);
+                .volet(volet);
     }
 
-    private void extrapoler(Volet volet, Releve derniere, double reference, ToDoubleFunction<Releve> nombre) {
+    private void extrapoler(Volet volet, Releve derniere, double reference) {
         List<Marque> marques = new ArrayList<>();
         for (Releve r : constats.spheres(Catalogue.BOUCLES)) {
             if (derniere != null && r.nombre("tests") > derniere.nombre("tests")) {
                 double secondes = derniere.rapport().valeur * reference / 1000 * r.nombre("tests") / derniere.nombre("tests");
-                marques.add(Marque.en(nombre.applyAsDouble(r), secondes).creuse().nommee("≈ " + Style.arrondi(secondes / 60) + " min"));
+                marques.add(Marque.en(r.nombre("spheres"), secondes).creuse().nommee("≈ " + Style.arrondi(secondes / 60) + " min"));
             }
         }
         if (!marques.isEmpty()) {
-            marques.add(0, Marque.en(nombre.applyAsDouble(derniere), derniere.rapport().valeur * reference / 1000));
+            marques.add(0, Marque.en(derniere.nombre("spheres"), derniere.rapport().valeur * reference / 1000));
             volet.serie(new Serie("les boucles, extrapolation", Style.BLEU, FormeDePoint.CARRE, true, marques).enPointille());
         }
     }
@@ -202,6 +200,6 @@ final class Planches {
                 .serie(new Serie("ce qu'en demande l'écran", Style.BLEU, FormeDePoint.ROND, false, demandees));
         return new Planche(constats.titreDeLaParcimonie(), "Tout est compté, rien n'est chronométré ; un rayon par pixel, "
                 + besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur") + ". make mesures")
-                .volet(rayons, 1.35).volet(reflets, 1);
+                .volet(rayons).volet(reflets);
     }
 }
