@@ -9,6 +9,8 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** Des lignes de champs séparés par des virgules (RFC 4180), sans fin de ligne dans un champ ; la première les nomme. */
@@ -16,6 +18,8 @@ public final class FichierCsv {
 
     /** Ce qui commence une ligne qui n'est pas un enregistrement. */
     public static final String NOTE = "# ";
+
+    private static final Pattern CHAMP = Pattern.compile(",(?:\"((?:[^\"]|\"\")*)\"|([^,]*))");
 
     private FichierCsv() {
     }
@@ -60,23 +64,10 @@ public final class FichierCsv {
     /** Les champs d'une ligne. */
     static List<String> champs(String ligne) {
         List<String> champs = new ArrayList<>();
-        StringBuilder champ = new StringBuilder();
-        boolean cite = false;
-        for (int k = 0; k < ligne.length(); k++) {
-            char c = ligne.charAt(k);
-            if (cite && c == '"' && k + 1 < ligne.length() && ligne.charAt(k + 1) == '"') {
-                champ.append('"');
-                k++;
-            } else if (c == '"') {
-                cite = !cite;
-            } else if (c == ',' && !cite) {
-                champs.add(champ.toString());
-                champ.setLength(0);
-            } else {
-                champ.append(c);
-            }
+        Matcher m = CHAMP.matcher("," + ligne);
+        while (m.find()) {
+            champs.add(m.group(1) == null ? m.group(2) : m.group(1).replace("\"\"", "\""));
         }
-        champs.add(champ.toString());
         return champs;
     }
 }

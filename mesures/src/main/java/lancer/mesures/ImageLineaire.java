@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Toile;
@@ -54,11 +53,6 @@ public final class ImageLineaire implements Toile {
     /** Le pixel de rang {@code k}, dans l'ordre de la lecture. */
     public Couleur getCouleur(int k) {
         return new Couleur(composantes[3 * k], composantes[3 * k + 1], composantes[3 * k + 2]);
-    }
-
-    /** Plus rien n'est dessiné : un pixel que le prochain dessin oublierait se verra. */
-    public void effacer() {
-        Arrays.fill(composantes, Double.NaN);
     }
 
     /** Mêmes bits en ce pixel : ni la tolérance d'un écran, ni l'égalité de 0 et −0. */

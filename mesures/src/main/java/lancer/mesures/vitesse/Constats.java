@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
 
@@ -51,7 +52,8 @@ final class Constats {
             methodes(scene).peutEtre(Catalogue.GRILLE, "8 × 8").ifPresent(r -> valeurs.put(scene + ".8x8", duel(scene, r)));
             valeurs.put(scene + ".unrayon", Style.nombre(methodes(scene).le(Catalogue.UN_RAYON, "").erreur().valeur));
         }
-        valeurs.put("demandes.titre", titreDesDemandes());
+        valeurs.put("demandes.titre", "Le temps d'une lampe de plus : "
+                + Noms.rapport(demandes().le("lampe", "une de plus").rapport()));
         for (Releve r : demandes().get()) {
             valeurs.put("demandes." + (r.methode + " " + r.parametres).trim(), Noms.rapport(r.rapport()));
         }
@@ -60,9 +62,7 @@ final class Constats {
         valeurs.put("spheres.boucles", spheresContreBoucles());
         valeurs.put("parcimonie.titre", titreDeLaParcimonie());
         valeurs.put("marge", Style.arrondi(100 * (releves.marge() - 1)) + " %");
-        Releve r = releves.get().get(0);
-        valeurs.put("machine", r.texte("machine") + ", " + r.texte("coeurs") + " cœurs, " + r.texte("jvm") + ", commit " + r.texte("commit")
-                + ", " + r.texte("date").replace('T', ' '));
+        valeurs.put("machine", releves.get().get(0).circonstances());
         return valeurs;
     }
 
@@ -117,20 +117,10 @@ final class Constats {
 
     /** Une ligne de tableau : pour chaque erreur à ne pas dépasser, le réglage le plus rapide qui la tient à coup sûr. */
     private String paliers(String scene) {
-        StringBuilder s = new StringBuilder();
-        for (double palier : new double[] {4, 2, 1, 0.5, ARRONDI}) {
-            Optional<Releve> premier = methodes(scene).get().stream().filter(r -> !r.methode.equals(Catalogue.POVRAY))
-                    .filter(r -> !r.methode.equals(Catalogue.AUTO) && r.erreur().max <= palier)
-                    .min(Comparator.comparingDouble(r -> r.rapport().valeur));
-            s.append(" | ").append(premier.map(r -> Noms.methode(r) + " : " + Noms.rapport(r.rapport())).orElse("rien"));
-        }
-        return s.substring(" | ".length());
-    }
-
-    // ---- ce que coûte chaque demande
-
-    private String titreDesDemandes() {
-        return "Le temps d'une lampe de plus : " + Noms.rapport(demandes().le("lampe", "une de plus").rapport());
+        return DoubleStream.of(4, 2, 1, 0.5, ARRONDI).mapToObj(palier -> methodes(scene).get().stream()
+                .filter(r -> !r.methode.equals(Catalogue.POVRAY) && !r.methode.equals(Catalogue.AUTO) && r.erreur().max <= palier)
+                .min(Comparator.comparingDouble(r -> r.rapport().valeur))
+                .map(r -> Noms.methode(r) + " : " + Noms.rapport(r.rapport())).orElse("rien")).collect(Collectors.joining(" | "));
     }
 
     // ---- le nombre de sphères

@@ -10,6 +10,7 @@ import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Random;
 import java.util.Set;
@@ -117,7 +118,7 @@ final class Ouvrier {
         new Random(GRAINE).ints(0, nombre).distinct().limit(Math.max(1, (int) (nombre * Math.min(1, BUDGET / cout))))
                 .mapToObj(k -> Pave.deRang(k, taille.largeur, taille.hauteur)).forEach(p -> choisis.add(coin(p)));
         ImageLineaire juste = new ImageLineaire(taille.largeur, taille.hauteur);
-        juste.effacer();
+        Arrays.fill(juste.getComposantes(), Double.NaN);
         dessin.refaire(entier -> filtrer(entier, choisis), juste, taille.fils);
         int refaits = 0;
         for (int k = 0; k < taille.pixels(); k++) {

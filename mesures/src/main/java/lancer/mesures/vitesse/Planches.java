@@ -33,8 +33,7 @@ final class Planches {
         this.besoins = besoins;
         constats = new Constats(releves, besoins);
         Releve r = releves.get().get(0);
-        note = r.texte("largeur") + " × " + r.texte("hauteur") + ", " + r.texte("fils") + " fils. " + r.texte("machine") + ", "
-                + r.texte("jvm") + ", commit " + r.texte("commit") + ", " + r.texte("date").replace('T', ' ') + ". make mesures";
+        note = r.texte("largeur") + " × " + r.texte("hauteur") + ", " + r.texte("fils") + " fils. " + r.circonstances() + ". make mesures";
     }
 
     // ---- la courbe principale d'une scène

@@ -44,6 +44,12 @@ final class Releve {
         return champs.getOrDefault(colonne, "");
     }
 
+    /** Sur quoi et quand. */
+    String circonstances() {
+        return texte("machine") + ", " + texte("coeurs") + " cœurs, " + texte("jvm") + ", commit " + texte("commit") + ", "
+                + texte("date").replace('T', ' ');
+    }
+
     /** NaN si le champ est vide. */
     double nombre(String colonne) {
         String texte = texte(colonne);
