@@ -34,18 +34,12 @@ final class Plume {
 
     /** Une sphère, numérotée dans l'ordre d'écriture. */
     void sphere(double x, double y, double z, double rayon, String materiau) throws IOException {
-        spheres++;
-        tampon.append("\n[Sphere ").append(spheres).append("]\n");
-        geometrie(x, y, z, rayon, materiau);
+        sphere(Integer.toString(++spheres), x, y, z, rayon, materiau);
     }
 
     /** Une sphère qui a un nom, par exemple le sol. */
     void sphere(String nom, double x, double y, double z, double rayon, String materiau) throws IOException {
         tampon.append("\n[Sphere ").append(nom).append("]\n");
-        geometrie(x, y, z, rayon, materiau);
-    }
-
-    private void geometrie(double x, double y, double z, double rayon, String materiau) throws IOException {
         tampon.append("centre=");
         triplet(x, y, z);
         tampon.append("rayon=");

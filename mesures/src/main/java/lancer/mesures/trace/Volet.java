@@ -6,7 +6,9 @@ import java.awt.Paint;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
@@ -38,8 +40,7 @@ public final class Volet implements Contenu {
     private final String nomY;
     private final List<Serie> fonds = new ArrayList<>();
     private final List<Serie> series = new ArrayList<>();
-    private final List<Double> niveaux = new ArrayList<>();
-    private final List<String> nomsDesNiveaux = new ArrayList<>();
+    private final Map<Double, String> niveaux = new LinkedHashMap<>();
     private String[] rangees;
     private double zone;
     private double repereX;
@@ -91,17 +92,14 @@ public final class Volet implements Contenu {
 
     /** Une droite horizontale en pointillé, et ce qu'elle veut dire. */
     public Volet repere(double y, String nom) {
-        niveaux.add(y);
-        nomsDesNiveaux.add(nom);
+        niveaux.put(y, nom);
         return this;
     }
 
     /** Ce qui est au-dessous est ombré, et ce que cela veut dire. */
     public Volet zone(double haut, String nom) {
         zone = haut;
-        niveaux.add(haut);
-        nomsDesNiveaux.add(nom);
-        return this;
+        return repere(haut, nom);
     }
 
     @Override
@@ -153,7 +151,7 @@ public final class Volet implements Contenu {
         if (zone > 0) {
             plot.addRangeMarker(new IntervalMarker(axeY.getLowerBound(), zone, Style.BANDE), Layer.BACKGROUND);
         }
-        niveaux.forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
+        niveaux.keySet().forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
         if (repereX > 0) {
             plot.addDomainMarker(new ValueMarker(repereX, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND);
         }
@@ -285,12 +283,11 @@ public final class Volet implements Contenu {
                 }
             }
         }
-        for (int k = 0; k < niveaux.size(); k++) {
-            double largeur = g.getFontMetrics(Style.ETIQUETTE).stringWidth(nomsDesNiveaux.get(k));
-            double dessous = zone == niveaux.get(k) ? 18 : -18;
-            noms.ecrire(nomsDesNiveaux.get(k), cadre.getMaxX() - largeur / 2 - 12, py(niveaux.get(k), 0, cadre) + dessous, -12,
-                    Style.ETIQUETTE, Style.GRIS, false);
-        }
+        niveaux.forEach((y, nom) -> {
+            double largeur = g.getFontMetrics(Style.ETIQUETTE).stringWidth(nom);
+            noms.ecrire(nom, cadre.getMaxX() - largeur / 2 - 12, py(y, 0, cadre) + (zone == y ? 18 : -18), -12, Style.ETIQUETTE, Style.GRIS,
+                    false);
+        });
     }
 
     private double px(double x, Rectangle2D cadre) {

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
@@ -258,12 +259,10 @@ final class Mesureur {
 
         @Override
         public double[] prendre() throws IOException {
-            Object[] args = new Object[options.length + 6];
-            Object[] miens = {"--image", image, "--taille", taille, "--statistiques", fichier};
-            System.arraycopy(miens, 0, args, 0, miens.length);
-            System.arraycopy(options, 0, args, miens.length, options.length);
+            List<Object> args = new ArrayList<>(Arrays.asList("--image", image, "--taille", taille, "--statistiques", fichier));
+            args.addAll(Arrays.asList(options));
             long debut = System.nanoTime();
-            try (Processus processus = new Processus(Main.class, args)) {
+            try (Processus processus = new Processus(Main.class, args.toArray())) {
                 List<String> lignes = processus.lignes();
                 long duree = System.nanoTime() - debut;
                 statistiques = lignes.stream().map(l -> l.split(": ")).filter(l -> l.length == 2)
