@@ -61,6 +61,8 @@ final class Constats {
         valeurs.put("spheres.povray", spheresContrePovray());
         valeurs.put("spheres.boucles", spheresContreBoucles());
         valeurs.put("parcimonie.titre", titreDeLaParcimonie());
+        valeurs.put("besoins.tableau", tableauDesBesoins());
+        valeurs.put("besoins.taille", besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur"));
         valeurs.put("marge", Style.arrondi(100 * (releves.marge() - 1)) + " %");
         valeurs.put("machine", releves.get().get(0).circonstances());
         return valeurs;
@@ -162,11 +164,34 @@ final class Constats {
 
     // ---- la parcimonie
 
+    private String tableauDesBesoins() {
+        return "\n\n| scène | sphères | lampes qui changent au moins un pixel | réflexions qui changent au moins un pixel "
+                + "| sphères essayées par rayon | rayons non lancés | rayons lancés de trop |\n|---|---|---|---|---|---|---|\n"
+                + besoins.stream().map(b -> "| " + String.join(" | ", "`" + b.get("scene") + "`",
+                Style.nombre(nombre(b, "spheres")), b.get("lampes_utiles") + " sur " + b.get("lampes"), b.get("profondeur_utile"),
+                Style.nombre(nombre(b, "tests_par_rayon")), Style.arrondi(100 * economie(b)) + " %",
+                Style.arrondi(100 * exces(b)) + " %") + " |\n").collect(Collectors.joining()) + "\n";
+    }
+
+    private static double nombre(Map<String, String> b, String colonne) {
+        return Double.parseDouble(b.get(colonne));
+    }
+
+    /** La part des rayons qui n'ont pas été lancés. */
+    private static double economie(Map<String, String> b) {
+        return 1 - nombre(b, "rayons") / nombre(b, "rayons_sans_economie");
+    }
+
+    /** La part des rayons lancés qui ne changent rien à l'écran. */
+    private static double exces(Map<String, String> b) {
+        return 1 - nombre(b, "rayons_utiles") / nombre(b, "rayons");
+    }
+
     String titreDeLaParcimonie() {
-        Map<String, String> sobre = besoins.stream().max(Comparator.comparingDouble(TableBesoins::economie)).get();
-        Map<String, String> prodigue = besoins.stream().max(Comparator.comparingDouble(TableBesoins::exces)).get();
-        return "De " + Style.arrondi(100 * besoins.stream().mapToDouble(TableBesoins::economie).min().orElse(0)) + " à "
-                + Style.arrondi(100 * TableBesoins.economie(sobre)) + " % des rayons ne sont pas lancés ; il en reste jusqu'à "
-                + Style.arrondi(100 * TableBesoins.exces(prodigue)) + " % (" + prodigue.get("scene") + ") qui ne changent rien à l'écran";
+        Map<String, String> sobre = besoins.stream().max(Comparator.comparingDouble(Constats::economie)).get();
+        Map<String, String> prodigue = besoins.stream().max(Comparator.comparingDouble(Constats::exces)).get();
+        return "De " + Style.arrondi(100 * besoins.stream().mapToDouble(Constats::economie).min().orElse(0)) + " à "
+                + Style.arrondi(100 * economie(sobre)) + " % des rayons ne sont pas lancés ; il en reste jusqu'à "
+                + Style.arrondi(100 * exces(prodigue)) + " % (" + prodigue.get("scene") + ") qui ne changent rien à l'écran";
     }
 }

@@ -103,7 +103,6 @@ final class Mesureur {
         Scene scene = Scenes.lire(fichier);
         Gabarit gabarit = groupe.jugees ? new Gabarit(scene, taille.largeur, taille.hauteur, court ? 3 : 5) : null;
         int lancements = groupe.lancements;
-        Map<Methode, Map<String, Object>> champs = new HashMap<>();
         Map<Methode, Manches.Temps> temps = new HashMap<>();
         for (int lancement = 1; lancement <= lancements; lancement++) {
             try (Machine reperes = new Machine(groupe, groupe.methodes.get(0), fichier)) {
@@ -111,14 +110,13 @@ final class Mesureur {
                     if (methode.genre == Methode.Genre.POVRAY && povray == null) {
                         continue;
                     }
-                    Map<String, Object> siens = champs.computeIfAbsent(methode, m -> new HashMap<>());
-                    boolean dernier = lancement == lancements;
-                    Manches.Temps pris = methode.genre == Methode.Genre.POVRAY ? parPovRay(groupe, methode, reperes, gabarit, siens)
-                            : parNous(groupe, methode, fichier, reperes, gabarit, dernier ? siens : null);
+                    Map<String, Object> champs = lancement < lancements ? null : new HashMap<>();
+                    Manches.Temps pris = methode.genre == Methode.Genre.POVRAY ? parPovRay(groupe, methode, reperes, gabarit, champs)
+                            : parNous(groupe, methode, fichier, reperes, gabarit, champs);
                     temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
-                    if (dernier) {
-                        siens.put("lancements", lancements);
-                        noter(groupe, methode, scene.getObjets().size(), siens, temps.get(methode));
+                    if (champs != null) {
+                        champs.put("lancements", lancements);
+                        noter(groupe, methode, scene.getObjets().size(), champs, temps.get(methode));
                     }
                 }
             }

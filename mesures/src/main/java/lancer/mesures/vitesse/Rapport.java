@@ -2,8 +2,6 @@ package lancer.mesures.vitesse;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
@@ -19,7 +17,8 @@ import lancer.mesures.trace.Planche;
 final class Rapport {
 
     /** Ce que « make mesures » réécrit dans le projet. */
-    static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md")};
+    static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
+        Paths.get("mesures/resultats/besoins.md")};
 
     /** Celles que le README montre l'une près de l'autre, sous la courbe de la scène du cours. */
     private static final List<String> VIGNETTES = Arrays.asList("miroirs", "tournesol");
@@ -57,7 +56,6 @@ final class Rapport {
         ecrire(planches.spheres(), "spheres");
         ecrire(planches.parcimonie(), "parcimonie");
         Stabilite.dessiner(dossier);
-        Files.write(dossier.resolve("besoins.md"), TableBesoins.markdown(besoins).getBytes(StandardCharsets.UTF_8));
         Map<String, String> valeurs = valeurs();
         valeurs.forEach((nom, valeur) -> sortie.println(nom + " : " + valeur));
         for (Path page : PAGES) {
