@@ -53,48 +53,32 @@ public final class Generateur {
      * @throws IOException si la sortie ne peut être écrite
      */
     static int executer(String[] args, Appendable sortie, PrintStream erreurs) throws IOException {
-        String faute = refuser(args);
-        if (faute != null) {
-            erreurs.println("Generateur : " + faute + " ; " + USAGE);
-            return 2;
-        }
-        int nombre = Integer.parseInt(args[1]);
-        if (args[0].equals("foule")) {
-            foule(sortie, nombre, args.length > 2 ? Long.parseLong(args[2]) : GRAINE);
-        } else {
-            tournesol(sortie, nombre);
-        }
-        return 0;
-    }
-
-    /** Ce qui ne va pas dans les arguments, ou {@code null}. */
-    private static String refuser(String[] args) {
         String scene = args.length == 0 ? "" : args[0];
         boolean foule = scene.equals("foule");
-        if (!foule && !scene.equals("tournesol")) {
-            return "scène inconnue : « " + scene + " »";
+        try {
+            if (!foule && !scene.equals("tournesol")) {
+                throw new IllegalArgumentException("scène inconnue : « " + scene + " »");
+            }
+            if (args.length < 2 || args.length > (foule ? 3 : 2)) {
+                throw new IllegalArgumentException(scene + " : un nombre" + (foule ? ", et une graine si l'on veut" : "") + ", rien d'autre");
+            }
+            if (foule) {
+                foule(sortie, entier(args[1]), args.length > 2 ? entier(args[2]) : GRAINE);
+            } else {
+                tournesol(sortie, entier(args[1]));
+            }
+            return 0;
+        } catch (IllegalArgumentException e) {
+            erreurs.println("Generateur : " + e.getMessage() + " ; " + USAGE);
+            return 2;
         }
-        if (args.length < 2) {
-            return scene + " : il manque un nombre";
-        }
-        if (args.length > (foule ? 3 : 2)) {
-            return scene + " : un argument de trop : « " + args[args.length - 1] + " »";
-        }
-        if (!estEntier(args[1], 1, N_MAX)) {
-            return scene + " : « " + args[1] + " » n'est pas un entier de 1 à " + N_MAX;
-        }
-        if (args.length > 2 && !estEntier(args[2], Long.MIN_VALUE, Long.MAX_VALUE)) {
-            return scene + " : la graine « " + args[2] + " » n'est pas un entier";
-        }
-        return null;
     }
 
-    private static boolean estEntier(String texte, long min, long max) {
+    private static long entier(String texte) {
         try {
-            long valeur = Long.parseLong(texte);
-            return min <= valeur && valeur <= max;
+            return Long.parseLong(texte);
         } catch (NumberFormatException e) {
-            return false;
+            throw new IllegalArgumentException("« " + texte + " » n'est pas un entier", e);
         }
     }
 
@@ -104,9 +88,8 @@ public final class Generateur {
      * @param n de 1 à {@link #N_MAX}
      * @param graine du hasard ; la même graine donne la même foule
      */
-    public static void foule(Appendable sortie, int n, long graine) throws IOException {
-        verifier(n);
-        new Foule(new Plume(sortie), n, graine, new Random(graine)).ecrire();
+    public static void foule(Appendable sortie, long n, long graine) throws IOException {
+        new Foule(new Plume(sortie), verifie(n), graine, new Random(graine)).ecrire();
     }
 
     /**
@@ -114,14 +97,14 @@ public final class Generateur {
      *
      * @param n de 1 à {@link #N_MAX}
      */
-    public static void tournesol(Appendable sortie, int n) throws IOException {
-        verifier(n);
-        new Tournesol(new Plume(sortie), n).ecrire();
+    public static void tournesol(Appendable sortie, long n) throws IOException {
+        new Tournesol(new Plume(sortie), verifie(n)).ecrire();
     }
 
-    private static void verifier(int n) {
+    private static int verifie(long n) {
         if (n < 1 || n > N_MAX) {
             throw new IllegalArgumentException("nombre de boules : " + n + ", au lieu de 1 à " + N_MAX);
         }
+        return (int) n;
     }
 }

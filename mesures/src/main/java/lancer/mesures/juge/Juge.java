@@ -105,7 +105,11 @@ public final class Juge {
                 : Files.createTempDirectory("juge");
         try {
             Peintre juge = convocation.convoquer(arguments.valeur("--povray", PovRay.COMMANDE), dossier);
-            entete(juge.nom());
+            sortie.println("Le juge est " + juge.nom() + " ; " + dessin.largeur + " × " + dessin.hauteur
+                    + " ; écarts en pas de 8 bits (1/255)");
+            sortie.println();
+            sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
+            csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
             for (String fichier : arguments.restes) {
                 String nom = Paths.get(fichier).getFileName().toString().replaceFirst("\\.ini$", "");
                 juger(nom, Scenes.lire(Paths.get(fichier)), dessin.reflets, juge);
@@ -125,13 +129,6 @@ public final class Juge {
             Files.write(fichier, csv, StandardCharsets.UTF_8);
         }
         return accord ? 0 : 1;
-    }
-
-    private void entete(String juge) {
-        sortie.println("Le juge est " + juge + " ; " + dessin.largeur + " × " + dessin.hauteur + " ; écarts en pas de 8 bits (1/255)");
-        sortie.println();
-        sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
-        csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
     }
 
     private void juger(String nom, Scene scene, int reflets, Peintre juge) throws IOException {

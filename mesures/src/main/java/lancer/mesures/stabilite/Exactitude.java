@@ -20,9 +20,6 @@ final class Exactitude {
     /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans son intervalle, 19 fois sur 20. */
     static final String METHODES = "regime,methode,ns,plus_ou_moins" + FIN;
 
-    /** Ce qui commence une ligne qui n'est pas une mesure. */
-    static final String NOTE = FichierCsv.NOTE;
-
     /** Quelle courbe : voir {@link Mesures}. */
     final String figure;
     final String formule;
@@ -60,10 +57,6 @@ final class Exactitude {
         return new Intervalle(x, x - y, x + y);
     }
 
-    Exactitude en(double autreX, double autreY) {
-        return new Exactitude(figure, formule, autreX, autreY, essais, faux, erreurRelative, erreurEnUnites);
-    }
-
     /** Écrit le fichier d'un coup. @param note ce qu'il faut savoir pour comparer, en dernière ligne ; vide s'il n'y en a pas */
     static void ecrire(Path fichier, String enTete, List<Exactitude> exactitudes, String note) throws IOException {
         List<String> lignes = new ArrayList<>();
@@ -71,7 +64,7 @@ final class Exactitude {
         exactitudes.forEach(r -> lignes.add(FichierCsv.ligne(r.figure, r.formule, r.x, r.y, r.essais, r.faux, r.erreurRelative,
                 r.erreurEnUnites)));
         if (!note.isEmpty()) {
-            lignes.add(NOTE + note);
+            lignes.add(FichierCsv.NOTE + note);
         }
         Path provisoire = fichier.resolveSibling(fichier.getFileName() + ".tmp");
         Files.write(provisoire, lignes, StandardCharsets.UTF_8);

@@ -64,7 +64,7 @@ final class Mesures {
             Function<Double, Function<Random, Cas>> tirage) {
         return IntStream.rangeClosed(0, (a - de) * parDecade / pas).parallel().boxed().flatMap(k -> {
             double x = Math.pow(10, de + (double) k * pas / parDecade);
-            return juger(figure, x, 0, rayons, 1000L * graine + k, tirage.apply(x), DES_COURBES).stream();
+            return juger(figure, x, rayons, 1000L * graine + k, tirage.apply(x), DES_COURBES).stream();
         }).collect(Collectors.toList());
     }
 
@@ -75,7 +75,7 @@ final class Mesures {
     }
 
     /** Juge chaque méthode sur les mêmes rayons ; rien si la plupart ne se jugent pas. */
-    static List<Exactitude> juger(String figure, double x, double y, int tires, long graine, Function<Random, Cas> tirage,
+    static List<Exactitude> juger(String figure, double x, int tires, long graine, Function<Random, Cas> tirage,
             List<Aspect> methodes) {
         List<Cas> cas = tirer(tires, graine, tirage);
         List<Exactitude> exactitudes = new ArrayList<>();
@@ -94,7 +94,7 @@ final class Mesures {
                     unites = Math.max(unites, c.erreurEnUnites(methode.formule));
                 }
             }
-            exactitudes.add(new Exactitude(figure, methode.cle(), x, y, cas.size(), faux, relative, unites));
+            exactitudes.add(new Exactitude(figure, methode.cle(), x, 0, cas.size(), faux, relative, unites));
         }
         return exactitudes;
     }

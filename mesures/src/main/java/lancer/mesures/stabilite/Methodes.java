@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import lancer.atelier.Circonstances;
+import lancer.atelier.FichierCsv;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
@@ -32,7 +33,7 @@ public final class Methodes {
     Methodes(Path dossier) throws IOException {
         toutes = Exactitude.lire(dossier.resolve(CSV), Exactitude.METHODES);
         List<String> lignes = Files.readAllLines(dossier.resolve(CSV), StandardCharsets.UTF_8);
-        note = lignes.get(lignes.size() - 1).substring(Exactitude.NOTE.length());
+        note = lignes.get(lignes.size() - 1).substring(FichierCsv.NOTE.length());
     }
 
     /** Où ranger le temps d'une méthode dans un régime. @param formule son nom dans {@link lancer.essai.Formule} */
@@ -56,7 +57,7 @@ public final class Methodes {
         for (Regime regime : Regime.values()) {
             for (Exactitude r : regime.juger()) {
                 double[] ns = temps.get(cle(r.figure, r.formule));
-                toutes.add(r.en(ns[0], ns[1]));
+                toutes.add(new Exactitude(r.figure, r.formule, ns[0], ns[1], r.essais, r.faux, r.erreurRelative, r.erreurEnUnites));
             }
         }
         Circonstances c = new Circonstances();
@@ -104,16 +105,13 @@ public final class Methodes {
     Map<String, String> pages() {
         Map<String, String> valeurs = new TreeMap<>();
         StringBuilder tableau = new StringBuilder("\n\n| |");
-        StringBuilder regle = new StringBuilder("|---|");
         for (Regime regime : Regime.values()) {
-            String cle = regime.name().toLowerCase(Locale.ROOT);
-            tableau.append(' ').append(cle).append(" |");
-            regle.append("---|");
+            tableau.append(' ').append(regime.cle()).append(" |");
             for (Aspect methode : Aspect.values()) {
-                valeurs.put("methodes." + methode.cle() + "." + cle, cout(regime, methode));
+                valeurs.put("methodes." + methode.cle() + "." + regime.cle(), cout(regime, methode));
             }
         }
-        tableau.append('\n').append(regle).append('\n');
+        tableau.append("\n|---|---|---|---|---|\n");
         for (Aspect methode : Aspect.values()) {
             tableau.append("| ").append(methode.nom.replace("|", "\\|")).append(" |");
             for (Regime regime : Regime.values()) {

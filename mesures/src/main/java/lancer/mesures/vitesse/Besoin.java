@@ -14,7 +14,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
-import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.mesures.Gabarit;
@@ -125,7 +124,11 @@ final class Besoin {
     long rayonsSansEconomie() {
         LongAdder contacts = new LongAdder();
         Modele modele = new Modele();
-        modele.setAtmosphere(compteuse(contacts));
+        // un air qui ne change rien, et compte les rayons qui ont rencontré quelque chose
+        modele.setAtmosphere((vue, distance) -> {
+            contacts.add(distance == Constantes.INFINI ? 0 : 1);
+            return vue;
+        });
         List<Sphere> brillantes = new ArrayList<>();
         for (Objet3D objet : scene.getObjets()) {
             Sphere neuve = new Sphere(((Sphere) objet).getCentre(), ((Sphere) objet).getRayon());
@@ -143,15 +146,5 @@ final class Besoin {
 
     private static double auMoins(double ks) {
         return Math.max(ks, INVISIBLE);
-    }
-
-    /** Un air qui ne change rien, et compte les rayons qui ont rencontré quelque chose. */
-    private static Atmosphere compteuse(LongAdder contacts) {
-        return (vue, distance) -> {
-            if (distance != Constantes.INFINI) {
-                contacts.increment();
-            }
-            return vue;
-        };
     }
 }

@@ -55,7 +55,7 @@ final class Constats {
         valeurs.put("demandes.titre", "Le temps d'une lampe de plus : "
                 + Noms.rapport(demandes().le("lampe", "une de plus").rapport()));
         for (Releve r : demandes().get()) {
-            valeurs.put("demandes." + (r.methode + " " + r.parametres).trim(), Noms.rapport(r.rapport()));
+            valeurs.put("demandes." + r.nom(), Noms.rapport(r.rapport()));
         }
         valeurs.put("spheres.titre", titreDesSpheres());
         valeurs.put("spheres.povray", spheresContrePovray());
@@ -173,7 +173,7 @@ final class Constats {
                 Style.arrondi(100 * exces(b)) + " %") + " |\n").collect(Collectors.joining()) + "\n";
     }
 
-    private static double nombre(Map<String, String> b, String colonne) {
+    static double nombre(Map<String, String> b, String colonne) {
         return Double.parseDouble(b.get(colonne));
     }
 

@@ -93,8 +93,7 @@ final class Mesureur {
     /** Les mêmes, de programmes entiers. */
     private int voulues(Methode methode, int spheres) {
         boolean longue = methode.boucles ? spheres >= 1000 : methode.genre == Methode.Genre.POVRAY && spheres >= 100_000;
-        return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2
-                : longue ? 3 : 5;
+        return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2 : longue ? 3 : 5;
     }
 
     // ---- des machines virtuelles qui durent
@@ -127,11 +126,11 @@ final class Mesureur {
     private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Gabarit gabarit,
             Map<String, Object> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
-            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, machine.dureeNs()));
+            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, machine.fois * machine.dessinNs));
             if (champs == null) {
                 return temps;
             }
-            String[] comptes = machine.finir().split(" ", 8);
+            String[] comptes = machine.processus.demander("finir").split(" ", 8);
             String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies", "choix"};
             for (int k = 0; k < noms.length; k++) {
                 champs.put(noms[k], comptes[k]);
@@ -187,14 +186,6 @@ final class Mesureur {
         @Override
         public double[] prendre() throws IOException {
             return nombres(processus.demander(String.valueOf(fois)));
-        }
-
-        private double dureeNs() {
-            return fois * dessinNs;
-        }
-
-        private String finir() throws IOException {
-            return processus.demander("finir");
         }
 
         @Override

@@ -110,14 +110,12 @@ final class Planches {
         List<Marque> temps = new ArrayList<>();
         List<Marque> rayons = new ArrayList<>();
         for (String[] nom : DEMANDES) {
-            for (Releve r : siens.get()) {
-                if ((r.methode + " " + r.parametres).trim().equals(nom[0])) {
-                    Intervalle i = borne(r.rapport());
-                    temps.add(Marque.en(i.valeur, noms.size()).entreX(i.min, i.max).nommee("× " + Style.nombre(i.valeur)));
-                    rayons.add(Marque.en(r.rayons() / base.rayons(), noms.size()));
-                    noms.add(nom[1]);
-                }
-            }
+            siens.get().stream().filter(r -> r.nom().equals(nom[0])).forEach(r -> {
+                Intervalle i = borne(r.rapport());
+                temps.add(Marque.en(i.valeur, noms.size()).entreX(i.min, i.max).nommee("× " + Style.nombre(i.valeur)));
+                rayons.add(Marque.en(r.rayons() / base.rayons(), noms.size()));
+                noms.add(nom[1]);
+            });
         }
         Volet volet = Volet.rangees("", "fois autant que la scène du cours telle quelle", noms, 1)
                 .serie(new Serie("rayons, comptés", Style.BLEU, FormeDePoint.CARRE, false, rayons))
@@ -175,23 +173,14 @@ final class Planches {
     Planche parcimonie() {
         List<String> noms = besoins.stream().map(b -> b.get("scene") + ", " + b.get("lampes_utiles") + " lampe"
                 + (b.get("lampes_utiles").equals("1") ? "" : "s") + " sur " + b.get("lampes")).collect(Collectors.toList());
-        Volet rayons = Volet.rangees("Des rayons par pixel", "rayons par pixel", noms, 0);
-        String[][] series = {{"rayons_utiles", "ceux qui peuvent changer un pixel"}, {"rayons", "ceux que lance le programme"},
-            {"rayons_sans_economie", "sans économie : tous les reflets, toutes les ombres"}};
-        Color[] couleurs = {Style.VERT, Style.VERMILLON, Style.GRIS};
-        FormeDePoint[] formes = {FormeDePoint.LOSANGE, FormeDePoint.ROND, FormeDePoint.CARRE};
-        for (int s = 0; s < series.length; s++) {
-            List<Marque> marques = new ArrayList<>();
-            for (int k = 0; k < besoins.size(); k++) {
-                Map<String, String> b = besoins.get(k);
-                marques.add(Marque.en(Double.parseDouble(b.get(series[s][0]))
-                        / (Double.parseDouble(b.get("largeur")) * Double.parseDouble(b.get("hauteur"))), k));
-            }
-            rayons.serie(new Serie(series[s][1], couleurs[s], formes[s], false, marques));
-        }
+        Volet rayons = Volet.rangees("Des rayons par pixel", "rayons par pixel", noms, 0)
+                .serie(rayons("rayons_utiles", "ceux qui peuvent changer un pixel", Style.VERT, FormeDePoint.LOSANGE))
+                .serie(rayons("rayons", "ceux que lance le programme", Style.VERMILLON, FormeDePoint.ROND))
+                .serie(rayons("rayons_sans_economie", "sans économie : tous les reflets, toutes les ombres", Style.GRIS,
+                        FormeDePoint.CARRE));
         List<Marque> demandees = new ArrayList<>();
         for (int k = 0; k < besoins.size(); k++) {
-            double reflets = Double.parseDouble(besoins.get(k).get("profondeur_utile"));
+            double reflets = Constats.nombre(besoins.get(k), "profondeur_utile");
             demandees.add(Marque.en(Math.max(0.5, reflets), k).nommee(reflets == 0 ? "aucun" : Style.nombre(reflets)));
         }
         Volet reflets = Volet.rangees("Des reflets qui comptent : le programme en suit " + Constantes.MAX_REFLETS, "reflets à la suite",
@@ -200,5 +189,14 @@ final class Planches {
         return new Planche(constats.titreDeLaParcimonie(), "Tout est compté, rien n'est chronométré ; un rayon par pixel, "
                 + besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur") + ". make mesures")
                 .volet(rayons).volet(reflets);
+    }
+
+    private Serie rayons(String colonne, String nom, Color couleur, FormeDePoint forme) {
+        List<Marque> marques = new ArrayList<>();
+        for (Map<String, String> b : besoins) {
+            marques.add(Marque.en(Constats.nombre(b, colonne) / Constats.nombre(b, "largeur") / Constats.nombre(b, "hauteur"),
+                    marques.size()));
+        }
+        return new Serie(nom, couleur, forme, false, marques);
     }
 }

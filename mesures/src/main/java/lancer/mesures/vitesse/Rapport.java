@@ -58,10 +58,8 @@ final class Rapport {
         Stabilite.dessiner(dossier);
         Map<String, String> valeurs = valeurs();
         valeurs.forEach((nom, valeur) -> sortie.println(nom + " : " + valeur));
-        for (Path page : PAGES) {
-            if (pages) {
-                PagesMesurees.reecrire(page, valeurs);
-            }
+        for (Path page : pages ? PAGES : new Path[0]) {
+            PagesMesurees.reecrire(page, valeurs);
         }
     }
 

@@ -32,6 +32,11 @@ final class Releve {
         parametres = texte("parametres");
     }
 
+    /** Ce qui la distingue des autres d'une même scène, en clair. */
+    String nom() {
+        return (methode + " " + parametres).trim();
+    }
+
     static String reel(double valeur) {
         return Double.isNaN(valeur) || Double.isInfinite(valeur) ? "" : valeur == 0 ? "0" : String.format(Locale.ROOT, "%.5g", valeur);
     }
