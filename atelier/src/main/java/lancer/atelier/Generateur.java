@@ -60,7 +60,7 @@ public final class Generateur {
                 throw new IllegalArgumentException("scène inconnue : « " + scene + " »");
             }
             if (args.length < 2 || args.length > (foule ? 3 : 2)) {
-                throw new IllegalArgumentException(scene + " : un nombre" + (foule ? ", et une graine si l'on veut" : "") + ", rien d'autre");
+                throw new IllegalArgumentException(scene + " : un nombre" + (foule ? ", et une graine si l'on veut" : ""));
             }
             if (foule) {
                 foule(sortie, entier(args[1]), args.length > 2 ? entier(args[2]) : GRAINE);

@@ -28,7 +28,8 @@ class GabaritTest {
         Gabarit seme = new Gabarit(scene, LARGEUR, HAUTEUR, 3);
         double[] carres = seme.carres(image(scene, 5));
         assertEquals(54 * 40, carres.length, "un par carré");
-        assertEquals(1, Math.sqrt(Arrays.stream(carres).average().getAsDouble()) / Intervalle.deLaRacine(entier.carres(image(scene, 5))).valeur, 0.15);
+        double attendue = Intervalle.deLaRacine(entier.carres(image(scene, 5))).valeur;
+        assertEquals(1, Intervalle.deLaRacine(carres).valeur / attendue, 0.15);
     }
 
     @Test

@@ -44,7 +44,8 @@ class MesureAutoTest {
             for (int reflets : new int[] {0, 5}) {
                 ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
                 double attendue = erreur(image, verite);
-                assertEquals(1, Intervalle.deLaRacine(gabarit.carres(image)).valeur / attendue, 0.05, "graine " + graine + ", " + attendue + " niveaux");
+                assertEquals(1, Intervalle.deLaRacine(gabarit.carres(image)).valeur / attendue, 0.05,
+                        "graine " + graine + ", " + attendue + " niveaux");
             }
         }
     }
