@@ -29,7 +29,10 @@ class ResultatsTest {
 
     private static final Path RESULTATS = projet("mesures/resultats");
 
-    /** Lignes recomptées des réglages, et deux fois moins des foules ; une image de plus de rayons que cela prendrait trop de temps à refaire. */
+    /**
+     * Lignes recomptées des réglages, et deux fois moins des foules ; une image de plus de rayons que cela prendrait trop de temps à
+     * refaire.
+     */
     private static final int LIGNES = 6;
     private static final double RAYONS_MAX = 2e7;
 
