@@ -13,7 +13,7 @@ import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Suivi;
 import lancer.contrat.Toile;
-import lancer.fenetre.Fenetre;
+import lancer.fenetre.Ouverture;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.lecture.LecteurScene;
@@ -27,7 +27,7 @@ import lancer.temoins.LancerSurveille;
 
 /**
  * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un
- * fichier. AWT n'est touché que par {@link Fenetre}.
+ * fichier. AWT n'est touché que par {@link Ouverture}.
  */
 public class Main implements Toile, Dessinateur {
 
@@ -90,7 +90,7 @@ public class Main implements Toile, Dessinateur {
             } else if (options.versFichier()) {
                 versFichiers();
             } else {
-                Fenetre.ouvrir(this, options, erreur);
+                Ouverture.ouvrir(this, options, erreur, () -> System.exit(CodeSortie.FAIT));
             }
             return CodeSortie.FAIT;
         } catch (PixelFautif e) {

@@ -27,9 +27,6 @@ interface Atelier {
     /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
     boolean enCours();
 
-    /** Ce que fait la touche Échap : arrêter un dessin en cours, sinon fermer ce qui s'est ouvert à côté. */
-    void echapper();
-
     /** L'image montrée si elle est achevée, sinon {@code null}. */
     ImageMemoire getImageComplete();
 

@@ -49,6 +49,12 @@ final class Menus {
         return choix;
     }
 
+    /** Grise cet article tant qu'aucune scène n'est montrée. */
+    static void siScene(Atelier atelier, JMenuItem article) {
+        article.setEnabled(false);
+        atelier.prevenir(() -> article.setEnabled(atelier.getReglages() != null));
+    }
+
     private static <T extends JMenuItem> T article(JMenu menu, T article, KeyStroke touche, Runnable action) {
         article.setMnemonic(lettreLibre(menu, article.getText()));
         article.setAccelerator(touche);

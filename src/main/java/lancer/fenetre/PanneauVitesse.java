@@ -3,9 +3,6 @@ package lancer.fenetre;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.event.KeyEvent;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -15,11 +12,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.auto.Auto;
@@ -78,14 +73,6 @@ final class PanneauVitesse extends JDialog {
         graphique.setPreferredSize(new Dimension(560, 400));
         add(graphique, BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
-        getRootPane().registerKeyboardAction(e -> fermer(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                JComponent.WHEN_IN_FOCUSED_WINDOW);
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent e) {
-                fermer();
-            }
-        });
         pack();
         atelier.prevenir(this::suivre);
     }
@@ -100,9 +87,13 @@ final class PanneauVitesse extends JDialog {
         ouvert.suivre();
     }
 
-    private void fermer() {
-        setVisible(false);
-        abandonner();
+    /** Caché, il n'essaie plus rien. */
+    @Override
+    public void setVisible(boolean visible) {
+        super.setVisible(visible);
+        if (!visible) {
+            abandonner();
+        }
     }
 
     private void abandonner() {

@@ -16,6 +16,7 @@ import javax.imageio.ImageIO;
 import lancer.Main;
 import lancer.commande.Options;
 import lancer.fenetre.Fenetre;
+import lancer.fenetre.Ouverture;
 
 /**
  * Les captures d'écran du README : le programme, ouvert devant un robot qui frappe des touches.
@@ -48,7 +49,7 @@ public final class Captures {
     /** @param touche ce qu'il faut frapper une fois l'image achevée */
     private void capturer(String nom, int touche, String... options) throws Exception {
         CountDownLatch fin = new CountDownLatch(1);
-        Fenetre fenetre = Fenetre.ouvrir(new Main(Options.lire(options), System.out, System.err), Options.lire(options), System.err,
+        Fenetre fenetre = Ouverture.ouvrir(new Main(Options.lire(options), System.out, System.err), Options.lire(options), System.err,
                 fin::countDown);
         attendre(() -> {
             // sans gestionnaire de fenêtres, le clavier se demande
