@@ -110,7 +110,7 @@ final class Dialogues {
                 + "Ctrl+page suivante, Ctrl+page précédente   un autre échantillon du pixel\n"
                 + "F5   relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi\n"
                 + "F3   vitesse ou précision : les réglages possibles, à dessiner d'un clic\n"
-                + "Échap   arrêter le dessin ; sinon, fermer ce qui est ouvert à côté, ou quitter le plein écran\n"
+                + "Échap   arrêter le dessin ; sinon, fermer ce qui est à côté, ou le plein écran\n"
                 + "Ctrl+Q   quitter\n"
                 + "F1   ces touches", "Touches", JOptionPane.PLAIN_MESSAGE);
         parent.requestFocus();

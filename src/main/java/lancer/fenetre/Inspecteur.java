@@ -134,8 +134,7 @@ final class Inspecteur extends JDialog {
     private void placer() {
         JFrame cadre = atelier.getCadre();
         Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())),
-                Math.min(cadre.getHeight(), ecran.height));
+        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())), cadre.getHeight());
         int depasse = cadre.getX() + cadre.getWidth() + getWidth() - ecran.x - ecran.width;
         if (depasse > 0 && cadre.getX() > ecran.x) {
             cadre.setLocation(Math.max(ecran.x, cadre.getX() - depasse), cadre.getY());

@@ -68,6 +68,7 @@ final class Menus {
         if (!fenetre.isVisible()) {
             Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
             Rectangle place = autre.getBounds();
+            fenetre.setSize(Math.min(fenetre.getWidth(), ecran.width), Math.min(fenetre.getHeight(), ecran.height));
             fenetre.setLocation(Math.min(place.x + place.width, ecran.x + ecran.width - fenetre.getWidth()),
                     Math.max(ecran.y, Math.min(place.y, ecran.y + ecran.height - fenetre.getHeight())));
         }

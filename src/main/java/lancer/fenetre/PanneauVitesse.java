@@ -228,9 +228,9 @@ final class PanneauVitesse extends JDialog {
                 double[] erreur = fait.mesurer(reglage, (i, j) -> couleur(image, i, j));
                 EventQueue.invokeLater(() -> {
                     if (scene == essayee) {
-                        etat.setText(String.format(Locale.FRANCE, "Mesuré : erreur de %.2f ± %.2f "
-                                + "(attendue : %.2f ± %.2f), %.1f rayons par pixel, %.0f ms", erreur[0], erreur[1],
-                                reglage.getErreur(), reglage.getIncertitude(), rayons, secondes * MS_PAR_S));
+                        etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : %.2f ± %.2f), "
+                                + "%.1f rayons par pixel, %.0f ms", erreur[0], erreur[1], reglage.getErreur(),
+                                reglage.getIncertitude(), rayons, secondes * MS_PAR_S));
                         graphique.ajouterMesure(rayons, erreur[0], erreur[1]);
                     }
                 });

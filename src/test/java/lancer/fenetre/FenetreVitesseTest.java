@@ -75,7 +75,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         // le moins cher des réglages : un rayon par pixel, sans réflexion
         assertEquals(0, banc.fenetre.getReglages().getReflets());
         assertArrayEquals(sansReflexion(), banc.imageAchevee().getCodes());
-        Matcher m = Pattern.compile("Mesuré : erreur de (\\d+),\\d+ ± .*").matcher(etat.getText());
+        Matcher m = Pattern.compile("Mesuré : (\\d+),\\d+ ± .*").matcher(etat.getText());
         assertTrue(m.matches(), etat.getText());
         assertTrue(Integer.parseInt(m.group(1)) > 0, "sans réflexions ni anticrénelage, l'erreur se voit : " + etat.getText());
     }
