@@ -1,5 +1,7 @@
 package lancer.fenetre;
 
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import javax.swing.JFrame;
 import lancer.Lancer;
 import lancer.sortie.ImageMemoire;
@@ -35,6 +37,15 @@ interface Atelier {
 
     /** Nombre de fils d'un dessin. */
     int getFils();
+
+    /** Un fil à part, où les tâches attendent leur tour ; il ne retient pas le programme. */
+    static ExecutorService unFil(String nom) {
+        return Executors.newSingleThreadExecutor(tache -> {
+            Thread fil = new Thread(tache, nom);
+            fil.setDaemon(true);
+            return fil;
+        });
+    }
 
     /** Appelle {@code siChange} chaque fois qu'un dessin commence, s'achève ou s'arrête, et qu'une scène est lue. */
     void prevenir(Runnable siChange);

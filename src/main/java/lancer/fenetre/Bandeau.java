@@ -31,7 +31,8 @@ final class Bandeau extends JTextArea {
     private static final int MARGE_H = 10;
 
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> avis(""));
-    private final Action copie = new AbstractAction("Copier le message") {
+    /** De quoi copier ce qui se lit. */
+    final Action copie = new AbstractAction("Copier le message") {
         private static final long serialVersionUID = 1;
 
         @Override
@@ -71,11 +72,6 @@ final class Bandeau extends JTextArea {
         JPopupMenu menu = new JPopupMenu();
         menu.add(copie);
         setComponentPopupMenu(menu);
-    }
-
-    /** De quoi copier ce qui se lit. */
-    Action getCopie() {
-        return copie;
     }
 
     /** La faute de la scène, qui reste jusqu'à la suivante ; vide, il n'y en a plus. */

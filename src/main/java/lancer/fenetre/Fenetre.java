@@ -104,7 +104,7 @@ public final class Fenetre implements Atelier {
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(taille);
         affichage = new MenuAffichage(cadre, panneau, barre, taille, this::ajuster);
-        bandeau = panneau.getBandeau();
+        bandeau = panneau.bandeau;
         enregistrement = new Enregistrement(this, bandeau);
         menuDessin = new MenuDessin(this, variantes, this::recharger, this::arreter);
     }
@@ -116,13 +116,13 @@ public final class Fenetre implements Atelier {
         Menus.siScene(this, Menus.article(menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S),
                 () -> enregistrement.enregistrer(fichier)));
         Menus.siScene(this, Menus.article(menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C), enregistrement::copier));
-        menu.add(bandeau.getCopie());
+        menu.add(bandeau.copie);
         menu.addSeparator();
         Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
-        menus.add(affichage.getMenu());
-        Menus.siScene(this, Menus.article(affichage.getMenu(), "Rayons d'un pixel (Entrée)", null, this::inspecter));
-        menus.add(menuDessin.getMenu());
-        menus.add(scenes.getMenu());
+        menus.add(affichage.menu);
+        Menus.siScene(this, Menus.article(affichage.menu, "Rayons d'un pixel (Entrée)", null, this::inspecter));
+        menus.add(menuDessin.menu);
+        menus.add(scenes.menu);
         menu = menus.add(Menus.menu("Aide"));
         Menus.article(menu, "Touches", Menus.touche(KeyEvent.VK_F1), () -> Dialogues.montrerTouches(cadre));
         return menus;
@@ -182,12 +182,11 @@ public final class Fenetre implements Atelier {
             lier(KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), () -> tenir(!lachee));
         }
         retaille.setRepeats(false);
+        inspecteur = new Inspecteur(this, panneau);
         panneau.suivreSouris(() -> {
             montrerPixel();
             resumer();
-        });
-        inspecteur = new Inspecteur(this, panneau);
-        panneau.suivreClics(inspecteur::montrer);
+        }, inspecteur::montrer);
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
@@ -268,8 +267,8 @@ public final class Fenetre implements Atelier {
             retenir();
         }
         // une scène qui se lit se relit ; celle qui est lue n'est pas toujours celle qui se voit
-        boolean autre = enCours && courant.getFichier() != null && courant != adopte;
-        lancer(autre ? courant.getFichier() : fichier.equals(lu) ? null : fichier);
+        boolean autre = enCours && courant.fichier != null && courant != adopte;
+        lancer(autre ? courant.fichier : fichier.equals(lu) ? null : fichier);
     }
 
     /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
@@ -281,7 +280,7 @@ public final class Fenetre implements Atelier {
 
     /** Redessine, si ce n'est plus à cette taille qu'il faut dessiner. */
     private void ajuster() {
-        if (courant != null && fichier != null && !affichage.getTaille().equals(courant.getTaille())) {
+        if (courant != null && fichier != null && !affichage.getTaille().equals(courant.taille)) {
             redessiner(true);
         }
         resumer();
@@ -324,7 +323,7 @@ public final class Fenetre implements Atelier {
 
     /** Le fichier de la scène montrée a changé ; une autre scène qui se lit passe avant. */
     private void relire() {
-        if (!enCours || courant.getFichier() == null || courant.getFichier().equals(fichier)) {
+        if (!enCours || courant.fichier == null || courant.fichier.equals(fichier)) {
             dessiner(fichier);
         }
     }
@@ -347,9 +346,9 @@ public final class Fenetre implements Atelier {
         return fenetre instanceof JDialog && fenetre.getOwner() == cadre && !((JDialog) fenetre).isModal();
     }
 
-    /** Une touche dont la fenêtre d'à côté n'a rien fait est pour le cadre. */
+    /** Une touche dont la fenêtre d'à côté n'a rien fait est pour le cadre, mais n'y ouvre pas un menu. */
     private boolean renvoyer(KeyEvent e) {
-        if (!e.isConsumed()
+        if (!e.isConsumed() && !e.isAltDown() && e.getKeyCode() != KeyEvent.VK_F10
                 && estACote(KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow())) {
             SwingUtilities.processKeyBindings(new KeyEvent(cadre.getRootPane(), e.getID(), e.getWhen(),
                     e.getModifiersEx(), e.getKeyCode(), e.getKeyChar(), e.getKeyLocation()));
@@ -417,7 +416,7 @@ public final class Fenetre implements Atelier {
     /** Montre où en est le dessin en cours. */
     private void observer() {
         boolean fini = courant.isFini();
-        lu = courant.getAvertissements() != null ? courant.getFichier() : lu;
+        lu = courant.getAvertissements() != null ? courant.fichier : lu;
         // l'image d'abord : vue avec le lancer d'après, elle a au moins son brouillon
         ImageMemoire image = dessinateur.getImage();
         Lancer lancer = courant.getLancer();
@@ -425,7 +424,7 @@ public final class Fenetre implements Atelier {
             panneau.montrer(image, lancer.isBrouillonFait(), courant.getDureeNs() > PATIENCE_NS);
         }
         boolean montree = lancer != null && (image == panneau.getImage() || image == panneau.getNaissante());
-        if (montree && courant.getFichier() != null && courant != adopte) {
+        if (montree && courant.fichier != null && courant != adopte) {
             adopter(courant);
         }
         barre.avancer(courant);
@@ -442,7 +441,7 @@ public final class Fenetre implements Atelier {
     private void adopter(Tracage tracage) {
         adopte = tracage;
         reglages = tracage.getReglages() != null ? tracage.getReglages() : dessinateur.getReglages();
-        fichier = tracage.getFichier();
+        fichier = tracage.fichier;
         surveillance.suivre(fichier, tracage.getVersion());
         titrer();
         scenes.montrer(fichier);
@@ -469,7 +468,7 @@ public final class Fenetre implements Atelier {
                 bandeau.avis(ecart);
             }
         } else if (panne instanceof SceneFautive) {
-            if (courant.getFichier() == null) {
+            if (courant.fichier == null) {
                 bandeau.erreur(Pannes.message(panne));
             } else {
                 refuser(courant, Pannes.message(panne));
@@ -485,8 +484,8 @@ public final class Fenetre implements Atelier {
     /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */
     private void refuser(Tracage fautif, String message) {
         bandeau.faute(message);
-        if (fichier == null || fautif.getFichier().equals(fichier)) {
-            fichier = fautif.getFichier();
+        if (fichier == null || fautif.fichier.equals(fichier)) {
+            fichier = fautif.fichier;
             surveillance.suivre(fichier, fautif.getVersion());
             titrer();
         }

@@ -14,7 +14,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -59,11 +58,7 @@ final class Inspecteur extends JDialog {
     private final JLabel verdict = new JLabel(" ");
     private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
     private final VueDeCote cote = new VueDeCote();
-    private final transient ExecutorService fil = Executors.newSingleThreadExecutor(tache -> {
-        Thread t = new Thread(tache, "lancer-inspection");
-        t.setDaemon(true);
-        return t;
-    });
+    private final transient ExecutorService fil = Atelier.unFil("lancer-inspection");
     private Point pixel;
     private int rang = Inspection.AU_CENTRE;
     private transient Inspection enCours;
@@ -125,7 +120,6 @@ final class Inspecteur extends JDialog {
         rang = Inspection.AU_CENTRE;
         if (!isVisible()) {
             placer();
-            setVisible(true);
         }
         calculer();
     }

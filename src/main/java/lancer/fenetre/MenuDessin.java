@@ -22,13 +22,14 @@ final class MenuDessin {
 
     private static final int[] REFLEXIONS = {0, 1, 2, 5, 10};
 
-    private final JMenu menu = Menus.menu("Dessin");
+    final JMenu menu = Menus.menu("Dessin");
     private final JMenu reflexions = Menus.menu("Réflexions");
     private final ButtonGroup nombres = new ButtonGroup();
     private final Map<String, JCheckBoxMenuItem> cases = new LinkedHashMap<>();
     private final Atelier atelier;
     private final JMenuItem arreter;
-    private PanneauVariantes panneau;
+    private PanneauVariantes parametres;
+    private PanneauVitesse vitesse;
 
     /**
      * @param variantes les noms de celles qui sont présentes
@@ -55,7 +56,7 @@ final class MenuDessin {
         if (!variantes.isEmpty()) {
             article("Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), this::regler);
         }
-        article("Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3), () -> PanneauVitesse.ouvrir(atelier));
+        article("Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3), this::comparer);
         menu.addSeparator();
         article("Revenir aux réglages de la scène", null,
                 () -> atelier.dessiner(atelier.getReglages().initiaux(), false));
@@ -68,10 +69,6 @@ final class MenuDessin {
 
     private void article(String nom, KeyStroke touche, Runnable action) {
         Menus.siScene(atelier, Menus.article(menu, nom, touche, action));
-    }
-
-    JMenu getMenu() {
-        return menu;
     }
 
     /** Lie les touches qui ne sont pas celles d'un article. */
@@ -111,11 +108,13 @@ final class MenuDessin {
     }
 
     private void regler() {
-        if (panneau == null) {
-            panneau = new PanneauVariantes(atelier);
-        }
-        Menus.aCote(panneau, atelier.getCadre());
-        panneau.setVisible(true);
+        parametres = parametres == null ? new PanneauVariantes(atelier) : parametres;
+        Menus.aCote(parametres, atelier.getCadre());
+    }
+
+    private void comparer() {
+        vitesse = vitesse == null ? new PanneauVitesse(atelier) : vitesse;
+        Menus.aCote(vitesse, atelier.getCadre());
     }
 
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */

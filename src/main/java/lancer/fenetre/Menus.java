@@ -63,7 +63,7 @@ final class Menus {
         return article;
     }
 
-    /** Met cette fenêtre au bord droit de l'autre, ou à défaut de place par-dessus, sans sortir de l'écran. */
+    /** Montre cette fenêtre au bord droit de l'autre, ou à défaut de place par-dessus, sans sortir de l'écran. */
     static void aCote(Window fenetre, Window autre) {
         if (!fenetre.isVisible()) {
             Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
@@ -72,6 +72,7 @@ final class Menus {
             fenetre.setLocation(Math.min(place.x + place.width, ecran.x + ecran.width - fenetre.getWidth()),
                     Math.max(ecran.y, Math.min(place.y, ecran.y + ecran.height - fenetre.getHeight())));
         }
+        fenetre.setVisible(true);
     }
 
     private static int lettreLibre(JMenu menu, String nom) {

@@ -5,11 +5,11 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
+import java.awt.Toolkit;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import lancer.SceneFautive;
 import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
@@ -49,11 +49,7 @@ public final class Ouverture {
         }
         exigerEcran();
         // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
-        ExecutorService dessins = Executors.newSingleThreadExecutor(tache -> {
-            Thread fil = new Thread(tache, "lancer-dessin");
-            fil.setDaemon(true);
-            return fil;
-        });
+        ExecutorService dessins = Atelier.unFil("lancer-dessin");
         if (premier != null) {
             // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
             dessins.execute(premier);
@@ -79,6 +75,8 @@ public final class Ouverture {
         try {
             present = !GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+            // dès ce fil : le bureau reconnaît la fenêtre à la classe d'où part celui qui ouvre l'écran
+            Toolkit.getDefaultToolkit();
         } catch (HeadlessException | AWTError | LinkageError e) {
             // un DISPLAY sans serveur derrière, ou un Java sans ses bibliothèques d'écran
             present = false;

@@ -38,7 +38,7 @@ final class PanneauImage extends JPanel {
 
     private static final int LOUPE_MAX = 16;
 
-    private final Bandeau bandeau = new Bandeau();
+    final Bandeau bandeau = new Bandeau();
     /** L'image montrée, et celle qui se dessine par-dessus tant que son brouillon n'est pas complet. */
     private transient ImageMemoire montree;
     private transient BufferedImage fond;
@@ -66,10 +66,6 @@ final class PanneauImage extends JPanel {
         AffineTransform ecran = getEchelle();
         setPreferredSize(new Dimension((int) Math.ceil(image.width / ecran.getScaleX()),
                 (int) Math.ceil(image.height / ecran.getScaleY())));
-    }
-
-    Bandeau getBandeau() {
-        return bandeau;
     }
 
     /** Ce qu'on lit tant qu'il n'y a pas d'image ; {@code null} pour rien. */
@@ -271,9 +267,15 @@ final class PanneauImage extends JPanel {
         repaint();
     }
 
-    /** Appelle {@code siClique} avec le pixel de l'image montrée où l'on clique. */
-    void suivreClics(Consumer<Point> siClique) {
-        addMouseListener(new MouseAdapter() {
+    /**
+     * Suit la souris ; la molette, et un bouton tenu, mènent la loupe.
+     *
+     * @param siBouge appelé quand la souris ou la loupe bouge
+     * @param siClique reçoit le pixel de l'image montrée où l'on clique
+     */
+    void suivreSouris(Runnable siBouge, Consumer<Point> siClique) {
+        siChange = siBouge;
+        MouseAdapter suiveur = new MouseAdapter() {
             @Override
             public void mouseClicked(MouseEvent e) {
                 souris = e.getPoint();
@@ -282,13 +284,7 @@ final class PanneauImage extends JPanel {
                     siClique.accept(pixel);
                 }
             }
-        });
-    }
 
-    /** Appelle {@code siBouge} quand la souris ou la loupe bouge ; la molette, et un bouton tenu, mènent celle-ci. */
-    void suivreSouris(Runnable siBouge) {
-        siChange = siBouge;
-        MouseAdapter suiveur = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
                 souris = e.getPoint();

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
@@ -21,6 +20,7 @@ import lancer.auto.Auto;
 import lancer.auto.Reglage;
 import lancer.auto.Souhait;
 import lancer.contrat.Reglable;
+import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import lancer.sortie.ImageMemoire;
@@ -38,17 +38,11 @@ final class PanneauVitesse extends JDialog {
     private static final double MS_PAR_S = 1e3;
     private static final double NS_PAR_S = 1e9;
 
-    private static PanneauVitesse ouvert;
-
     private final transient Atelier atelier;
     private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner);
     private final JLabel etat = new JLabel(" ");
     private final JLabel machine = new JLabel(" ");
-    private final transient ExecutorService fil = Executors.newSingleThreadExecutor(tache -> {
-        Thread nouveau = new Thread(tache, "lancer-vitesse");
-        nouveau.setDaemon(true);
-        return nouveau;
-    });
+    private final transient ExecutorService fil = Atelier.unFil("lancer-vitesse");
     private transient Future<?> essais;
 
     /** La scène essayée, telle que rien de ce panneau ne la change ; {@code null} s'il n'y en a pas. */
@@ -60,7 +54,7 @@ final class PanneauVitesse extends JDialog {
     /** Le point dessiné, s'il n'est pas encore mesuré. */
     private transient Reglage voulu;
 
-    private PanneauVitesse(Atelier atelier) {
+    PanneauVitesse(Atelier atelier) {
         super(atelier.getCadre(), "Vitesse ou précision");
         setName("vitesse");
         this.atelier = atelier;
@@ -77,21 +71,13 @@ final class PanneauVitesse extends JDialog {
         atelier.prevenir(this::suivre);
     }
 
-    /** Le montre, et l'essai commence s'il n'a pas déjà eu lieu. */
-    static void ouvrir(Atelier atelier) {
-        if (ouvert == null || ouvert.atelier != atelier) {
-            ouvert = new PanneauVitesse(atelier);
-        }
-        Menus.aCote(ouvert, atelier.getCadre());
-        ouvert.setVisible(true);
-        ouvert.suivre();
-    }
-
-    /** Caché, il n'essaie plus rien. */
+    /** Montré, il essaie ce qui ne l'a pas été ; caché, plus rien. */
     @Override
     public void setVisible(boolean visible) {
         super.setVisible(visible);
-        if (!visible) {
+        if (visible) {
+            suivre();
+        } else {
             abandonner();
         }
     }
@@ -120,9 +106,11 @@ final class PanneauVitesse extends JDialog {
             essayee = scene;
             essayer(lancer, reglages);
         }
-        graphique.setPresent(reglages.getReflets(), reglages.getSeuil(), section(reglages));
+        String present = GraphiqueVitesse.cle(reglages.getReflets(), reglages.getSeuil(), section(reglages));
+        graphique.setPresent(present);
         ImageMemoire image = atelier.getImageComplete();
-        if (voulu != null && auto != null && image != null && image.getLineaire() != null && estDessine(reglages)) {
+        if (voulu != null && auto != null && image != null && image.getLineaire() != null
+                && GraphiqueVitesse.cle(voulu).equals(present)) {
             mesurer(auto, voulu, lancer, image);
             voulu = null;
         }
@@ -154,14 +142,8 @@ final class PanneauVitesse extends JDialog {
     }
 
     /** La section qui règle l'échantillonnage ; {@code null} si c'est la scène. */
-    private static String section(ReglagesDessin reglages) {
-        return libres(reglages).stream().map(v -> reglages.getSection(v).toString()).findFirst().orElse(null);
-    }
-
-    private boolean estDessine(ReglagesDessin reglages) {
-        String section = voulu.getSection() == null ? null : voulu.getSection().toString();
-        return reglages.getReflets() == voulu.getReflets() && reglages.getSeuil() == voulu.getSeuil()
-                && (section == null || section.equals(section(reglages)));
+    private static Section section(ReglagesDessin reglages) {
+        return libres(reglages).stream().map(reglages::getSection).findFirst().orElse(null);
     }
 
     private void essayer(Lancer lancer, ReglagesDessin reglages) {

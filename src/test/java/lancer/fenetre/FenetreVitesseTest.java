@@ -2,13 +2,13 @@ package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
-import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
@@ -46,14 +46,13 @@ class FenetreVitesseTest extends EssaiFenetre {
         return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=0");
     }
 
-    /** Le point le plus à gauche de ce qui a la couleur du front : le bord du moins cher des réglages. */
-    private Point moinsCher() throws Exception {
-        Rectangle place = surFilEvenements(() -> new Rectangle(graphique.getLocationOnScreen(), graphique.getSize()));
-        BufferedImage vue = banc.robot.createScreenCapture(place);
-        for (int x = 0; x < place.width; x++) {
-            for (int y = 0; y < place.height; y++) {
+    /** Ce qui, à l'écran, est le plus à gauche de la couleur du front : le bord du moins cher des réglages. */
+    private Point moinsCher() {
+        BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(Toolkit.getDefaultToolkit().getScreenSize()));
+        for (int x = 0; x < vue.getWidth(); x++) {
+            for (int y = 0; y < vue.getHeight(); y++) {
                 if ((vue.getRGB(x, y) & 0xFFFFFF) == 0x1F5FA8) {
-                    return new Point(place.x + x, place.y + y);
+                    return new Point(x, y);
                 }
             }
         }
@@ -86,6 +85,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendreEtat("Un clic");
         Point ou = null;
         while (ou == null) {
+            SwingUtilities.getWindowAncestor(graphique).toFront();
             ou = moinsCher();
         }
         banc.robot.mouseMove(ou.x + 3, ou.y);
