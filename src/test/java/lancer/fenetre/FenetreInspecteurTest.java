@@ -16,7 +16,6 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
-import java.awt.datatransfer.DataFlavor;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
@@ -288,14 +287,10 @@ class FenetreInspecteurTest extends EssaiFenetre {
         int[] codes = banc.imageAchevee().getCodes();
         cliquer(150, 100);
         String recit = attendreRecit(couleur(codes[100 * L + 150]));
-        JTextArea texte = composant("recit", JTextArea.class);
-        surFilEvenements(() -> {
-            texte.selectAll();
-            texte.copy();
-            return null;
-        });
-        assertEquals(recit, Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor));
-        assertFalse(texte.isEditable());
+        presser(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        presser(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
+        attendre("le texte, copié", () -> BancFenetre.copie().equals(recit));
+        assertFalse(composant("recit", JTextArea.class).isEditable());
     }
 
     @Test
