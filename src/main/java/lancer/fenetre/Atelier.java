@@ -4,8 +4,8 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import javax.swing.JFrame;
 import lancer.Lancer;
+import lancer.dessin.ReglagesDessin;
 import lancer.sortie.ImageMemoire;
-import lancer.sortie.ReglagesDessin;
 
 /** Ce que la fenêtre offre à ce qui s'ouvre à côté d'elle ; tout s'appelle, et répond, dans le fil des événements. */
 interface Atelier {

@@ -32,9 +32,9 @@ import lancer.Lancer;
 import lancer.SceneFautive;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
-import lancer.sortie.Dessinateur;
+import lancer.dessin.Dessinateur;
+import lancer.dessin.ReglagesDessin;
 import lancer.sortie.ImageMemoire;
-import lancer.sortie.ReglagesDessin;
 
 /**
  * La fenêtre : elle montre l'image pendant que {@link Tracage} la dessine. Le fil des événements ne calcule pas, ne lit

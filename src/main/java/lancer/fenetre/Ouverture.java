@@ -11,13 +11,12 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import lancer.SceneFautive;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.dessin.Dessinateur;
 import lancer.lecture.Services;
 import lancer.sortie.BarreProgression;
-import lancer.sortie.Dessinateur;
 
 /** De la ligne de commande à la fenêtre : lire la première scène, s'assurer d'un écran, et commencer à dessiner. */
 public final class Ouverture {
@@ -38,8 +37,7 @@ public final class Ouverture {
         Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
         if (premier != null) {
             // la fenêtre n'est pas encore là pour le dire
-            BarreProgression barre = new BarreProgression(dessinateur::getAvancement, erreur);
-            barre.commencer();
+            BarreProgression barre = BarreProgression.commencer(dessinateur::getAvancement, erreur);
             try {
                 premier.lire();
             } finally {
@@ -63,9 +61,9 @@ public final class Ouverture {
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
-            throw new Echec(CodeSortie.PANNE, Pannes.message(e.getCause()));
+            throw Echec.panne(Pannes.message(e.getCause()));
         } catch (InterruptedException e) {
-            throw new Echec(CodeSortie.PANNE, "interrompu");
+            throw Echec.panne("interrompu");
         }
         return ouverte[0];
     }
@@ -82,8 +80,7 @@ public final class Ouverture {
             present = false;
         }
         if (!present) {
-            throw new Echec(CodeSortie.PANNE,
-                    "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
     }
 }

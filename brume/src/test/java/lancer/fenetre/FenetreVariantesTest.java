@@ -24,8 +24,8 @@ import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JSlider;
+import lancer.dessin.ReglagesDessin;
 import lancer.essai.Essai;
-import lancer.sortie.ReglagesDessin;
 import org.junit.jupiter.api.Test;
 
 /** Une variante dans la fenêtre : sa boîte, les glissières de ses paramètres, et l'image d'avant. */
