@@ -124,6 +124,8 @@ public final class Fenetre implements Atelier {
         menus.add(menuDessin.menu);
         menus.add(scenes.menu);
         menu = menus.add(Menus.menu("Aide"));
+        // A est à Affichage
+        menu.setMnemonic(KeyEvent.VK_I);
         Menus.article(menu, "Touches", Menus.touche(KeyEvent.VK_F1), () -> Dialogues.montrerTouches(cadre));
         return menus;
     }
