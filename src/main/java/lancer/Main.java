@@ -106,8 +106,8 @@ public class Main extends Dessinateur {
 
     /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
     private void direEcart(Lancer dessine) {
-        if (dessine.getTemoignage().ecart != null) {
-            Pannes.avertir(Collections.singletonList(dessine.getTemoignage().ecart), erreur);
+        if (dessine.getEcart() != null) {
+            Pannes.avertir(Collections.singletonList(dessine.getEcart()), erreur);
         }
     }
 

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import java.util.function.DoubleConsumer;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
@@ -14,7 +15,6 @@ import lancer.commande.Pannes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Suivi;
 import lancer.contrat.Toile;
 import lancer.lecture.LecteurScene;
 import lancer.sortie.ImageMemoire;
@@ -32,9 +32,10 @@ public abstract class Dessinateur implements Toile {
     private volatile ImageMemoire image;
     private volatile Lancer lancer;
     private volatile double avancement;
-    private final Suivi suivi = new Suivi() {
+    // une classe, car la première lambda d'un programme coûte cher à son démarrage
+    private final DoubleConsumer suivi = new DoubleConsumer() {
         @Override
-        public void fait(double part) {
+        public void accept(double part) {
             avancement = part;
         }
     };

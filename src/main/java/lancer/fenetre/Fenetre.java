@@ -465,7 +465,7 @@ public final class Fenetre implements Atelier {
             complete = dessinateur.getImage();
             cout = BarreEtat.cout(courant.getLancer()) + ", " + courant.getReglages() + ignorees;
             bandeau.effacerErreur();
-            String ecart = courant.getLancer().getTemoignage().ecart;
+            String ecart = courant.getLancer().getEcart();
             if (ecart != null) {
                 bandeau.avis(ecart);
             }
