@@ -245,8 +245,7 @@ public final class Auto {
 
     /** Mesure une image dessinée avec ce réglage. @return son erreur, et son incertitude, en niveaux */
     public double[] mesurer(Reglage reglage, BiFunction<Integer, Integer, Couleur> image) {
-        preparerLeControle((couleur, xe, ye) -> { }, reglage,
-                budget.pourControler(reglage.getPrix()) + essais.rayons());
+        preparerLeControle((couleur, xe, ye) -> { }, reglage, Double.POSITIVE_INFINITY);
         for (Pave bloc : controle.tirage().blocs) {
             for (int k = 0; k < bloc.pixels(); k++) {
                 int i = bloc.i0 + k % (bloc.i1 - bloc.i0);
