@@ -10,7 +10,7 @@ FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
 .PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
-	comparer reponses mesure-corriger image-classe image-inspecteur aide propre
+	comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils
@@ -59,14 +59,16 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images $(NEUVES)/icones src/main/resources/lancer/fenetre
 
 # Les captures d'écran du README, sur un écran à elles.
-captures: blinn/target/blinn.jar mesures/target/mesures.jar
+captures: antialias/target/antialias.jar blinn/target/blinn.jar mesures/target/mesures.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
 	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
-	@xvfb-run -a -s "-screen 0 800x700x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
-	    -cp blinn/target/blinn.jar:target/test-classes lancer.fenetre.CaptureReglages target/captures/fenetre-reglages.png \
-	    --sans=Brume,Antialias scenes/bowling.ini
+	@$(call capture,800x688,blinn,fenetre-reglages) "Paramètres des variantes…" variantes "" --sans=Brume,Antialias scenes/bowling.ini
+	@$(call capture,1280x688,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
+	@$(call capture,1360x688,antialias,vitesse-ou-precision) "Vitesse ou précision…" vitesse.etat "Un clic" scenes/scene1.ini
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images target/captures images
+capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
+	-cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
@@ -142,11 +144,6 @@ image-classe: $(CORRECTION)
 	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1420 \
 	    --screenshot=images/classe.png "file://$(CURDIR)/target/classe-image/index.html" 2>/dev/null
 
-# La fenêtre et son inspecteur, tels que le README les montre.
-image-inspecteur: $(BASE)
-	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
-	@$(XVFB) $(JAVA) -cp $(BASE):target/test-classes lancer.fenetre.CaptureInspecteur images/inspecteur.png 405 360 scenes/scene1.ini
-
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
 	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
@@ -165,7 +162,6 @@ aide:
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
 	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"
-	@echo "make image-inspecteur      refait l'image de l'inspecteur du README"
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corriger RENDUS=…     note les rendus d'une classe ; NOTES=feuille.csv de Moodle, BAREME=points.ini, SORTIE=dossier"

@@ -1,0 +1,88 @@
+package lancer.fenetre;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
+import java.io.File;
+import java.util.Arrays;
+import java.util.Objects;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.SwingUtilities;
+import lancer.Main;
+
+/**
+ * Photographie la fenêtre et l'un de ses panneaux, pour le README : l'image à écrire ; un pixel à cliquer, « x,y », ou l'article de menu
+ * à choisir ; le composant à attendre, et ce qui s'y lit ; puis les options du programme.
+ */
+final class Captures {
+
+    private static final int PERIODE_MS = 100;
+    private static final int PEINTURE_MS = 1000;
+
+    private Captures() {
+    }
+
+    public static void main(String[] args) throws Exception {
+        Main.main(Arrays.copyOfRange(args, 4, args.length));
+        Component image = attendre("image", "");
+        attendre("resume", "réflexion");
+        EventQueue.invokeAndWait(() -> SwingUtilities.getWindowAncestor(image).setLocation(0, 0));
+        EventQueue.invokeLater(() -> agir(image, args[1]));
+        attendre(args[2], args[3]);
+        attendre("resume", "réflexion");
+        photographier(args[0]);
+    }
+
+    private static void agir(Component image, String action) {
+        if (action.matches("\\d+,\\d+")) {
+            int[] xy = Arrays.stream(action.split(",")).mapToInt(Integer::parseInt).toArray();
+            image.dispatchEvent(new MouseEvent(image, MouseEvent.MOUSE_CLICKED, 0, InputEvent.BUTTON1_DOWN_MASK, xy[0], xy[1], 1,
+                    false, MouseEvent.BUTTON1));
+            return;
+        }
+        JMenuBar menus = ((JFrame) SwingUtilities.getWindowAncestor(image)).getJMenuBar();
+        Arrays.stream(menus.getComponents()).map(JMenu.class::cast)
+                .flatMap(menu -> IntStream.range(0, menu.getItemCount()).mapToObj(menu::getItem))
+                .filter(article -> article != null && article.getText().equals(action)).findFirst().get().doClick();
+    }
+
+    /** Écrit ce que montre l'écran, et termine le programme. */
+    private static void photographier(String fichier) throws Exception {
+        Thread.sleep(PEINTURE_MS);
+        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        ImageIO.write(new Robot().createScreenCapture(ecran), "png", new File(fichier));
+        System.exit(0);
+    }
+
+    /** Le composant de ce nom, une fois à l'écran, et ce texte dedans. */
+    private static Component attendre(String nom, String texte) throws InterruptedException {
+        while (true) {
+            for (Window fenetre : Window.getWindows()) {
+                Component trouve = fenetre.isShowing() ? dans(fenetre, nom) : null;
+                if (trouve != null && (texte.isEmpty() || ((JLabel) trouve).getText().contains(texte))) {
+                    return trouve;
+                }
+            }
+            Thread.sleep(PERIODE_MS);
+        }
+    }
+
+    private static Component dans(Component composant, String nom) {
+        if (nom.equals(composant.getName())) {
+            return composant;
+        }
+        Component[] contenus = composant instanceof Container ? ((Container) composant).getComponents() : new Component[0];
+        return Arrays.stream(contenus).map(contenu -> dans(contenu, nom)).filter(Objects::nonNull).findFirst().orElse(null);
+    }
+}
