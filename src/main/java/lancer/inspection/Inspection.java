@@ -105,7 +105,7 @@ public final class Inspection implements Echantillonnage, Toile {
             return 0;
         }
         chaine.echantillons.clear();
-        entier.tracer(entier.parPixel() ? new Pave(x, y, x + 1, y + 1) : pave, vue, toile);
+        entier.tracer(pave, new Pave(x, y, x + 1, y + 1), vue, toile);
         echantillons = garder(chaine.echantillons.values());
         if (!echantillons.isEmpty()) {
             choisi = voulu == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))

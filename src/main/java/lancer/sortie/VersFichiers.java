@@ -78,10 +78,10 @@ public final class VersFichiers {
      */
     public Lancer dessiner(Lancer prepare, List<Variante> libres, Toile toile, ImageMemoire image, long lectureNs,
             long preparationNs) {
-        Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils, libres) : null;
+        Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils, libres, enCours -> { }) : null;
         Lancer lancer = auto == null ? prepare : auto.getLancer();
         long[] traces = auto == null ? tracer(lancer, toile, options.reflets)
-                : tracer(lancer, auto.surveiller(toile), auto.getChoisi().getReflets());
+                : tracer(lancer, auto.surveiller(toile, auto.getChoisi()), auto.getChoisi().reflets);
         if (auto != null) {
             auto.controler();
         }

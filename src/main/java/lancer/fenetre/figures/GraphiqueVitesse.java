@@ -67,11 +67,11 @@ public final class GraphiqueVitesse extends JComponent {
         public Point(Reglage reglage, boolean front) {
             this.reglage = reglage;
             this.front = front;
-            rayons = reglage.getPrix();
-            ecran = reglage.getRayons();
-            erreur = reglage.getErreur();
-            auPlus = reglage.getErreurAuPlus();
-            auMoins = auPlus - 2 * reglage.getIncertitude();
+            rayons = reglage.prix;
+            ecran = reglage.rayons;
+            erreur = reglage.erreur;
+            auPlus = reglage.erreurAuPlus;
+            auMoins = auPlus - 2 * reglage.incertitude;
         }
     }
 
@@ -132,7 +132,7 @@ public final class GraphiqueVitesse extends JComponent {
     }
 
     private boolean estPresent(Point p) {
-        return (p.reglage.getReflets() + " " + p.reglage.getSeuil() + " " + p.reglage.getSection()).equals(present);
+        return (p.reglage.reflets + " " + p.reglage.seuil + " " + p.reglage.section).equals(present);
     }
 
     private List<Point> tous() {
