@@ -23,7 +23,7 @@ public final class Auto {
     /** Blocs où s'essaient les limites et se cherche le contraste, et les rayons que chacun y lance de l'écran. */
     private static final int BLOCS_MIN = 200;
     private static final int BLOCS_MAX = 4000;
-    private static final int RAYONS_PAR_BLOC = 10;
+    private static final int RAYONS_PAR_BLOC = 14;
 
     /** Rayons permis aux essais d'un petit dessin : moins de 0,2 s, même si rien n'est encore compilé. */
     private static final double PLANCHER = 500_000;

@@ -2,7 +2,6 @@ package lancer.auto;
 
 import java.util.List;
 import lancer.Couleur;
-import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
 
@@ -13,7 +12,7 @@ import lancer.contrat.Vue;
 final class EssaiFinesses {
 
     /** Rayons de l'écran que demandent, pour un bloc tiré, ses références et les essais qui se font contre elles. */
-    private static final double RAYONS_PAR_TIRAGE = 1200;
+    private static final double RAYONS_PAR_TIRAGE = 1000;
 
     /** Ce que coûte de l'essayer, rapporté à ses pixels quand ils sont comme ceux de toute l'image. */
     private static final double ENTOURE = 8;
@@ -34,12 +33,7 @@ final class EssaiFinesses {
         this.essais = essais;
         this.blocs = blocs;
         this.limites = limites;
-        promesses = new double[blocs.size()];
-        essais.passer(blocs, limites.reflets, limites.seuil, (rang, bloc, pave, vue) -> {
-            Niveaux niveaux = new Niveaux(bloc);
-            Echantillonnage.CENTRE.tracer(bloc, vue, niveaux);
-            promesses[rang] = niveaux.promesse();
-        });
+        promesses = Niveaux.promesses(essais, blocs, limites);
         tirage = new Tirage(rayons / (RAYONS_PAR_TIRAGE * limites.rayons), blocs, promesses);
         affiner(Double.POSITIVE_INFINITY);
     }

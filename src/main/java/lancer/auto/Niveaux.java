@@ -15,6 +15,7 @@ final class Niveaux implements Toile {
 
     /** Ce que promet d'erreur un bloc où l'on ne voit qu'une couleur : aucun n'est à l'abri d'un détail. */
     private static final double IMPREVU = 0.1;
+    private static final int POINTS_D_UNE_PROMESSE = 8;
 
     private static final double POINTS_POUR_UN_NIVEAU = 12;
     private static final int POINTS_MIN = 10;
@@ -93,15 +94,34 @@ final class Niveaux implements Toile {
         return Math.max(0, Math.min(1, composante));
     }
 
-    /** Ce que le bloc promet d'erreur : d'autant plus que les couleurs de ses pixels diffèrent. */
+    /** Ce que chacun de ces blocs promet d'erreur, d'après quelques points du bloc et d'un demi-pixel autour. */
+    static double[] promesses(Essais essais, List<Pave> blocs, LimitesDesReflets limites) {
+        double[] promesses = new double[blocs.size()];
+        essais.passer(blocs, limites.reflets, limites.seuil, (rang, bloc, pave, vue) -> {
+            double[] vus = new double[3 * POINTS_D_UNE_PROMESSE];
+            for (int k = 0; k < POINTS_D_UNE_PROMESSE; k++) {
+                Couleur couleur = vue.couleur(bloc.i0 - 0.5 + x(k, 0) * (bloc.i1 - bloc.i0 + 1),
+                        bloc.j0 - 0.5 + y(k, 0) * (bloc.j1 - bloc.j0 + 1));
+                System.arraycopy(de(couleur), 0, vus, 3 * k, 3);
+            }
+            promesses[rang] = promesse(vus);
+        });
+        return promesses;
+    }
+
+    /** Ce que le bloc promet d'erreur, d'après ce qui en est dessiné. */
     double promesse() {
+        return promesse(niveaux);
+    }
+
+    private static double promesse(double[] vus) {
         double contraste = 0;
         for (int c = 0; c < 3; c++) {
             double min = NIVEAUX;
             double max = 0;
-            for (int k = c; k < niveaux.length; k += 3) {
-                min = Math.min(min, niveaux[k]);
-                max = Math.max(max, niveaux[k]);
+            for (int k = c; k < vus.length; k += 3) {
+                min = Math.min(min, vus[k]);
+                max = Math.max(max, vus[k]);
             }
             contraste = Math.max(contraste, max - min);
         }
