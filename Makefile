@@ -62,8 +62,10 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 captures: blinn/target/blinn.jar mesures/target/mesures.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
+	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
 	@xvfb-run -a -s "-screen 0 800x700x24" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
-	    -cp blinn/target/blinn.jar:mesures/target/mesures.jar lancer.atelier.Captures target/captures
+	    -cp blinn/target/blinn.jar:target/test-classes lancer.fenetre.CaptureReglages target/captures/fenetre-reglages.png \
+	    --sans=Brume,Antialias scenes/bowling.ini
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images target/captures images
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
@@ -72,7 +74,7 @@ scene-geante: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Generateur foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
-# Une famille des mesures : de une à un million de sphères, avec et sans étoiles lointaines.
+# Une famille des mesures : de une à un million de sphères.
 bench: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --spheres $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
@@ -92,7 +94,7 @@ juge: mesures/target/mesures.jar
 
 # --auto tient-il parole ? AUTO="1000 20" pour vingt scènes au sort, de graine 1000 et suivantes.
 mesure-auto: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.MesureAuto mesures/resultats/auto.csv $(AUTO)
+	@$(JAVA) -cp mesures/target/mesures.jar:mesures/target/test-classes lancer.mesures.MesureAuto mesures/resultats/auto.csv $(AUTO)
 
 # Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; docs/mutations.md dit ce qui leur échappe, et pourquoi.
 mutations: mesures/target/mesures.jar
@@ -111,7 +113,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 
 # Les figures et les nombres de docs/reponses.md.
 reponses: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
+	@$(JAVA) -cp mesures/target/mesures.jar:atelier/target/test-classes lancer.atelier.Reponses docs/reponses.md images
 
 # Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
 comparer: $(BASE)
@@ -157,7 +159,7 @@ aide:
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
 	@echo "make bench                 dessine de 1 à 1000000 sphères, vérifie et mesure, face aux boucles du cours et à POV-Ray ; dix minutes"
 	@echo "make noyaux                mesure huit façons de calculer une intersection, trois minutes ; JMH=\"-f 5\" pour les options de JMH"
-	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; une heure"
+	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; une demi-heure"
 	@echo "make mesures RAPIDE=1      une partie, en une minute ou deux, dans mesures/target/vitesse-rapide"
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/tournesol.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"

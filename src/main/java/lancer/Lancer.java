@@ -6,10 +6,8 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Ecoute;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
@@ -110,9 +108,9 @@ public class Lancer {
         return brouillonFait;
     }
 
-    /** Ce que des pixels témoins ont dit de la recherche du dernier dessin ; les boucles du cours n'en ont pas. */
-    public Temoignage getTemoignage() {
-        return Temoignage.SANS_OBJET;
+    /** Le premier écart que des pixels témoins ont vu, en une phrase qui nomme le pixel ; {@code null} si aucun. */
+    public String getEcart() {
+        return null;
     }
 
     /** Ce que le dernier dessin achevé a compté, tous fils ensemble. */
@@ -166,14 +164,7 @@ public class Lancer {
         @Override
         public Couleur couleur(double xe, double ye) {
             equipe.verifier();
-            Couleur couleur = sien.voir(xe, ye, profondeur);
-            Ecoute.regard(scene.ecoute, xe, ye, couleur);
-            return couleur;
-        }
-
-        @Override
-        public void compter(Couleur couleur, double poids) {
-            Ecoute.compte(scene.ecoute, couleur, poids);
+            return sien.voir(xe, ye, profondeur);
         }
 
         @Override

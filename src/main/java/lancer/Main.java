@@ -3,57 +3,32 @@ package lancer;
 import java.io.PrintStream;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import lancer.commande.Aide;
-import lancer.commande.CodeSortie;
-import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
-import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Suivi;
-import lancer.contrat.Toile;
+import lancer.dessin.Dessinateur;
+import lancer.dessin.VersFichiers;
 import lancer.fenetre.Fenetre;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
-import lancer.lecture.LecteurScene;
-import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
-import lancer.sortie.ReglagesDessin;
-import lancer.sortie.Statistiques;
-import lancer.sortie.VersFichiers;
-import lancer.temoins.LancerSurveille;
 
 /**
  * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un
  * fichier. AWT n'est touché que par {@link Fenetre}.
  */
-public class Main implements Toile, Dessinateur {
+public class Main extends Dessinateur {
 
     /** Taille d'image au-delà de laquelle la fenêtre ne garde pas les couleurs non limitées : 48 Mo. */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
 
-    private final Options options;
     private final PrintStream sortie;
     private final PrintStream erreur;
-    private volatile Scene scene;
-    private volatile String fichier;
-    private volatile ReglagesDessin reglages;
-    private volatile double avancement;
-    private final Suivi suivi = new Suivi() {
-        @Override
-        public void fait(double part) {
-            avancement = part;
-        }
-    };
-    private long lectureNs;
-    private long preparationNs;
-    private volatile ImageMemoire image;
-    private volatile Lancer lancer;
 
     public Main(Options options, PrintStream sortie, PrintStream erreur) {
-        this.options = options;
+        super(options);
         this.sortie = sortie;
         this.erreur = erreur;
     }
@@ -61,7 +36,7 @@ public class Main implements Toile, Dessinateur {
     /** @param args voir {@code --aide} */
     public static void main(String[] args) {
         int statut = executer(args, System.out, System.err);
-        if (statut != CodeSortie.FAIT) {
+        if (statut != 0) {
             System.exit(statut);
         }
     }
@@ -92,18 +67,16 @@ public class Main implements Toile, Dessinateur {
             } else {
                 Fenetre.ouvrir(this, options, erreur);
             }
-            return CodeSortie.FAIT;
+            return 0;
         } catch (PixelFautif e) {
             throw nommer(e);
         }
     }
 
     private void versFichiers() {
-        VersFichiers fichiers = VersFichiers.pourDessiner(options, sortie, erreur);
+        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
         List<String> avertissements = lireScene(options.scene);
-        image = fichiers.creerImage();
-        Lancer dessine = fichiers.dessiner(preparer(), reglages.getVariantesLibres(), this, image, lectureNs,
-                preparationNs);
+        Lancer dessine = fichiers.dessiner(this, preparer(fichiers.creerImage()));
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
         Pannes.avertir(avertissements, erreur);
         direEcart(dessine);
@@ -112,7 +85,7 @@ public class Main implements Toile, Dessinateur {
     private void dessinerUnPixel() {
         List<String> avertissements = lireScene(options.scene);
         Camera camera = new Camera(options.largeur, options.hauteur);
-        Inspection pixel = new Inspection(scene, camera, reglages.getReflets(), options.pixelX, options.pixelY);
+        Inspection pixel = new Inspection(getScene(), camera, options.reflets, options.pixelX, options.pixelY);
         pixel.faire();
         Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
         Pannes.avertir(avertissements, erreur);
@@ -120,108 +93,44 @@ public class Main implements Toile, Dessinateur {
 
     /** @return le statut de sortie ; que des images diffèrent est une réponse, pas une panne */
     private int comparer() {
-        VersFichiers fichiers = VersFichiers.pourComparer(options, sortie, erreur);
         ImageMemoire attendue = LectureImage.lire(options.comparer);
-        if (LectureImage.estImage(options.scene)) {
-            image = LectureImage.lire(options.scene);
-        } else {
+        ImageMemoire autre = Options.estImage(options.scene) ? LectureImage.lire(options.scene) : null;
+        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
+        if (autre == null) {
             lireScene(options.scene);
-            image = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
-            preparer().TracerPixels(this, reglages.getReflets(), options.fils);
+            autre = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
+            preparer(autre).TracerPixels(this, options.reflets, options.fils);
         }
-        return fichiers.comparer(image, attendue);
-    }
-
-    @Override
-    public List<String> lireScene(String nomFichier) {
-        avancement = 0;
-        long debut = System.nanoTime();
-        LecteurScene lu = LecteurScene.lire(nomFichier, suivi);
-        ReglagesDessin demandes = ReglagesDessin.de(lu, options);
-        Scene nouvelle = demandes.regler(new Scene(lu));
-        if (Thread.currentThread().isInterrupted()) {
-            throw new CancellationException("lecture abandonnée : la scène d'avant reste");
-        }
-        lectureNs = System.nanoTime() - debut;
-        scene = nouvelle;
-        fichier = nomFichier;
-        reglages = demandes;
-        return lu.getAvertissements();
-    }
-
-    @Override
-    public double getAvancement() {
-        return avancement;
-    }
-
-    @Override
-    public ReglagesDessin getReglages() {
-        return reglages;
-    }
-
-    @Override
-    public void regler(ReglagesDessin voulus) {
-        scene = voulus.regler(scene);
-        reglages = voulus;
+        return fichiers.comparer(autre, attendue);
     }
 
     /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
     private void direEcart(Lancer dessine) {
-        if (dessine.getTemoignage().ecart != null) {
-            Pannes.avertir(Collections.singletonList(dessine.getTemoignage().ecart), erreur);
+        if (dessine.getEcart() != null) {
+            Pannes.avertir(Collections.singletonList(dessine.getEcart()), erreur);
         }
-    }
-
-    private Echec nommer(PixelFautif panne) {
-        int largeur = image == null ? options.largeur : image.getLargeur();
-        int hauteur = image == null ? options.hauteur : image.getHauteur();
-        PixelFautif precise = Diagnostic.preciser(panne, scene, new Camera(largeur, hauteur), reglages.getReflets());
-        return new Echec(CodeSortie.PANNE, Pannes.duPixel(precise, reglages.getOptions(), fichier, largeur, hauteur));
-    }
-
-    /** Prépare la scène lue pour l'image à dessiner. */
-    private Lancer preparer() {
-        avancement = 0;
-        long debut = System.nanoTime();
-        Lancer nouveau = LancerSurveille.preparer(scene, image.getLargeur(), image.getHauteur(), options.simple,
-                suivi);
-        preparationNs = System.nanoTime() - debut;
-        return nouveau;
     }
 
     /** Dessine la scène, brouillon puis image, par {@link #drawPixel} : le travail du SwingWorker de la fenêtre. */
     @Override
     public void doTracerImage(int largeur, int hauteur) {
-        // dans cet ordre : qui voit la nouvelle image ne voit plus l'ancien lancer
-        lancer = null;
-        image = new ImageMemoire(largeur, hauteur, (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE);
-        Lancer nouveau = preparer();
-        lancer = nouveau;
+        boolean avecLineaire = (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE;
+        Lancer lancer = preparer(new ImageMemoire(largeur, hauteur, avecLineaire));
         try {
-            nouveau.TracerImage(this, reglages.getReflets(), options.fils);
+            lancer.TracerImage(this, getReglages().getReflets(), options.fils);
         } catch (PixelFautif e) {
             throw nommer(e);
         }
-        direEcart(nouveau);
+        direEcart(lancer);
         if (options.statistiques) {
-            sortie.println(new Statistiques(nouveau.getCompteurs(), lectureNs, preparationNs, nouveau.getDureeNs()));
+            sortie.println(statistiques(lancer, lancer.getDureeNs()));
             sortie.flush();
         }
-    }
-
-    @Override
-    public ImageMemoire getImage() {
-        return image;
-    }
-
-    @Override
-    public Lancer getLancer() {
-        return lancer;
     }
 
     /** Dessine un pixel de l'image en cours. */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
-        image.drawPixel(PixelFautif.verifier(coul, xe + 0.5, ye + 0.5), xe, ye);
+        getImage().drawPixel(PixelFautif.verifier(coul, xe + 0.5, ye + 0.5), xe, ye);
     }
 }

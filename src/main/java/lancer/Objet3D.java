@@ -41,7 +41,7 @@ public abstract class Objet3D {
         Vecteur V = incident.getV();
         Vecteur N = getNormale(contact);
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();
-        Ecoute.contact(scene.ecoute, contact, N, R);
+        Ecoute.contact(scene.ecoute, N, R);
         Lumiere lumiere = new Lumiere(scene.ecoute);
         for (Lampe lampe : scene.lampes) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());

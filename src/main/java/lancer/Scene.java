@@ -157,10 +157,11 @@ public final class Scene {
      */
     public Couleur getCouleurVue(Rayon rayon, Objet3D saufLui, int profondeur) {
         PointContact contact = getClosestIntersection(rayon, saufLui);
+        Ecoute.rayon(ecoute, contact);
         Couleur couleur = contact == null ? rayon.getSkyColor()
                 : contact.objet.getColor(this, rayon, contact, profondeur);
         Couleur vue = atmosphere.traverser(couleur, contact == null ? Constantes.INFINI : contact.distance);
-        Ecoute.vue(ecoute, contact, couleur, vue);
+        Ecoute.vue(ecoute, couleur, vue);
         return vue;
     }
 

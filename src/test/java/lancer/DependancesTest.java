@@ -110,7 +110,7 @@ class DependancesTest {
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
         verifier("lancer\\.auto\\..*", COURS + "lancer\\.contrat\\..*|lancer\\.commande\\.Options");
-        String saufCeuxQuiLeDemandent = "(?!Main|sortie\\.VersFichiers|fenetre\\.(PanneauVitesse|figures\\.GraphiqueVitesse)).*";
+        String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.VersFichiers|fenetre\\.(PanneauVitesse|figures\\.GraphiqueVitesse)).*";
         verifier("lancer\\." + saufCeuxQuiLeDemandent, "(?!lancer\\.auto\\.).*");
     }
 
@@ -134,6 +134,7 @@ class DependancesTest {
     @Test
     void laLectureEtLesSortiesNeSeConnaissentPas() {
         verifier("lancer\\.lecture\\..*", COURS + "lancer\\.(contrat|texte)\\..*|org\\.ini4j\\..*");
+        verifier("lancer\\.sortie\\.(?!LectureImage).*", COURS + "lancer\\.(contrat|texte)\\..*|lancer\\.commande\\.Echec");
     }
 
     /** Celui du cours lui-même mis à part : il se sert de tous. */

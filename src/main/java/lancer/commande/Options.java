@@ -2,10 +2,10 @@ package lancer.commande;
 
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
+import java.util.Map;
 import lancer.Constantes;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -13,24 +13,20 @@ import lancer.texte.Texte;
 /** La ligne de commande, lue de gauche à droite : ce qui est demandé, ou un {@link Echec} qui dit pourquoi non. */
 public final class Options {
 
-    /** Plus grand côté d'une image, en pixels. */
-    public static final int COTE_MAX = 16384;
-
-    /** Plus grand nombre de pixels d'une image. */
-    public static final int PIXELS_MAX = 100_000_000;
-
-    private static final int REFLETS_MAX = 1000;
+    private static final int COTE_MAX = 16384;
+    private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
-    private static final int REPETER_MAX = 100_000;
-    private static final double ERREUR_MIN = 0.01;
-    private static final double ERREUR_MAX = 255;
-    private static final double TEMPS_MIN = 0.001;
-    private static final double TEMPS_MAX = 3600;
+
     private static final String AUTO =
             "erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
 
     private static final String PIXEL =
             "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426";
+
+    private static final List<String> A_VALEUR = Arrays.asList("--image", "--lineaire", "--taille", "--reflets",
+            "--seuil", "--sans", "--fils", "--repeter", "--pixel", "--auto", "--comparer", "--tolerance");
+    private static final List<String> SANS_VALEUR =
+            Arrays.asList("--statistiques", "--simple", "--aide", "--help", "-h", "--version");
 
     /** Ce que l'image d'un seul pixel ne peut ni écrire, ni choisir, ni répéter. */
     private static final String[] SANS_PIXEL = {"--image", "--lineaire", "--auto", "--repeter", "--comparer"};
@@ -85,19 +81,20 @@ public final class Options {
     /** La scène, {@code null} si aucune n'est nommée. */
     public String scene;
 
-    private String pixelEcrit;
-    private final String[] arguments;
-    private int suivant;
-    private String valeurCollee;
+    /** Chaque option donnée, et sa valeur : vide si elle n'en prend pas, ou si elle est oubliée. */
+    private final Map<String, String> donnees = new HashMap<>();
 
-    private Options(String[] arguments) {
-        this.arguments = arguments;
+    private Options() {
     }
 
     /** @throws Echec si un argument ne va pas */
     public static Options lire(String... arguments) {
-        Options options = new Options(arguments);
-        options.lire();
+        Options options = new Options();
+        options.separer(arguments);
+        options.comprendre();
+        if (!options.aide && !options.version) {
+            options.accorder();
+        }
         return options;
     }
 
@@ -106,241 +103,213 @@ public final class Options {
         return image != null || lineaire != null;
     }
 
-    private void lire() {
-        Set<String> vues = new HashSet<>();
-        while (suivant < arguments.length && !aide && !version) {
-            String argument = arguments[suivant++];
+    /** Vrai si ce nom est celui d'une image à comparer, et non d'une scène. */
+    public static boolean estImage(String nom) {
+        return finit(nom, ".png") || finit(nom, ".pfm");
+    }
+
+    /** Le nom est jugé tel quel : ce qu'il y a au bout d'un lien ne compte pas. */
+    private static boolean finit(String nom, String fin) {
+        return nom.toLowerCase(Locale.ROOT).endsWith(fin);
+    }
+
+    private void separer(String... arguments) {
+        for (int k = 0; k < arguments.length && !aide && !version; k++) {
+            String argument = arguments[k];
             if (!argument.startsWith("-")) {
-                if (scene != null) {
-                    throw faute("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(argument)
-                            + " ; attendu : une seule");
-                }
-                if (argument.isEmpty()) {
-                    throw faute("nom de scène vide ; attendu : un fichier, par exemple scenes/scene1.ini");
-                }
-                scene = argument;
+                nommerLaScene(argument);
                 continue;
             }
             int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
             String nom = egal < 0 ? argument : argument.substring(0, egal);
-            valeurCollee = egal < 0 ? null : argument.substring(egal + 1);
-            if (!vues.add(nom)) {
-                throw faute("option donnée deux fois : " + Texte.abrege(nom)
-                        + " ; attendu : une seule fois chaque option");
+            String valeur = egal < 0 ? "" : argument.substring(egal + 1);
+            if (A_VALEUR.contains(nom)) {
+                // « --image --fils 2 » : un oubli, pas un fichier nommé « --fils »
+                if (egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
+                    valeur = arguments[++k];
+                }
+            } else if (!SANS_VALEUR.contains(nom)) {
+                throw Echec.demande("option inconnue : " + Texte.cite(nom)
+                        + " ; attendu : une de celles que montre --aide");
+            } else if (egal >= 0) {
+                throw Echec.demande("option qui ne prend pas de valeur : " + nom + " ; reçu : " + Texte.cite(valeur));
             }
-            option(nom);
-        }
-        if (!aide && !version) {
-            accorder(vues);
+            if (donnees.put(nom, valeur) != null) {
+                throw Echec.demande("option donnée deux fois : " + nom + " ; attendu : une seule fois chaque option");
+            }
+            aide = nom.equals("--aide") || nom.equals("--help") || nom.equals("-h");
+            version = nom.equals("--version");
         }
     }
 
+    private void nommerLaScene(String nom) {
+        if (scene != null) {
+            throw Echec.demande("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(nom)
+                    + " ; attendu : une seule");
+        }
+        if (nom.isEmpty()) {
+            throw Echec.demande("nom de scène vide ; attendu : un fichier, par exemple scenes/scene1.ini");
+        }
+        scene = nom;
+    }
+
+    private void comprendre() {
+        image = fichier("--image", ".png");
+        lineaire = fichier("--lineaire", ".pfm");
+        taille();
+        reflets = entier("--reflets", reflets, 0, 1000);
+        refletsDonnes = donnees.containsKey("--reflets");
+        seuil = positif("--seuil", seuil, "un nombre positif ou nul", "0.001");
+        seuilDonne = donnees.containsKey("--seuil");
+        String variantes = valeur("--sans", "une variante, par exemple Brume");
+        sans = variantes == null ? sans : Arrays.asList(variantes.split(","));
+        fils = entier("--fils", fils, 1, FILS_MAX);
+        repeter = entier("--repeter", repeter, 1, 100_000);
+        statistiques = donnees.containsKey("--statistiques");
+        simple = donnees.containsKey("--simple");
+        pixel();
+        souhait();
+        comparer = valeur("--comparer", "une image PNG ou PFM");
+        if (comparer != null && !estImage(comparer)) {
+            throw impossible("--comparer", "une image PNG ou PFM");
+        }
+        tolerance = positif("--tolerance", tolerance, "un nombre de niveaux positif ou nul", "1");
+    }
+
     /** Refuse les options qui ne vont pas ensemble, ou pas seules. */
-    private void accorder(Set<String> vues) {
+    private void accorder() {
         if (pixel) {
-            refuser(SANS_PIXEL, vues, "--pixel ne va pas avec %s");
+            refuser(SANS_PIXEL, "--pixel ne va pas avec %s");
             if (pixelX >= largeur || pixelY >= hauteur) {
-                throw horsLimites("--pixel", pixelEcrit,
-                        "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
+                throw impossible("--pixel", "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
             }
         }
         if (comparer != null) {
             if (scene == null) {
-                throw faute("rien à comparer à " + Texte.cite(comparer)
+                throw Echec.demande("rien à comparer à " + Texte.cite(comparer)
                         + " ; attendu : une scène, ou une image PNG ou PFM");
             }
-            refuser(SANS_COMPARER, vues, "%s ne va pas avec --comparer");
-        } else if (vues.contains("--tolerance")) {
-            throw faute("--tolerance ne sert pas seule ; attendu : avec elle, --comparer REFERENCE.png");
+            refuser(SANS_COMPARER, "%s ne va pas avec --comparer");
+        } else if (donnees.containsKey("--tolerance")) {
+            throw Echec.demande("--tolerance ne sert pas seule ; attendu : avec elle, --comparer REFERENCE.png");
         }
         if ((versFichier() || pixel) && scene == null) {
-            throw faute("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
+            throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
         if (auto && !versFichier()) {
-            throw faute("--auto ne sert pas dans la fenêtre ; attendu : avec elle, "
+            throw Echec.demande("--auto ne sert pas dans la fenêtre ; attendu : avec elle, "
                     + "--image FICHIER.png ou --lineaire FICHIER.pfm");
         }
     }
 
-    private static void refuser(String[] autres, Set<String> vues, String faute) {
+    private void refuser(String[] autres, String faute) {
         for (String autre : autres) {
-            if (vues.contains(autre)) {
-                throw faute(String.format(faute, autre) + " ; attendu : l'une ou l'autre");
+            if (donnees.containsKey(autre)) {
+                throw Echec.demande(String.format(faute, autre) + " ; attendu : l'une ou l'autre");
             }
         }
     }
 
-    private void option(String nom) {
-        switch (nom) {
-            case "--image":
-                image = fichier(nom, ".png");
-                break;
-            case "--lineaire":
-                lineaire = fichier(nom, ".pfm");
-                break;
-            case "--comparer":
-                comparer = valeur(nom, "une image PNG ou PFM");
-                if (!comparer.toLowerCase(Locale.ROOT).matches("(?s).*\\.(png|pfm)")) {
-                    throw horsLimites(nom, comparer, "une image PNG ou PFM");
-                }
-                break;
-            case "--tolerance":
-                tolerance = positif(nom, "un nombre de niveaux positif ou nul, par exemple 1");
-                break;
-            case "--taille":
-                taille(valeur(nom, "une taille, par exemple 800x600"));
-                break;
-            case "--reflets":
-                reflets = entier(nom, 0, REFLETS_MAX);
-                refletsDonnes = true;
-                break;
-            case "--seuil":
-                seuil = positif(nom, "un nombre positif ou nul, par exemple 0.001");
-                seuilDonne = true;
-                break;
-            case "--sans":
-                sans = Arrays.asList(valeur(nom, "une variante, par exemple Brume").split(","));
-                break;
-            case "--fils":
-                fils = entier(nom, 1, FILS_MAX);
-                break;
-            case "--repeter":
-                repeter = entier(nom, 1, REPETER_MAX);
-                break;
-            case "--pixel":
-                pixel(valeur(nom, PIXEL));
-                break;
-            case "--statistiques":
-                statistiques = sansValeur(nom);
-                break;
-            case "--simple":
-                simple = sansValeur(nom);
-                break;
-            case "--auto":
-                souhait(valeur(nom, AUTO));
-                auto = true;
-                break;
-            case "--aide":
-            case "--help":
-            case "-h":
-                aide = sansValeur(nom);
-                break;
-            case "--version":
-                version = sansValeur(nom);
-                break;
-            default:
-                throw faute("option inconnue : " + Texte.cite(nom) + " ; attendu : une de celles que montre --aide");
-        }
-    }
-
+    /** La valeur donnée à cette option, {@code null} si elle n'est pas demandée. */
     private String valeur(String nom, String attendu) {
-        String valeur = valeurCollee != null ? valeurCollee : suivant < arguments.length ? arguments[suivant++] : "";
-        // « --image --fils 2 » : un oubli, pas un fichier nommé « --fils »
-        if (valeur.isEmpty() || valeurCollee == null && valeur.startsWith("--")) {
-            throw faute("option sans sa valeur : " + nom + " ; attendu : " + attendu);
+        String valeur = donnees.get(nom);
+        if (valeur != null && valeur.isEmpty()) {
+            throw Echec.demande("option sans sa valeur : " + nom + " ; attendu : " + attendu);
         }
         return valeur;
     }
 
-    /** Le nom est jugé tel quel : ce qu'il y a au bout d'un lien ne compte pas. */
     private String fichier(String nom, String fin) {
         String fichier = valeur(nom, "un fichier " + fin);
-        if (!fichier.toLowerCase(Locale.ROOT).endsWith(fin)) {
-            throw horsLimites(nom, fichier, "un fichier dont le nom finit par " + fin);
+        if (fichier != null && !finit(fichier, fin)) {
+            throw impossible(nom, "un fichier dont le nom finit par " + fin);
         }
         return fichier;
     }
 
-    /** @return vrai : l'option est demandée */
-    private boolean sansValeur(String nom) {
-        if (valeurCollee != null) {
-            throw faute("option qui ne prend pas de valeur : " + nom + " ; reçu : " + Texte.cite(valeurCollee));
-        }
-        return true;
-    }
-
-    private int entier(String nom, int min, int max) {
+    private int entier(String nom, int defaut, int min, int max) {
         String attendu = "un entier de " + min + " à " + max;
         String texte = valeur(nom, attendu);
-        long n = chiffres(texte);
-        if (n < min || n > max) {
-            throw horsLimites(nom, texte, attendu);
+        double n = texte == null ? defaut : chiffres(texte);
+        if (!(n >= min && n <= max)) {
+            throw impossible(nom, attendu);
         }
         return (int) n;
     }
 
-    /** L'entier écrit, −1 si ce n'en est pas un ; au-delà d'un milliard, un milliard. */
-    private static long chiffres(String texte) {
-        long n = 0;
-        for (int i = 0; i < texte.length(); i++) {
-            char c = texte.charAt(i);
-            if (c < '0' || c > '9') {
-                return -1;
-            }
-            n = Math.min(1_000_000_000, 10 * n + (c - '0'));
-        }
-        return texte.isEmpty() ? -1 : n;
-    }
-
-    private double positif(String nom, String attendu) {
-        String texte = valeur(nom, attendu.replaceFirst(",.*", ""));
-        double valeur = Nombre.lire(texte);
+    private double positif(String nom, double defaut, String attendu, String exemple) {
+        String texte = valeur(nom, attendu);
+        double valeur = texte == null ? defaut : Nombre.lire(texte);
         if (!(valeur >= 0 && valeur <= Double.MAX_VALUE)) {
-            throw horsLimites(nom, texte, attendu);
+            throw impossible(nom, attendu + ", par exemple " + exemple);
         }
         return valeur;
     }
 
-    private void souhait(String texte) {
-        if (texte.startsWith("erreur=")) {
-            erreurVoulue = Nombre.lire(texte.substring("erreur=".length()));
-            if (erreurVoulue >= ERREUR_MIN && erreurVoulue <= ERREUR_MAX) {
-                return;
-            }
-        } else if (texte.startsWith("temps=") && texte.endsWith("s")) {
-            int unite = texte.length() - (texte.endsWith("ms") ? 2 : 1);
-            tempsVoulu = Nombre.lire(texte.substring("temps=".length(), unite)) / (texte.endsWith("ms") ? 1000 : 1);
-            if (tempsVoulu >= TEMPS_MIN && tempsVoulu <= TEMPS_MAX) {
-                return;
+    /** L'entier écrit, aussi grand soit-il ; ni positif ni nul si ce n'en est pas un. */
+    private static double chiffres(String texte) {
+        // une expression régulière coûterait cher au démarrage
+        for (char c : texte.toCharArray()) {
+            if (c < '0' || c > '9') {
+                return -1;
             }
         }
-        throw horsLimites("--auto", texte, AUTO);
+        return Nombre.lire(texte);
     }
 
-    private void pixel(String texte) {
-        long[] xy = deuxEntiers(texte, ',');
-        if (xy[0] < 0 || xy[1] < 0) {
-            throw horsLimites("--pixel", texte, PIXEL);
-        }
-        pixel = true;
-        pixelEcrit = texte;
-        pixelX = (int) xy[0];
-        pixelY = (int) xy[1];
-    }
-
-    private void taille(String texte) {
-        long[] cotes = deuxEntiers(texte, 'x');
-        if (Math.min(cotes[0], cotes[1]) < 1 || Math.max(cotes[0], cotes[1]) > COTE_MAX
-                || cotes[0] * cotes[1] > PIXELS_MAX) {
-            throw horsLimites("--taille", texte, "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
-                    + " chacune, et au plus " + PIXELS_MAX + " pixels");
-        }
-        largeur = (int) cotes[0];
-        hauteur = (int) cotes[1];
-    }
-
-    /** Les deux {@link #chiffres} autour du premier séparateur, −1 s'il manque. */
-    private static long[] deuxEntiers(String texte, char separateur) {
+    /** Les deux {@link #chiffres} autour du premier séparateur. */
+    private static double[] deuxEntiers(String texte, char separateur) {
         int k = texte.indexOf(separateur);
-        return k < 0 ? new long[] {-1, -1}
-                : new long[] {chiffres(texte.substring(0, k)), chiffres(texte.substring(k + 1))};
+        return k < 0 ? new double[] {-1, -1}
+                : new double[] {chiffres(texte.substring(0, k)), chiffres(texte.substring(k + 1))};
     }
 
-    private static Echec horsLimites(String nom, String texte, String attendu) {
-        return faute("valeur impossible pour " + nom + " : " + Texte.cite(texte) + " ; attendu : " + attendu);
+    private void taille() {
+        String texte = valeur("--taille", "une taille, par exemple 800x600");
+        if (texte != null) {
+            double[] cotes = deuxEntiers(texte, 'x');
+            if (!(Math.min(cotes[0], cotes[1]) >= 1 && Math.max(cotes[0], cotes[1]) <= COTE_MAX
+                    && cotes[0] * cotes[1] <= PIXELS_MAX)) {
+                throw impossible("--taille", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
+                        + " chacune, et au plus " + PIXELS_MAX + " pixels");
+            }
+            largeur = (int) cotes[0];
+            hauteur = (int) cotes[1];
+        }
     }
 
-    private static Echec faute(String message) {
-        return new Echec(CodeSortie.DEMANDE, message);
+    private void pixel() {
+        String texte = valeur("--pixel", PIXEL);
+        pixel = texte != null;
+        if (pixel) {
+            double[] xy = deuxEntiers(texte, ',');
+            if (!(Math.min(xy[0], xy[1]) >= 0)) {
+                throw impossible("--pixel", PIXEL);
+            }
+            pixelX = (int) xy[0];
+            pixelY = (int) xy[1];
+        }
+    }
+
+    private void souhait() {
+        String texte = valeur("--auto", AUTO);
+        auto = texte != null;
+        if (auto) {
+            if (texte.startsWith("erreur=")) {
+                erreurVoulue = Nombre.lire(texte.substring("erreur=".length()));
+            } else if (texte.matches("temps=.*s")) {
+                boolean ms = texte.endsWith("ms");
+                String nombre = texte.substring("temps=".length(), texte.length() - (ms ? 2 : 1));
+                tempsVoulu = Nombre.lire(nombre) / (ms ? 1000 : 1);
+            }
+            if (!(erreurVoulue >= 0.01 && erreurVoulue <= 255 || tempsVoulu >= 0.001 && tempsVoulu <= 3600)) {
+                throw impossible("--auto", AUTO);
+            }
+        }
+    }
+
+    private Echec impossible(String nom, String attendu) {
+        return Echec.demande("valeur impossible pour " + nom + " : " + Texte.cite(donnees.get(nom)) + " ; attendu : "
+                + attendu);
     }
 }

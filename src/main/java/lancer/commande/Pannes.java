@@ -22,7 +22,7 @@ public final class Pannes {
     public static int dire(Throwable panne, PrintStream erreur) {
         avertir(Collections.singletonList(message(panne)), erreur);
         return panne instanceof Echec ? ((Echec) panne).getCode()
-                : panne instanceof SceneFautive ? CodeSortie.DEMANDE : CodeSortie.PANNE;
+                : panne instanceof SceneFautive ? Echec.DEMANDE : Echec.PANNE;
     }
 
     /** Ce qu'il faut dire d'une panne. */
@@ -31,11 +31,10 @@ public final class Pannes {
             return panne.getMessage();
         }
         if (panne instanceof OutOfMemoryError) {
-            // la même erreur de Java dit deux manques ; celui-ci ne vient pas de la mémoire
-            if (String.valueOf(panne.getMessage()).contains("native thread")) {
-                return "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2";
-            }
-            return "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
+            // la même erreur de Java dit deux manques
+            return String.valueOf(panne.getMessage()).contains("native thread")
+                    ? "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2"
+                    : "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
         }
         return "échec du programme : " + Texte.cause(panne, HORS_DE_JAVA);
     }
@@ -55,17 +54,16 @@ public final class Pannes {
 
     /** De même, des lignes en UTF-8, que la console en soit ou non. */
     public static void repondreEnUtf8(List<String> lignes, PrintStream sortie) {
-        for (String ligne : lignes) {
-            byte[] octets = (ligne + System.lineSeparator()).getBytes(StandardCharsets.UTF_8);
-            sortie.write(octets, 0, octets.length);
-        }
+        String fin = System.lineSeparator();
+        byte[] octets = (String.join(fin, lignes) + fin).getBytes(StandardCharsets.UTF_8);
+        sortie.write(octets, 0, octets.length);
         verifier(sortie);
     }
 
     /** @throws Echec si la sortie standard n'a pu être écrite : un {@code PrintStream} ne le dit pas de lui-même */
-    public static void verifier(PrintStream sortie) {
+    private static void verifier(PrintStream sortie) {
         if (sortie.checkError()) {
-            throw new Echec(CodeSortie.PANNE, "sortie standard : écriture impossible");
+            throw Echec.panne("sortie standard : écriture impossible");
         }
     }
 

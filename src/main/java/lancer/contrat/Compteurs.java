@@ -33,7 +33,8 @@ public final class Compteurs {
     public long pixelsRaffines;
 
     /**
-     * Pixels que les boucles du cours ont dessinés aussi, pour juger la recherche ; ils ne comptent pour rien d'autre.
+     * Pixels dont les boucles du cours ont répondu aussi aux questions, pour juger la recherche ; ils ne comptent pour
+     * rien d'autre.
      */
     public long pixelsTemoins;
 

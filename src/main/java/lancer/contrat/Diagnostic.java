@@ -1,9 +1,10 @@
 package lancer.contrat;
 
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -19,20 +20,19 @@ import lancer.Vecteur;
  * Un pixel qui a échoué, redessiné en vérifiant chaque réponse des classes de la scène : de quoi nommer celle qui ne
  * tient pas ce qu'elle promet. Lente, et appelée une seule fois.
  */
-public final class Diagnostic implements Recherche {
+public final class Diagnostic extends RechercheSimple {
 
     private final List<Objet3D> objets;
-    private final Recherche boucles;
     private Objet3D touche;
 
-    private Diagnostic(Scene scene) {
-        objets = scene.getObjets();
-        boucles = new RechercheSimple(objets, new Compteurs());
+    private Diagnostic(List<Objet3D> objets) {
+        super(objets, new Compteurs());
+        this.objets = objets;
     }
 
     /** Le même échec, avec pour cause la réponse fautive s'il y en a une, ou la ligne d'une classe de la scène. */
     public static PixelFautif preciser(PixelFautif panne, Scene scene, Camera camera, int profondeur) {
-        Diagnostic diagnostic = new Diagnostic(scene);
+        Diagnostic diagnostic = new Diagnostic(scene.getObjets());
         Atmosphere air = scene.getAtmosphere();
         Specularite reflet = scene.getSpecularite();
         Modele modele = new Modele();
@@ -47,14 +47,10 @@ public final class Diagnostic implements Recherche {
             verifier(eclat >= 0 && eclat <= 1, reflet, "eclat", eclat);
             return eclat;
         });
-        Scene verifiee = new Scene(scene.getObjets(), scene.getLampes(), modele);
-        verifiee.setSeuil(scene.getSeuil());
+        Scene verifiee = scene.avec(modele, scene.getSeuil());
         verifiee.setRecherche(diagnostic);
-        Set<String> classes = new HashSet<>();
-        classes.add(Modele.nom(air));
-        classes.add(Modele.nom(reflet));
-        classes.add(Modele.nom(scene.getEchantillonnage()));
-        scene.getObjets().forEach(o -> classes.add(Modele.nom(o)));
+        Set<String> classes = Stream.concat(Stream.of(air, reflet, scene.getEchantillonnage()),
+                scene.getObjets().stream()).map(Modele::nom).collect(Collectors.toSet());
         try {
             for (Lampe lampe : scene.getLampes()) {
                 verifier(lampe.getPosition() != null, lampe, "getPosition", null);
@@ -101,7 +97,7 @@ public final class Diagnostic implements Recherche {
             double d = objet == saufLui ? Constantes.INFINI : objet.getIntersectionDistance(incident);
             verifier(d > 0, objet, "getIntersectionDistance", d);
         }
-        boucles.plusProche(incident, saufLui);
+        super.plusProche(incident, saufLui);
         touche = incident.getObjet();
         if (incident.getDistance() < Constantes.INFINI) {
             Point contact = incident.getP().add(incident.getDistance(), incident.getV());
@@ -112,15 +108,5 @@ public final class Diagnostic implements Recherche {
             verifier(touche.getKd() != null, touche, "getKd", null);
             verifier(touche.getKs() != null, touche, "getKs", null);
         }
-    }
-
-    @Override
-    public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-        return boucles.estCachee(lampe, P, V, distance, objet);
-    }
-
-    @Override
-    public Recherche pourUnFil(Compteurs compteurs) {
-        return this;
     }
 }

@@ -7,22 +7,19 @@ import lancer.Vecteur;
 
 /**
  * Ce que les classes du cours disent d'un pixel pendant qu'elles le calculent, à qui le demande ; d'ordinaire personne,
- * et {@code e} est {@code null}. Un contact se dit dans l'ordre : lui-même, ses lampes, son reflet (donc le contact
- * suivant, en entier), l'air, et enfin ce que voit le rayon.
+ * et {@code e} est {@code null}. Un rayon se dit dans l'ordre : son contact, les lampes, le reflet (donc le rayon
+ * suivant, en entier), l'air, et enfin ce qu'il voit.
  *
  * <p>Celui qui écoute reçoit des copies : un objet qu'on lui donnerait n'aurait plus le droit de ne vivre que dans les
  * registres, même quand personne n'écoute.
  */
 public interface Ecoute {
 
-    /** Ce que voit enfin le rayon parti de l'écran en (xe, ye). */
-    void auRegard(double xe, double ye, Couleur couleur);
+    /** Un rayon, et ce qu'il rencontre d'abord : {@code null} si c'est le ciel. */
+    void auRayon(PointContact contact);
 
-    /** La couleur d'un regard, celle-là même, compte tant dans le pixel en cours. */
-    void auCompte(Couleur couleur, double poids);
-
-    /** Un contact : sa normale, et le miroir du rayon. */
-    void auContact(PointContact contact, Vecteur N, Vecteur R);
+    /** La normale à ce contact, et le miroir du rayon ; une forme qui se colore à sa façon n'en dit rien. */
+    void auContact(Vecteur N, Vecteur R);
 
     /** Une lampe est-elle devant la surface ? {@code devant} est N·(lampe − contact), qui n'est pas normalisé. */
     void aLaLampe(Lampe lampe, double devant);
@@ -42,24 +39,18 @@ public interface Ecoute {
     /** Ce que l'air fait de la somme : k, et les deux termes de ce qu'il laisse voir. */
     void aLAir(double k, Couleur air, Couleur reste);
 
-    /** Ce que voit un rayon : la somme de son contact, ou le ciel si {@code contact} est nul, puis à travers l'air. */
-    void aLaVue(PointContact contact, Couleur somme, Couleur vue);
+    /** Ce que voit enfin ce rayon : la somme de son contact, ou le ciel, puis à travers l'air. */
+    void aLaVue(Couleur somme, Couleur vue);
 
-    static void regard(Ecoute e, double xe, double ye, Couleur couleur) {
+    static void rayon(Ecoute e, PointContact contact) {
         if (e != null) {
-            e.auRegard(xe, ye, couleur);
+            e.auRayon(contact);
         }
     }
 
-    static void compte(Ecoute e, Couleur couleur, double poids) {
+    static void contact(Ecoute e, Vecteur N, Vecteur R) {
         if (e != null) {
-            e.auCompte(couleur, poids);
-        }
-    }
-
-    static void contact(Ecoute e, PointContact contact, Vecteur N, Vecteur R) {
-        if (e != null) {
-            e.auContact(contact, new Vecteur(N.x, N.y, N.z), new Vecteur(R.x, R.y, R.z));
+            e.auContact(new Vecteur(N.x, N.y, N.z), new Vecteur(R.x, R.y, R.z));
         }
     }
 
@@ -100,9 +91,9 @@ public interface Ecoute {
         }
     }
 
-    static void vue(Ecoute e, PointContact contact, Couleur somme, Couleur vue) {
+    static void vue(Ecoute e, Couleur somme, Couleur vue) {
         if (e != null) {
-            e.aLaVue(contact, new Couleur(somme.r, somme.v, somme.b), new Couleur(vue.r, vue.v, vue.b));
+            e.aLaVue(new Couleur(somme.r, somme.v, somme.b), new Couleur(vue.r, vue.v, vue.b));
         }
     }
 }

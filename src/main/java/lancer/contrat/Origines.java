@@ -1,5 +1,6 @@
 package lancer.contrat;
 
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -67,16 +68,15 @@ public final class Origines {
 
     /** Par exemple {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */
     public String de(Object chose) {
-        int[] ou = new int[1];
+        ByteBuffer lus = ByteBuffer.wrap(octets);
         byte[] nom = {};
         int ligne = 0;
         for (Object autre : choses) {
-            ligne += lire(ou);
-            int commun = lire(ou);
-            int propre = lire(ou);
+            ligne += lire(lus);
+            int commun = lire(lus);
+            int propre = lire(lus);
             nom = Arrays.copyOf(nom, commun + propre);
-            System.arraycopy(octets, ou[0], nom, commun, propre);
-            ou[0] += propre;
+            lus.get(nom, commun, propre);
             if (autre == chose) {
                 return (nom.length == 0 ? "" : "[" + new String(nom, StandardCharsets.UTF_8) + "] ") + "ligne " + ligne;
             }
@@ -84,13 +84,8 @@ public final class Origines {
         return null;
     }
 
-    private int lire(int[] ou) {
-        int n = 0;
-        int decalage = 0;
-        while (octets[ou[0]] < 0) {
-            n |= (octets[ou[0]++] & 127) << decalage;
-            decalage += 7;
-        }
-        return n | octets[ou[0]++] << decalage;
+    private static int lire(ByteBuffer lus) {
+        byte octet = lus.get();
+        return octet >= 0 ? octet : octet & 127 | lire(lus) << 7;
     }
 }

@@ -9,7 +9,7 @@ import lancer.Rayon;
 import lancer.Vecteur;
 
 /** Les deux boucles du cours : tous les objets, l'un après l'autre. */
-public final class RechercheSimple implements Recherche {
+public class RechercheSimple implements Recherche {
 
     private final List<Objet3D> objets;
     private final Compteurs compteurs;

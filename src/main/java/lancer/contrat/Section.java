@@ -1,6 +1,7 @@
 package lancer.contrat;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import lancer.Couleur;
 import lancer.Point;
@@ -26,7 +27,7 @@ public final class Section {
     private static final double PLUS_QUE_ZERO = Double.MIN_VALUE;
 
     /** Aucune section n'en connaît tant ; au-delà, chercher les doublons coûterait trop cher. */
-    private static final int CLES_MAX = Long.SIZE;
+    private static final int CLES_MAX = 64;
 
     /** Ce qui tient lieu de fichier à une section qui n'est dans aucun. */
     private static final String REGLAGE = "réglage";
@@ -34,12 +35,12 @@ public final class Section {
     private final String fichier;
     private final String nom;
     private final int ligne;
-    private final String[] connues;
+    /** Vrai si elle n'apprend ses clés qu'à mesure qu'on les demande. */
+    private final boolean ouverte;
+    private final List<String> connues;
     private final List<String> cles = new ArrayList<>(5);
     private final List<String> valeurs = new ArrayList<>(5);
     private final List<Integer> lignes = new ArrayList<>(5);
-    private long lues;
-    private final List<String> demandees = new ArrayList<>();
 
     /**
      * @param nom tel qu'écrit entre les crochets
@@ -54,7 +55,8 @@ public final class Section {
         this.fichier = fichier;
         this.nom = nom;
         this.ligne = ligne;
-        this.connues = connues;
+        ouverte = connues == null;
+        this.connues = ouverte ? new ArrayList<>() : Arrays.asList(connues);
     }
 
     /**
@@ -82,13 +84,13 @@ public final class Section {
     }
 
     public void ajouter(String cle, String valeur, int ligneCle) {
-        int deja = rang(cle);
+        int deja = rang(cle, cles);
         if (deja >= 0) {
             throw fautive(ligneCle, cle, "clé donnée deux fois, déjà ligne " + lignes.get(deja),
                     "une seule fois chaque clé");
         }
-        if (connues != null && !connue(cle)) {
-            throw inconnue(ligneCle, cle, String.join(", ", connues));
+        if (!ouverte && rang(cle, connues) < 0) {
+            throw inconnue(ligneCle, cle);
         }
         if (cles.size() == CLES_MAX) {
             throw fautive(ligneCle, cle, "trop de clés", "au plus " + CLES_MAX + " clés dans une section");
@@ -98,22 +100,14 @@ public final class Section {
         lignes.add(ligneCle);
     }
 
-    private SceneFautive inconnue(int ligneCle, String cle, String attendu) {
-        return fautive(ligneCle, cle, "clé inconnue" + Texte.imitations(cle), attendu);
+    private SceneFautive inconnue(int ligneCle, String cle) {
+        return fautive(ligneCle, cle, "clé inconnue" + Texte.imitations(cle),
+                connues.isEmpty() ? "aucune clé" : String.join(", ", connues));
     }
 
-    private boolean connue(String cle) {
-        for (String connue : connues) {
-            if (Texte.memeMot(connue, cle)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private int rang(String cle) {
-        for (int k = 0; k < cles.size(); k++) {
-            if (Texte.memeMot(cles.get(k), cle)) {
+    private static int rang(String cle, List<String> parmi) {
+        for (int k = 0; k < parmi.size(); k++) {
+            if (Texte.memeMot(parmi.get(k), cle)) {
                 return k;
             }
         }
@@ -126,17 +120,13 @@ public final class Section {
     }
 
     private int demander(String cle) {
-        int k = rang(cle);
-        if (k >= 0) {
-            lues |= 1L << k;
+        if (rang(cle, connues) < 0) {
+            if (!ouverte) {
+                throw new IllegalStateException("getCles ne nomme pas la clé " + cle);
+            }
+            connues.add(cle);
         }
-        if (connues == null && !demandees.contains(cle)) {
-            demandees.add(cle);
-        }
-        if (k < 0 && connues != null && !connue(cle)) {
-            throw new IllegalStateException("getCles ne nomme pas la clé " + cle);
-        }
-        return k;
+        return rang(cle, cles);
     }
 
     /**
@@ -147,8 +137,7 @@ public final class Section {
      * @param max plus grande valeur permise
      */
     public double reel(String cle, double defaut, double min, double max) {
-        int k = demander(cle);
-        return k < 0 ? defaut : nombres(k, 1, min, max)[0];
+        return contient(cle) ? reel(cle, min, max) : defaut;
     }
 
     /** Comme {@link #reel(String, double, double, double)}, la clé étant obligatoire. */
@@ -173,16 +162,12 @@ public final class Section {
 
     /** La couleur de cette clé, trois nombres de 0 à {@code max}. */
     public Couleur couleur(String cle, Couleur defaut, double max) {
-        int k = demander(cle);
-        return k < 0 ? defaut : couleur(nombres(k, 3, 0, max));
+        return contient(cle) ? couleur(cle, max) : defaut;
     }
 
     /** Comme {@link #couleur(String, Couleur, double)}, la clé étant obligatoire. */
     public Couleur couleur(String cle, double max) {
-        return couleur(nombres(cle, 3, 0, max));
-    }
-
-    private static Couleur couleur(double[] n) {
+        double[] n = nombres(cle, 3, 0, max);
         return new Couleur(n[0], n[1], n[2]);
     }
 
@@ -217,10 +202,6 @@ public final class Section {
         if (k < 0) {
             throw fautive(ligne, cle, "clé absente", attendu(combien, min, max));
         }
-        return nombres(k, combien, min, max);
-    }
-
-    private double[] nombres(int k, int combien, double min, double max) {
         String texte = valeurs.get(k);
         double[] nombres = new double[combien];
         int trouves = 0;
@@ -286,9 +267,8 @@ public final class Section {
     /** Refuse les clés données que personne n'a demandées. */
     public void verifierCles() {
         for (int k = 0; k < cles.size(); k++) {
-            if ((lues & 1L << k) == 0) {
-                throw inconnue(lignes.get(k), cles.get(k),
-                        demandees.isEmpty() ? "aucune clé" : String.join(", ", demandees));
+            if (rang(cles.get(k), connues) < 0) {
+                throw inconnue(lignes.get(k), cles.get(k));
             }
         }
     }
@@ -301,17 +281,16 @@ public final class Section {
      * @param attendu ce qu'il faudrait
      */
     public SceneFautive fautive(String cle, String faute, String attendu) {
-        int k = rang(cle);
+        int k = rang(cle, cles);
         return fautive(k < 0 ? ligne : lignes.get(k), cle, faute, attendu);
     }
 
     /** Deux clés qui ne vont pas ensemble : c'est la seconde écrite qui est de trop. */
     public SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
-        int a = rang(cle);
-        int b = rang(autre);
-        int k = Math.max(a, b);
-        return fautive(lignes.get(k), cles.get(k),
-                faute + " " + cles.get(Math.min(a, b)) + ", déjà ligne " + lignes.get(Math.min(a, b)), attendu);
+        int premiere = Math.min(rang(cle, cles), rang(autre, cles));
+        int seconde = Math.max(rang(cle, cles), rang(autre, cles));
+        return fautive(lignes.get(seconde), cles.get(seconde),
+                faute + " " + cles.get(premiere) + ", déjà ligne " + lignes.get(premiere), attendu);
     }
 
     /** Telle qu'on l'écrirait dans un fichier, sur une ligne : {@code [Antialias] n=8 methode=partage}. */
@@ -331,7 +310,7 @@ public final class Section {
 
     /** La valeur de cette clé, telle qu'écrite, {@code null} si elle n'est pas donnée ; ce n'est pas la demander. */
     public String valeur(String cle) {
-        int k = rang(cle);
+        int k = rang(cle, cles);
         return k < 0 ? null : valeurs.get(k);
     }
 
@@ -343,7 +322,7 @@ public final class Section {
     public Section avec(String cle, String valeur, String sans) {
         Section autre = new Section(REGLAGE, nom, 0);
         for (int k = 0; k < cles.size(); k++) {
-            if (k != rang(cle) && (sans == null || k != rang(sans))) {
+            if (k != rang(cle, cles) && (sans == null || k != rang(sans, cles))) {
                 autre.ajouter(cles.get(k), valeurs.get(k), 0);
             }
         }

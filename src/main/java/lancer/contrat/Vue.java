@@ -17,7 +17,11 @@ public interface Vue {
         return 0;
     }
 
-    /** Dit, à qui écoute, que cette couleur, qu'a rendue {@link #couleur}, compte tant dans le pixel en cours. */
-    default void compter(Couleur couleur, double poids) {
+    /** Dit, à qui écoute, un terme du pixel en cours : tant de fois cette couleur, celle-là même que rend la vue. */
+    default void compter(Couleur couleur, double poids, Couleur terme) {
+    }
+
+    /** Dit, à qui écoute, que le pixel en cours est cette somme, divisée par ce nombre. */
+    default void diviser(Couleur somme, double nombre) {
     }
 }

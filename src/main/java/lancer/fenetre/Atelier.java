@@ -2,8 +2,8 @@ package lancer.fenetre;
 
 import javax.swing.JFrame;
 import lancer.Lancer;
+import lancer.dessin.ReglagesDessin;
 import lancer.sortie.ImageMemoire;
-import lancer.sortie.ReglagesDessin;
 
 /** Ce que la fenêtre offre à ce qui s'ouvre à côté d'elle ; tout s'appelle, et répond, dans le fil des événements. */
 interface Atelier {

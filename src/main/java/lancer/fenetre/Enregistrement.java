@@ -61,7 +61,8 @@ final class Enregistrement {
         Ecriture ecriture = new Ecriture(cible.getPath());
         try {
             ecriture.epargner(LecteurScene.trouver(scene),
-                    "la sortie est la scène elle-même : " + Texte.echappe(cible.getPath()));
+                    "la sortie est la scène elle-même : " + Texte.echappe(cible.getPath())
+                            + " ; attendu : un autre fichier");
         } catch (SceneFautive e) {
             // effacée depuis qu'elle a été lue
         }

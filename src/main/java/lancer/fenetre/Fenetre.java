@@ -30,15 +30,14 @@ import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import lancer.Lancer;
 import lancer.SceneFautive;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.dessin.Dessinateur;
+import lancer.dessin.ReglagesDessin;
 import lancer.lecture.Services;
 import lancer.sortie.BarreProgression;
-import lancer.sortie.Dessinateur;
 import lancer.sortie.ImageMemoire;
-import lancer.sortie.ReglagesDessin;
 
 /**
  * La fenêtre : elle montre l'image pendant que {@link Tracage} la dessine. Le fil des événements ne calcule pas, ne lit
@@ -120,7 +119,7 @@ public final class Fenetre implements Atelier {
      * @throws Echec s'il n'y a pas d'écran
      */
     public static void ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur) {
-        ouvrir(dessinateur, options, erreur, () -> System.exit(CodeSortie.FAIT));
+        ouvrir(dessinateur, options, erreur, () -> System.exit(0));
     }
 
     /** De même, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
@@ -129,8 +128,7 @@ public final class Fenetre implements Atelier {
         Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
         if (premier != null) {
             // la fenêtre n'est pas encore là pour le dire
-            BarreProgression barre = new BarreProgression(dessinateur::getAvancement, erreur);
-            barre.commencer();
+            BarreProgression barre = BarreProgression.commencer(dessinateur::getAvancement, erreur);
             try {
                 premier.lire();
             } finally {
@@ -158,9 +156,9 @@ public final class Fenetre implements Atelier {
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
-            throw new Echec(CodeSortie.PANNE, Pannes.message(e.getCause()));
+            throw Echec.panne(Pannes.message(e.getCause()));
         } catch (InterruptedException e) {
-            throw new Echec(CodeSortie.PANNE, "interrompu");
+            throw Echec.panne("interrompu");
         }
         return ouverte[0];
     }
@@ -175,8 +173,7 @@ public final class Fenetre implements Atelier {
             present = false;
         }
         if (!present) {
-            throw new Echec(CodeSortie.PANNE,
-                    "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
     }
 
@@ -527,7 +524,7 @@ public final class Fenetre implements Atelier {
             complete = dessinateur.getImage();
             cout = BarreEtat.cout(courant.getLancer()) + ", " + courant.getReglages() + ignorees;
             bandeau.effacerErreur();
-            String ecart = courant.getLancer().getTemoignage().ecart;
+            String ecart = courant.getLancer().getEcart();
             if (ecart != null) {
                 bandeau.avis(ecart);
             }

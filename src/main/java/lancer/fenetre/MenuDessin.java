@@ -15,7 +15,7 @@ import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.sortie.ReglagesDessin;
+import lancer.dessin.ReglagesDessin;
 
 /** Le menu des réglages du dessin : réflexions et variantes, sans jamais toucher au fichier de la scène. */
 final class MenuDessin {

@@ -15,7 +15,7 @@ import javax.swing.JSlider;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.sortie.ReglagesDessin;
+import lancer.dessin.ReglagesDessin;
 
 /** Les variantes présentes et leurs paramètres, dans une petite fenêtre à côté : l'image suit ce qu'on y déplace. */
 final class PanneauVariantes extends JDialog {

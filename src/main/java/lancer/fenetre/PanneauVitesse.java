@@ -28,9 +28,9 @@ import lancer.auto.Souhait;
 import lancer.contrat.Reglable;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
+import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import lancer.sortie.ImageMemoire;
-import lancer.sortie.ReglagesDessin;
 
 /**
  * « Vitesse ou précision » : les réglages que {@code --auto} essaierait sur la scène montrée, chacun à son prix et à

@@ -7,8 +7,8 @@ import java.util.concurrent.ExecutionException;
 import javax.swing.SwingWorker;
 import lancer.Lancer;
 import lancer.SceneFautive;
-import lancer.sortie.Dessinateur;
-import lancer.sortie.ReglagesDessin;
+import lancer.dessin.Dessinateur;
+import lancer.dessin.ReglagesDessin;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {

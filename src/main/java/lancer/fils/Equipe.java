@@ -48,9 +48,7 @@ public final class Equipe {
             // plus de mémoire pour un fil : ceux qui sont partis ne doivent pas travailler sans nous
             echouer(e);
         }
-        for (Thread fil : fils) {
-            attendre(fil);
-        }
+        attendre(fils);
         if (echec instanceof Error) {
             throw (Error) echec;
         }
@@ -82,16 +80,17 @@ public final class Equipe {
         arretee = true;
     }
 
-    private void attendre(Thread fil) {
+    private void attendre(List<Thread> fils) {
         boolean interrompu = false;
-        while (true) {
-            try {
-                fil.join();
-                break;
-            } catch (InterruptedException e) {
-                // on nous demande d'abandonner : les fils d'abord, ils s'arrêtent aussitôt
-                interrompu = true;
-                arretee = true;
+        for (Thread fil : fils) {
+            while (fil.isAlive()) {
+                try {
+                    fil.join();
+                } catch (InterruptedException e) {
+                    // on nous demande d'abandonner : les fils d'abord, ils s'arrêtent aussitôt
+                    interrompu = true;
+                    arretee = true;
+                }
             }
         }
         if (interrompu) {

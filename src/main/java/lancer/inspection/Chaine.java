@@ -3,9 +3,7 @@ package lancer.inspection;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -13,58 +11,28 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.contrat.Compteurs;
 import lancer.contrat.Ecoute;
-import lancer.contrat.Recherche;
 
-/** Ce que les classes du cours disent en calculant : les échantillons pris près d'un pixel, et le dernier en détail. */
+/** Ce que les classes du cours disent en calculant ce que voit un rayon parti de l'écran. */
 final class Chaine implements Ecoute {
 
-    final Map<Couleur, Echantillon> echantillons = new IdentityHashMap<>();
-    final List<Compte> comptes = new ArrayList<>();
     final List<Etape> etapes = new ArrayList<>();
     private final Deque<Etape> ouvertes = new ArrayDeque<>();
-    private final int x;
-    private final int y;
-    private boolean finie;
-    private double k;
-    private Couleur air;
-    private Couleur reste;
-
-    Chaine(int x, int y) {
-        this.x = x;
-        this.y = y;
-    }
 
     @Override
-    public void auRegard(double xe, double ye, Couleur couleur) {
-        finie = true;
-        if (xe >= x && xe < x + 2 && ye >= y && ye < y + 2) {
-            echantillons.put(couleur, new Echantillon(xe, ye, couleur));
-        }
-    }
-
-    @Override
-    public void auCompte(Couleur couleur, double poids) {
-        comptes.add(new Compte(echantillons.get(couleur), poids));
-    }
-
-    @Override
-    public void auContact(PointContact contact, Vecteur N, Vecteur R) {
-        Etape etape = ajouter(contact);
-        etape.N = N;
-        etape.R = R;
-        ouvertes.push(etape);
-    }
-
-    private Etape ajouter(PointContact contact) {
-        if (finie) {
+    public void auRayon(PointContact contact) {
+        if (ouvertes.isEmpty()) {
             etapes.clear();
-            finie = false;
         }
         Etape etape = new Etape(etapes.size() + 1, contact);
         etapes.add(etape);
-        return etape;
+        ouvertes.push(etape);
+    }
+
+    @Override
+    public void auContact(Vecteur N, Vecteur R) {
+        ouvertes.peek().N = N;
+        ouvertes.peek().R = R;
     }
 
     @Override
@@ -88,8 +56,11 @@ final class Chaine implements Ecoute {
 
     @Override
     public void aLOmbre(Vecteur L, double distance) {
-        enCours().L = L;
-        enCours().distance = distance;
+        // une forme qui se colore à sa façon demande ses ombres sans nommer la lampe
+        if (!ouvertes.peek().lampes.isEmpty()) {
+            enCours().L = L;
+            enCours().distance = distance;
+        }
     }
 
     @Override
@@ -108,43 +79,36 @@ final class Chaine implements Ecoute {
 
     @Override
     public void aLAir(double part, Couleur sien, Couleur passe) {
-        k = part;
-        air = sien;
-        reste = passe;
+        ouvertes.peek().k = part;
+        ouvertes.peek().air = sien;
+        ouvertes.peek().reste = passe;
     }
 
     @Override
-    public void aLaVue(PointContact contact, Couleur somme, Couleur vue) {
-        boolean ouverte = contact != null && !ouvertes.isEmpty() && ouvertes.peek().contact == contact;
-        // sinon c'est le ciel, ou un objet d'une classe à lui, qui se colore sans rien dire
-        Etape etape = ouverte ? ouvertes.pop() : ajouter(contact);
+    public void aLaVue(Couleur somme, Couleur vue) {
+        Etape etape = ouvertes.pop();
         etape.somme = somme;
         etape.vue = vue;
-        etape.k = k;
-        etape.air = air;
-        etape.reste = reste;
-        air = null;
     }
 
     /** Cherche, de chaque lampe cachée, ce qui la cache le plus près d'elle. */
     void nommerCaches(Scene scene) {
-        Recherche recherche = scene.getRecherche().pourUnFil(new Compteurs());
         for (Etape etape : etapes) {
             for (Eclairage eclairage : etape.lampes) {
                 if (eclairage.L != null && !eclairage.eclaire()) {
-                    eclairage.cache = cache(eclairage, etape.contact, scene, recherche);
+                    eclairage.cache = cache(eclairage, etape.contact, scene);
                 }
             }
         }
     }
 
-    private static PointContact cache(Eclairage cachee, PointContact contact, Scene scene, Recherche recherche) {
+    private static PointContact cache(Eclairage cachee, PointContact contact, Scene scene) {
         boolean lointaine = Scene.estLointaine(cachee.lampe);
         double portee = lointaine ? cachee.distance / 2 : cachee.distance;
         Rayon ombre = Rayon.dOmbre(cachee.lampe.getPosition(), cachee.L.neg());
-        recherche.plusProche(ombre, contact.objet);
+        PointContact depuisLaLampe = scene.getClosestIntersection(ombre, contact.objet);
         if (ombre.getDistance() < portee || !lointaine) {
-            return ombre.calcContact();
+            return depuisLaLampe;
         }
         PointContact leDernier = null;
         for (Objet3D objet : scene.getObjets()) {

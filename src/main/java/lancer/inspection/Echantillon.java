@@ -2,18 +2,21 @@ package lancer.inspection;
 
 import lancer.Couleur;
 
-/** Un rayon parti de l'écran, et ce qu'il voit. */
+/** Un rayon parti de l'écran, et ce qu'il voit, autant de fois qu'il compte. */
 public final class Echantillon {
 
     /** En pixels depuis le coin en haut à gauche de l'image. */
     public final double xe;
     public final double ye;
 
+    /** 1, s'il n'est pas un terme d'une somme pesée. */
+    final double poids;
     public final Couleur couleur;
 
-    Echantillon(double xe, double ye, Couleur couleur) {
+    Echantillon(double xe, double ye, double poids, Couleur couleur) {
         this.xe = xe;
         this.ye = ye;
+        this.poids = poids;
         this.couleur = couleur;
     }
 

@@ -1,10 +1,11 @@
 package lancer.inspection;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
 import lancer.Camera;
@@ -21,7 +22,7 @@ import lancer.contrat.Vue;
  * Un pixel de l'image, dessiné comme le veut l'échantillonnage de la scène, sans les autres ou avec ceux de son pavé
  * s'il leur doit des points ; puis l'un de ses échantillons, de nouveau, en écoutant.
  */
-public final class Inspection implements Echantillonnage, Toile {
+public final class Inspection implements Echantillonnage, Vue, Toile {
 
     /** Le rang que personne n'a choisi. */
     public static final int AU_CENTRE = -1;
@@ -32,14 +33,20 @@ public final class Inspection implements Echantillonnage, Toile {
     public final int x;
     public final int y;
     private final Echantillonnage entier;
-    private final Chaine chaine;
+    private final Chaine chaine = new Chaine();
     private final Lancer lancer;
+    private Vue vue;
     private Couleur couleur;
     private List<Echantillon> echantillons;
     private Echantillon choisi;
     private int voulu;
-    /** Ce que comptent les échantillons, dans l'ordre ; vide si le pixel en est la moyenne. */
-    List<Compte> comptes;
+    /** Les échantillons pris près du pixel, par la couleur qui en a été rendue, elle-même. */
+    private final Map<Couleur, Echantillon> vus = new IdentityHashMap<>();
+
+    /** Les termes de la somme si elle est pesée, la somme, et ce qui la divise ; nulle si personne ne l'a dite. */
+    final List<Echantillon> termes = new ArrayList<>();
+    Couleur somme;
+    double diviseur;
 
     /**
      * @param profondeur nombre de réflexions permises
@@ -53,11 +60,10 @@ public final class Inspection implements Echantillonnage, Toile {
         this.x = x;
         this.y = y;
         entier = scene.getEchantillonnage();
-        chaine = new Chaine(x, y);
         lancer = new Lancer(scene.avec(this, scene.getSeuil()).ecoutee(chaine), camera);
     }
 
-    /** Explique l'échantillon le plus proche du centre. @throws CancellationException si {@link #arreter} est appelé */
+    /** Explique, une fois, l'échantillon le plus proche du centre. @throws CancellationException si on l'arrête */
     public void faire() {
         faire(AU_CENTRE);
     }
@@ -100,29 +106,50 @@ public final class Inspection implements Echantillonnage, Toile {
     }
 
     @Override
-    public int tracer(Pave pave, Vue vue, Toile toile) {
+    public int tracer(Pave pave, Vue duFil, Toile toile) {
         if (!pave.contient(x, y)) {
             return 0;
         }
-        chaine.echantillons.clear();
-        entier.tracer(pave, new Pave(x, y, x + 1, y + 1), vue, toile);
-        echantillons = garder(chaine.echantillons.values());
+        vue = duFil;
+        entier.tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
+        echantillons = vus.values().stream()
+                .filter(e -> e.estDans(x, y) || termes.stream().anyMatch(t -> t.xe == e.xe && t.ye == e.ye))
+                .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
+                .collect(Collectors.toList());
         if (!echantillons.isEmpty()) {
             choisi = voulu == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))
                     : echantillons.get(Math.min(voulu, echantillons.size() - 1));
             vue.couleur(choisi.xe, choisi.ye);
-            chaine.nommerCaches(scene);
+            chaine.nommerCaches(scene.pourUnFil());
         }
         return 0;
     }
 
-    /** Sans ceux des voisins que ce pixel ne partage pas : seule leur première ligne, ou colonne, le touche. */
-    private List<Echantillon> garder(Collection<Echantillon> vus) {
-        double droite = vus.stream().mapToDouble(e -> e.xe).filter(xe -> xe >= x + 1).min().orElse(x + 1);
-        double bas = vus.stream().mapToDouble(e -> e.ye).filter(ye -> ye >= y + 1).min().orElse(y + 1);
-        return vus.stream().filter(e -> e.xe <= droite && e.ye <= bas)
-                .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
-                .collect(Collectors.toList());
+    /** {@inheritDoc} Une copie, pour que deux échantillons de la même couleur ne soient pas le même. */
+    @Override
+    public Couleur couleur(double xe, double ye) {
+        Couleur vu = vue.couleur(xe, ye);
+        Couleur sienne = new Couleur(vu.r, vu.v, vu.b);
+        if (xe >= x && xe < x + 2 && ye >= y && ye < y + 2) {
+            vus.put(sienne, new Echantillon(xe, ye, 1, sienne));
+        }
+        return sienne;
+    }
+
+    @Override
+    public void compter(Couleur sienne, double poids, Couleur terme) {
+        Echantillon vu = vus.get(sienne);
+        if (couleur == null && vu != null) {
+            termes.add(new Echantillon(vu.xe, vu.ye, poids, terme));
+        }
+    }
+
+    @Override
+    public void diviser(Couleur laSomme, double nombre) {
+        if (couleur == null) {
+            somme = laSomme;
+            diviseur = nombre;
+        }
     }
 
     private double ecart(Echantillon e) {
@@ -133,8 +160,9 @@ public final class Inspection implements Echantillonnage, Toile {
     public void drawPixel(Couleur coul, int i, int j) {
         if (i == x && j == y) {
             couleur = coul;
-            comptes = new ArrayList<>(chaine.comptes);
+        } else if (couleur == null) {
+            termes.clear();
+            somme = null;
         }
-        chaine.comptes.clear();
     }
 }

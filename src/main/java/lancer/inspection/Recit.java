@@ -37,16 +37,19 @@ public final class Recit {
     private void dire(List<Echantillon> echantillons) {
         long siens = echantillons.stream().filter(e -> e.estDans(pixel.x, pixel.y)).count();
         lignes.add(siens + " échantillons" + (siens == echantillons.size() ? ""
-                : " et " + (echantillons.size() - siens) + " partagés avec les voisins")
-                + (pixel.comptes.isEmpty() ? ", dont le pixel est la moyenne" : ""));
+                : " et " + (echantillons.size() - siens) + " partagés avec les voisins"));
         for (Echantillon e : echantillons) {
             lignes.add("  " + point(e) + (e.estDans(pixel.x, pixel.y) ? " : " : " (partagé) : ") + ecrire(e.couleur));
         }
-        if (!pixel.comptes.isEmpty()) {
-            lignes.add(pixel.comptes.size() + " termes, dont le pixel est la somme divisée par celle des poids");
+        if (!pixel.termes.isEmpty()) {
+            lignes.add(pixel.termes.size() + " termes");
         }
-        for (Compte compte : pixel.comptes) {
-            lignes.add("  " + nombre.apply(compte.poids) + " × " + point(compte.echantillon));
+        for (Echantillon terme : pixel.termes) {
+            lignes.add("  " + nombre.apply(terme.poids) + " × " + point(terme) + " = " + ecrire(terme.couleur));
+        }
+        if (pixel.somme != null) {
+            lignes.add("leur somme = " + ecrire(pixel.somme) + ", divisée par " + nombre.apply(pixel.diviseur)
+                    + " pour le pixel");
         }
         lignes.add("chaîne de l'échantillon " + point(pixel.getChoisi()));
     }

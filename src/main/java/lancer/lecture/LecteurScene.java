@@ -12,18 +12,23 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.function.DoubleConsumer;
+import java.util.regex.Pattern;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
+import lancer.contrat.Forme;
 import lancer.contrat.Modele;
 import lancer.contrat.Origines;
 import lancer.contrat.Section;
-import lancer.contrat.Suivi;
 import lancer.contrat.Variante;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -44,12 +49,12 @@ public final class LecteurScene {
     /** Nombre de dossiers au-dessus de celui d'où l'on part où une scène est cherchée aussi. */
     private static final int DOSSIERS_AU_DESSUS = 4;
     private static final String INTROUVABLE = "fichier introuvable";
-    private static final String UNE_SCENE = "un fichier de scène";
 
     /** Nombre de couleurs retenues à la fois : au-delà, elles ne se répètent pas. */
     private static final int PALETTE_MAX = 256;
 
     private static final String[] CLES_LAMPE = {"position", "couleur"};
+    private static final String[] CLES_MATIERE = {"Kd", "Ks", "Kr", "ns"};
 
     /** La scène comme on l'a nommée, ou le chemin où elle a été trouvée s'il est autre. */
     private String fichier;
@@ -61,6 +66,8 @@ public final class LecteurScene {
     private final Map<String, Section> sectionsVariantes = new HashMap<>();
     /** Chaque nom de section, et sa ligne. */
     private final Map<String, Integer> noms = new HashMap<>();
+    /** Toutes les clés des sections d'une forme, celles de la matière comprises. */
+    private final Map<Forme, String[]> cles = new IdentityHashMap<>();
     /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
     private final Modele modele = new Modele();
@@ -79,11 +86,11 @@ public final class LecteurScene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static LecteurScene lire(String fichier) {
-        return lire(fichier, Suivi.AUCUN);
+        return lire(fichier, part -> { });
     }
 
     /** De même, en disant à {@code suivi} la part lue du fichier, de 0 à 1. */
-    public static LecteurScene lire(String fichier, Suivi suivi) {
+    public static LecteurScene lire(String fichier, DoubleConsumer suivi) {
         LecteurScene lecteur = new LecteurScene(fichier);
         lecteur.lire(suivi);
         lecteur.origines.finir();
@@ -91,7 +98,7 @@ public final class LecteurScene {
         return lecteur;
     }
 
-    private void lire(Suivi suivi) {
+    private void lire(DoubleConsumer suivi) {
         Path chemin = trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
@@ -102,12 +109,13 @@ public final class LecteurScene {
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
         } catch (CharacterCodingException e) {
-            throw pasUtf8(e);
+            throw refus(lignes.estUtf16() ? "fichier en UTF-16" : "octets qui ne sont pas de l'UTF-8 : "
+                    + Texte.cite(lignes.getTexte().trim()), "un fichier enregistré en UTF-8");
         } catch (Lignes.LigneTropLongue e) {
-            throw refus("ligne trop longue", "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne", e);
+            throw new SceneFautive(Section.message(fichier, lignes.getNumero(), null, null, "ligne trop longue",
+                    "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne"), e);
         } catch (IOException e) {
-            throw new SceneFautive(Section.message(fichier, 0, null, null,
-                    pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), UNE_SCENE), e);
+            throw inutilisable(fichier, pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), e);
         }
     }
 
@@ -144,21 +152,23 @@ public final class LecteurScene {
         try {
             chemin = Paths.get(fichier);
         } catch (InvalidPathException e) {
-            String faute = "nom de fichier impossible" + Texte.horsLangue(fichier);
-            throw new SceneFautive(Section.message(fichier, 0, null, null, faute, UNE_SCENE), e);
+            throw inutilisable(fichier, "nom de fichier impossible" + Texte.horsLangue(fichier), e);
         }
         Path trouve = chemin;
         for (int k = 0; k < DOSSIERS_AU_DESSUS && !chemin.isAbsolute() && !Files.exists(trouve); k++) {
             trouve = Paths.get("..").resolve(trouve);
         }
         if (!Files.exists(trouve)) {
-            throw new SceneFautive(Section.message(fichier, 0, null, null, absente(chemin), UNE_SCENE));
+            throw inutilisable(fichier, absente(chemin), null);
         }
         if (Files.isDirectory(trouve)) {
-            String dossier = trouve.equals(chemin) ? fichier : trouve.toString();
-            throw new SceneFautive(Section.message(dossier, 0, null, null, "c'est un dossier", UNE_SCENE));
+            throw inutilisable(trouve.equals(chemin) ? fichier : trouve.toString(), "c'est un dossier", null);
         }
         return trouve;
+    }
+
+    private static SceneFautive inutilisable(String fichier, String faute, Exception cause) {
+        return new SceneFautive(Section.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
     }
 
     /** Pourquoi ce chemin ne mène à rien, et d'où il a été suivi. */
@@ -226,8 +236,8 @@ public final class LecteurScene {
     /** Ce qu'ini4j appelle à chaque ligne. */
     private final class Sections implements IniHandler {
 
-        /** Ce que décrit la section en cours, {@code null} si ce n'est pas un objet. */
-        private TypeObjet objet;
+        /** La forme que décrit la section en cours, {@code null} si ce n'est pas un objet. */
+        private Forme forme;
         private boolean lampe;
 
         @Override
@@ -241,9 +251,9 @@ public final class LecteurScene {
             String type = Texte.minuscules(mot);
             int ligne = lignes.getNumero();
             lampe = type.equals("lampe");
-            objet = lampe ? null : services.objet(type);
-            courante = new Section(fichier, nom, ligne, lampe ? CLES_LAMPE : objet == null ? null : objet.getCles());
-            boolean presente = lampe || objet != null || services.variantes().containsKey(type);
+            forme = lampe ? null : services.forme(type);
+            courante = new Section(fichier, nom, ligne, lampe ? CLES_LAMPE : forme == null ? null : cles(forme));
+            boolean presente = lampe || forme != null || services.variantes().containsKey(type);
             if (!presente && !Services.varianteConnue(type)) {
                 throw courante.fautive(ligne, null, "type de section inconnu" + Texte.imitations(mot),
                         services.types());
@@ -253,7 +263,7 @@ public final class LecteurScene {
                 throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
                         "un nom différent pour chaque section");
             }
-            Section premiere = lampe || objet != null ? null : sectionsVariantes.put(type, courante);
+            Section premiere = lampe || forme != null ? null : sectionsVariantes.put(type, courante);
             if (premiere != null) {
                 throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne "
                         + premiere.getLigne(), "une seule section " + mot);
@@ -275,8 +285,8 @@ public final class LecteurScene {
                 Lampe lue = new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX));
                 lampes.add(lue);
                 origines.ajouter(lue, courante.getNom(), courante.getLigne());
-            } else if (objet != null) {
-                Objet3D lu = objet.lire(courante);
+            } else if (forme != null) {
+                Objet3D lu = lireForme(forme);
                 lireMatiere(lu);
                 objets.add(lu);
                 origines.ajouter(lu, courante.getNom(), courante.getLigne());
@@ -293,6 +303,38 @@ public final class LecteurScene {
 
         @Override
         public void handleComment(String commentaire) {
+        }
+    }
+
+    private String[] cles(Forme forme) {
+        String[] toutes = cles.get(forme);
+        if (toutes == null) {
+            String[] siennes = Objects.requireNonNull(forme.getCles(),
+                    forme.getClass().getName() + ".getCles a rendu null");
+            toutes = Arrays.copyOf(siennes, siennes.length + CLES_MATIERE.length);
+            System.arraycopy(CLES_MATIERE, 0, toutes, siennes.length, CLES_MATIERE.length);
+            cles.put(forme, toutes);
+        }
+        return toutes;
+    }
+
+    /** L'objet de la section, encore sans matière. Une exception de la forme est une section refusée. */
+    private Objet3D lireForme(Forme forme) {
+        try {
+            Objet3D objet = forme.lire(courante);
+            if (objet == null || objet == forme) {
+                throw new IllegalStateException("lire n'a pas rendu un objet neuf");
+            }
+            return objet;
+        } catch (SceneFautive e) {
+            throw e;
+        } catch (RuntimeException e) {
+            String classe = forme.getClass().getName();
+            boolean refus = e.getMessage() != null
+                    && (e instanceof IllegalArgumentException || e instanceof IllegalStateException);
+            throw courante.fautive(courante.getLigne(), null, "section que " + classe + " ne sait pas lire : "
+                    + (refus ? Texte.cite(e.getMessage()) : Texte.cause(e, Pattern.quote(classe) + ".*")),
+                    "des valeurs qui lui conviennent");
         }
     }
 
@@ -319,30 +361,19 @@ public final class LecteurScene {
         String cite = " : " + Texte.cite(texte);
         if (texte.startsWith("[")) {
             int crochet = texte.indexOf(']');
-            return crochet < 0 ? refus("crochet non fermé" + cite, "par exemple [Sphere 1]", null)
+            return crochet < 0 ? refus("crochet non fermé" + cite, "par exemple [Sphere 1]")
                     : crochet < texte.length() - 1 ? refus("du texte après le crochet" + cite,
-                            "[Section] seule sur sa ligne, un commentaire sur la sienne", null)
-                    : refus("section sans nom" + cite, "par exemple [Sphere 1]", null);
+                            "[Section] seule sur sa ligne, un commentaire sur la sienne")
+                    : refus("section sans nom" + cite, "par exemple [Sphere 1]");
         }
-        if (courante == null) {
-            return refus((texte.indexOf('=') > 0 ? "clé" : "texte") + " avant toute section" + cite,
-                    "d'abord une section, par exemple [Sphere 1]", null);
-        }
-        return courante.fautive(lignes.getNumero(), null, "ligne illisible" + cite,
+        return courante == null ? refus((texte.indexOf('=') > 0 ? "clé" : "texte") + " avant toute section" + cite,
+                "d'abord une section, par exemple [Sphere 1]") : refus("ligne illisible" + cite,
                 "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #");
     }
 
-    private SceneFautive pasUtf8(IOException cause) {
-        String texte = lignes.getTexte().trim();
-        String faute = lignes.estUtf16() ? "fichier en UTF-16" : "octets qui ne sont pas de l'UTF-8 : "
-                + Texte.cite(texte);
-        String nom = courante == null || texte.startsWith("[") ? null : courante.getNom();
-        return new SceneFautive(Section.message(fichier, lignes.getNumero(), nom, null, faute,
-                "un fichier enregistré en UTF-8"), cause);
-    }
-
-    /** @param cause l'exception qui l'a fait voir, {@code null} si aucune */
-    private SceneFautive refus(String faute, String attendu, Throwable cause) {
-        return new SceneFautive(Section.message(fichier, lignes.getNumero(), null, null, faute, attendu), cause);
+    /** Refuse la ligne en cours, qui est de la section en cours si elle n'en commence pas une autre. */
+    private SceneFautive refus(String faute, String attendu) {
+        String nom = courante == null || lignes.getTexte().trim().startsWith("[") ? null : courante.getNom();
+        return new SceneFautive(Section.message(fichier, lignes.getNumero(), nom, null, faute, attendu));
     }
 }

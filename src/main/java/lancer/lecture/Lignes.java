@@ -1,15 +1,17 @@
 package lancer.lecture;
 
+import java.io.BufferedInputStream;
+import java.io.BufferedReader;
+import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.InputStreamReader;
 import java.io.Reader;
-import java.nio.ByteBuffer;
-import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
-import lancer.contrat.Suivi;
+import java.util.function.DoubleConsumer;
 import lancer.texte.Texte;
 
 /**
@@ -26,25 +28,37 @@ final class Lignes extends Reader {
     /** Plus longue ligne, en octets et en caractères : de quoi s'arrêter devant {@code /dev/zero}, qui n'en a pas. */
     static final int LIGNE_MAX = 1 << 23;
 
-    private final InputStream entree;
-    private final byte[] tampon = new byte[TAMPON];
-    private final long aLire;
-    private final Suivi suivi;
-    private long total;
-    private int suivant;
-    private int lus;
-    /** La ligne en cours : ses octets sans sa fin, ce qui en est donné, et combien l'est déjà. */
-    private byte[] octets = new byte[256];
-    private int taille;
+    /** Un caractère par octet : les lignes se coupent avant de se décoder, et chacune est jugée à son tour. */
+    private final BufferedReader octets;
+    private String brute = "";
     private String ligne = "";
     private int donnes;
     private int numero;
+    /** Ce que la ligne en cours a fait lire. */
+    private int lusPourElle;
 
     /** @param aLire la longueur du fichier, en octets ; ce n'est qu'une promesse */
-    Lignes(InputStream entree, long aLire, Suivi suivi) {
-        this.entree = entree;
-        this.aLire = aLire;
-        this.suivi = suivi;
+    Lignes(InputStream entree, long aLire, DoubleConsumer suivi) {
+        InputStream suivie = new FilterInputStream(entree) {
+            private long total;
+
+            @Override
+            public int read(byte[] cible, int position, int nombre) throws IOException {
+                if (Thread.currentThread().isInterrupted()) {
+                    throw new CancellationException("lecture interrompue");
+                }
+                if (lusPourElle > LIGNE_MAX) {
+                    throw new LigneTropLongue();
+                }
+                int lus = super.read(cible, position, nombre);
+                lusPourElle += Math.max(0, lus);
+                total += Math.max(0, lus);
+                suivi.accept(Math.min(1, (double) total / Math.max(1, aLire)));
+                return lus;
+            }
+        };
+        octets = new BufferedReader(new InputStreamReader(new BufferedInputStream(suivie, TAMPON),
+                StandardCharsets.ISO_8859_1));
     }
 
     /** Le numéro de la dernière ligne donnée, à partir de 1. */
@@ -59,8 +73,7 @@ final class Lignes extends Reader {
 
     /** Vrai si la dernière ligne donnée commence comme un fichier en UTF-16. */
     boolean estUtf16() {
-        int marque = taille < 2 ? 0 : (octets[0] & 0xFF) << 8 | octets[1] & 0xFF;
-        return numero == 1 && (marque == 0xFEFF || marque == 0xFFFE);
+        return numero == 1 && (brute.startsWith("\u00FE\u00FF") || brute.startsWith("\u00FF\u00FE"));
     }
 
     @Override
@@ -76,84 +89,51 @@ final class Lignes extends Reader {
 
     /** Passe à la ligne suivante, fin de ligne comprise (CR, LF ou CRLF, rendue par LF). */
     private boolean avancer() throws IOException {
-        int c = octet();
-        if (c < 0) {
+        numero++;
+        lusPourElle = 0;
+        String lue = octets.readLine();
+        if (lue == null) {
+            numero--;
             return false;
         }
-        numero++;
-        taille = 0;
-        boolean simple = true;
-        while (c >= 0 && c != '\n' && c != '\r') {
-            simple &= c >= ' ' && c < 0x80 || c == '\t';
-            ajouter(c);
-            c = octet();
+        brute = lue;
+        String texte = estSimple(lue) ? lue : decoder(lue.getBytes(StandardCharsets.ISO_8859_1));
+        if (texte.length() > LIGNE_MAX) {
+            throw new LigneTropLongue();
         }
-        if (c == '\r') {
-            int apres = octet();
-            suivant -= apres >= 0 && apres != '\n' ? 1 : 0;
-        }
-        ajouter('\n');
-        taille--;
-        donnes = 0;
-        ligne = simple ? new String(octets, 0, taille + 1, StandardCharsets.US_ASCII) : decoder();
         int mot = 0;
-        while (ligne.charAt(mot) == ' ' || ligne.charAt(mot) == '\t') {
+        while (mot < texte.length() && (texte.charAt(mot) == ' ' || texte.charAt(mot) == '\t')) {
             mot++;
         }
-        if (ligne.charAt(mot) == ';' || ligne.charAt(mot) == '#') {
-            ligne = "\n";
+        boolean commentaire = texte.startsWith(";", mot) || texte.startsWith("#", mot);
+        ligne = commentaire ? "\n" : texte + '\n';
+        donnes = 0;
+        return true;
+    }
+
+    /** Vrai si elle est toute en ASCII visible. */
+    private static boolean estSimple(String lue) {
+        for (int i = 0; i < lue.length(); i++) {
+            char c = lue.charAt(i);
+            if (c < ' ' && c != '\t' || c >= 0x80) {
+                return false;
+            }
         }
         return true;
     }
 
-    private int octet() throws IOException {
-        if (suivant == lus) {
-            if (Thread.currentThread().isInterrupted()) {
-                throw new CancellationException("lecture interrompue");
-            }
-            suivant = 0;
-            lus = Math.max(0, entree.read(tampon, 0, TAMPON));
-            total += lus;
-            suivi.fait(Math.min(1, (double) total / Math.max(1, aLire)));
-        }
-        return suivant == lus ? -1 : tampon[suivant++] & 0xFF;
-    }
-
-    private void ajouter(int octet) throws IOException {
-        if (taille > LIGNE_MAX) {
-            throw new LigneTropLongue();
-        }
-        if (taille == octets.length) {
-            octets = Arrays.copyOf(octets, 2 * taille);
-        }
-        octets[taille++] = (byte) octet;
-    }
-
-    /** Une ligne qui n'est pas toute en ASCII visible. */
-    private String decoder() throws IOException {
-        boolean marque = numero == 1 && taille >= 3 && octets[0] == (byte) 0xEF && octets[1] == (byte) 0xBB
-                && octets[2] == (byte) 0xBF;
-        int debut = marque ? 3 : 0;
-        CharBuffer decode;
-        try {
-            decode = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets, debut, taille - debut));
-        } catch (CharacterCodingException e) {
-            ligne = new String(octets, debut, taille - debut, StandardCharsets.UTF_8);
-            throw e;
+    private String decoder(byte[] lue) throws IOException {
+        String texte = new String(lue, StandardCharsets.UTF_8);
+        ligne = numero == 1 && texte.startsWith("\uFEFF") ? texte.substring(1) : texte;
+        donnes = ligne.length();
+        if (!Arrays.equals(texte.getBytes(StandardCharsets.UTF_8), lue)) {
+            throw new CharacterCodingException();
         }
         StringBuilder s = new StringBuilder();
-        while (decode.hasRemaining() && s.length() <= LIGNE_MAX) {
-            char c = decode.get();
-            if (c >= ' ' || c == '\t') {
-                s.append(c);
-            } else {
-                s.append(Texte.echappe(String.valueOf(c)));
-            }
+        for (char c : ligne.toCharArray()) {
+            s.append(c >= ' ' || c == '\t' ? String.valueOf(c) : Texte.echappe(String.valueOf(c)));
         }
-        if (decode.hasRemaining()) {
-            throw new LigneTropLongue();
-        }
-        return s.append('\n').toString();
+        return s.toString();
     }
 
     /** Une ligne que personne n'a pu vouloir. */
@@ -163,6 +143,6 @@ final class Lignes extends Reader {
 
     @Override
     public void close() throws IOException {
-        entree.close();
+        octets.close();
     }
 }

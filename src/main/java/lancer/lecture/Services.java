@@ -10,10 +10,13 @@ import java.util.Map;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
+import java.util.stream.Collectors;
 import lancer.Lampe;
+import lancer.Objet3D;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.contrat.Forme;
+import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
@@ -26,7 +29,25 @@ public final class Services implements Runnable {
     /** Les types que lisent des variantes de la maison, présentes ou non. */
     private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
 
-    private Map<String, TypeObjet> formes;
+    /** La forme de la base : lue comme les autres, mais connue d'avance. */
+    private static final Forme SPHERE = new Forme() {
+        @Override
+        public String getSection() {
+            return "Sphere";
+        }
+
+        @Override
+        public String[] getCles() {
+            return new String[] {"centre", "rayon"};
+        }
+
+        @Override
+        public Objet3D lire(Section valeurs) {
+            return new Sphere(valeurs.point("centre"), valeurs.longueur("rayon"));
+        }
+    };
+
+    private Map<String, Forme> formes;
     private Map<String, Variante> variantes;
 
     private Services() {
@@ -43,11 +64,7 @@ public final class Services implements Runnable {
 
     /** Les noms des variantes présentes. */
     public static List<String> nomsDesVariantes() {
-        List<String> noms = new ArrayList<>();
-        for (Variante variante : new Services().variantes().values()) {
-            noms.add(variante.getSection());
-        }
-        return noms;
+        return new Services().variantes().values().stream().map(Variante::getSection).collect(Collectors.toList());
     }
 
     @Override
@@ -74,9 +91,10 @@ public final class Services implements Runnable {
             String type = Texte.minuscules(connue);
             preneurs.putIfAbsent(type, "la variante " + type);
         }
-        Map<String, TypeObjet> types = new LinkedHashMap<>();
+        Map<String, Forme> types = new LinkedHashMap<>();
+        types.put("sphere", SPHERE);
         for (Forme forme : inscrites(Forme.class)) {
-            types.put(prendre(forme.getSection(), forme.getClass().getName(), preneurs), new TypeObjet(forme));
+            types.put(prendre(forme.getSection(), forme.getClass().getName(), preneurs), forme);
         }
         formes = types;
         variantes = trouvees;
@@ -117,10 +135,10 @@ public final class Services implements Runnable {
         return Texte.minuscules(type);
     }
 
-    /** Ce que décrit ce type de section, {@code null} si ce n'est pas un objet. */
-    TypeObjet objet(String type) {
+    /** La forme qui lit ce type de section, {@code null} si ce n'est pas un objet. */
+    Forme forme(String type) {
         if (type.equals("sphere")) {
-            return TypeObjet.SPHERE;
+            return SPHERE;
         }
         chercher();
         return formes.get(type);
@@ -134,21 +152,15 @@ public final class Services implements Runnable {
 
     /** Vrai si ce type de section est celui d'une variante de la maison, présente ou non. */
     public static boolean varianteConnue(String type) {
-        for (String connue : VARIANTES_CONNUES) {
-            if (Texte.memeMot(connue, type)) {
-                return true;
-            }
-        }
-        return false;
+        return VARIANTES_CONNUES.stream().anyMatch(connue -> Texte.memeMot(connue, type));
     }
 
     /** Tous les types de section que l'on peut écrire. */
     String types() {
         chercher();
         Set<String> types = new LinkedHashSet<>();
-        types.add(TypeObjet.SPHERE.getNom());
-        for (TypeObjet forme : formes.values()) {
-            types.add(forme.getNom());
+        for (Forme forme : formes.values()) {
+            types.add(forme.getSection());
         }
         types.add("Lampe");
         types.addAll(VARIANTES_CONNUES);

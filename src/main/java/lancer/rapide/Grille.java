@@ -109,8 +109,9 @@ final class Grille implements Intersections {
                 lesquelles[m++] = k;
             }
         }
-        Grille grille = new Grille(spheres, Arrays.copyOf(lesquelles, m), grosses, secours);
-        return grille.remplir(Arrays.copyOf(lesquelles, m), equipe) ? grille : null;
+        lesquelles = Arrays.copyOf(lesquelles, m);
+        Grille grille = new Grille(spheres, lesquelles, grosses, secours);
+        return grille.remplir(lesquelles, equipe) ? grille : null;
     }
 
     /** Les numéros, croissants, des sphères bien plus grosses, ou bien plus loin, que la plupart (un sol, un ciel). */
@@ -152,17 +153,14 @@ final class Grille implements Intersections {
 
     /** Note chaque sphère dans les cases qu'elle touche ; faux si elles sont trop. */
     private boolean remplir(int[] lesquelles, Equipe equipe) {
-        long places = 0;
-        for (int k : lesquelles) {
-            places += noter(k, false);
-        }
-        if (places > (long) BOITES_PAR_SPHERE * lesquelles.length) {
-            return false;
-        }
         debut = new int[nx * ny * nz + 1];
+        long cases = 0;
         for (int k : lesquelles) {
             equipe.verifier();
-            noter(k, true);
+            cases += noter(k);
+            if (cases > (long) BOITES_PAR_SPHERE * lesquelles.length) {
+                return false;
+            }
         }
         int total = 0;
         for (int c = 0; c < debut.length; c++) {
@@ -176,7 +174,7 @@ final class Grille implements Intersections {
         // de la dernière à la première : chaque case se remplit par la fin, et son début recule
         for (int q = lesquelles.length - 1; q >= 0; q--) {
             equipe.verifier();
-            noter(lesquelles[q], true);
+            noter(lesquelles[q]);
         }
         return true;
     }
@@ -184,10 +182,9 @@ final class Grille implements Intersections {
     /**
      * Compte une sphère dans chaque case qu'elle touche, ou l'y place si {@link #entrees} existe.
      *
-     * @param touche faux pour ne rien noter
      * @return le nombre de cases que touche la boîte de la sphère
      */
-    private long noter(int k, boolean touche) {
+    private long noter(int k) {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
         double x = g[s];
@@ -200,7 +197,7 @@ final class Grille implements Intersections {
         int jb = rang((y + r - y0) * parCote, ny);
         int ka = rang((z - r - z0) * parCote, nz);
         int kb = rang((z + r - z0) * parCote, nz);
-        for (int kk = ka; kk <= kb && touche; kk++) {
+        for (int kk = ka; kk <= kb; kk++) {
             double ez = ecart(z, z0 + kk * cote, cote);
             for (int jj = ja; jj <= jb; jj++) {
                 double ey = ecart(y, y0 + jj * cote, cote);

@@ -2,6 +2,7 @@ package lancer.rapide;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
@@ -10,7 +11,6 @@ import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
-import lancer.contrat.Suivi;
 import lancer.fils.Equipe;
 
 /**
@@ -85,22 +85,22 @@ public final class Preparation {
      * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
      */
     public static Recherche pour(Scene scene, Camera camera) {
-        return pour(scene, camera, Suivi.AUCUN);
+        return pour(scene, camera, part -> { });
     }
 
     /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
-    public static Recherche pour(Scene scene, Camera camera, Suivi suivi) {
+    public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
         long questions = (long) camera.getLargeur() * camera.getHauteur() * (2 + scene.getLampes().size());
         return questions <= QUESTIONS_MIN ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
                 : pour(scene, camera, Genre.AU_CHOIX, suivi);
     }
 
-    static Recherche pour(Scene scene, Camera camera, Genre genre, Suivi suivi) {
+    static Recherche pour(Scene scene, Camera camera, Genre genre, DoubleConsumer suivi) {
         return new RechercheRapide(new Preparation(scene, camera).faire(genre, suivi), new Compteurs());
     }
 
-    private Structures faire(Genre genre, Suivi suivi) {
-        suivi.fait(PART_ARBRE);
+    private Structures faire(Genre genre, DoubleConsumer suivi) {
+        suivi.accept(PART_ARBRE);
         int n = spheres.nombre;
         Boite boite = Boite.de(spheres, spheres.toutes());
         double portee = Math.max(boite.portee(), Camera.FOCALE);
@@ -124,9 +124,9 @@ public final class Preparation {
         if (genre == Genre.AU_CHOIX && n > SPHERES_PAR_PIXEL * pixels) {
             return structures;
         }
-        suivi.fait(PART_RANGEMENT);
+        suivi.accept(PART_RANGEMENT);
         construire();
-        suivi.fait(PART_STRUCTURES);
+        suivi.accept(PART_STRUCTURES);
         return genre == Genre.CARTES ? structures : new Sondage(scene, camera, equipe).choisir(structures);
     }
 

@@ -5,6 +5,7 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.Timer;
 import java.util.TimerTask;
 import java.util.function.DoubleSupplier;
@@ -26,16 +27,18 @@ public final class BarreProgression extends TimerTask {
     private boolean visible;
     private boolean effacee;
 
-    /** @param avancement la part faite, de 0 à 1 */
-    public BarreProgression(DoubleSupplier avancement, PrintStream terminal) {
+    private BarreProgression(DoubleSupplier avancement, PrintStream terminal) {
         this.avancement = avancement;
         this.terminal = terminal;
     }
 
-    public void commencer() {
+    /** @param avancement la part faite, de 0 à 1 */
+    public static BarreProgression commencer(DoubleSupplier avancement, PrintStream terminal) {
+        BarreProgression barre = new BarreProgression(avancement, terminal);
         if (surUnTerminal()) {
-            horloge.schedule(this, PERIODE_MS, PERIODE_MS);
+            barre.horloge.schedule(barre, PERIODE_MS, PERIODE_MS);
         }
+        return barre;
     }
 
     /** Ailleurs, dans un fichier ou un tube, une barre se lirait. */
@@ -52,8 +55,11 @@ public final class BarreProgression extends TimerTask {
     public synchronized void run() {
         if (!effacee) {
             visible = true;
-            terminal.print(ligne(avancement.getAsDouble()));
-            terminal.flush();
+            double part = avancement.getAsDouble();
+            char[] barre = new char[LARGEUR];
+            Arrays.fill(barre, '.');
+            Arrays.fill(barre, 0, Math.min(LARGEUR, (int) (LARGEUR * part)), '#');
+            montrer("\r[" + new String(barre) + "] " + (int) (100 * part) + " %");
         }
     }
 
@@ -62,17 +68,12 @@ public final class BarreProgression extends TimerTask {
         horloge.cancel();
         effacee = true;
         if (visible) {
-            terminal.print("\r\u001b[K");
-            terminal.flush();
+            montrer("\r\u001b[K");
         }
     }
 
-    static String ligne(double part) {
-        StringBuilder s = new StringBuilder("\r[");
-        int pleins = (int) (LARGEUR * part);
-        for (int k = 0; k < LARGEUR; k++) {
-            s.append(k < pleins ? '#' : '.');
-        }
-        return s.append("] ").append((int) (100 * part)).append(" %").toString();
+    private void montrer(String texte) {
+        terminal.print(texte);
+        terminal.flush();
     }
 }

@@ -2,7 +2,6 @@ package lancer.sortie;
 
 import java.util.Locale;
 import lancer.Couleur;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 
 /**
@@ -38,16 +37,13 @@ public final class Comparaison {
      */
     public static Comparaison de(ImageMemoire a, ImageMemoire b, double tolerance) {
         if (a.getLargeur() != b.getLargeur() || a.getHauteur() != b.getHauteur()) {
-            throw new Echec(CodeSortie.DEMANDE, "images de tailles différentes : " + taille(a) + " et " + taille(b)
-                    + " ; attendu : la même taille");
+            throw Echec.demande(String.format(
+                    "images de tailles différentes : %dx%d et %dx%d ; attendu : la même taille",
+                    a.getLargeur(), a.getHauteur(), b.getLargeur(), b.getHauteur()));
         }
         Comparaison comparaison = new Comparaison(a, b, tolerance);
         comparaison.mesurer();
         return comparaison;
-    }
-
-    private static String taille(ImageMemoire image) {
-        return image.getLargeur() + "x" + image.getHauteur();
     }
 
     private void mesurer() {
@@ -71,16 +67,13 @@ public final class Comparaison {
     }
 
     private double ecart(int p, int k) {
-        if (surHuitBits) {
-            int decalage = 16 - 8 * k;
-            return Math.abs((a.getCodes()[p] >> decalage & 255) - (b.getCodes()[p] >> decalage & 255));
-        }
-        return Math.abs(niveau(a.getLineaire()[3 * p + k]) - niveau(b.getLineaire()[3 * p + k]));
+        return Math.abs(niveau(a, p, k) - niveau(b, p, k));
     }
 
     /** Une composante limitée à [0, 1], en niveaux de 255. */
-    private static double niveau(double composante) {
-        return 255 * Math.min(1, Math.max(0, composante));
+    private double niveau(ImageMemoire image, int p, int k) {
+        return surHuitBits ? image.getCodes()[p] >> 16 - 8 * k & 255
+                : 255.0 * Math.min(1, Math.max(0, image.getLineaire()[3 * p + k]));
     }
 
     /** Vrai si aucune composante ne s'écarte plus que permis. */

@@ -1,11 +1,8 @@
 package lancer.sortie;
 
-import java.io.BufferedOutputStream;
 import java.io.File;
-import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -13,7 +10,6 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.texte.Texte;
 
@@ -29,8 +25,6 @@ public final class Ecriture {
     public interface Format {
         void ecrire(ImageMemoire image, OutputStream sortie) throws IOException;
     }
-
-    private static final int TAMPON = 1 << 16;
 
     /** Autour d'un nom provisoire, court : celui de la cible peut déjà être aussi long que le système le permet. */
     private static final String DEBUT_PROVISOIRE = ".lancer-";
@@ -52,7 +46,7 @@ public final class Ecriture {
     public Ecriture(String nom) {
         this.nom = nom;
         try {
-            cible = suivre(Paths.get(nom));
+            cible = suivre(Paths.get(nom).toAbsolutePath());
         } catch (InvalidPathException e) {
             throw impossible("nom de fichier impossible" + Texte.horsLangue(nom));
         } catch (IOException e) {
@@ -61,8 +55,8 @@ public final class Ecriture {
         if (Files.isDirectory(cible)) {
             throw impossible("c'est un dossier");
         }
-        Path dossier = cible.toAbsolutePath().getParent();
-        if (dossier == null || !Files.isDirectory(dossier)) {
+        Path dossier = cible.getParent();
+        if (!Files.isDirectory(dossier)) {
             throw impossible("le dossier n'existe pas");
         }
         if (!estSpecial() && !Files.isWritable(dossier)) {
@@ -76,19 +70,15 @@ public final class Ecriture {
     /** Le fichier au bout des liens, qu'il existe ou non, dans le vrai dossier : un fichier n'a que ce nom. */
     private static Path suivre(Path chemin) throws IOException {
         Path lien = chemin;
-        for (int suivis = 0; Files.isSymbolicLink(lien); suivis++) {
+        for (int suivis = 0; Files.isSymbolicLink(lien) && !Files.exists(lien); suivis++) {
             if (suivis == LIENS_MAX) {
                 throw new IOException("trop de liens symboliques");
             }
-            Path suivant = lien.resolveSibling(Files.readSymbolicLink(lien));
-            if (Files.exists(lien) && !Files.exists(suivant)) {
-                // un tube : /proc/self/fd/1 est un lien vers « pipe:[123] », qui n'est le nom de rien
-                return lien;
-            }
-            lien = suivant;
+            lien = lien.resolveSibling(Files.readSymbolicLink(lien));
         }
-        Path dossier = lien.toAbsolutePath().getParent();
-        return dossier == null ? lien : dossier.toRealPath().resolve(lien.getFileName());
+        // celui d'un tube, /proc/self/fd/1, mène à « pipe:[123] », qui n'est le nom de rien
+        return Files.isRegularFile(lien) ? lien.toRealPath()
+                : Files.exists(lien) ? lien : lien.getParent().toRealPath().resolve(lien.getFileName());
     }
 
     /** Vrai pour ce qui n'est pas un fichier ordinaire : on y écrit, on ne le remplace pas. */
@@ -101,22 +91,17 @@ public final class Ecriture {
         return cible;
     }
 
-    /** Vrai si écrire écraserait cet autre fichier : le même nom, ou le même fichier sous un autre nom. */
-    public boolean vise(Path autre) {
-        try {
-            // de deux chemins qui existent, seul le système sait s'ils mènent au même fichier : « lien/.. » est
-            // trompeur
-            return Files.exists(cible) && Files.exists(autre) ? Files.isSameFile(cible, autre)
-                    : cible.equals(autre.toAbsolutePath().normalize());
-        } catch (IOException e) {
-            return false;
-        }
-    }
-
-    /** @throws Echec si écrire écraserait cet autre fichier. @param faute comment le dire */
+    /**
+     * @param faute comment le dire
+     * @throws Echec si c'est cet autre fichier que l'on écrirait, sous ce nom ou un autre
+     */
     public void epargner(Path autre, String faute) {
-        if (vise(autre)) {
-            throw new Echec(CodeSortie.DEMANDE, faute + " ; attendu : un autre fichier");
+        try {
+            if (Files.isSameFile(cible, autre)) {
+                throw Echec.demande(faute);
+            }
+        } catch (IOException e) {
+            // un seul des deux existe
         }
     }
 
@@ -124,13 +109,13 @@ public final class Ecriture {
     public void ecrire(ImageMemoire image, Format format) {
         try {
             if (estSpecial()) {
-                try (OutputStream sortie = new BufferedOutputStream(Files.newOutputStream(cible), TAMPON)) {
+                try (OutputStream sortie = Files.newOutputStream(cible)) {
                     format.ecrire(image, sortie);
                 }
                 return;
             }
             String processus = new File(PROCESSUS, "self").getCanonicalFile().getName();
-            balayer(cible.toAbsolutePath().getParent().toFile(), processus);
+            balayer(cible.getParent().toFile(), processus);
             try {
                 ecrireACote(image, format, processus);
             } catch (NoSuchFileException e) {
@@ -159,11 +144,10 @@ public final class Ecriture {
     private void ecrireACote(ImageMemoire image, Format format, String processus) throws IOException {
         Path provisoire = cible.resolveSibling(
                 DEBUT_PROVISOIRE + processus + "-" + Long.toHexString(System.nanoTime()) + FIN_PROVISOIRE);
-        File aEffacer = provisoire.toFile();
         // Ctrl+C pendant l'écriture ne laisse rien derrière lui
-        aEffacer.deleteOnExit();
+        provisoire.toFile().deleteOnExit();
         try {
-            try (OutputStream sortie = new BufferedOutputStream(creer(aEffacer), TAMPON)) {
+            try (OutputStream sortie = Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW)) {
                 // avant d'écrire : ce que l'ancien fichier cachait ne se voit pas un instant
                 garderLesPermissions(provisoire);
                 format.ecrire(image, sortie);
@@ -173,18 +157,6 @@ public final class Ecriture {
         } finally {
             Files.deleteIfExists(provisoire);
         }
-    }
-
-    /** Un fichier neuf, par {@code java.io}, déjà chargé ; si cela échoue, {@code java.nio} dit pourquoi. */
-    private static OutputStream creer(File fichier) throws IOException {
-        try {
-            if (fichier.createNewFile()) {
-                return new FileOutputStream(fichier);
-            }
-        } catch (IOException e) {
-            // la suite échouera de même
-        }
-        return Files.newOutputStream(fichier.toPath(), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
     }
 
     private void garderLesPermissions(Path provisoire) {
@@ -198,16 +170,10 @@ public final class Ecriture {
     }
 
     private static String raison(IOException e) {
-        if (e instanceof AccessDeniedException) {
-            return "écriture interdite";
-        }
-        if (e instanceof NoSuchFileException) {
-            return "le dossier n'existe pas";
-        }
-        return Texte.panne(e);
+        return e instanceof NoSuchFileException ? "le dossier n'existe pas" : Texte.panne(e);
     }
 
     private Echec impossible(String raison) {
-        return new Echec(CodeSortie.PANNE, Texte.echappe(nom) + " : écriture impossible, " + raison);
+        return Echec.panne(Texte.echappe(nom) + " : écriture impossible, " + raison);
     }
 }

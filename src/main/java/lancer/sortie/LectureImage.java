@@ -10,17 +10,14 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
-import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import lancer.Couleur;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.texte.Texte;
 
@@ -44,50 +41,32 @@ public final class LectureImage {
     private LectureImage() {
     }
 
-    /** Vrai si ce nom est celui d'une image, et non d'une scène. */
-    public static boolean estImage(String nom) {
-        return estPng(nom) || nom.toLowerCase(Locale.ROOT).endsWith(".pfm");
-    }
-
-    private static boolean estPng(String nom) {
-        return nom.toLowerCase(Locale.ROOT).endsWith(".png");
-    }
-
     /**
      * @return l'image, sans couleurs non limitées si elle n'a que 8 bits par composante
      * @throws Echec si le fichier n'est pas une image PNG ou PFM que l'on sache lire
      */
     public static ImageMemoire lire(String nom) {
+        String faute;
         try {
-            Path fichier = Paths.get(nom);
-            if (!Files.isRegularFile(fichier)) {
-                throw new IOException(Files.exists(fichier) ? "ce n'est pas un fichier" : "fichier introuvable");
-            }
-            byte[] octets = Files.readAllBytes(fichier);
-            return estPng(nom) ? lirePng(octets) : lirePfm(octets);
+            byte[] octets = Files.readAllBytes(Paths.get(nom));
+            return nom.toLowerCase(Locale.ROOT).endsWith(".png") ? lirePng(octets) : lirePfm(octets);
         } catch (OutOfMemoryError e) {
-            throw illisible(nom, "trop grande pour la mémoire de Java");
-        } catch (IOException | InvalidPathException e) {
-            throw illisible(nom, e.getMessage());
+            faute = "trop grande pour la mémoire de Java";
+        } catch (InvalidPathException e) {
+            faute = "nom de fichier impossible" + Texte.horsLangue(nom);
+        } catch (IOException e) {
+            faute = Texte.panne(e);
         }
-    }
-
-    private static Echec illisible(String nom, String raison) {
-        return new Echec(CodeSortie.DEMANDE,
-                Texte.echappe(nom) + " : image illisible : " + raison + " ; attendu : un PNG ou un PFM");
+        throw Echec.demande(Texte.echappe(nom) + " : image illisible : " + faute + " ; attendu : un PNG ou un PFM");
     }
 
     private static ImageMemoire lirePng(byte[] octets) throws IOException {
         BufferedImage lue;
-        ImageReader lecteur = ImageIO.getImageReadersByFormatName("png").next();
         try {
             verifierPng(ByteBuffer.wrap(octets));
-            lecteur.setInput(new MemoryCacheImageInputStream(new ByteArrayInputStream(octets)), true, true);
-            lue = lecteur.read(0);
+            lue = ImageIO.read(new MemoryCacheImageInputStream(new ByteArrayInputStream(octets)));
         } catch (IOException | RuntimeException e) {
             throw new IOException("ce n'est pas un PNG, ou il est coupé ou abîmé");
-        } finally {
-            lecteur.dispose();
         }
         Raster echantillons = lue.getColorModel() instanceof IndexColorModel
                 ? ((IndexColorModel) lue.getColorModel()).convertToIntDiscrete(lue.getRaster(), true).getRaster()

@@ -1,15 +1,13 @@
 package lancer.temoins;
 
 import java.util.Collections;
-import java.util.function.IntConsumer;
+import java.util.function.DoubleConsumer;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
-import lancer.contrat.Suivi;
-import lancer.contrat.Temoignage;
 import lancer.contrat.Toile;
 import lancer.fils.Equipe;
 import lancer.rapide.Preparation;
@@ -18,12 +16,13 @@ import lancer.rapide.RechercheRapide;
 /** Un {@link Lancer} dont des {@link Temoins} jugent la recherche ; si elle se trompe, les boucles dessinent. */
 public final class LancerSurveille extends Lancer {
 
-    private volatile Temoignage temoignage = Temoignage.SANS_OBJET;
+    private volatile String ecart;
+    /** Ceux du dessin en cours, {@code null} s'ils ne sont pas tirés, ou n'ont plus rien à dire. */
     private Temoins temoins;
-    private boolean tires;
+    private int nombre;
     private long jugementNs;
-    /** La recherche dont parle ce témoignage, et à quelle profondeur : refaire le même dessin n'en apprend rien. */
-    private Recherche jugee;
+    /** La recherche qu'ils jugent ou ont jugée, et à quelle profondeur : refaire le même dessin n'en apprend rien. */
+    private RechercheRapide jugee;
     private int profondeurJugee;
 
     public LancerSurveille(Scene scene, Camera camera) {
@@ -38,11 +37,11 @@ public final class LancerSurveille extends Lancer {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
-        return preparer(scene, largeur, hauteur, simple, Suivi.AUCUN);
+        return preparer(scene, largeur, hauteur, simple, part -> { });
     }
 
     /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
-    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, Suivi suivi) {
+    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, DoubleConsumer suivi) {
         Camera camera = new Camera(largeur, hauteur);
         scene.setRecherche(simple ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
                 : Preparation.pour(scene, camera, suivi));
@@ -57,65 +56,61 @@ public final class LancerSurveille extends Lancer {
     /** {@inheritDoc} Des témoins sont tirés au hasard avant le brouillon, que l'on regarde déjà. */
     @Override
     public void TracerImage(Toile toile, int profondeur, int fils) {
-        jugementNs = 0;
-        juger(profondeur, true);
+        tirer(profondeur);
         super.TracerImage(toile, profondeur, fils);
     }
 
-    /** {@inheritDoc} Personne ne regarde encore l'image : ses témoins viennent tous après elle. */
+    /** {@inheritDoc} Si personne ne regarde encore l'image, ses témoins viennent tous après elle. */
     @Override
     public void TracerPixels(Toile toile, int profondeur, int fils) {
-        boolean juste = temoignage.ecart == null;
+        boolean juste = ecart == null;
         super.TracerPixels(toile, profondeur, fils);
-        if (!tires) {
-            jugementNs = 0;
-            juger(profondeur, true);
+        if (temoins == null) {
+            tirer(profondeur);
         }
-        juger(profondeur, false);
-        tires = false;
-        if (juste && temoignage.ecart != null) {
+        if (temoins != null) {
+            juger();
+            temoins = null;
+        }
+        if (juste && ecart != null) {
             super.TracerPixels(toile, profondeur, fils);
         }
-        getCompteurs().pixelsTemoins = temoignage.pixels;
-        getCompteurs().examensEssais = jugee instanceof RechercheRapide ? ((RechercheRapide) jugee).getEssais() : 0;
+        getCompteurs().pixelsTemoins = nombre;
+        getCompteurs().examensEssais = jugee == null ? 0 : jugee.getEssais();
+    }
+
+    /** Tire des témoins au hasard, si cette recherche en a besoin. */
+    private void tirer(int profondeur) {
+        jugementNs = 0;
+        Recherche recherche = getScene().getRecherche();
+        if (recherche instanceof RechercheRapide && (recherche != jugee || profondeur != profondeurJugee)) {
+            jugee = (RechercheRapide) recherche;
+            profondeurJugee = profondeur;
+            temoins = new Temoins(jugee, this, profondeur);
+            juger();
+        }
     }
 
     /**
      * Fait juger la recherche, dans un fil dont la pile suffit aux réflexions permises.
      *
-     * @param auHasard vrai pour des témoins tirés au hasard, faux pour d'autres, choisis
      * @throws lancer.contrat.PixelFautif si un témoin ne peut être calculé
      */
-    private void juger(int profondeur, boolean auHasard) {
-        tires = true;
-        Recherche recherche = getScene().getRecherche();
-        if (!(recherche instanceof RechercheRapide) || recherche == jugee && profondeur == profondeurJugee) {
-            return;
-        }
+    private void juger() {
         long debut = System.nanoTime();
-        if (auHasard) {
-            temoins = new Temoins((RechercheRapide) recherche, this, profondeur);
-        }
-        Temoignage avant = temoignage;
-        new Equipe("temoins").faire(1, Collections.singletonList(new IntConsumer() {
-            @Override
-            public void accept(int rang) {
-                temoignage = auHasard ? temoins.auHasard() : new Temoignage(avant.pixels, temoins.choisis().ecart);
-            }
-        }));
-        if (!auHasard) {
-            jugee = recherche;
-            profondeurJugee = profondeur;
-        }
-        if (temoignage.ecart != null) {
+        new Equipe("temoins").faire(1, Collections.singletonList(temoins));
+        nombre = temoins.nombre;
+        ecart = temoins.ecart;
+        if (ecart != null) {
+            temoins = null;
             getScene().setRecherche(new RechercheSimple(getScene().getObjets(), getScene().getCompteurs()));
         }
         jugementNs += System.nanoTime() - debut;
     }
 
     @Override
-    public Temoignage getTemoignage() {
-        return temoignage;
+    public String getEcart() {
+        return ecart;
     }
 
     /** {@inheritDoc} Celui des témoins est compris. */

@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -15,21 +16,19 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
-import lancer.contrat.PixelFautif;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
-import lancer.contrat.Temoignage;
 import lancer.rapide.RechercheRapide;
 
 /**
- * Les pixels témoins : quelques-uns sont dessinés par les boucles du cours aussi, et comparés au bit près. Ils jugent
- * ce à quoi une recherche répond autrement que par les méthodes du cours. Une faute qui change une part p des pixels
- * est vue avec une probabilité d'au moins 1 − (1 − p)^N, N étant tirés au hasard avant l'image, un dans chacune de N
- * parts égales. Quelques autres sont choisis après elle. Leur nombre ne dépend que de comptes, jamais d'une horloge. Là
- * où les boucles mettraient trop de temps à un seul pixel (cent mille sphères), on ne leur pose que ses premières
- * questions.
+ * Les pixels témoins : chaque question de leurs rayons est posée aux boucles du cours aussi, et les deux réponses sont
+ * comparées au bit près. Ils jugent ce à quoi une recherche répond autrement que par les méthodes du cours. Une faute
+ * qui change une part p des pixels est vue avec une probabilité d'au moins 1 − (1 − p)^N, N étant tirés au hasard avant
+ * l'image, un dans chacune de N parts égales. Quelques autres sont choisis après elle. Leur nombre ne dépend que de
+ * comptes, jamais d'une horloge. Là où les boucles mettraient trop de temps à un seul pixel (cent mille sphères), elles
+ * n'ont que ses premières questions.
  */
-final class Temoins {
+final class Temoins implements IntConsumer {
 
     /** Pixels tirés au hasard, au plus ; autant peuvent être choisis en plus. */
     private static final int NOMBRE = 64;
@@ -50,14 +49,21 @@ final class Temoins {
 
     private final Camera camera;
     private final int profondeur;
-    private final RechercheRapide jugee;
-    private final Recherche boucles;
-    private final Lancer rapide;
-    private final Lancer cours;
-    private final Random hasard = new Random(GRAINE);
     private final int objets;
     private final long pixels;
+    private final Lancer rapide;
+    private final Lancer confronte;
+    private final Recherche jugee;
+    private final Recherche boucles;
+    private final Confrontation confrontation = new Confrontation();
+    private final Random hasard = new Random(GRAINE);
     private long reste;
+
+    /** Combien ont été tirés au hasard ; 0 tant qu'aucun ne l'a été. */
+    int nombre;
+
+    /** Le premier écart, en une phrase qui nomme le pixel ; {@code null} s'il n'y en a pas. */
+    String ecart;
 
     /** @param lancer celui qui dessine, par cette recherche */
     Temoins(RechercheRapide recherche, Lancer lancer, int profondeur) {
@@ -65,41 +71,38 @@ final class Temoins {
         camera = lancer.getCamera();
         pixels = (long) camera.getLargeur() * camera.getHauteur();
         objets = lancer.getScene().getObjets().size();
-        jugee = recherche;
-        Scene scene = lancer.getScene().pourUnFil();
-        rapide = new Lancer(scene, camera);
-        scene = scene.pourUnFil();
+        rapide = new Lancer(lancer.getScene().pourUnFil(), camera);
+        Scene scene = rapide.getScene().pourUnFil();
+        jugee = scene.getRecherche();
         boucles = new RechercheSimple(scene.getObjets(), new Compteurs());
-        scene.setRecherche(recherche.remplacee(boucles));
-        cours = new Lancer(scene, camera);
+        scene.setRecherche(recherche.remplacee(confrontation));
+        confronte = new Lancer(scene, camera);
+    }
+
+    /** Juge : d'abord par des pixels tirés au hasard, la fois d'après par d'autres, choisis. */
+    @Override
+    public void accept(int rang) {
+        if (nombre == 0) {
+            auHasard();
+        } else {
+            choisis();
+        }
     }
 
     /** Des pixels tirés au hasard, un dans chacune d'autant de parts égales de l'image. */
-    Temoignage auHasard() {
+    private void auHasard() {
         int sondes = (int) Math.min(NOMBRE, pixels);
-        long[] tires = new long[sondes];
-        Couleur[] couleurs = new Couleur[sondes];
         for (int k = 0; k < sondes; k++) {
-            tires[k] = tirer(k, sondes);
-            couleurs[k] = voir(rapide, tires[k]);
+            voir(rapide, tirer(k, sondes));
         }
         long rayons = rapide.getScene().getCompteurs().rayons();
         reste = Math.max(EXAMENS, pixels * rayons / sondes / RAYONS_PAR_EXAMEN);
-        int nombre = (int) Math.min(sondes, reste / Math.max(1, rayons * objets / sondes));
-        if (nombre == 0) {
-            return new Temoignage(1, questionner(tirer(0, 1)));
+        long prix = Math.max(1, rayons * objets / sondes);
+        nombre = (int) Math.max(1, Math.min(sondes, reste / prix));
+        for (int k = 0; k < nombre && ecart == null; k++) {
+            confronter(tirer(k, nombre), reste < prix ? Math.max(objets, reste) : Long.MAX_VALUE);
         }
-        for (int k = 0; k < nombre; k++) {
-            if (nombre < sondes) {
-                tires[k] = tirer(k, nombre);
-                couleurs[k] = voir(rapide, tires[k]);
-            }
-            if (!couleurs[k].equals(voir(cours, tires[k]))) {
-                return new Temoignage(nombre, ecart(tires[k]));
-            }
-        }
-        reste -= nombre * (rayons * objets / sondes);
-        return new Temoignage(nombre, null);
+        reste -= nombre * prix;
     }
 
     /** Un pixel de la k-ième des n parts de l'image, dans l'ordre de la lecture. */
@@ -112,32 +115,27 @@ final class Temoins {
      * Ceux qui montrent ce qu'aucun n'a encore montré : un objet, du dehors ou du dedans, un bord, un autre nombre de
      * lampes ou de reflets.
      */
-    Temoignage choisis() {
+    private void choisis() {
         Set<List<Object>> vu = new HashSet<>();
         Compteurs comptes = rapide.getScene().getCompteurs();
-        int choisis = 0;
         int sondes = (int) Math.min(SONDES, pixels);
-        for (int k = 0; k < sondes && choisis < NOMBRE; k++) {
+        for (int k = 0; k < sondes && vu.size() < NOMBRE && ecart == null; k++) {
             long pixel = tirer(k, sondes);
             Objet3D voisin = premier(Math.min(pixel + 1, pixels - 1)).getObjet();
             Rayon rayon = premier(pixel);
             Objet3D objet = rayon.getObjet();
             long ombres = comptes.ombre;
             long reflechis = comptes.reflechis;
-            Couleur couleur = voir(rapide, pixel);
+            voir(rapide, pixel);
             ombres = comptes.ombre - ombres;
             reflechis = comptes.reflechis - reflechis;
             long cout = (1 + ombres + reflechis) * objets;
             boolean dedans = objet != null && objet.getNormale(rayon.calcContact()).dot(rayon.getV()) > 0;
             if (cout <= reste && vu.add(Arrays.<Object>asList(objet, dedans, objet == voisin, ombres, reflechis))) {
-                choisis++;
                 reste -= cout;
-                if (!couleur.equals(voir(cours, pixel))) {
-                    return new Temoignage(choisis, ecart(pixel));
-                }
+                confronter(pixel, Long.MAX_VALUE);
             }
         }
-        return new Temoignage(choisis, null);
     }
 
     /** Le rayon de ce pixel, et l'objet qu'il rencontre d'abord. */
@@ -147,60 +145,55 @@ final class Temoins {
         return rayon;
     }
 
-    /** L'écart des boucles du cours sur les premières questions d'un pixel, là où une seule coûte presque tout. */
-    private String questionner(long pixel) {
-        Confrontation confrontation = new Confrontation();
-        rapide.getScene().setRecherche(jugee.remplacee(confrontation));
-        voir(rapide, pixel);
-        return confrontation.ecart ? ecart(pixel) : null;
+    /** @param examens nombre de sphères que les boucles peuvent examiner : au-delà, elles ne répondent plus */
+    private void confronter(long pixel, long examens) {
+        confrontation.examens = examens;
+        voir(confronte, pixel);
+        if (confrontation.differe) {
+            ecart = "au pixel " + x(pixel) + ", " + y(pixel) + ", la recherche rapide ne répond pas "
+                    + "comme les classes du cours : ce sont leurs boucles qui dessinent";
+        }
     }
 
-    /** La recherche jugée, et tant qu'il en reste les moyens, les boucles du cours après elle. */
+    /** La recherche jugée, et tant qu'elles en ont les moyens, les boucles du cours après elle. */
     private final class Confrontation implements Recherche {
 
-        private final Recherche sienne = jugee.pourUnFil(new Compteurs());
-        private boolean ecart;
-        private int posees;
+        private long examens;
+        private boolean differe;
 
-        /** La première question l'est toujours. */
         private boolean permise() {
-            reste -= objets;
-            return posees++ == 0 || reste >= 0;
+            examens -= objets;
+            return examens >= 0;
         }
 
         @Override
         public void plusProche(Rayon incident, Objet3D saufLui) {
-            sienne.plusProche(incident, saufLui);
+            jugee.plusProche(incident, saufLui);
             Objet3D objet = incident.getObjet();
             double distance = incident.getDistance();
             if (permise()) {
                 boucles.plusProche(incident, saufLui);
-                ecart |= incident.getObjet() != objet || Double.compare(incident.getDistance(), distance) != 0;
+                differe |= incident.getObjet() != objet || Double.compare(incident.getDistance(), distance) != 0;
             }
         }
 
         @Override
         public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-            boolean cachee = sienne.estCachee(lampe, P, V, distance, objet);
+            boolean cachee = jugee.estCachee(lampe, P, V, distance, objet);
             if (permise()) {
-                ecart |= boucles.estCachee(lampe, P, V, distance, objet) != cachee;
+                differe |= boucles.estCachee(lampe, P, V, distance, objet) != cachee;
             }
             return cachee;
         }
 
         @Override
         public Recherche pourUnFil(Compteurs compteurs) {
-            return sienne.pourUnFil(compteurs);
+            return this;
         }
     }
 
     private Couleur voir(Lancer lancer, long pixel) {
         return lancer.voir(x(pixel) + 0.5, y(pixel) + 0.5, profondeur);
-    }
-
-    private String ecart(long pixel) {
-        return "au pixel " + x(pixel) + ", " + y(pixel) + ", la recherche rapide ne répond pas "
-                + "comme les classes du cours : ce sont leurs boucles qui dessinent";
     }
 
     private int x(long pixel) {

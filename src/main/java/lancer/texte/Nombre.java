@@ -26,12 +26,8 @@ public final class Nombre {
      * à lire.
      */
     public static double lire(String s, int debut, int fin) {
-        int i = debut;
-        boolean negatif = false;
-        if (i < fin && (s.charAt(i) == '+' || s.charAt(i) == '-')) {
-            negatif = s.charAt(i) == '-';
-            i++;
-        }
+        boolean negatif = debut < fin && s.charAt(debut) == '-';
+        int i = negatif || debut < fin && s.charAt(debut) == '+' ? debut + 1 : debut;
         long mantisse = 0;
         int chiffres = 0;
         int decimales = 0;
@@ -39,13 +35,10 @@ public final class Nombre {
         for (; i < fin; i++) {
             char c = s.charAt(i);
             if (c >= '0' && c <= '9') {
+                // au-delà de quinze chiffres elle déborde peut-être, et ne sert plus
+                mantisse = 10 * mantisse + (c - '0');
                 chiffres++;
-                if (chiffres <= CHIFFRES_EXACTS) {
-                    mantisse = 10 * mantisse + (c - '0');
-                }
-                if (virgule) {
-                    decimales++;
-                }
+                decimales += virgule ? 1 : 0;
             } else if (c == '.' && !virgule) {
                 virgule = true;
             } else {

@@ -4,15 +4,14 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.FileSystemException;
-import java.util.Locale;
 
 /** Un texte venu d'ailleurs (fichier, ligne de commande), rendu montrable dans un message d'une ligne. */
 public final class Texte {
 
     /** Longueur au-delà de laquelle une citation est coupée, en caractères. */
-    public static final int CITATION_MAX = 60;
+    private static final int CITATION_MAX = 60;
 
-    /** Ce que dit le système, et ce que nous en disons ; sur une machine française, il se fait comprendre seul. */
+    /** Ce que dit le système, ou Java, et ce que nous en disons ; en français, le système se fait comprendre seul. */
     private static final String[][] PANNES = {
         {"No space left on device", "disque plein"},
         {"Aucun espace disponible sur le périphérique", "disque plein"},
@@ -25,7 +24,9 @@ public final class Texte {
         {"Not a directory", "le dossier n'existe pas"},
         {"Is a directory", "c'est un dossier"},
         {"Too many levels of symbolic links", "trop de liens symboliques"},
-        {"Broken pipe", "plus personne ne lit"}};
+        {"Broken pipe", "plus personne ne lit"},
+        {"NoSuchFileException", "fichier introuvable"},
+        {"AccessDeniedException", "accès interdit"}};
 
     private Texte() {
     }
@@ -35,15 +36,7 @@ public final class Texte {
      * petite, au contraire de {@link String#equalsIgnoreCase} pour qui le signe du kelvin est un k.
      */
     public static boolean memeMot(String a, String b) {
-        if (a.length() != b.length()) {
-            return false;
-        }
-        for (int i = 0; i < a.length(); i++) {
-            if (minuscule(a.charAt(i)) != minuscule(b.charAt(i))) {
-                return false;
-            }
-        }
-        return true;
+        return a.equals(b) || a.equalsIgnoreCase(b) && minuscules(a).equals(minuscules(b));
     }
 
     /** Le mot tel que tous ceux que {@link #memeMot} dit égaux le donnent. */
@@ -67,15 +60,24 @@ public final class Texte {
 
     /** Le texte sans caractère de contrôle, coupé à 60 caractères. */
     public static String abrege(String texte) {
+        return echapper(texte, CITATION_MAX);
+    }
+
+    /** Le texte, chaque caractère qui casserait ou brouillerait la ligne remplacé par son code. */
+    public static String echappe(String texte) {
+        return echapper(texte, Integer.MAX_VALUE);
+    }
+
+    private static String echapper(String texte, int max) {
         StringBuilder s = new StringBuilder();
         int gardes = 0;
         for (int i = 0; i < texte.length(); i += Character.charCount(texte.codePointAt(i))) {
             echapper(texte.codePointAt(i), s);
-            if (s.length() > CITATION_MAX) {
+            if (s.length() > max) {
                 s.setLength(gardes);
                 return s.append('…').toString();
             }
-            if (s.length() < CITATION_MAX) {
+            if (s.length() < max) {
                 gardes = s.length();
             }
         }
@@ -93,9 +95,7 @@ public final class Texte {
             int type = Character.getType(c);
             boolean dit = s.indexOf(new String(Character.toChars(c))) >= 0;
             if (c > 0xFF && visible(type) && type != Character.OTHER_SYMBOL && !dit) {
-                String code = Integer.toHexString(c).toUpperCase(Locale.ROOT);
-                s.append(s.length() == 0 ? ", où « " : ", « ").appendCodePoint(c).append(" » est U+")
-                        .append("0000", Math.min(4, code.length()), 4).append(code);
+                s.append(String.format(s.length() == 0 ? ", où « %c » est U+%04X" : ", « %c » est U+%04X", c, c));
             }
         }
         return s.toString();
@@ -112,12 +112,10 @@ public final class Texte {
                         + ", ne permet pas de lire ce nom : mettre LC_ALL=C.UTF-8 devant la commande)";
     }
 
-    /** Ce que le système dit d'une panne de fichier, en français si on le connaît. */
+    /** Ce que le système dit d'une panne de fichier, en français si on le connaît ; à défaut, son nom en Java. */
     public static String panne(IOException e) {
-        String raison = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
-        if (raison == null) {
-            return "échec du système";
-        }
+        String dit = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
+        String raison = dit == null ? e.getClass().getSimpleName() : dit;
         for (String[] connue : PANNES) {
             if (raison.startsWith(connue[0])) {
                 return connue[1];
@@ -146,22 +144,10 @@ public final class Texte {
         return dit;
     }
 
-    /** Le texte, chaque caractère qui casserait ou brouillerait la ligne remplacé par son code. */
-    public static String echappe(String texte) {
-        StringBuilder s = new StringBuilder();
-        for (int i = 0; i < texte.length(); i += Character.charCount(texte.codePointAt(i))) {
-            echapper(texte.codePointAt(i), s);
-        }
-        return s.toString();
-    }
-
     private static void echapper(int c, StringBuilder s) {
-        if (c == '\n') {
-            s.append("\\n");
-        } else if (c == '\r') {
-            s.append("\\r");
-        } else if (c == '\t') {
-            s.append("\\t");
+        int blanc = "\n\r\t".indexOf(c);
+        if (blanc >= 0) {
+            s.append('\\').append("nrt".charAt(blanc));
         } else if (c == ' ' || visible(Character.getType(c))) {
             s.appendCodePoint(c);
         } else {

@@ -166,9 +166,10 @@ class ProcessusTest extends EssaiProcessus {
         String accent = "$(printf '\\303\\251')";
         String[][] demandes = {{"2", "exec \"$@\" --image=a.png " + accent + ".ini"}, {"1", "exec \"$@\" --image=" + accent + ".png s.ini"},
             {"2", "mkdir " + accent + "; cp s.ini " + accent + "; cd " + accent + "; exec \"$@\" --image=a.png s.ini"},
-            {"1", "cd " + accent + "; exec \"$@\" --image=a.png \"$OLDPWD/s.ini\""}};
+            {"1", "cd " + accent + "; exec \"$@\" --image=a.png \"$OLDPWD/s.ini\""},
+            {"2", "exec \"$@\" --comparer=" + accent + ".png s.ini"}};
         for (String[] demande : demandes) {
-            List<String> commande = java("", "--taille=4x4");
+            List<String> commande = java("");
             commande.addAll(0, Arrays.asList("/bin/sh", "-c", "export LC_ALL=C; " + demande[1], "sh"));
             assertEquals(demande[0], String.valueOf(statut(preparer(commande))), erreur());
             assertTrue(erreur().matches("lancer : .+ : .+ \\(la langue du syst.me, r.gl.e sur ANSI_X3.4-1968, ne permet pas de lire "

@@ -46,7 +46,8 @@ public final class EssaiRecit {
     private double[] V;
     private double[] produit;
 
-    /** Tous les contacts dits, les lampes éclairées, celles qui sont cachées, et les raisons de s'arrêter. */
+    /** Les pixels dont la somme est pesée, les contacts dits, les lampes éclairées, les cachées, et les raisons de s'arrêter. */
+    public int pesees;
     public int contacts;
     public int eclairees;
     public int cachees;
@@ -102,20 +103,26 @@ public final class EssaiRecit {
         }
         double[] somme = new double[3];
         double aire = n;
-        if (actuelle().matches("\\d+ termes, .*")) {
+        if (actuelle().matches("\\d+ termes")) {
             int termes = Integer.parseInt(lignes.get(suivante++).replaceAll("\\D.*", ""));
             double poids = 0;
             for (int t = 0; t < termes; t++) {
-                String[] mots = lignes.get(suivante++).trim().split(" × ");
+                String[] mots = lignes.get(suivante++).trim().split(" × | = ");
                 double sien = nombres(mots[0])[0];
-                ajouter(somme, fois(gris(sien), echantillons.get(mots[1])));
+                double[] terme = nombres(mots[2]);
+                assertArrayEquals(fois(gris(sien), echantillons.get(mots[1])), terme, mots[1]);
+                ajouter(somme, terme);
                 poids += sien;
             }
+            pesees++;
             aire = Math.rint(poids);
             assertEquals(aire, poids, 1e-9);
         } else {
             echantillons.values().forEach(vue -> ajouter(somme, vue));
         }
+        String[] fin = lignes.get(suivante++).split("leur somme = |, divisée par | pour le pixel");
+        assertArrayEquals(somme, nombres(fin[1]), "la somme des termes");
+        assertArrayEquals(new double[] {aire}, nombres(fin[2]));
         for (int c = 0; c < 3; c++) {
             somme[c] /= aire;
         }

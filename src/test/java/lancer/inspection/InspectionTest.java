@@ -14,8 +14,12 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.contrat.Modele;
 import lancer.contrat.Origines;
 import lancer.essai.Essai;
 import lancer.essai.EssaiRecit;
@@ -111,6 +115,39 @@ class InspectionTest {
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertTrue(lignes.get(1).startsWith("1  objet 1  d = "), lignes.toString());
         assertTrue(lignes.get(4).startsWith("     lampe 1  N·L = "), lignes.toString());
+    }
+
+    @Test
+    void uneFormeQuiSeColoreASaFaconNeDitQueSonContactEtSaSomme() {
+        Couleur sienne = new Couleur(0.25, 0.5, 0.75);
+        Sphere sphere = new Sphere(new Point(0, 0, 8), 2) {
+            @Override
+            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                Lampe lampe = scene.getLampes().get(0);
+                return scene.estCachee(lampe, contact, new Vecteur(0, 0, -1), 5, this) ? null : sienne;
+            }
+        };
+        Modele modele = new Modele();
+        // neuf échantillons de cette même couleur
+        modele.setEchantillonnage((pave, vue, toile) -> {
+            Couleur somme = new Couleur();
+            for (int k = 0; k < 9; k++) {
+                somme = somme.add(vue.couleur(4 + (k % 3 + 0.5) / 3, 4 + (k / 3 + 0.5) / 3));
+            }
+            vue.diviser(somme, 9);
+            toile.drawPixel(somme.div(9), 4, 4);
+            return 0;
+        });
+        Scene scene = new Scene(Collections.singletonList(sphere),
+                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))), modele);
+        Inspection pixel = new Inspection(scene, new Camera(9, 9), 5, 4, 4);
+        pixel.faire();
+        List<String> lignes = new Recit(pixel, Double::toString).lignes();
+        assertEquals("9 échantillons", lignes.get(1));
+        assertEquals("leur somme = 2.25 4.5 6.75, divisée par 9.0 pour le pixel", lignes.get(11));
+        assertTrue(lignes.get(14).startsWith("   contact = "), lignes.toString());
+        assertEquals(Arrays.asList("   somme 1 = 0.25 0.5 0.75", "   arrêt : Ks nul", "somme 0.25 0.5 0.75 = #4080BF"),
+                lignes.subList(15, lignes.size()));
     }
 
     @ParameterizedTest

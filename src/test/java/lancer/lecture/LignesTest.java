@@ -15,7 +15,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
-import lancer.contrat.Suivi;
 import org.junit.jupiter.api.Test;
 
 /** Le fichier donné ligne par ligne, sans jamais être tout entier en mémoire. */
@@ -34,7 +33,7 @@ class LignesTest {
     /** Les lignes, chacune précédée du numéro qu'elle a quand elle est donnée. */
     private static List<String> lire(InputStream entree) throws IOException {
         List<String> lignes = new ArrayList<>();
-        Lignes source = new Lignes(entree, 0, Suivi.AUCUN);
+        Lignes source = new Lignes(entree, 0, part -> { });
         char[] tampon = new char[10];
         StringBuilder s = new StringBuilder();
         for (int n = source.read(tampon, 0, 10); n >= 0; n = source.read(tampon, 0, 10)) {
@@ -94,7 +93,7 @@ class LignesTest {
     @Test
     void unOctetFauxEstRefuseASaLigne() {
         byte[] octets = "a\n; caf\u00e9\nb".getBytes(StandardCharsets.ISO_8859_1);
-        Lignes lignes = new Lignes(new ByteArrayInputStream(octets), 0, Suivi.AUCUN);
+        Lignes lignes = new Lignes(new ByteArrayInputStream(octets), 0, part -> { });
         char[] tampon = new char[100];
         assertThrows(CharacterCodingException.class, () -> {
             while (lignes.read(tampon, 0, 100) >= 0) {
@@ -149,7 +148,7 @@ class LignesTest {
                 return n;
             }
         };
-        Lignes lignes = new Lignes(sansFin, 0, Suivi.AUCUN);
+        Lignes lignes = new Lignes(sansFin, 0, part -> { });
         char[] tampon = new char[1000];
         int plusLongue = 0;
         for (int n = lignes.read(tampon, 0, 1000); n >= 0; n = lignes.read(tampon, 0, 1000)) {

@@ -21,8 +21,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
-import lancer.contrat.Suivi;
-import lancer.contrat.Temoignage;
 import lancer.fils.Equipe;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
@@ -33,7 +31,7 @@ class TemoinsTest {
     private static final Camera CAMERA = new Camera(97, 61);
 
     private static Scene rapide(Scene scene, Camera camera) {
-        scene.setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX, Suivi.AUCUN));
+        scene.setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX, part -> { }));
         return scene;
     }
 
@@ -55,8 +53,7 @@ class TemoinsTest {
         for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(60).entrySet()) {
             Lancer lancer = new LancerSurveille(rapide(e.getValue(), CAMERA), CAMERA);
             lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
-            assertNull(lancer.getTemoignage().ecart, e.getKey());
-            assertEquals(64, lancer.getTemoignage().pixels, e.getKey());
+            assertNull(lancer.getEcart(), e.getKey());
             assertEquals(64, lancer.getCompteurs().pixelsTemoins, e.getKey());
         }
     }
@@ -84,8 +81,8 @@ class TemoinsTest {
         Camera une = new Camera(1, 1);
         Lancer lancer = new LancerSurveille(rapide(ScenesDEssai.toutes(60).get("foule"), une), une);
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 1);
-        assertEquals(1, lancer.getTemoignage().pixels);
-        assertNull(lancer.getTemoignage().ecart);
+        assertEquals(1, lancer.getCompteurs().pixelsTemoins);
+        assertNull(lancer.getEcart());
     }
 
     @Test
@@ -94,11 +91,11 @@ class TemoinsTest {
         Lancer lancer = new LancerSurveille(scene, CAMERA);
         Couleur[] image = new Couleur[CAMERA.getLargeur() * CAMERA.getHauteur()];
         lancer.TracerPixels((couleur, i, j) -> image[j * CAMERA.getLargeur() + i] = couleur, 5, 2);
-        assertNotNull(lancer.getTemoignage().ecart);
-        assertTrue(lancer.getTemoignage().ecart.startsWith("au pixel "), lancer.getTemoignage().ecart);
+        assertNotNull(lancer.getEcart());
+        assertTrue(lancer.getEcart().startsWith("au pixel "), lancer.getEcart());
         // un second dessin, par les boucles, n'oublie pas ce que le premier a vu
         lancer.TracerPixels((couleur, i, j) -> assertEquals(image[j * CAMERA.getLargeur() + i], couleur), 5, 2);
-        assertNotNull(lancer.getTemoignage().ecart);
+        assertNotNull(lancer.getEcart());
         assertEquals(64, lancer.getCompteurs().pixelsTemoins);
         assertFalse(scene.getRecherche() instanceof RechercheRapide);
         Scene lisible = new Scene(scene.getObjets(), scene.getLampes());
@@ -114,7 +111,7 @@ class TemoinsTest {
         Scene scene = modifiee(ScenesDEssai.toutes(60).get("foule"), 0.9);
         Lancer lancer = new LancerSurveille(scene, CAMERA);
         lancer.TracerImage((couleur, i, j) -> assertFalse(scene.getRecherche() instanceof RechercheRapide), 5, 1);
-        assertNotNull(lancer.getTemoignage().ecart);
+        assertNotNull(lancer.getEcart());
     }
 
     /** Cent mille sphères : les boucles ne peuvent dessiner un pixel, on leur pose ses premières questions. */
@@ -124,8 +121,8 @@ class TemoinsTest {
         Scene scene = ScenesDEssai.foule(11, 100_000, 0).scene();
         Lancer juste = new LancerSurveille(rapide(scene, petite), petite);
         juste.TracerPixels((couleur, i, j) -> { }, 2, 2);
-        assertNull(juste.getTemoignage().ecart);
-        assertTrue(juste.getTemoignage().pixels >= 1);
+        assertNull(juste.getEcart());
+        assertTrue(juste.getCompteurs().pixelsTemoins >= 1);
     }
 
     @Test
@@ -134,8 +131,8 @@ class TemoinsTest {
         scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
         Lancer lancer = new LancerSurveille(scene, CAMERA);
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
-        assertEquals(Temoignage.SANS_OBJET.pixels, lancer.getTemoignage().pixels);
-        assertNull(lancer.getTemoignage().ecart);
+        assertEquals(0, lancer.getCompteurs().pixelsTemoins);
+        assertNull(lancer.getEcart());
     }
 
     /** Un rayon qui ne part pas d'où partent ceux d'un masque, ou va ailleurs, reçoit quand même la réponse des boucles. */

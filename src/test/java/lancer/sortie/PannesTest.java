@@ -143,6 +143,12 @@ class PannesTest extends EssaiProcessus {
         commande.addAll(java("", "--image=a.png", "--taille=4x4", "s.ini"));
         assertEquals(2, statut(preparer(commande)), erreur());
         assertTrue(erreur().matches("lancer : s.ini : lecture interdite ; attendu : .+\n"), erreur());
+
+        assertTrue(Files.write(dossier.resolve("i.png"), AVANT).toFile().setReadable(false, false));
+        commande = new ArrayList<>(sansPouvoir);
+        commande.addAll(java("", "--comparer=i.png", "i.png"));
+        assertEquals(2, statut(preparer(commande)), erreur());
+        assertTrue(erreur().matches("lancer : i.png : image illisible : acc.s interdit ; attendu : .+\n"), erreur());
         assertTrue(protege.toFile().setWritable(true));
         assertArrayEquals(new String[0], protege.toFile().list());
         assertFalse(Files.exists(dossier.resolve("a.png")));

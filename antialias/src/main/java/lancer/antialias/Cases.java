@@ -56,8 +56,9 @@ final class Cases {
                 } else {
                     interpoler(0, 0, finX, finY);
                 }
-                double aire = n * n;
-                toile.drawPixel(new Couleur(r / aire, v / aire, b / aire), pave.i0 + x, pave.j0 + y);
+                Couleur somme = new Couleur(r, v, b);
+                vue.diviser(somme, n * n);
+                toile.drawPixel(somme.div(n * n), pave.i0 + x, pave.j0 + y);
             }
             sousPixels.oublier(y);
         }
@@ -150,10 +151,11 @@ final class Cases {
     private void ajouter(int x, int y, double poids) {
         if (poids > 0) {
             Couleur couleur = voir(x, y);
-            vue.compter(couleur, poids);
-            r += poids * couleur.r;
-            v += poids * couleur.v;
-            b += poids * couleur.b;
+            Couleur terme = couleur.mul(poids);
+            vue.compter(couleur, poids, terme);
+            r += terme.r;
+            v += terme.v;
+            b += terme.b;
         }
     }
 }

@@ -43,11 +43,17 @@ final class Echantillons {
                 somme = somme.add(voir(dx, dy));
             }
         }
-        return somme.div(n * n);
+        return moyenne(somme, n * n);
     }
 
     /** La moyenne des quatre sous-pixels des coins, dans le même ordre. */
     Couleur moyenneDesCoins() {
-        return new Couleur().add(voir(0, 0)).add(voir(n - 1, 0)).add(voir(0, n - 1)).add(voir(n - 1, n - 1)).div(4);
+        Couleur somme = new Couleur().add(voir(0, 0)).add(voir(n - 1, 0)).add(voir(0, n - 1)).add(voir(n - 1, n - 1));
+        return moyenne(somme, 4);
+    }
+
+    private Couleur moyenne(Couleur somme, int nombre) {
+        vue.diviser(somme, nombre);
+        return somme.div(nombre);
     }
 }

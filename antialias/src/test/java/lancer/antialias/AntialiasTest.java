@@ -99,6 +99,7 @@ class AntialiasTest {
             }
         }
         assertTrue(recit.eclairees > 20 && recit.contacts > 30, recit.eclairees + " lampes, " + recit.contacts + " contacts");
+        assertEquals(echantillons.contains("partage") ? 60 : 0, recit.pesees);
     }
 
     @ParameterizedTest

@@ -4,12 +4,8 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.time.LocalDateTime;
 import java.time.temporal.ChronoUnit;
-import java.util.stream.Stream;
 
 /** Sur quoi et quand l'on mesure : sans cela, un temps ne se compare à aucun autre. */
 public final class Circonstances {
@@ -26,19 +22,14 @@ public final class Circonstances {
     public final String commit = commit();
 
     private static String processeur() {
-        Path linux = Paths.get("/proc/cpuinfo");
-        if (Files.isReadable(linux)) {
-            try (Stream<String> lignes = Files.lines(linux)) {
-                String nom = lignes.filter(l -> l.startsWith("model name")).findFirst().orElse("");
-                if (!nom.isEmpty()) {
-                    return nom.substring(nom.indexOf(':') + 1).trim();
-                }
-            } catch (IOException e) {
-                // le nom du processeur n'est pas une raison de ne pas mesurer
+        for (String[] commande : new String[][] {{"sed", "-n", "s/^model name[^:]*: //p", "/proc/cpuinfo"},
+            {"sysctl", "-n", "machdep.cpu.brand_string"}}) {
+            String nom = premiereLigne(commande);
+            if (nom != null && !nom.isEmpty()) {
+                return nom.trim();
             }
         }
-        String mac = premiereLigne("sysctl", "-n", "machdep.cpu.brand_string");
-        return mac != null && !mac.isEmpty() ? mac : System.getProperty("os.arch");
+        return System.getProperty("os.arch");
     }
 
     private static String commit() {

@@ -9,10 +9,17 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** Des lignes de champs séparés par des virgules (RFC 4180), sans fin de ligne dans un champ ; la première les nomme. */
 public final class FichierCsv {
+
+    /** Ce qui commence une ligne qui n'est pas un enregistrement. */
+    public static final String NOTE = "# ";
+
+    private static final Pattern CHAMP = Pattern.compile(",(?:\"((?:[^\"]|\"\")*)\"|([^,]*))");
 
     private FichierCsv() {
     }
@@ -28,7 +35,7 @@ public final class FichierCsv {
     }
 
     /**
-     * Les lignes d'un fichier, chacune par noms de colonnes.
+     * Les lignes d'un fichier, chacune par noms de colonnes, sans les {@link #NOTE notes}.
      *
      * @throws IOException si une ligne n'a pas les champs que nomme la première
      */
@@ -37,6 +44,9 @@ public final class FichierCsv {
         List<Map<String, String>> lues = new ArrayList<>();
         List<String> colonnes = lignes.isEmpty() ? new ArrayList<>() : champs(lignes.get(0));
         for (int k = 1; k < lignes.size(); k++) {
+            if (lignes.get(k).startsWith(NOTE)) {
+                continue;
+            }
             List<String> valeurs = champs(lignes.get(k));
             if (valeurs.size() != colonnes.size()) {
                 throw new IOException(fichier + ", ligne " + (k + 1) + " : " + valeurs.size() + " champs au lieu de "
@@ -54,23 +64,10 @@ public final class FichierCsv {
     /** Les champs d'une ligne. */
     static List<String> champs(String ligne) {
         List<String> champs = new ArrayList<>();
-        StringBuilder champ = new StringBuilder();
-        boolean cite = false;
-        for (int k = 0; k < ligne.length(); k++) {
-            char c = ligne.charAt(k);
-            if (cite && c == '"' && k + 1 < ligne.length() && ligne.charAt(k + 1) == '"') {
-                champ.append('"');
-                k++;
-            } else if (c == '"') {
-                cite = !cite;
-            } else if (c == ',' && !cite) {
-                champs.add(champ.toString());
-                champ.setLength(0);
-            } else {
-                champ.append(c);
-            }
+        Matcher m = CHAMP.matcher("," + ligne);
+        while (m.find()) {
+            champs.add(m.group(1) == null ? m.group(2) : m.group(1).replace("\"\"", "\""));
         }
-        champs.add(champ.toString());
         return champs;
     }
 }

@@ -14,7 +14,6 @@ import java.util.Random;
  * Écrit sur la sortie standard une scène aussi grande que l'on veut :
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.atelier.Generateur flocon PROFONDEUR
  * java -cp mesures/target/mesures.jar lancer.atelier.Generateur foule N [GRAINE]
  * java -cp mesures/target/mesures.jar lancer.atelier.Generateur tournesol N
  * </pre>
@@ -23,16 +22,13 @@ import java.util.Random;
  */
 public final class Generateur {
 
-    /** Neuf générations font 435 848 050 sphères ; la dixième tomberait sous la précision des nombres écrits. */
-    public static final int PROFONDEUR_MAX = 9;
-
     /** Au-delà, ce n'est plus une scène mais un disque plein. */
     public static final int N_MAX = 100000000;
 
     /** Graine de {@code foule} si l'on n'en donne pas. */
     public static final long GRAINE = 1;
 
-    private static final String USAGE = "usage : Generateur flocon PROFONDEUR | foule N [GRAINE] | tournesol N";
+    private static final String USAGE = "usage : Generateur foule N [GRAINE] | tournesol N";
 
     private Generateur() {
     }
@@ -57,67 +53,33 @@ public final class Generateur {
      * @throws IOException si la sortie ne peut être écrite
      */
     static int executer(String[] args, Appendable sortie, PrintStream erreurs) throws IOException {
-        String faute = refuser(args);
-        if (faute != null) {
-            erreurs.println("Generateur : " + faute + " ; " + USAGE);
+        String scene = args.length == 0 ? "" : args[0];
+        boolean foule = scene.equals("foule");
+        try {
+            if (!foule && !scene.equals("tournesol")) {
+                throw new IllegalArgumentException("scène inconnue : « " + scene + " »");
+            }
+            if (args.length < 2 || args.length > (foule ? 3 : 2)) {
+                throw new IllegalArgumentException(scene + " : un nombre" + (foule ? ", et une graine si l'on veut" : ""));
+            }
+            if (foule) {
+                foule(sortie, entier(args[1]), args.length > 2 ? entier(args[2]) : GRAINE);
+            } else {
+                tournesol(sortie, entier(args[1]));
+            }
+            return 0;
+        } catch (IllegalArgumentException e) {
+            erreurs.println("Generateur : " + e.getMessage() + " ; " + USAGE);
             return 2;
         }
-        int nombre = Integer.parseInt(args[1]);
-        if (args[0].equals("flocon")) {
-            flocon(sortie, nombre);
-        } else if (args[0].equals("foule")) {
-            foule(sortie, nombre, args.length > 2 ? Long.parseLong(args[2]) : GRAINE);
-        } else {
-            tournesol(sortie, nombre);
-        }
-        return 0;
     }
 
-    /** Ce qui ne va pas dans les arguments, ou {@code null}. */
-    private static String refuser(String[] args) {
-        if (args.length == 0) {
-            return "il manque le nom d'une scène";
-        }
-        boolean flocon = args[0].equals("flocon");
-        boolean foule = args[0].equals("foule");
-        if (!flocon && !foule && !args[0].equals("tournesol")) {
-            return "scène inconnue : « " + args[0] + " »";
-        }
-        if (args.length < 2) {
-            return args[0] + " : il manque un nombre";
-        }
-        if (args.length > (foule ? 3 : 2)) {
-            return args[0] + " : un argument de trop : « " + args[args.length - 1] + " »";
-        }
-        int min = flocon ? 0 : 1;
-        int max = flocon ? PROFONDEUR_MAX : N_MAX;
-        if (!estEntier(args[1], min, max)) {
-            return args[0] + " : « " + args[1] + " » n'est pas un entier de " + min + " à " + max;
-        }
-        if (args.length > 2 && !estEntier(args[2], Long.MIN_VALUE, Long.MAX_VALUE)) {
-            return args[0] + " : la graine « " + args[2] + " » n'est pas un entier";
-        }
-        return null;
-    }
-
-    private static boolean estEntier(String texte, long min, long max) {
+    private static long entier(String texte) {
         try {
-            long valeur = Long.parseLong(texte);
-            return min <= valeur && valeur <= max;
+            return Long.parseLong(texte);
         } catch (NumberFormatException e) {
-            return false;
+            throw new IllegalArgumentException("« " + texte + " » n'est pas un entier", e);
         }
-    }
-
-    /**
-     * Le flocon de sphères d'Eric Haines (<i>A Proposal for Standard Graphics Environments</i>, 1987) : chaque boule en porte
-     * neuf, trois fois plus petites et qui la touchent, six autour d'elle et trois au-dessus. (9^(p+1) − 1) / 8 sphères.
-     *
-     * @param profondeur nombre de générations après la première boule, de 0 à {@link #PROFONDEUR_MAX}
-     */
-    public static void flocon(Appendable sortie, int profondeur) throws IOException {
-        verifier("profondeur", profondeur, 0, PROFONDEUR_MAX);
-        new Flocon(new Plume(sortie), profondeur).ecrire();
     }
 
     /**
@@ -126,9 +88,8 @@ public final class Generateur {
      * @param n de 1 à {@link #N_MAX}
      * @param graine du hasard ; la même graine donne la même foule
      */
-    public static void foule(Appendable sortie, int n, long graine) throws IOException {
-        verifier("nombre de boules", n, 1, N_MAX);
-        new Foule(new Plume(sortie), n, graine, new Random(graine)).ecrire();
+    public static void foule(Appendable sortie, long n, long graine) throws IOException {
+        new Foule(new Plume(sortie), verifie(n), graine, new Random(graine)).ecrire();
     }
 
     /**
@@ -136,14 +97,14 @@ public final class Generateur {
      *
      * @param n de 1 à {@link #N_MAX}
      */
-    public static void tournesol(Appendable sortie, int n) throws IOException {
-        verifier("nombre de boules", n, 1, N_MAX);
-        new Tournesol(new Plume(sortie), n).ecrire();
+    public static void tournesol(Appendable sortie, long n) throws IOException {
+        new Tournesol(new Plume(sortie), verifie(n)).ecrire();
     }
 
-    private static void verifier(String quoi, int valeur, int min, int max) {
-        if (valeur < min || valeur > max) {
-            throw new IllegalArgumentException(quoi + " : " + valeur + ", au lieu de " + min + " à " + max);
+    private static int verifie(long n) {
+        if (n < 1 || n > N_MAX) {
+            throw new IllegalArgumentException("nombre de boules : " + n + ", au lieu de 1 à " + N_MAX);
         }
+        return (int) n;
     }
 }

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -62,19 +63,13 @@ public final class Images {
             }
             BufferedImage a = ImageIO.read(neuve.toFile());
             BufferedImage b = ImageIO.read(ancienne.toFile());
-            if (a == null || b == null || a.getWidth() != b.getWidth() || a.getHeight() != b.getHeight()) {
-                return false;
-            }
-            for (int y = 0; y < a.getHeight(); y++) {
-                for (int x = 0; x < a.getWidth(); x++) {
-                    if (a.getRGB(x, y) != b.getRGB(x, y)) {
-                        return false;
-                    }
-                }
-            }
-            return true;
+            return a != null && b != null && a.getWidth() == b.getWidth() && Arrays.equals(codes(a), codes(b));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    private static int[] codes(BufferedImage image) {
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
     }
 }

@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * Compare les rapports CSV de PIT à ce qu'en dit docs/mutations.md : le score de chaque classe, et les mutants qu'aucun test n'a tués.
@@ -37,10 +38,7 @@ public final class Mutations {
             System.exit(2);
         }
         try {
-            List<Path> modules = new ArrayList<>();
-            for (int k = 1; k < args.length; k++) {
-                modules.add(Paths.get(args[k]));
-            }
+            List<Path> modules = Arrays.stream(args).skip(1).map(Paths::get).collect(Collectors.toList());
             StringBuilder dit = new StringBuilder();
             boolean conforme = verifier(Paths.get(args[0]), modules, dit);
             System.out.print(dit);
@@ -116,14 +114,8 @@ public final class Mutations {
     }
 
     private static Set<String> ecrit(Path page) throws IOException {
-        Set<String> ecrit = new TreeSet<>();
-        for (String ligne : lignes(page)) {
-            Matcher m = ECRIT.matcher(ligne);
-            if (m.matches()) {
-                ecrit.add(m.group(1) != null ? m.group(1) : m.group(2));
-            }
-        }
-        return ecrit;
+        return lignes(page).stream().map(ECRIT::matcher).filter(Matcher::matches)
+                .map(m -> m.group(1) != null ? m.group(1) : m.group(2)).collect(Collectors.toCollection(TreeSet::new));
     }
 
     private static List<String> lignes(Path fichier) throws IOException {

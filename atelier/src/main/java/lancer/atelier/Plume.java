@@ -12,7 +12,7 @@ final class Plume {
     /** Caractères gardés avant d'être confiés à la sortie. */
     private static final int TAMPON = 1 << 15;
 
-    /** Décimales écrites, zéros de fin retirés : assez pour la neuvième génération d'un flocon, de rayon 7e-5. */
+    /** Décimales écrites, zéros de fin retirés : assez pour la plus petite boule d'une foule de cent millions. */
     private static final int DECIMALES = 9;
     private static final double UNITE = 1e9;
     /** Au-delà, un multiple de 1e-9 ne tient plus dans un {@code long}. */
@@ -34,18 +34,12 @@ final class Plume {
 
     /** Une sphère, numérotée dans l'ordre d'écriture. */
     void sphere(double x, double y, double z, double rayon, String materiau) throws IOException {
-        spheres++;
-        tampon.append("\n[Sphere ").append(spheres).append("]\n");
-        geometrie(x, y, z, rayon, materiau);
+        sphere(Integer.toString(++spheres), x, y, z, rayon, materiau);
     }
 
     /** Une sphère qui a un nom, par exemple le sol. */
     void sphere(String nom, double x, double y, double z, double rayon, String materiau) throws IOException {
         tampon.append("\n[Sphere ").append(nom).append("]\n");
-        geometrie(x, y, z, rayon, materiau);
-    }
-
-    private void geometrie(double x, double y, double z, double rayon, String materiau) throws IOException {
         tampon.append("centre=");
         triplet(x, y, z);
         tampon.append("rayon=");

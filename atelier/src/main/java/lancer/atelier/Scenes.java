@@ -1,11 +1,20 @@
 package lancer.atelier;
 
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import lancer.Scene;
 import lancer.lecture.LecteurScene;
 
-/** Les scènes telles que la base les voit : les variantes du chemin des classes sont là pour être mesurées, non pour s'y installer. */
+/**
+ * Des scènes par leur nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 »). Telles que
+ * la base les voit : les variantes du chemin des classes sont là pour être mesurées, non pour s'y installer.
+ */
 public final class Scenes {
+
+    public static final String FOULE = "foule";
 
     private Scenes() {
     }
@@ -20,8 +29,23 @@ public final class Scenes {
         return new Scene(lu.getObjets(), lu.getLampes());
     }
 
-    /** Mêmes objets et mêmes lampes, rien d'autre. */
-    public static Scene nue(Scene scene) {
-        return new Scene(scene.getObjets(), scene.getLampes());
+    /**
+     * Le fichier de cette scène, écrit s'il le faut.
+     *
+     * @param dossier où l'écrire ; il y est laissé
+     * @throws lancer.SceneFautive si une scène livrée n'est pas là
+     */
+    public static Path fichier(String nom, Path dossier) throws IOException {
+        int tiret = nom.indexOf('-');
+        if (tiret < 0) {
+            return LecteurScene.trouver("scenes/" + nom + ".ini");
+        }
+        Path fichier = dossier.resolve(nom + ".ini");
+        // cent millions d'octets peut-être, que Ctrl+C ne doit pas laisser
+        fichier.toFile().deleteOnExit();
+        try (BufferedWriter sortie = Files.newBufferedWriter(fichier, StandardCharsets.UTF_8)) {
+            Generateur.foule(sortie, Integer.parseInt(nom.substring(tiret + 1)), Generateur.GRAINE);
+        }
+        return fichier;
     }
 }

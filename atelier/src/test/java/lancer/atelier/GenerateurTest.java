@@ -22,14 +22,10 @@ import lancer.lecture.LecteurScene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Les scènes engendrées. */
 class GenerateurTest {
-
-    /** Ce que l'arrondi à neuf décimales peut ôter à une distance. */
-    private static final double ARRONDI = 5e-9;
 
     @TempDir
     Path dossier;
@@ -50,29 +46,6 @@ class GenerateurTest {
         assertEquals(2, lu.getLampes().size());
         assertTrue(lu.getAvertissements().isEmpty());
         return new Scene(lu);
-    }
-
-    @ParameterizedTest(name = "flocon {0} : {1} sphères")
-    @CsvSource({"0, 1", "1, 10", "2, 91", "3, 820", "4, 7381", "5, 66430"})
-    void leFloconALeCompteDeSpheres(int profondeur, int spheres) throws IOException {
-        Scene scene = lire("flocon", Integer.toString(profondeur));
-        assertEquals(spheres, scene.getObjets().size());
-        verifierVisible(scene, 0);
-    }
-
-    @Test
-    void dansLeFloconChaqueBouleToucheCelleQuiLaPorteTroisFoisPlusGrandeEtNEnCoupeAucune() throws IOException {
-        Scene scene = lire("flocon", "3");
-        int contacts = 0;
-        for (int i = 0; i < scene.getObjets().size(); i++) {
-            for (int j = 0; j < i; j++) {
-                double ecart = ecart(scene, i, j);
-                assertTrue(ecart > -ARRONDI, i + " et " + j);
-                double rapport = sphere(scene, j).getRayon() / sphere(scene, i).getRayon();
-                contacts += ecart < ARRONDI && Math.abs(rapport - 3) < 1e-5 ? 1 : 0;
-            }
-        }
-        assertTrue(contacts >= scene.getObjets().size() - 1, contacts + " contacts");
     }
 
     @ParameterizedTest(name = "foule {0}")
@@ -123,7 +96,7 @@ class GenerateurTest {
     }
 
     @ParameterizedTest(name = "« {0} » est refusé")
-    @ValueSource(strings = {"", "neige 3", "flocon", "flocon -1", "flocon 10", "flocon 2 3", "flocon 1.5", "foule", "foule 0",
+    @ValueSource(strings = {"", "neige 3", "foule", "foule -1", "foule 1.5", "foule 0",
         "foule 100000001", "foule 5 x", "foule 5 1 1", "tournesol dix", "tournesol 0", "tournesol 5 1", "foule 5 99999999999999999999"})
     void uneDemandeFautiveTientEnUneLigne(String ligne) throws IOException {
         String[] args = ligne.isEmpty() ? new String[0] : ligne.split(" ");
@@ -139,7 +112,6 @@ class GenerateurTest {
     @Test
     void appeleDeJavaUnNombreHorsLimitesEstRefuseAvantDEcrire() {
         StringBuilder texte = new StringBuilder();
-        assertThrows(IllegalArgumentException.class, () -> Generateur.flocon(texte, 10));
         assertThrows(IllegalArgumentException.class, () -> Generateur.foule(texte, 0, 1));
         assertThrows(IllegalArgumentException.class, () -> Generateur.tournesol(texte, -1));
         assertEquals("", texte.toString());

@@ -34,11 +34,6 @@ public final class Gabarit {
     /** Rangs des pixels où l'erreur se mesure, dans l'ordre de la lecture. */
     private final int[] pixels;
 
-    /** Sur toute l'image. @param scene elle n'est pas changée */
-    Gabarit(Scene scene, int largeur, int hauteur) {
-        this(scene, largeur, hauteur, 1);
-    }
-
     /**
      * @param scene elle n'est pas changée
      * @param pas côté des carrés où semer, en pixels ; 1 pour tous les pixels
@@ -70,18 +65,6 @@ public final class Gabarit {
     /** Le carré de l'erreur de chaque pixel semé, en niveaux, sans biais, donc parfois négatif. */
     public double[] carres(ImageLineaire image) {
         return carres(image.getComposantes(), a, b, pixels);
-    }
-
-    /** L'erreur quadratique moyenne de cette image, en niveaux. */
-    double erreur(ImageLineaire image) {
-        return Math.sqrt(Math.max(0, Arrays.stream(carres(image)).average().orElse(0)));
-    }
-
-    /** La même contre une vérité. */
-    static double erreur(ImageLineaire image, ImageLineaire verite) {
-        double[] b = verite.getComposantes();
-        return Math.sqrt(Arrays.stream(carres(image.getComposantes(), b, b,
-                IntStream.range(0, b.length / 3).toArray())).average().orElse(0));
     }
 
     /** La vérité, connue de 128 rayons par pixel : pour la montrer. */

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Toile;
@@ -13,7 +12,6 @@ import lancer.contrat.Toile;
 public final class ImageLineaire implements Toile {
 
     private final int largeur;
-    private final int hauteur;
 
     /** Rouge, vert, bleu de chaque pixel, ligne par ligne depuis le haut. */
     private final double[] composantes;
@@ -24,7 +22,6 @@ public final class ImageLineaire implements Toile {
      */
     public ImageLineaire(int largeur, int hauteur) {
         this.largeur = largeur;
-        this.hauteur = hauteur;
         composantes = new double[3 * largeur * hauteur];
     }
 
@@ -48,14 +45,6 @@ public final class ImageLineaire implements Toile {
         composantes[k + 2] = coul.b;
     }
 
-    public int getLargeur() {
-        return largeur;
-    }
-
-    public int getHauteur() {
-        return hauteur;
-    }
-
     /** Trois composantes par pixel, ligne par ligne depuis le haut : le tableau même. */
     public double[] getComposantes() {
         return composantes;
@@ -64,11 +53,6 @@ public final class ImageLineaire implements Toile {
     /** Le pixel de rang {@code k}, dans l'ordre de la lecture. */
     public Couleur getCouleur(int k) {
         return new Couleur(composantes[3 * k], composantes[3 * k + 1], composantes[3 * k + 2]);
-    }
-
-    /** Plus rien n'est dessiné : un pixel que le prochain dessin oublierait se verra. */
-    public void effacer() {
-        Arrays.fill(composantes, Double.NaN);
     }
 
     /** Mêmes bits en ce pixel : ni la tolérance d'un écran, ni l'égalité de 0 et −0. */

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Paths;
 import java.util.Arrays;
 import lancer.Scene;
-import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 import lancer.lecture.LecteurScene;
 import lancer.temoins.LancerSurveille;
@@ -25,11 +24,12 @@ class GabaritTest {
     @Test
     void lesPixelsSemesDonnentLErreurDeTouteLImage() {
         Scene scene = SceneAuHasard.de(2);
-        Gabarit entier = new Gabarit(scene, LARGEUR, HAUTEUR);
+        Gabarit entier = new Gabarit(scene, LARGEUR, HAUTEUR, 1);
         Gabarit seme = new Gabarit(scene, LARGEUR, HAUTEUR, 3);
         double[] carres = seme.carres(image(scene, 5));
         assertEquals(54 * 40, carres.length, "un par carré");
-        assertEquals(1, Math.sqrt(Arrays.stream(carres).average().getAsDouble()) / entier.erreur(image(scene, 5)), 0.15);
+        double attendue = Intervalle.deLaRacine(entier.carres(image(scene, 5))).valeur;
+        assertEquals(1, Intervalle.deLaRacine(carres).valeur / attendue, 0.15);
     }
 
     @Test

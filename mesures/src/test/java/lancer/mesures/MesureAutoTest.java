@@ -7,11 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.atelier.SceneAuHasard;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
@@ -27,16 +27,25 @@ class MesureAutoTest {
         return ImageLineaire.de(LancerSurveille.preparer(fine, LARGEUR, HAUTEUR, false), Gabarit.PROFONDEUR, 2);
     }
 
+    /** En niveaux, de couleurs limitées à [0, 1]. */
+    private static double erreur(ImageLineaire image, ImageLineaire verite) {
+        double[] a = image.getComposantes();
+        double[] b = verite.getComposantes();
+        return 255 * Math.sqrt(IntStream.range(0, a.length).mapToDouble(k -> Math.pow(Math.min(1, a[k]) - Math.min(1, b[k]), 2))
+                .average().getAsDouble());
+    }
+
     @Test
     void leGabaritMesureLErreurContreLaVerite() {
         for (long graine : new long[] {1, 2}) {
             Scene scene = SceneAuHasard.de(graine);
             ImageLineaire verite = verite(scene);
-            Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR);
+            Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR, 1);
             for (int reflets : new int[] {0, 5}) {
                 ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
-                double attendue = Gabarit.erreur(image, verite);
-                assertEquals(1, gabarit.erreur(image) / attendue, 0.05, "graine " + graine + ", " + attendue + " niveaux");
+                double attendue = erreur(image, verite);
+                assertEquals(1, Intervalle.deLaRacine(gabarit.carres(image)).valeur / attendue, 0.05,
+                        "graine " + graine + ", " + attendue + " niveaux");
             }
         }
     }
@@ -46,8 +55,7 @@ class MesureAutoTest {
         Scene scene = SceneAuHasard.de(1);
         ImageLineaire verite = verite(scene);
         // ce qui reste est le hasard des deux images, qui ne fait que s'annuler à peu près
-        assertTrue(new Gabarit(scene, LARGEUR, HAUTEUR).erreur(verite) < 0.5);
-        assertEquals(0, Gabarit.erreur(verite, verite));
+        assertTrue(Intervalle.deLaRacine(new Gabarit(scene, LARGEUR, HAUTEUR, 1).carres(verite)).valeur < 0.5);
     }
 
     @Test
@@ -63,7 +71,7 @@ class MesureAutoTest {
     @Test
     void laPromesseDUneSceneSimpleEstTenueEtDecrite() {
         Scene scene = SceneAuHasard.de(3);
-        PromesseAuto promesse = new PromesseAuto("essai", scene, LARGEUR, HAUTEUR, new Gabarit(scene, LARGEUR, HAUTEUR), 8);
+        PromesseAuto promesse = new PromesseAuto("essai", scene, LARGEUR, HAUTEUR, new Gabarit(scene, LARGEUR, HAUTEUR, 1), 8);
         assertTrue(promesse.promise && promesse.estTenue(), promesse.csv());
         assertTrue(promesse.csv().startsWith("essai,8.0,\"[Antialias] n="), promesse.csv());
         // une virgule dans une colonne, entre guillemets

@@ -1,5 +1,7 @@
 package lancer.mesures.juge;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import lancer.mesures.ImageLineaire;
 
 /**
@@ -31,30 +33,14 @@ final class Accord {
         double[] a = nous.getComposantes();
         double[] b = lui.getComposantes();
         pixels = a.length / 3;
-        int plusDUnPas = 0;
-        int plusDUnPetitPas = 0;
-        int rang = 0;
-        double plusGrand = 0;
-        double carres = 0;
-        for (int k = 0; k < pixels; k++) {
-            double ecart = 0;
-            for (int c = 3 * k; c < 3 * k + 3; c++) {
-                double e = Math.abs(limite(a[c]) - limite(b[c]));
-                ecart = Math.max(ecart, e);
-                carres += e * e;
-            }
-            if (ecart > plusGrand) {
-                plusGrand = ecart;
-                rang = k;
-            }
-            plusDUnPas += ecart > PAS_8 ? 1 : 0;
-            plusDUnPetitPas += ecart > PAS_16 ? 1 : 0;
-        }
-        auDela8 = plusDUnPas;
-        auDela16 = plusDUnPetitPas;
-        pire = plusGrand / PAS_8;
-        pirePixel = rang;
-        moyen = Math.sqrt(carres / a.length) / PAS_8;
+        double[] ecarts = IntStream.range(0, a.length).mapToDouble(c -> Math.abs(limite(a[c]) - limite(b[c]))).toArray();
+        double[] pires = IntStream.range(0, a.length).filter(c -> c % 3 == 0)
+                .mapToDouble(c -> Math.max(ecarts[c], Math.max(ecarts[c + 1], ecarts[c + 2]))).toArray();
+        auDela8 = (int) Arrays.stream(pires).filter(e -> e > PAS_8).count();
+        auDela16 = (int) Arrays.stream(pires).filter(e -> e > PAS_16).count();
+        pirePixel = IntStream.range(0, pixels).reduce(0, (p, q) -> pires[q] > pires[p] ? q : p);
+        pire = pires[pirePixel] / PAS_8;
+        moyen = Math.sqrt(Arrays.stream(ecarts).map(e -> e * e).average().orElse(0)) / PAS_8;
     }
 
     /** Vrai si aucun pixel ne s'écarte d'un pas d'écran, ni plus d'un sur mille d'un pas de 16 bits. */

@@ -1,10 +1,10 @@
 package lancer.mesures.juge;
 
-import java.util.ArrayList;
-import java.util.HashSet;
-import java.util.List;
+import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Objet3D;
@@ -29,47 +29,28 @@ final class Ecran {
      * @throws Intraduisible si un premier rayon voit l'un d'eux
      */
     static Set<Objet3D> traverses(Scene scene, Camera camera) throws Intraduisible {
-        List<Sphere> proches = new ArrayList<>();
-        for (Objet3D objet : scene.getObjets()) {
-            if (objet instanceof Sphere && ((Sphere) objet).getCentre().z - ((Sphere) objet).getRayon() < 0) {
-                proches.add((Sphere) objet);
-            }
-        }
-        Set<Objet3D> traverses = new HashSet<>();
-        if (!proches.isEmpty()) {
-            pourChaqueRayon(camera, rayon -> traverses(proches, rayon, traverses));
-        }
-        if (!traverses.isEmpty()) {
-            Set<Objet3D> vus = new HashSet<>();
-            pourChaqueRayon(camera, rayon -> {
-                scene.getClosestIntersection(rayon);
-                vus.add(rayon.getObjet());
-            });
-            vus.retainAll(traverses);
-            if (!vus.isEmpty()) {
-                throw new Intraduisible(vus.iterator().next() + " traverse l'écran, et se voit derrière lui");
-            }
+        Set<Objet3D> traverses = scene.getObjets().stream().filter(Sphere.class::isInstance).map(Sphere.class::cast)
+                .filter(s -> s.getCentre().z - s.getRayon() < 0 && rayons(camera).anyMatch(rayon -> estAvant(s, rayon)))
+                .collect(Collectors.toSet());
+        Optional<Objet3D> vu = traverses.isEmpty() ? Optional.empty() : rayons(camera).map(rayon -> {
+            scene.getClosestIntersection(rayon);
+            return rayon.getObjet();
+        }).filter(traverses::contains).findFirst();
+        if (vu.isPresent()) {
+            throw new Intraduisible(vu.get() + " traverse l'écran, et se voit derrière lui");
         }
         return traverses;
     }
 
-    private static void pourChaqueRayon(Camera camera, Consumer<Rayon> quoi) {
-        for (int j = 0; j < camera.getHauteur(); j++) {
-            for (int i = 0; i < camera.getLargeur(); i++) {
-                quoi.accept(camera.getRayon(i + 0.5, j + 0.5));
-            }
-        }
+    private static Stream<Rayon> rayons(Camera camera) {
+        int largeur = camera.getLargeur();
+        return IntStream.range(0, largeur * camera.getHauteur()).mapToObj(k -> camera.getRayon(k % largeur + 0.5, k / largeur + 0.5));
     }
 
-    private static void traverses(List<Sphere> proches, Rayon rayon, Set<Objet3D> traverses) {
+    /** Vrai si un rayon de l'œil rencontre cette sphère avant l'écran, d'où part celui-ci. */
+    private static boolean estAvant(Sphere sphere, Rayon rayon) {
         Vecteur jusqua = new Vecteur(Camera.OEIL, rayon.getP());
-        for (Sphere sphere : proches) {
-            if (!traverses.contains(sphere)) {
-                double d = sphere.getIntersectionDistance(new Rayon(Camera.OEIL, jusqua));
-                if (d < Constantes.INFINI && d <= jusqua.norme()) {
-                    traverses.add(sphere);
-                }
-            }
-        }
+        double d = sphere.getIntersectionDistance(new Rayon(Camera.OEIL, jusqua));
+        return d < Constantes.INFINI && d <= jusqua.norme();
     }
 }

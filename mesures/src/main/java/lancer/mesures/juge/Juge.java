@@ -16,6 +16,7 @@ import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.atelier.Arguments;
 import lancer.atelier.FichierCsv;
+import lancer.atelier.Scenes;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
@@ -36,6 +37,13 @@ public final class Juge {
 
     private static final String USAGE =
             "[--reflets N] [--taille LxH] [--povray COMMANDE] [--garder DOSSIER] [--csv FICHIER] [SCENE.ini]...";
+
+    /**
+     * Toutes les scènes livrées, et leur nombre de reflets : dans le tunnel de {@code miroirs}, quarante aussi, ce qu'elle conseille. Puis
+     * une grande foule engendrée, où quelques pixels sont sur un bord.
+     */
+    static final String[] TOUTES = {"scene1 5", "diffus 5", "ombres 5", "miroirs 5", "bowling 5", "tournesol 5", "brume 5", "miroirs 40",
+        "foule-10000 5"};
 
     private static final String LIGNE = "%-12s %8s %8s %8s %8s %8s %9s %9s  %s%n";
 
@@ -97,11 +105,18 @@ public final class Juge {
                 : Files.createTempDirectory("juge");
         try {
             Peintre juge = convocation.convoquer(arguments.valeur("--povray", PovRay.COMMANDE), dossier);
-            entete(juge.nom());
-            List<Affaire> affaires = new ArrayList<>();
-            arguments.restes.forEach(f -> affaires.add(Affaire.fichier(f, dessin.reflets)));
-            for (Affaire affaire : affaires.isEmpty() ? Affaire.toutes() : affaires) {
-                juger(affaire, juge, dossier);
+            sortie.println("Le juge est " + juge.nom() + " ; " + dessin.largeur + " × " + dessin.hauteur
+                    + " ; écarts en pas de 8 bits (1/255)");
+            sortie.println();
+            sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
+            csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
+            for (String fichier : arguments.restes) {
+                String nom = Paths.get(fichier).getFileName().toString().replaceFirst("\\.ini$", "");
+                juger(nom, Scenes.lire(Paths.get(fichier)), dessin.reflets, juge);
+            }
+            for (String nomEtReflets : arguments.restes.isEmpty() ? TOUTES : new String[0]) {
+                String[] mots = nomEtReflets.split(" ");
+                juger(mots[0], Scenes.lire(Scenes.fichier(mots[0], dossier)), Integer.parseInt(mots[1]), juge);
             }
         } finally {
             if (!garde) {
@@ -116,29 +131,21 @@ public final class Juge {
         return accord ? 0 : 1;
     }
 
-    private void entete(String juge) {
-        sortie.println("Le juge est " + juge + " ; " + dessin.largeur + " × " + dessin.hauteur + " ; écarts en pas de 8 bits (1/255)");
-        sortie.println();
-        sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
-        csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
-    }
-
-    private void juger(Affaire affaire, Peintre juge, Path dossier) throws IOException {
-        Scene scene = affaire.lire(dossier);
+    private void juger(String nom, Scene scene, int reflets, Peintre juge) throws IOException {
         try {
-            SceneJugee jugee = new SceneJugee(juge, affaire.nom, scene, affaire.reflets, dessin.largeur, dessin.hauteur);
-            ImageLineaire nous = ImageLineaire.de(jugee.lancer, affaire.reflets, Runtime.getRuntime().availableProcessors());
-            Accord a = new Accord(nous, jugee.image());
+            SceneJugee jugee = new SceneJugee(juge, nom, scene, reflets, dessin.largeur, dessin.hauteur);
+            ImageLineaire nous = ImageLineaire.de(jugee.lancer, reflets, Runtime.getRuntime().availableProcessors());
+            Accord a = new Accord(nous, jugee.image(jugee.dessiner()));
             accord &= a.estLa();
             String verdict = a.estLa() ? "d'accord" : "DÉSACCORD, le pire au pixel (" + a.pirePixel % dessin.largeur + ", "
                     + a.pirePixel / dessin.largeur + ") : lancer " + nous.getCouleur(a.pirePixel);
             int spheres = scene.getObjets().size();
-            sortie.printf(LIGNE, affaire.nom, spheres, affaire.reflets, jugee.dessins, a.auDela8, a.auDela16, ecart(a.pire),
+            sortie.printf(LIGNE, nom, spheres, reflets, jugee.dessins, a.auDela8, a.auDela16, ecart(a.pire),
                     ecart(a.moyen), verdict);
-            csv.add(FichierCsv.ligne(affaire.nom, dessin.largeur, dessin.hauteur, spheres, affaire.reflets, jugee.dessins, a.auDela8,
+            csv.add(FichierCsv.ligne(nom, dessin.largeur, dessin.hauteur, spheres, reflets, jugee.dessins, a.auDela8,
                     a.auDela16, ecart(a.pire), ecart(a.moyen), a.estLa() ? "oui" : "non"));
         } catch (Intraduisible e) {
-            sortie.println(String.format("%-12s %8s", affaire.nom, "") + " non jugée : " + e.getMessage());
+            sortie.println(String.format("%-12s %8s", nom, "") + " non jugée : " + e.getMessage());
         }
     }
 

@@ -52,12 +52,12 @@ public final class SceneJugee {
     /**
      * L'image du juge, linéaire, de ses composantes justes.
      *
-     * @param options de la commande {@code povray} ; aucune pour un rayon par pixel
+     * @param rouge ce que {@link #dessiner} en a rendu, avec ces options
      */
-    public ImageLineaire image(String... options) throws IOException {
+    public ImageLineaire image(Raster rouge, String... options) throws IOException {
         ImageLineaire image = new ImageLineaire(largeur, hauteur);
         for (Composante c : Composante.values()) {
-            Raster raster = c.ordinal() < dessins ? dessiner(c, options) : null;
+            Raster raster = c == Composante.ROUGE ? rouge : c.ordinal() < dessins ? dessiner(c, options) : null;
             for (int k = 0; raster != null && k < largeur * hauteur; k++) {
                 for (int b = dessins == 1 ? 0 : c.ordinal(); b < (dessins == 1 ? 3 : c.ordinal() + 1); b++) {
                     image.getComposantes()[3 * k + b] = raster.getSample(k % largeur, k / largeur, b) / NIVEAUX_16;
@@ -67,7 +67,11 @@ public final class SceneJugee {
         return image;
     }
 
-    /** Un dessin, un seul : celui dont le juge a su les couleurs rouges, si elles ne sont pas toutes justes à la fois. */
+    /**
+     * Un dessin, un seul : celui dont le juge a su les couleurs rouges, si elles ne sont pas toutes justes à la fois.
+     *
+     * @param options de la commande {@code povray} ; aucune pour un rayon par pixel
+     */
     public Raster dessiner(String... options) throws IOException {
         return dessiner(Composante.ROUGE, options);
     }

@@ -1,6 +1,7 @@
 package lancer.mesures.juge;
 
 import java.util.Set;
+import java.util.stream.DoubleStream;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -76,14 +77,9 @@ final class TraductionPov {
     }
 
     private static double echelle(Scene scene) {
-        double etendue = Camera.FOCALE;
-        for (Lampe lampe : scene.getLampes()) {
-            etendue = Math.max(etendue, new Vecteur(Camera.OEIL, lampe.getPosition()).norme());
-        }
-        for (Objet3D objet : scene.getObjets()) {
-            Sphere sphere = (Sphere) objet;
-            etendue = Math.max(etendue, new Vecteur(Camera.OEIL, sphere.getCentre()).norme() + sphere.getRayon());
-        }
+        double etendue = DoubleStream.concat(scene.getLampes().stream().mapToDouble(l -> distance(l.getPosition())),
+                scene.getObjets().stream().map(Sphere.class::cast).mapToDouble(s -> distance(s.getCentre()) + s.getRayon()))
+                .reduce(Camera.FOCALE, Math::max);
         double echelle = ECHELLE_MAX;
         while (echelle > 1 && echelle * etendue > ETENDUE_MAX) {
             echelle /= 2;
@@ -91,15 +87,13 @@ final class TraductionPov {
         return echelle;
     }
 
+    private static double distance(Point p) {
+        return new Vecteur(Camera.OEIL, p).norme();
+    }
+
     /** Vrai si tous les Ks sont gris : un seul dessin suffit. */
     static boolean estGrise(Scene scene) {
-        for (Objet3D objet : scene.getObjets()) {
-            Couleur Ks = objet.getKs();
-            if (Ks.r != Ks.v || Ks.v != Ks.b) {
-                return false;
-            }
-        }
-        return true;
+        return scene.getObjets().stream().map(Objet3D::getKs).allMatch(Ks -> Ks.r == Ks.v && Ks.v == Ks.b);
     }
 
     /** @param juste la composante dont les reflets des lampes sont justes ; toutes, si les Ks sont gris */

@@ -5,12 +5,12 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import lancer.atelier.PagesMesurees;
+import lancer.mesures.Intervalle;
 import lancer.mesures.stabilite.Methodes;
 import lancer.mesures.stabilite.Stabilite;
 import org.openjdk.jmh.results.RunResult;
@@ -39,9 +39,6 @@ public final class Noyaux {
 
     /** Part du temps que son intervalle ne doit pas dépasser, de part et d'autre. */
     private static final double TROP_LARGE = 0.15;
-
-    /** Le quantile à 97,5 % de la loi de Student, de 1 à 7 degrés de liberté. */
-    private static final double[] STUDENT = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365};
 
     private Noyaux() {
     }
@@ -89,12 +86,8 @@ public final class Noyaux {
     private static double[] temps(RunResult resultat) {
         double[] courtes = resultat.getBenchmarkResults().stream().mapToDouble(machine -> machine.getIterationResults().stream()
                 .mapToDouble(mesure -> mesure.getPrimaryResult().getScore()).min().orElse(Double.NaN)).toArray();
-        double moyenne = Arrays.stream(courtes).average().orElse(Double.NaN);
-        double carres = Arrays.stream(courtes).map(t -> (t - moyenne) * (t - moyenne)).sum();
-        int libertes = courtes.length - 1;
-        double demi = libertes == 0 ? Double.NaN
-                : STUDENT[Math.min(libertes, STUDENT.length) - 1] * Math.sqrt(carres / libertes / courtes.length);
-        return new double[] {moyenne, demi};
+        Intervalle i = Intervalle.deLaMoyenne(courtes);
+        return new double[] {i.valeur, i.max - i.valeur};
     }
 
     /**
@@ -122,6 +115,6 @@ public final class Noyaux {
     }
 
     private static String nombre(double valeur) {
-        return Double.isNaN(valeur) ? "?" : String.format(Locale.ROOT, "%.2f", valeur);
+        return Double.isNaN(valeur) || Double.isInfinite(valeur) ? "?" : String.format(Locale.ROOT, "%.2f", valeur);
     }
 }

@@ -33,11 +33,7 @@ enum Aspect {
     }
 
     /** Dans un CSV. */
-    static String cle(Formule formule) {
-        return formule.name().toLowerCase(Locale.ROOT);
-    }
-
     String cle() {
-        return cle(formule);
+        return formule.name().toLowerCase(Locale.ROOT);
     }
 }

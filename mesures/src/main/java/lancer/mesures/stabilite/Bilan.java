@@ -26,7 +26,7 @@ final class Bilan {
 
     /** Les défauts, du plus voyant au moins voyant. */
     List<Exactitude> defauts() {
-        return tous.stream().filter(r -> r.figure.equals(Defauts.FIGURE) && !r.formule.equals(Defauts.PROGRAMME))
+        return tous.stream().filter(r -> r.figure.equals(FigureDefauts.FIGURE) && !r.formule.equals(FigureDefauts.PROGRAMME))
                 .sorted(Comparator.comparingInt(r -> -r.faux)).collect(Collectors.toList());
     }
 
@@ -36,10 +36,6 @@ final class Bilan {
 
     int faux(Aspect methode, String figure) {
         return de(figure, methode).stream().mapToInt(r -> r.faux).sum();
-    }
-
-    int essais(Aspect methode, String figure) {
-        return de(figure, methode).stream().mapToInt(r -> r.essais).sum();
     }
 
     /** La plus grande de ces valeurs, celles du programme. */
@@ -104,13 +100,9 @@ final class Bilan {
                     String.valueOf((int) -Math.log10(auBout(Mesures.SOL, methode, true).erreurRelative)));
             valeurs.put("stabilite.pose." + methode.cle(), fois(auBout(Mesures.POSE, methode, false).faux));
         }
-        int rayons = essais(Aspect.MANUEL, Mesures.CARTE);
-        valeurs.put("stabilite.carte.manuel", Style.arrondi(100.0 * faux(Aspect.MANUEL, Mesures.CARTE) / rayons));
-        valeurs.put("stabilite.carte.programme", fois(faux(Aspect.PROGRAMME, Mesures.CARTE)));
-        valeurs.put("stabilite.carte.rayons", Style.nombre(rayons));
         List<Exactitude> naifs = defauts();
         valeurs.put("stabilite.defauts", String.valueOf(naifs.size()));
-        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Aspect.PROGRAMME, Defauts.FIGURE)));
+        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Aspect.PROGRAMME, FigureDefauts.FIGURE)));
         naifs.forEach(r -> valeurs.put("stabilite.defaut." + r.formule, Style.nombre(r.faux)));
         return valeurs;
     }

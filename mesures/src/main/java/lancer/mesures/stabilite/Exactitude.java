@@ -7,6 +7,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import lancer.atelier.FichierCsv;
+import lancer.mesures.Intervalle;
 
 /** Ce que valent les réponses d'une méthode, sur tant d'essais : une ligne de stabilite.csv, ou de methodes.csv. */
 final class Exactitude {
@@ -16,9 +19,6 @@ final class Exactitude {
 
     /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans son intervalle, 19 fois sur 20. */
     static final String METHODES = "regime,methode,ns,plus_ou_moins" + FIN;
-
-    /** Ce qui commence, en dernière ligne, ce qu'il faut savoir pour comparer. */
-    static final String NOTE = "# ";
 
     /** Quelle courbe : voir {@link Mesures}. */
     final String figure;
@@ -52,20 +52,20 @@ final class Exactitude {
         return essais == 0 ? 0 : (double) faux / essais;
     }
 
-    Exactitude en(double autreX, double autreY) {
-        return new Exactitude(figure, formule, autreX, autreY, essais, faux, erreurRelative, erreurEnUnites);
+    /** En nanosecondes, dans methodes.csv. */
+    Intervalle temps() {
+        return new Intervalle(x, x - y, x + y);
     }
 
-    private String ligne() {
-        return String.join(",", figure, formule, Double.toString(x), Double.toString(y), Integer.toString(essais), Integer.toString(faux),
-                Double.toString(erreurRelative), Double.toString(erreurEnUnites));
-    }
-
-    /** Écrit le fichier d'un coup. */
-    static void ecrire(Path fichier, String enTete, List<Exactitude> exactitudes) throws IOException {
+    /** Écrit le fichier d'un coup. @param note ce qu'il faut savoir pour comparer, en dernière ligne ; vide s'il n'y en a pas */
+    static void ecrire(Path fichier, String enTete, List<Exactitude> exactitudes, String note) throws IOException {
         List<String> lignes = new ArrayList<>();
         lignes.add(enTete);
-        exactitudes.forEach(r -> lignes.add(r.ligne()));
+        exactitudes.forEach(r -> lignes.add(FichierCsv.ligne(r.figure, r.formule, r.x, r.y, r.essais, r.faux, r.erreurRelative,
+                r.erreurEnUnites)));
+        if (!note.isEmpty()) {
+            lignes.add(FichierCsv.NOTE + note);
+        }
         Path provisoire = fichier.resolveSibling(fichier.getFileName() + ".tmp");
         Files.write(provisoire, lignes, StandardCharsets.UTF_8);
         Files.move(provisoire, fichier, StandardCopyOption.REPLACE_EXISTING);
@@ -73,13 +73,12 @@ final class Exactitude {
 
     /** @throws IOException si le fichier n'est pas de ceux qu'écrit {@link #ecrire} */
     static List<Exactitude> lire(Path fichier, String enTete) throws IOException {
-        List<String> lignes = Files.readAllLines(fichier, StandardCharsets.UTF_8);
         List<Exactitude> exactitudes = new ArrayList<>();
-        for (int k = 1; k < lignes.size() && !lignes.get(k).startsWith(NOTE); k++) {
-            String[] c = lignes.get(k).split(",");
-            if (c.length != 8 || !lignes.get(0).equals(enTete)) {
-                throw new IOException(fichier + ", ligne " + (k + 1) + " : pas une mesure de stabilité");
+        for (Map<String, String> champs : FichierCsv.lire(fichier)) {
+            if (!String.join(",", champs.keySet()).equals(enTete)) {
+                throw new IOException(fichier + " : pas une mesure de stabilité");
             }
+            String[] c = champs.values().toArray(new String[0]);
             exactitudes.add(new Exactitude(c[0], c[1], Double.parseDouble(c[2]), Double.parseDouble(c[3]), Integer.parseInt(c[4]),
                     Integer.parseInt(c[5]), Double.parseDouble(c[6]), Double.parseDouble(c[7])));
         }

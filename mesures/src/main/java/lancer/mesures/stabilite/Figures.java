@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
-import lancer.mesures.trace.Damier;
+import lancer.essai.Defauts;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
@@ -14,7 +14,7 @@ import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Vignettes;
 import lancer.mesures.trace.Volet;
 
-/** Les cinq planches de la stabilité. */
+/** Les quatre planches de la stabilité. */
 final class Figures {
 
     private static final String ERREUR = "erreur relative de t, la pire";
@@ -49,13 +49,13 @@ final class Figures {
                 "Rayons mal classés", "|P − C| / r", "rayons mal classés, en %").repere(AUCUN, "aucun");
         courbes(genre, Mesures.LOIN, r -> Math.max(AUCUN, 100 * r.part()), false);
         return new Planche("De loin : le manuel se perd dès " + nombre("perdu") + " r ; le programme, "
-                + nombre("loin.programme"), note).volet(erreur, 1.2).volet(genre, 1);
+                + nombre("loin.programme"), note).volet(erreur).volet(genre);
     }
 
     /** B : au ras. */
     Planche ras() {
         return new Planche("Au ras : le programme, " + nombre("ras.unites") + " fois l'effet d'un seul arrondi", note)
-                .volet(rasant(Mesures.RAS, Mesures.PRES), 1).volet(rasant(Mesures.RAS_LOIN, Mesures.LOINTAIN), 1);
+                .volet(rasant(Mesures.RAS, Mesures.PRES)).volet(rasant(Mesures.RAS_LOIN, Mesures.LOINTAIN));
     }
 
     private Volet rasant(String figure, double distance) {
@@ -82,39 +82,23 @@ final class Figures {
                 + nombre("pose.programme"), "Un départ posé sur une surface", "hauteur du départ / rayon", ERREUR).versZero();
         courbes(pose, Mesures.POSE, r -> r.erreurRelative, true);
         return new Planche("Près d'une surface : " + nombre("sol.programme") + " chiffres justes, " + nombre("sol.perpendiculaire")
-                + " par la perpendiculaire", note).volet(sol, 1).volet(pose, 1);
+                + " par la perpendiculaire", note).volet(sol).volet(pose);
     }
 
-    /** D : qui touche, qui manque. */
-    Planche carte() {
-        Planche planche = new Planche("Toucher ou manquer : manuel faux à " + nombre("carte.manuel") + " %, programme "
-                + nombre("carte.programme"), "Part des rayons mal classés, d'un côté de la tangente ou de l'autre ; blanc : aucun. Chaque "
-                + "case : " + Style.nombre(bilan.max(Mesures.CARTE, r -> r.essais)) + " rayons tirés au sort, jugés sans arrondi. Sans "
-                + "objet : un arrondi de la direction change la réponse. make mesures");
-        // la première case commence à 1
-        double cote = Math.pow(bilan.max(Mesures.CARTE, r -> 1 / r.x), -2);
-        for (Aspect methode : Mesures.DE_LA_CARTE) {
-            Damier damier = new Damier(Style.nombre(bilan.faux(methode, Mesures.CARTE)) + " faux sur " + nombre("carte.rayons"),
-                    methode.nom, "|P − C| / r", "|1 − l/r| : plus haut, plus près de la tangente", cote);
-            bilan.de(Mesures.CARTE, methode).forEach(c -> damier.caseEn(c.x, c.y, c.part()));
-            planche.volet(damier, 1);
-        }
-        return planche;
-    }
-
-    /** E : les défauts, en images. */
-    Planche defauts(List<Defauts.Defaut> images) {
+    /** D : les défauts, en images. */
+    Planche defauts() {
+        List<Defauts.Defaut> images = FigureDefauts.tous();
         List<Exactitude> naifs = bilan.defauts();
         Vignettes vignettes = new Vignettes(3);
         for (Exactitude r : naifs) {
             Defauts.Defaut defaut = images.stream().filter(d -> d.cle.equals(r.formule)).findFirst().get();
-            vignettes.image(defaut.image(), defaut.nom, Style.nombre(r.faux) + (r.faux > 1 ? " pixels faux" : " pixel faux"));
+            vignettes.image(FigureDefauts.image(defaut), defaut.nom, Style.nombre(r.faux) + (r.faux > 1 ? " pixels faux" : " pixel faux"));
         }
         return new Planche(naifs.size() + " défauts courants : de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à "
                 + Style.nombre(naifs.get(0).faux) + " pixels faux ; le programme : " + nombre("defauts.programme"),
                 "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-pas de "
                 + "l'écran d'écart à ce que donne la géométrie. Images de " + Style.nombre(naifs.get(0).essais) + " pixels. make mesures")
-                .taille(Style.LARGEUR, 1480).volet(vignettes, 1);
+                .taille(Style.LARGEUR, 1480).volet(vignettes);
     }
 
     /** Chaque méthode. @param juste vrai pour ne tracer que là où elle touche et manque encore comme il faut */

@@ -24,17 +24,13 @@ final class Mesures {
     /** Posé sur une surface : x = hauteur/rayon. */
     static final String POSE = "pose";
 
-    /** Qui touche, qui manque : x = |P − C|/r, y = 1 − l/r. */
-    static final String CARTE = "carte";
-
     /** De combien de rayons {@link #RAS} et {@link #RAS_LOIN} regardent la sphère. */
     static final double PRES = 3;
     static final double LOINTAIN = 1000;
 
-    /** Méthodes que comparent les courbes, et la carte. */
+    /** Méthodes que comparent les courbes. */
     static final List<Aspect> DES_COURBES = Arrays.asList(Aspect.GEOMETRIQUE, Aspect.RACINES, Aspect.MANUEL, Aspect.PERPENDICULAIRE,
             Aspect.PROGRAMME);
-    static final List<Aspect> DE_LA_CARTE = Arrays.asList(Aspect.MANUEL, Aspect.PROGRAMME);
 
     /** Des rayons tirés pour une abscisse, part qui doit se juger pour qu'elle soit tracée. */
     private static final double PART_JUGEE = 0.5;
@@ -48,7 +44,7 @@ final class Mesures {
         pas = rapide ? 2 : 1;
     }
 
-    /** Toutes, dans un ordre fixe ; les images fausses viennent de {@link Defauts}. */
+    /** Toutes, dans un ordre fixe ; les images fausses viennent de {@link FigureDefauts}. */
     List<Exactitude> intersections() {
         List<Exactitude> tous = new ArrayList<>();
         tous.addAll(courbe(LOIN, 1, 0, 12, 2, d -> h -> Cas.deLoin(h, d)));
@@ -56,7 +52,6 @@ final class Mesures {
         tous.addAll(courbe(RAS_LOIN, 3, -12, -1, 1, m -> h -> Cas.rasant(h, LOINTAIN, m)));
         tous.addAll(sol());
         tous.addAll(courbe(POSE, 5, -16, -1, 1, e -> h -> Cas.pose(h, e)));
-        tous.addAll(carte());
         return tous;
     }
 
@@ -69,19 +64,7 @@ final class Mesures {
             Function<Double, Function<Random, Cas>> tirage) {
         return IntStream.rangeClosed(0, (a - de) * parDecade / pas).parallel().boxed().flatMap(k -> {
             double x = Math.pow(10, de + (double) k * pas / parDecade);
-            return juger(figure, x, 0, rayons, 1000L * graine + k, tirage.apply(x), DES_COURBES).stream();
-        }).collect(Collectors.toList());
-    }
-
-    private List<Exactitude> carte() {
-        int colonnes = 24 / pas;
-        int lignes = 28 / pas;
-        return IntStream.range(0, colonnes * lignes).parallel().boxed().flatMap(k -> {
-            double x = Math.pow(10, (k % colonnes + 0.5) * 0.5 * pas);
-            double y = Math.pow(10, -(k / colonnes + 0.5) * 0.5 * pas);
-            // d'un côté de la tangente et de l'autre
-            Function<Random, Cas> tirage = h -> Cas.rasant(h, x, h.nextBoolean() ? y : -Math.min(y, 0.9 * (x - 1)));
-            return juger(CARTE, x, y, rayons / 10, 6_000_000L + k, tirage, DE_LA_CARTE).stream();
+            return juger(figure, x, rayons, 1000L * graine + k, tirage.apply(x), DES_COURBES).stream();
         }).collect(Collectors.toList());
     }
 
@@ -92,7 +75,7 @@ final class Mesures {
     }
 
     /** Juge chaque méthode sur les mêmes rayons ; rien si la plupart ne se jugent pas. */
-    static List<Exactitude> juger(String figure, double x, double y, int tires, long graine, Function<Random, Cas> tirage,
+    static List<Exactitude> juger(String figure, double x, int tires, long graine, Function<Random, Cas> tirage,
             List<Aspect> methodes) {
         List<Cas> cas = tirer(tires, graine, tirage);
         List<Exactitude> exactitudes = new ArrayList<>();
@@ -111,7 +94,7 @@ final class Mesures {
                     unites = Math.max(unites, c.erreurEnUnites(methode.formule));
                 }
             }
-            exactitudes.add(new Exactitude(figure, methode.cle(), x, y, cas.size(), faux, relative, unites));
+            exactitudes.add(new Exactitude(figure, methode.cle(), x, 0, cas.size(), faux, relative, unites));
         }
         return exactitudes;
     }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -14,6 +13,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import lancer.atelier.Circonstances;
+import lancer.atelier.FichierCsv;
+import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Serie;
@@ -32,7 +33,7 @@ public final class Methodes {
     Methodes(Path dossier) throws IOException {
         toutes = Exactitude.lire(dossier.resolve(CSV), Exactitude.METHODES);
         List<String> lignes = Files.readAllLines(dossier.resolve(CSV), StandardCharsets.UTF_8);
-        note = lignes.get(lignes.size() - 1).substring(Exactitude.NOTE.length());
+        note = lignes.get(lignes.size() - 1).substring(FichierCsv.NOTE.length());
     }
 
     /** Où ranger le temps d'une méthode dans un régime. @param formule son nom dans {@link lancer.essai.Formule} */
@@ -56,13 +57,12 @@ public final class Methodes {
         for (Regime regime : Regime.values()) {
             for (Exactitude r : regime.juger()) {
                 double[] ns = temps.get(cle(r.figure, r.formule));
-                toutes.add(r.en(ns[0], ns[1]));
+                toutes.add(new Exactitude(r.figure, r.formule, ns[0], ns[1], r.essais, r.faux, r.erreurRelative, r.erreurEnUnites));
             }
         }
-        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.METHODES, toutes);
         Circonstances c = new Circonstances();
-        Files.write(dossier.resolve(CSV), Collections.singletonList(Exactitude.NOTE + c.machine + ", " + c.jvm + ", commit " + c.commit
-                + ", " + c.date.replace('T', ' ')), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.METHODES, toutes, c.machine + ", " + c.jvm + ", commit " + c.commit + ", "
+                + c.date.replace('T', ' '));
     }
 
     private Exactitude une(Regime regime, Aspect methode) {
@@ -71,9 +71,9 @@ public final class Methodes {
 
     /** Le temps d'une méthode, celui du manuel valant 1 : un rapport seulement si les intervalles disent lequel est le plus long. */
     private String cout(Regime regime, Aspect methode) {
-        Exactitude a = une(regime, methode);
-        Exactitude b = une(regime, Aspect.MANUEL);
-        return Math.abs(a.x - b.x) <= a.y + b.y ? "autant, à l'intervalle près" : "× " + Style.arrondi(a.x / b.x);
+        Intervalle a = une(regime, methode).temps();
+        Intervalle b = une(regime, Aspect.MANUEL).temps();
+        return a.nettementSous(b) || b.nettementSous(a) ? "× " + Style.arrondi(a.valeur / b.valeur) : "autant, à l'intervalle près";
     }
 
     Planche planche() {
@@ -96,7 +96,7 @@ public final class Methodes {
                 volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, false,
                         Collections.singletonList(Bilan.estClasse(r) ? m : m.creuse())));
             }
-            planche.volet(volet, 1);
+            planche.volet(volet);
         }
         return planche;
     }
@@ -105,16 +105,13 @@ public final class Methodes {
     Map<String, String> pages() {
         Map<String, String> valeurs = new TreeMap<>();
         StringBuilder tableau = new StringBuilder("\n\n| |");
-        StringBuilder regle = new StringBuilder("|---|");
         for (Regime regime : Regime.values()) {
-            String cle = regime.name().toLowerCase(Locale.ROOT);
-            tableau.append(' ').append(cle).append(" |");
-            regle.append("---|");
+            tableau.append(' ').append(regime.cle()).append(" |");
             for (Aspect methode : Aspect.values()) {
-                valeurs.put("methodes." + methode.cle() + "." + cle, cout(regime, methode));
+                valeurs.put("methodes." + methode.cle() + "." + regime.cle(), cout(regime, methode));
             }
         }
-        tableau.append('\n').append(regle).append('\n');
+        tableau.append("\n|---|---|---|---|---|\n");
         for (Aspect methode : Aspect.values()) {
             tableau.append("| ").append(methode.nom.replace("|", "\\|")).append(" |");
             for (Regime regime : Regime.values()) {

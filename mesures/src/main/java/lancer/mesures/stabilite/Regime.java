@@ -30,6 +30,10 @@ public enum Regime {
         return Math.pow(10, de + (a - de) * h.nextDouble());
     }
 
+    String cle() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
     private long graine() {
         return 7_000L + ordinal();
     }
@@ -41,6 +45,6 @@ public enum Regime {
 
     /** Ce que vaut chaque méthode. */
     List<Exactitude> juger() {
-        return Mesures.juger(name().toLowerCase(Locale.ROOT), 0, 0, RAYONS, graine(), tirage, Arrays.asList(Aspect.values()));
+        return Mesures.juger(cle(), 0, RAYONS, graine(), tirage, Arrays.asList(Aspect.values()));
     }
 }

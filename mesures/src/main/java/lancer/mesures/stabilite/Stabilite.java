@@ -25,8 +25,8 @@ public final class Stabilite {
      */
     public static void mesurer(Path dossier, boolean rapide) throws IOException {
         List<Exactitude> tous = new ArrayList<>(new Mesures(rapide).intersections());
-        tous.addAll(Defauts.compter(new Defauts().tous()));
-        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.STABILITE, tous);
+        tous.addAll(FigureDefauts.compter());
+        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.STABILITE, tous, "");
     }
 
     private static Bilan lire(Path dossier) throws IOException {
@@ -39,8 +39,7 @@ public final class Stabilite {
         figures.loin().ecrire(dossier.resolve("stabilite-loin.png"));
         figures.ras().ecrire(dossier.resolve("stabilite-ras.png"));
         figures.sol().ecrire(dossier.resolve("stabilite-sol.png"));
-        figures.carte().ecrire(dossier.resolve("stabilite-carte.png"));
-        figures.defauts(new Defauts().tous()).ecrire(dossier.resolve("stabilite-defauts.png"));
+        figures.defauts().ecrire(dossier.resolve("stabilite-defauts.png"));
         if (Files.exists(dossier.resolve(Methodes.CSV))) {
             new Methodes(dossier).planche().ecrire(dossier.resolve("methodes.png"));
         }

@@ -22,12 +22,10 @@ public final class Marque {
     private Marque(double x, double y) {
         this.x = x;
         this.y = y;
-        entreX(x, x);
-        entreY(y, y);
     }
 
     public static Marque en(double x, double y) {
-        return new Marque(x, y);
+        return new Marque(x, y).entreX(x, x).entreY(y, y);
     }
 
     /** Avec une barre horizontale. */

@@ -32,7 +32,7 @@ public final class Planche {
     private final String titre;
     private final String note;
     private final List<Contenu> contenus = new ArrayList<>();
-    private final List<Double> parts = new ArrayList<>();
+    private boolean legende = true;
     private int colonnes = Integer.MAX_VALUE;
     private int largeur = Style.LARGEUR;
     private int hauteur = Style.HAUTEUR;
@@ -53,16 +53,20 @@ public final class Planche {
         return this;
     }
 
+    /** Les signes sont ceux d'une planche voisine. */
+    public Planche sansLegende() {
+        legende = false;
+        return this;
+    }
+
     /** Tant de volets par rangée. */
     public Planche colonnes(int colonnes) {
         this.colonnes = colonnes;
         return this;
     }
 
-    /** @param part de la largeur, comparée aux autres volets de la rangée */
-    public Planche volet(Contenu contenu, double part) {
+    public Planche volet(Contenu contenu) {
         contenus.add(contenu);
-        parts.add(part);
         return this;
     }
 
@@ -89,34 +93,28 @@ public final class Planche {
         bas -= Style.texte(g, note, Style.NOTE, Style.GRIS, Style.MARGE, bas, utile, false);
         Style.texte(g, note, Style.NOTE, Style.GRIS, Style.MARGE, bas, utile, true);
         bas -= legender(g, bas, utile) + 10;
-        int rangees = (contenus.size() - 1) / Math.min(colonnes, contenus.size()) + 1;
-        for (int k = 0; k < rangees; k++) {
-            int de = k * Math.min(colonnes, contenus.size());
-            rangee(g, de, Math.min(contenus.size(), de + Math.min(colonnes, contenus.size())), haut + k * (bas - haut) / rangees,
-                    (bas - haut) / rangees - 10);
+        int parRangee = Math.min(colonnes, contenus.size());
+        double h = (bas - haut) / ((contenus.size() - 1) / parRangee + 1);
+        for (int k = 0; k < contenus.size(); k += parRangee) {
+            rangee(g, contenus.subList(k, Math.min(contenus.size(), k + parRangee)), haut + k / parRangee * h, h - 10);
         }
         g.dispose();
         return image;
     }
 
     /** Des volets côte à côte, tous sous la même hauteur de texte. */
-    private void rangee(Graphics2D g, int de, int a, double haut, double h) {
-        double unite = (largeur - 2 * Style.MARGE) / parts.subList(de, a).stream().mapToDouble(Double::doubleValue).sum();
-        double enTete = 0;
-        for (int k = de; k < a; k++) {
-            enTete = Math.max(enTete, contenus.get(k).enTete(g, parts.get(k) * unite));
-        }
-        double x = Style.MARGE;
-        for (int k = de; k < a; k++) {
-            contenus.get(k).dessiner(g, new Rectangle2D.Double(x, haut, parts.get(k) * unite, h), enTete);
-            x += parts.get(k) * unite;
+    private void rangee(Graphics2D g, List<Contenu> volets, double haut, double h) {
+        double l = (largeur - 2.0 * Style.MARGE) / volets.size();
+        double enTete = volets.stream().mapToDouble(c -> c.enTete(g, l)).max().orElse(0);
+        for (int k = 0; k < volets.size(); k++) {
+            volets.get(k).dessiner(g, new Rectangle2D.Double(Style.MARGE + k * l, haut, l, h), enTete);
         }
     }
 
     /** La légende de tous les volets, chaque nom une fois, au-dessus de {@code bas}. @return sa hauteur */
     private double legender(Graphics2D g, double bas, double utile) {
         Map<String, LegendItem> signes = new LinkedHashMap<>();
-        contenus.forEach(c -> c.legende().forEach(s -> signes.putIfAbsent(s.getLabel(), s)));
+        contenus.stream().filter(c -> legende).forEach(c -> c.legende().forEach(s -> signes.putIfAbsent(s.getLabel(), s)));
         LegendItemCollection items = new LegendItemCollection();
         signes.values().forEach(items::add);
         LegendTitle legende = new LegendTitle(() -> items,

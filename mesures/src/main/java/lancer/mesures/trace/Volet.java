@@ -6,17 +6,23 @@ import java.awt.Paint;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import org.jfree.chart.ChartRenderingInfo;
+import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.axis.SymbolAxis;
 import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.DatasetRenderingOrder;
 import org.jfree.chart.plot.IntervalMarker;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
 import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 
@@ -24,14 +30,17 @@ import org.jfree.data.xy.XYIntervalSeriesCollection;
  * Des séries entre deux axes logarithmiques, ou des rangées nommées et un seul : une partie d'une {@link Planche}. Les noms des points
  * sont écrits près d'eux, là où il y a de la place.
  */
-public final class Volet extends Courbe {
+public final class Volet implements Contenu {
 
+    private static final double RETRAIT = 8;
+
+    private final String constat;
+    private final String sujet;
     private final String nomX;
     private final String nomY;
     private final List<Serie> fonds = new ArrayList<>();
     private final List<Serie> series = new ArrayList<>();
-    private final List<Double> niveaux = new ArrayList<>();
-    private final List<String> nomsDesNiveaux = new ArrayList<>();
+    private final Map<Double, String> niveaux = new LinkedHashMap<>();
     private String[] rangees;
     private double zone;
     private double repereX;
@@ -40,13 +49,14 @@ public final class Volet extends Courbe {
     private ValueAxis axeY;
 
     /**
-     * @param constat ce que montre la courbe, en une phrase
-     * @param sujet de quoi elle parle, vide si le titre de la planche le dit
+     * @param constat ce que l'on y voit, en une phrase
+     * @param sujet de quoi il s'agit, vide si le titre de la planche le dit
      * @param nomX et son unité
      * @param nomY et son unité
      */
     public Volet(String constat, String sujet, String nomX, String nomY) {
-        super(constat, sujet);
+        this.constat = constat;
+        this.sujet = sujet;
         this.nomX = nomX;
         this.nomY = nomY;
     }
@@ -82,17 +92,14 @@ public final class Volet extends Courbe {
 
     /** Une droite horizontale en pointillé, et ce qu'elle veut dire. */
     public Volet repere(double y, String nom) {
-        niveaux.add(y);
-        nomsDesNiveaux.add(nom);
+        niveaux.put(y, nom);
         return this;
     }
 
     /** Ce qui est au-dessous est ombré, et ce que cela veut dire. */
     public Volet zone(double haut, String nom) {
         zone = haut;
-        niveaux.add(haut);
-        nomsDesNiveaux.add(nom);
-        return this;
+        return repere(haut, nom);
     }
 
     @Override
@@ -109,16 +116,42 @@ public final class Volet extends Courbe {
     }
 
     @Override
-    XYPlot plot() {
+    public double enTete(Graphics2D g, double largeur) {
+        return ecrire(g, 0, 0, largeur, false) + 14;
+    }
+
+    private double ecrire(Graphics2D g, double x, double y, double largeur, boolean vraiment) {
+        double haut = Style.texte(g, constat, Style.CONSTAT, Style.ENCRE, x, y, largeur - 2 * RETRAIT, vraiment);
+        return haut + Style.texte(g, sujet, Style.TEXTE, Style.GRIS, x, y + haut, largeur - 2 * RETRAIT, vraiment);
+    }
+
+    @Override
+    public void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
+        ecrire(g, place.getX() + RETRAIT, place.getY(), place.getWidth(), true);
+        JFreeChart courbe = new JFreeChart(null, null, plot(), false);
+        courbe.setBackgroundPaint(null);
+        courbe.setPadding(new RectangleInsets(10, 0, 0, 16));
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        courbe.draw(g, new Rectangle2D.Double(place.getX(), place.getY() + enTete, place.getWidth(), place.getHeight() - enTete), info);
+        annoter(g, info.getPlotInfo().getDataArea());
+    }
+
+    private XYPlot plot() {
         axes();
         XYPlot plot = new XYPlot(donnees(fonds), axeX, axeY, new Points(fonds));
         plot.setDataset(1, donnees(series));
         plot.setRenderer(1, new Points(series));
         plot.setBackgroundPaint(null);
+        plot.setOutlinePaint(Style.GRIS);
+        plot.setDomainGridlinePaint(Style.GRILLE);
+        plot.setRangeGridlinePaint(Style.GRILLE);
+        plot.setDomainGridlineStroke(Style.TRAIT_FIN);
+        plot.setRangeGridlineStroke(Style.TRAIT_FIN);
+        plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         if (zone > 0) {
             plot.addRangeMarker(new IntervalMarker(axeY.getLowerBound(), zone, Style.BANDE), Layer.BACKGROUND);
         }
-        niveaux.forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
+        niveaux.keySet().forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
         if (repereX > 0) {
             plot.addDomainMarker(new ValueMarker(repereX, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND);
         }
@@ -147,6 +180,15 @@ public final class Volet extends Courbe {
             noms.setGridBandsVisible(false);
             noms.setInverted(true);
             axeY = noms;
+        }
+        for (ValueAxis axe : new ValueAxis[] {axeX, axeY}) {
+            axe.setLabelFont(Style.TEXTE);
+            axe.setLabelPaint(Style.ENCRE);
+            axe.setTickLabelFont(Style.TEXTE);
+            axe.setTickLabelPaint(Style.ENCRE);
+            axe.setAxisLinePaint(Style.GRIS);
+            axe.setTickMarkPaint(Style.GRIS);
+            axe.setMinorTickMarksVisible(false);
         }
     }
 
@@ -208,8 +250,7 @@ public final class Volet extends Courbe {
     }
 
     /** Cercle les réglages par défaut, et nomme les points : les plus importants d'abord, les autres s'il y a de la place tout près. */
-    @Override
-    void annoter(Graphics2D g, Rectangle2D cadre) {
+    private void annoter(Graphics2D g, Rectangle2D cadre) {
         Etiquettes noms = new Etiquettes(g, cadre);
         for (int s = 0; s < series.size(); s++) {
             double[] avant = null;
@@ -242,12 +283,11 @@ public final class Volet extends Courbe {
                 }
             }
         }
-        for (int k = 0; k < niveaux.size(); k++) {
-            double largeur = g.getFontMetrics(Style.ETIQUETTE).stringWidth(nomsDesNiveaux.get(k));
-            double dessous = zone == niveaux.get(k) ? 18 : -18;
-            noms.ecrire(nomsDesNiveaux.get(k), cadre.getMaxX() - largeur / 2 - 12, py(niveaux.get(k), 0, cadre) + dessous, -12,
-                    Style.ETIQUETTE, Style.GRIS, false);
-        }
+        niveaux.forEach((y, nom) -> {
+            double largeur = g.getFontMetrics(Style.ETIQUETTE).stringWidth(nom);
+            noms.ecrire(nom, cadre.getMaxX() - largeur / 2 - 12, py(y, 0, cadre) + (zone == y ? 18 : -18), -12, Style.ETIQUETTE, Style.GRIS,
+                    false);
+        });
     }
 
     private double px(double x, Rectangle2D cadre) {

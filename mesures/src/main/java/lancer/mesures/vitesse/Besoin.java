@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.atomic.LongAdder;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -13,10 +12,8 @@ import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.antialias.Antialias;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
-import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.mesures.Gabarit;
@@ -27,8 +24,7 @@ import lancer.temoins.LancerSurveille;
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
-            "profondeur_utile", "part_antialias", "structures", "tests_par_rayon", "rayons", "rayons_sans_economie",
-            "rayons_utiles");
+            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_sans_economie", "rayons_utiles");
 
     /** Un Ks qui n'est pas nul, et qui ne se verra jamais. */
     private static final double INVISIBLE = 1e-300;
@@ -37,7 +33,6 @@ final class Besoin {
     private final String nom;
     private final Scene scene;
     private final Compteurs compteurs;
-    private final String structures;
     private final int[] codes;
 
     Besoin(Path fichier, Taille taille) {
@@ -47,18 +42,12 @@ final class Besoin {
         Lancer lancer = preparer(scene.pourUnFil(), Constantes.SEUIL);
         codes = codes(lancer, Constantes.MAX_REFLETS);
         compteurs = lancer.getCompteurs();
-        structures = lancer.getScene().getRecherche().toString();
     }
 
     String ligne() {
         return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
-                lampesUtiles(), profondeurUtile(), reel(partAntialias()), structures,
-                reel((double) compteurs.testsSpheres / compteurs.rayons()), compteurs.rayons(), rayonsSansEconomie(),
-                rayonsUtiles());
-    }
-
-    private static String reel(double valeur) {
-        return String.format(Locale.ROOT, "%.5g", valeur);
+                lampesUtiles(), profondeurUtile(), Releve.reel((double) compteurs.testsSpheres / compteurs.rayons()),
+                compteurs.rayons(), rayonsSansEconomie(), rayonsUtiles());
     }
 
     private Lancer preparer(Scene copie, double seuil) {
@@ -128,13 +117,6 @@ final class Besoin {
         return utiles;
     }
 
-    /** La part des pixels auxquels la méthode du cours, à ses réglages par défaut, ne peut se contenter de quatre rayons. */
-    double partAntialias() {
-        Lancer lancer = preparer(scene.avec(Antialias.coins(3, 0.05), Constantes.SEUIL), Constantes.SEUIL);
-        codes(lancer, Constantes.MAX_REFLETS);
-        return (double) lancer.getCompteurs().pixelsRaffines / taille.pixels();
-    }
-
     /**
      * Les rayons de qui suivrait partout les reflets jusqu'à la profondeur par défaut, Ks nul ou non, et demanderait à chaque
      * contact si chaque lampe y est cachée, même dans le dos de l'objet.
@@ -142,7 +124,11 @@ final class Besoin {
     long rayonsSansEconomie() {
         LongAdder contacts = new LongAdder();
         Modele modele = new Modele();
-        modele.setAtmosphere(compteuse(contacts));
+        // un air qui ne change rien, et compte les rayons qui ont rencontré quelque chose
+        modele.setAtmosphere((vue, distance) -> {
+            contacts.add(distance == Constantes.INFINI ? 0 : 1);
+            return vue;
+        });
         List<Sphere> brillantes = new ArrayList<>();
         for (Objet3D objet : scene.getObjets()) {
             Sphere neuve = new Sphere(((Sphere) objet).getCentre(), ((Sphere) objet).getRayon());
@@ -160,15 +146,5 @@ final class Besoin {
 
     private static double auMoins(double ks) {
         return Math.max(ks, INVISIBLE);
-    }
-
-    /** Un air qui ne change rien, et compte les rayons qui ont rencontré quelque chose. */
-    private static Atmosphere compteuse(LongAdder contacts) {
-        return (vue, distance) -> {
-            if (distance != Constantes.INFINI) {
-                contacts.increment();
-            }
-            return vue;
-        };
     }
 }

@@ -3,14 +3,13 @@ package lancer.mesures.vitesse;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Consumer;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.atelier.SceneMesuree;
+import lancer.atelier.Scenes;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.contrat.Modele;
@@ -42,6 +41,11 @@ final class Catalogue {
     /** Jusqu'à ce nombre de sphères, les boucles du cours se mesurent ; une seule fois à celui-ci. */
     static final int BOUCLES_MAX = 10000;
 
+    /** Ce que le catalogue court garde des réglages de la scène du cours. */
+    private static final List<String> COURT = Arrays.asList(UN_RAYON + "/", BROUILLON + "/4 × 4", GRILLE + "/2 × 2",
+            COINS + "/" + COINS_DEFAUT, PARTAGE + "/n=4 seuil=0.1", PROFONDEUR + "/p=0", PROFONDEUR + "/p=" + Gabarit.PROFONDEUR,
+            AUTO + "/erreur=2", POVRAY + "/-A");
+
     private final boolean court;
 
     Catalogue(boolean court) {
@@ -55,7 +59,7 @@ final class Catalogue {
         final String scene;
         final List<Methode> methodes;
 
-        /** Combien de fois chacune, et la référence, se mesurent dans des machines virtuelles neuves. */
+        /** Combien de fois chacune, et la référence, se mesurent dans des machines virtuelles neuves : chacune donne un rapport. */
         final int lancements;
 
         /** Vrai si leurs erreurs se mesurent. */
@@ -87,12 +91,9 @@ final class Catalogue {
         for (String scene : court ? new String[] {"scene1"} : new String[] {"scene1", "bowling", "miroirs", "tournesol"}) {
             groupes.add(new Groupe(METHODES, scene, methodes(scene), 1, true));
         }
-        groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 1 : 3, false));
+        groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5, false));
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
-            groupes.add(new Groupe(SPHERES, SceneMesuree.FOULE + "-" + n, spheres(n, n <= BOUCLES_MAX), 1, false));
-        }
-        for (int n : court ? new int[] {100} : new int[] {100, 10000, 1000000}) {
-            groupes.add(new Groupe(SPHERES, SceneMesuree.ETOILES + "-" + n, spheres(n, false), 1, false));
+            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(n <= BOUCLES_MAX), 1, false));
         }
         return groupes;
     }
@@ -103,48 +104,45 @@ final class Catalogue {
                 .orElseThrow(() -> new IllegalArgumentException("rien à mesurer : " + famille + " " + scene));
     }
 
-    /** Les réglages de la courbe principale d'une scène. */
+    /**
+     * Les réglages de la courbe principale d'une scène. Là où tous feraient la même erreur, l'anticrénelage de {@code miroirs}, ou
+     * dureraient des minutes pour dire ce que d'autres disent, il y en a moins.
+     */
     private List<Methode> methodes(String scene) {
+        boolean miroirs = scene.equals("miroirs");
+        boolean cours = scene.equals("scene1");
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(UN_RAYON, ""));
         m.add(new Methode(BROUILLON, "4 × 4").enBrouillon());
-        for (int n : court ? new int[] {2} : new int[] {2, 3, 4, 8}) {
+        for (int n : miroirs ? new int[] {2, 8} : cours ? new int[] {2, 4, 8} : new int[] {2, 4}) {
             m.add(new Methode(GRILLE, n + " × " + n).echantillonnee(Antialias.coins(n, 0)));
         }
-        double[][] coins = court ? new double[][] {{3, 0.05}} : new double[][] {{3, 0.05}, {3, 0.2}, {4, 0.05}, {8, 0.05}, {8, 0.2}};
-        for (double[] c : coins) {
-            m.add(new Methode(COINS, adaptative(c)).echantillonnee(Antialias.coins((int) c[0], c[1])));
+        for (int n : miroirs ? new int[] {3} : cours ? new int[] {3, 4, 8} : new int[] {3, 4}) {
+            m.add(new Methode(COINS, "n=" + n + " seuil=0.05").echantillonnee(Antialias.coins(n, 0.05)));
         }
-        double[][] partages = court ? new double[][] {{4, 0.1}}
-                : new double[][] {{4, 0.06}, {4, 0.1}, {4, 0.2}, {8, 0.06}, {8, 0.1}, {16, 0.03}, {16, 0.06}};
-        for (double[] p : partages) {
-            m.add(new Methode(PARTAGE, adaptative(p)).echantillonnee(Antialias.partage((int) p[0], p[1])));
+        for (double[] p : miroirs ? new double[][] {{4, 0.1}} : new double[][] {{4, 0.1}, {4, 0.2}, {8, 0.06}, {16, 0.03}, {16, 0.06}}) {
+            m.add(new Methode(PARTAGE, "n=" + (int) p[0] + " seuil=" + p[1]).echantillonnee(Antialias.partage((int) p[0], p[1])));
         }
-        boolean miroirs = scene.equals("miroirs");
-        for (int p : court ? new int[] {0} : miroirs ? new int[] {0, 2, 10, 20, 40} : new int[] {0, 1, 2, 10}) {
+        for (int p : miroirs ? new int[] {0, 2, 10, 20, Gabarit.PROFONDEUR} : new int[] {0, 1, 2, Gabarit.PROFONDEUR}) {
             m.add(new Methode(PROFONDEUR, "p=" + p).limitee(p, Constantes.SEUIL));
         }
-        m.add(new Methode(PROFONDEUR, "p=" + Gabarit.PROFONDEUR).limitee(Gabarit.PROFONDEUR, Constantes.SEUIL));
-        for (int s : court ? new int[] {} : new int[] {16, 128}) {
+        for (int s : miroirs ? new int[] {16, 128} : cours ? new int[] {16} : new int[] {}) {
             m.add(new Methode(SEUIL, "1/" + s).limitee(Gabarit.PROFONDEUR, 1.0 / s));
-        }
-        if (miroirs) {
-            // là seulement le front demande les deux à la fois
-            for (int s : new int[] {16, 128, 1024}) {
+            if (miroirs) {
+                // là seulement le front demande les deux à la fois
                 m.add(new Methode(ENSEMBLE, "n=4 seuil=0.1 reflets=" + Gabarit.PROFONDEUR + " jusqu'à 1/" + s)
                         .echantillonnee(Antialias.partage(4, 0.1)).limitee(Gabarit.PROFONDEUR, 1.0 / s));
             }
         }
-        for (String erreur : court ? new String[] {"2"} : new String[] {"0.5", "1", "2", "4"}) {
+        for (String erreur : new String[] {"0.5", "1", "2", "4"}) {
             m.add(new Methode(AUTO, "erreur=" + erreur).auto(Double.parseDouble(erreur)));
         }
         m.add(povray("-A"));
-        if (!court) {
-            m.add(povray("+A0.3 +R3 +AM1"));
-            m.add(povray("+A0.1 +R3 +AM1"));
-            m.add(povray("+A0.1 +R3 +AM2"));
-            m.add(povray("+A0.03 +R4 +AM2"));
+        m.add(povray("+A0.3 +R3 +AM1"));
+        if (!miroirs) {
+            m.add(povray(scene.equals("tournesol") ? "+A0.1 +R3 +AM2" : "+A0.03 +R4 +AM2"));
         }
+        m.removeIf(methode -> court && !COURT.contains(methode.cle()));
         return m;
     }
 
@@ -152,17 +150,10 @@ final class Catalogue {
         return new Methode(POVRAY, options).par(Methode.Genre.POVRAY, options.split(" "));
     }
 
-    private static String adaptative(double[] nEtSeuil) {
-        return String.format(Locale.ROOT, "n=%.0f seuil=%s", nEtSeuil[0], Double.toString(nEtSeuil[1]));
-    }
-
-    /** Une chose de plus, ou de moins, à la fois. */
+    /** Une chose changée à la fois. */
     private List<Methode> demandes() {
-        List<Methode> m = new ArrayList<>(Arrays.asList(
-                new Methode(TELLE_QUELLE, ""),
+        List<Methode> m = new ArrayList<>(Arrays.asList(new Methode(TELLE_QUELLE, ""),
                 new Methode("lampe", "une de plus").sur(Catalogue::uneLampeDePlus),
-                new Methode("lampe", "une de moins").sur(s ->
-                        new Scene(s.getObjets(), s.getLampes().subList(1, s.getLampes().size()))),
                 new Methode("reflets", "aucun").limitee(0, Constantes.SEUIL),
                 new Methode("brume", "").sur(s -> variee(s, v -> v.setAtmosphere(new Brume()))),
                 new Methode("Blinn", "").sur(s -> variee(s, v -> v.setSpecularite(new Blinn()))),
@@ -175,13 +166,13 @@ final class Catalogue {
     }
 
     /** Le programme entier, POV-Ray, et tant que cela ne dure pas trop les boucles du cours. */
-    private List<Methode> spheres(int nombre, boolean boucles) {
+    private static List<Methode> spheres(boolean boucles) {
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(PROGRAMME, "").par(Methode.Genre.PROCESSUS));
         if (boucles) {
             m.add(new Methode(BOUCLES, "").par(Methode.Genre.PROCESSUS, "--simple").enBoucles());
         }
-        m.add(new Methode(POVRAY, "-A").par(Methode.Genre.POVRAY, "-A"));
+        m.add(povray("-A"));
         return m;
     }
 

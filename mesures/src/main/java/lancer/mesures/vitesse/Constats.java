@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
 
 /**
@@ -34,9 +36,8 @@ final class Constats {
         return releves.de(Catalogue.DEMANDES);
     }
 
-    Releves spheres(String famille, String methode) {
-        return new Releves(releves.de(Catalogue.SPHERES).methode(methode).get().stream().filter(r -> r.scene.startsWith(famille + "-"))
-                .collect(Collectors.toList()));
+    List<Releve> spheres(String methode) {
+        return releves.de(Catalogue.SPHERES).methode(methode).get();
     }
 
     /** Ce que montrent les pages, par leurs noms. */
@@ -51,19 +52,19 @@ final class Constats {
             methodes(scene).peutEtre(Catalogue.GRILLE, "8 × 8").ifPresent(r -> valeurs.put(scene + ".8x8", duel(scene, r)));
             valeurs.put(scene + ".unrayon", Style.nombre(methodes(scene).le(Catalogue.UN_RAYON, "").erreur().valeur));
         }
-        valeurs.put("demandes.titre", titreDesDemandes());
+        valeurs.put("demandes.titre", "Le temps d'une lampe de plus : "
+                + Noms.rapport(demandes().le("lampe", "une de plus").rapport()));
         for (Releve r : demandes().get()) {
-            valeurs.put("demandes." + (r.methode + " " + r.parametres).trim(), Noms.rapport(r.rapport()));
+            valeurs.put("demandes." + r.nom(), Noms.rapport(r.rapport()));
         }
         valeurs.put("spheres.titre", titreDesSpheres());
         valeurs.put("spheres.povray", spheresContrePovray());
         valeurs.put("spheres.boucles", spheresContreBoucles());
-        valeurs.put("spheres.etoiles", etoiles());
         valeurs.put("parcimonie.titre", titreDeLaParcimonie());
+        valeurs.put("besoins.tableau", tableauDesBesoins());
+        valeurs.put("besoins.taille", besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur"));
         valeurs.put("marge", Style.arrondi(100 * (releves.marge() - 1)) + " %");
-        Releve r = releves.get().get(0);
-        valeurs.put("machine", r.texte("machine") + ", " + r.texte("coeurs") + " cœurs, " + r.texte("jvm") + ", commit " + r.texte("commit")
-                + ", " + r.texte("date").replace('T', ' '));
+        valeurs.put("machine", releves.get().get(0).circonstances());
         return valeurs;
     }
 
@@ -118,26 +119,16 @@ final class Constats {
 
     /** Une ligne de tableau : pour chaque erreur à ne pas dépasser, le réglage le plus rapide qui la tient à coup sûr. */
     private String paliers(String scene) {
-        StringBuilder s = new StringBuilder();
-        for (double palier : new double[] {4, 2, 1, 0.5, ARRONDI}) {
-            Optional<Releve> premier = methodes(scene).get().stream().filter(r -> !r.methode.equals(Catalogue.POVRAY))
-                    .filter(r -> !r.methode.equals(Catalogue.AUTO) && r.erreur().max <= palier)
-                    .min(Comparator.comparingDouble(r -> r.rapport().valeur));
-            s.append(" | ").append(premier.map(r -> Noms.methode(r) + " : " + Noms.rapport(r.rapport())).orElse("rien"));
-        }
-        return s.substring(" | ".length());
-    }
-
-    // ---- ce que coûte chaque demande
-
-    private String titreDesDemandes() {
-        return "Le temps d'une lampe de plus : " + Noms.rapport(demandes().le("lampe", "une de plus").rapport());
+        return DoubleStream.of(4, 2, 1, 0.5, ARRONDI).mapToObj(palier -> methodes(scene).get().stream()
+                .filter(r -> !r.methode.equals(Catalogue.POVRAY) && !r.methode.equals(Catalogue.AUTO) && r.erreur().max <= palier)
+                .min(Comparator.comparingDouble(r -> r.rapport().valeur))
+                .map(r -> Noms.methode(r) + " : " + Noms.rapport(r.rapport())).orElse("rien")).collect(Collectors.joining(" | "));
     }
 
     // ---- le nombre de sphères
 
     private String titreDesSpheres() {
-        List<Releve> siens = spheres("foule", Catalogue.PROGRAMME).get();
+        List<Releve> siens = spheres(Catalogue.PROGRAMME);
         Releve petit = siens.get(siens.size() > 1 ? 1 : 0);
         Releve grand = siens.get(siens.size() - 1);
         return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, " + (petit.rapport().nettementSous(grand.rapport())
@@ -146,7 +137,7 @@ final class Constats {
 
     private String spheresContrePovray() {
         List<String> phrases = new ArrayList<>();
-        for (Releve nous : spheres("foule", Catalogue.PROGRAMME).get()) {
+        for (Releve nous : spheres(Catalogue.PROGRAMME)) {
             releves.de(Catalogue.SPHERES).scene(nous.scene).peutEtre(Catalogue.POVRAY, "-A").ifPresent(lui -> {
                 if (nous.rapport().nettementSous(lui.rapport())) {
                     phrases.add(nombre(nous) + " (" + fois(nous, lui) + ")");
@@ -159,7 +150,7 @@ final class Constats {
 
     private String spheresContreBoucles() {
         Releve derniere = null;
-        for (Releve boucles : spheres("foule", Catalogue.BOUCLES).get()) {
+        for (Releve boucles : spheres(Catalogue.BOUCLES)) {
             Releve nous = releves.de(Catalogue.SPHERES).scene(boucles.scene).le(Catalogue.PROGRAMME, "");
             derniere = nous.rapport().nettementSous(boucles.rapport()) ? boucles : derniere;
         }
@@ -167,30 +158,40 @@ final class Constats {
                 + fois(releves.de(Catalogue.SPHERES).scene(derniere.scene).le(Catalogue.PROGRAMME, ""), derniere) + " plus de temps";
     }
 
-    /** Ce que neuf étoiles ajoutent aux sphères et aux cases examinées : un compte, non un temps. */
-    private String etoiles() {
-        List<Releve> siennes = spheres("etoiles", Catalogue.PROGRAMME).get();
-        Releve avec = siennes.get(siennes.size() - 1);
-        Releve sans = releves.de(Catalogue.SPHERES).scene(avec.scene.replace("etoiles", "foule")).le(Catalogue.PROGRAMME, "");
-        return "neuf étoiles à 10¹² d'une foule de " + nombre(sans) + " multiplient ce qu'examinent ses rayons par "
-                + Style.nombre(examens(avec) / examens(sans));
-    }
-
-    static double examens(Releve r) {
-        return r.nombre("tests") + (Double.isNaN(r.nombre("noeuds")) ? 0 : r.nombre("noeuds"));
-    }
-
     static String nombre(Releve r) {
-        return Style.nombre(Double.parseDouble(r.scene.substring(r.scene.indexOf('-') + 1)));
+        return Style.nombre(r.nombre("spheres"));
     }
 
     // ---- la parcimonie
 
+    private String tableauDesBesoins() {
+        return "\n\n| scène | sphères | lampes qui changent au moins un pixel | réflexions qui changent au moins un pixel "
+                + "| sphères essayées par rayon | rayons non lancés | rayons lancés de trop |\n|---|---|---|---|---|---|---|\n"
+                + besoins.stream().map(b -> "| " + String.join(" | ", "`" + b.get("scene") + "`",
+                Style.nombre(nombre(b, "spheres")), b.get("lampes_utiles") + " sur " + b.get("lampes"), b.get("profondeur_utile"),
+                Style.nombre(nombre(b, "tests_par_rayon")), Style.arrondi(100 * economie(b)) + " %",
+                Style.arrondi(100 * exces(b)) + " %") + " |\n").collect(Collectors.joining()) + "\n";
+    }
+
+    static double nombre(Map<String, String> b, String colonne) {
+        return Double.parseDouble(b.get(colonne));
+    }
+
+    /** La part des rayons qui n'ont pas été lancés. */
+    private static double economie(Map<String, String> b) {
+        return 1 - nombre(b, "rayons") / nombre(b, "rayons_sans_economie");
+    }
+
+    /** La part des rayons lancés qui ne changent rien à l'écran. */
+    private static double exces(Map<String, String> b) {
+        return 1 - nombre(b, "rayons_utiles") / nombre(b, "rayons");
+    }
+
     String titreDeLaParcimonie() {
-        Map<String, String> sobre = besoins.stream().max(Comparator.comparingDouble(TableBesoins::economie)).get();
-        Map<String, String> prodigue = besoins.stream().max(Comparator.comparingDouble(TableBesoins::exces)).get();
-        return "De " + Style.arrondi(100 * besoins.stream().mapToDouble(TableBesoins::economie).min().orElse(0)) + " à "
-                + Style.arrondi(100 * TableBesoins.economie(sobre)) + " % des rayons ne sont pas lancés ; il en reste jusqu'à "
-                + Style.arrondi(100 * TableBesoins.exces(prodigue)) + " % (" + prodigue.get("scene") + ") qui ne changent rien à l'écran";
+        Map<String, String> sobre = besoins.stream().max(Comparator.comparingDouble(Constats::economie)).get();
+        Map<String, String> prodigue = besoins.stream().max(Comparator.comparingDouble(Constats::exces)).get();
+        return "De " + Style.arrondi(100 * besoins.stream().mapToDouble(Constats::economie).min().orElse(0)) + " à "
+                + Style.arrondi(100 * economie(sobre)) + " % des rayons ne sont pas lancés ; il en reste jusqu'à "
+                + Style.arrondi(100 * exces(prodigue)) + " % (" + prodigue.get("scene") + ") qui ne changent rien à l'écran";
     }
 }

@@ -9,6 +9,7 @@ import lancer.atelier.Scenes;
 import lancer.lecture.LecteurScene;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Vignettes;
@@ -45,7 +46,7 @@ final class FigureDifferences {
                     "erreur " + Style.nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur) + " pas");
         }
         new Planche("Scène du cours : ce qui manque à chaque image, amplifié " + AMPLIFICATION + " fois",
-                taille.largeur + " × " + taille.hauteur + ". make mesures").volet(vignettes, 1).ecrire(dossier.resolve(PNG));
+                taille.largeur + " × " + taille.hauteur + ". make mesures").volet(vignettes).ecrire(dossier.resolve(PNG));
     }
 
     private static int ecart(ImageLineaire a, ImageLineaire b, int k) {

@@ -6,11 +6,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import java.util.stream.DoubleStream;
+import lancer.mesures.Intervalle;
 
 /**
  * Des temps pris tour à tour, ceux de la référence et ceux de ce qui lui est comparé : ce que l'on en garde est leur rapport, manche par
  * manche. Une manche est jetée si {@link Etalon} est troublé juste avant ou juste après, ou si l'un des deux dessins n'a pas eu, par
  * seconde, {@value #PART_MIN} du temps des processeurs de sa meilleure manche.
+ *
+ * <p>Combien en garder est décidé avant la première : s'arrêter quand l'intervalle plaît le rendrait trop étroit.
  */
 final class Manches {
 
@@ -18,6 +22,9 @@ final class Manches {
 
     /** Au-delà, et si la moitié des manches sont jetées, la machine n'est pas à nous. */
     private static final int ESSAIS = 20;
+
+    /** Deux manches d'une minute jetées sur deux ne disent pas que toutes le seraient. */
+    private static final int ESSAIS_MIN = 4;
     private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(60);
 
     private final BooleanSupplier etalon;
@@ -62,10 +69,14 @@ final class Manches {
             this.processeurNs = processeurNs;
         }
 
+        /** Un seul rapport, leur moyenne : des manches d'une même machine virtuelle se ressemblent plus que d'une machine à l'autre. */
+        Temps enUnRapport() {
+            return new Temps(new double[] {rapport.valeur}, manches, jetees, referenceNs, processeurNs);
+        }
+
         /** Celles d'une autre machine virtuelle, en plus. */
         Temps plus(Temps autre) {
-            double[] tous = Arrays.copyOf(rapports, rapports.length + autre.rapports.length);
-            System.arraycopy(autre.rapports, 0, tous, rapports.length, autre.rapports.length);
+            double[] tous = DoubleStream.concat(Arrays.stream(rapports), Arrays.stream(autre.rapports)).toArray();
             boolean siens = referenceNs <= autre.referenceNs;
             return new Temps(tous, manches + autre.manches, jetees + autre.jetees, Math.min(referenceNs, autre.referenceNs),
                     siens ? processeurNs : autre.processeurNs);
@@ -91,9 +102,11 @@ final class Manches {
         double processeur = Double.NaN;
         double[] parts = new double[2];
         long debut = System.nanoTime();
-        boolean calme = etalon.getAsBoolean();
+        boolean calme = false;
         int essais = 0;
         while (rapports.size() < voulues) {
+            // ce qui a fait jeter la manche d'avant ne fait pas jeter celle-ci s'il a cessé
+            calme = calme || etalon.getAsBoolean();
             double[] r = reference.prendre();
             double[] m = methode.prendre();
             boolean garde = partTenue(parts, 0, r) & partTenue(parts, 1, m) & calme;
@@ -125,7 +138,7 @@ final class Manches {
         if (toutes >= ESSAIS && 2 * jetees > toutes) {
             throw new Troublee(jetees + " manches jetées sur " + toutes);
         }
-        if (essais >= 2 * voulues && dureeNs > PATIENCE_NS) {
+        if (essais >= Math.max(ESSAIS_MIN, 2 * voulues) && dureeNs > PATIENCE_NS) {
             throw new Troublee(gardees + " manches gardées sur " + essais + " en " + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
         }
     }

@@ -1,11 +1,13 @@
 package lancer.mesures.vitesse;
 
+import java.awt.image.Raster;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
@@ -19,16 +21,18 @@ import lancer.Main;
 import lancer.Scene;
 import lancer.atelier.Circonstances;
 import lancer.atelier.FichierCsv;
-import lancer.atelier.SceneMesuree;
 import lancer.atelier.Scenes;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
-import lancer.mesures.juge.Intraduisible;
+import lancer.mesures.Intervalle;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
 
 /** Mesure un groupe après l'autre, et note chaque méthode dès qu'elle est finie. */
 final class Mesureur {
+
+    /** D'ici à cinq fois plus, un échantillon est long ; ceux de POV-Ray le sont tous. */
+    private static final double LONGUE_NS = 1e9;
 
     /** Ce que dure un échantillon, au moins : le dessin y est répété. */
     private final double echantillonNs;
@@ -71,7 +75,7 @@ final class Mesureur {
     void mesurer(List<Catalogue.Groupe> groupes) throws IOException {
         for (Catalogue.Groupe groupe : groupes) {
             sortie.println(groupe.famille + ", " + groupe.scene);
-            Path fichier = SceneMesuree.fichier(groupe.scene, dossier);
+            Path fichier = Scenes.fichier(groupe.scene, dossier);
             if (groupe.enProcessus()) {
                 enProcessus(groupe, fichier);
             } else {
@@ -80,8 +84,16 @@ final class Mesureur {
         }
     }
 
-    private int voulues(double echantillonNs) {
-        return agitee ? 2 : court ? 3 : echantillonNs < 1.5e9 ? 7 : 4;
+    /** Moins de manches si elles sont longues, donc moins bruyantes ; décidé avant la première. */
+    private int voulues(Catalogue.Groupe groupe, double echantillonNs) {
+        return agitee || groupe.lancements > 1 ? 2 : court ? 3 : echantillonNs < LONGUE_NS ? 5
+                : echantillonNs < 5 * LONGUE_NS ? 4 : 3;
+    }
+
+    /** Les mêmes, de programmes entiers. */
+    private int voulues(Methode methode, int spheres) {
+        boolean longue = methode.boucles ? spheres >= 1000 : methode.genre == Methode.Genre.POVRAY && spheres >= 100_000;
+        return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2 : longue ? 3 : 5;
     }
 
     // ---- des machines virtuelles qui durent
@@ -89,8 +101,7 @@ final class Mesureur {
     private void enDessins(Catalogue.Groupe groupe, Path fichier) throws IOException {
         Scene scene = Scenes.lire(fichier);
         Gabarit gabarit = groupe.jugees ? new Gabarit(scene, taille.largeur, taille.hauteur, court ? 3 : 5) : null;
-        int lancements = agitee ? 1 : groupe.lancements;
-        Map<Methode, Map<String, Object>> champs = new HashMap<>();
+        int lancements = groupe.lancements;
         Map<Methode, Manches.Temps> temps = new HashMap<>();
         for (int lancement = 1; lancement <= lancements; lancement++) {
             try (Machine reperes = new Machine(groupe, groupe.methodes.get(0), fichier)) {
@@ -98,22 +109,28 @@ final class Mesureur {
                     if (methode.genre == Methode.Genre.POVRAY && povray == null) {
                         continue;
                     }
-                    Map<String, Object> siens = champs.computeIfAbsent(methode, m -> new HashMap<>());
-                    temps.merge(methode, methode.genre == Methode.Genre.POVRAY ? parPovRay(groupe, methode, reperes, gabarit, siens)
-                            : parNous(groupe, methode, fichier, reperes, gabarit, siens), Manches.Temps::plus);
-                    if (lancement == lancements) {
-                        noter(groupe, methode, scene.getObjets().size(), siens, temps.get(methode));
+                    Map<String, Object> champs = lancement < lancements ? null : new HashMap<>();
+                    Manches.Temps pris = methode.genre == Methode.Genre.POVRAY ? parPovRay(groupe, methode, reperes, gabarit, champs)
+                            : parNous(groupe, methode, fichier, reperes, gabarit, champs);
+                    temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
+                    if (champs != null) {
+                        champs.put("lancements", lancements);
+                        noter(groupe, methode, scene.getObjets().size(), champs, temps.get(methode));
                     }
                 }
             }
         }
     }
 
+    /** @param champs où noter ce qui se compte et se vérifie une fois les temps pris ; {@code null} pour s'en passer */
     private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Gabarit gabarit,
             Map<String, Object> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
-            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(machine.dureeNs()));
-            String[] comptes = machine.finir().split(" ", 8);
+            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, machine.fois * machine.dessinNs));
+            if (champs == null) {
+                return temps;
+            }
+            String[] comptes = machine.processus.demander("finir").split(" ", 8);
             String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies", "choix"};
             for (int k = 0; k < noms.length; k++) {
                 champs.put(noms[k], comptes[k]);
@@ -130,18 +147,18 @@ final class Mesureur {
     /** Il ne prépare que ce dessin-ci : le temps est celui qu'il dit avoir passé à tracer. */
     private Manches.Temps parPovRay(Catalogue.Groupe groupe, Methode methode, Machine reperes, Gabarit gabarit, Map<String, Object> champs)
             throws IOException {
-        try {
-            SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(SceneMesuree.fichier(groupe.scene, dossier)),
-                    Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
-            Manches.Temps temps = manches.mesurer(reperes, () -> {
-                jugee.dessiner(methode.options);
-                return new double[] {povray.temps()[1], povray.temps()[2]};
-            }, voulues(0));
-            juger(gabarit, jugee.image(methode.options), champs);
-            return temps;
-        } catch (Intraduisible e) {
-            throw new IOException("POV-Ray : " + e.getMessage(), e);
-        }
+        SceneJugee jugee = jugee(groupe, Scenes.fichier(groupe.scene, dossier));
+        Raster[] image = new Raster[1];
+        Manches.Temps temps = manches.mesurer(reperes, () -> {
+            image[0] = jugee.dessiner(methode.options);
+            return new double[] {povray.temps()[1], povray.temps()[2]};
+        }, voulues(groupe, LONGUE_NS));
+        juger(gabarit, jugee.image(image[0], methode.options), champs);
+        return temps;
+    }
+
+    private SceneJugee jugee(Catalogue.Groupe groupe, Path fichier) throws IOException {
+        return new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
     }
 
     private static void juger(Gabarit gabarit, ImageLineaire image, Map<String, Object> champs) {
@@ -171,14 +188,6 @@ final class Mesureur {
             return nombres(processus.demander(String.valueOf(fois)));
         }
 
-        private double dureeNs() {
-            return fois * dessinNs;
-        }
-
-        private String finir() throws IOException {
-            return processus.demander("finir");
-        }
-
         @Override
         public void close() {
             processus.close();
@@ -192,13 +201,11 @@ final class Mesureur {
     // ---- le programme entier, lancé chaque fois
 
     private void enProcessus(Catalogue.Groupe groupe, Path fichier) throws IOException {
-        Path repere = SceneMesuree.fichier(SceneMesuree.FOULE + "-1", dossier);
+        Path repere = Scenes.fichier(Scenes.FOULE + "-1", dossier);
         int spheres = Scenes.lire(fichier).getObjets().size();
         for (Methode methode : groupe.methodes) {
             Map<String, Object> champs = new HashMap<>();
             Programme programme = new Programme(fichier, methode.options);
-            boolean longue = spheres >= Catalogue.BOUCLES_MAX;
-            int voulues = methode.boucles && longue ? 1 : court || agitee ? 2 : longue ? 3 : 5;
             Manches.Echantillon echantillon = programme;
             if (methode.genre == Methode.Genre.POVRAY) {
                 if (povray == null) {
@@ -206,7 +213,8 @@ final class Mesureur {
                 }
                 echantillon = povray(groupe, fichier, methode);
             }
-            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues);
+            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues(methode, spheres));
+            champs.put("lancements", temps.rapports.length);
             if (echantillon == programme) {
                 programme.statistiques.forEach((nom, valeur) -> champs.put(colonne(nom), valeur));
                 int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);
@@ -214,7 +222,7 @@ final class Mesureur {
             }
             noter(groupe, methode, spheres, champs, temps);
         }
-        if (groupe.scene.startsWith(SceneMesuree.FOULE) && groupe.methodes.stream().noneMatch(m -> m.boucles)) {
+        if (groupe.methodes.stream().noneMatch(m -> m.boucles)) {
             extrapoler(groupe, fichier, spheres);
         }
         Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));
@@ -240,12 +248,10 @@ final class Mesureur {
 
         @Override
         public double[] prendre() throws IOException {
-            Object[] args = new Object[options.length + 6];
-            Object[] miens = {"--image", image, "--taille", taille, "--statistiques", fichier};
-            System.arraycopy(miens, 0, args, 0, miens.length);
-            System.arraycopy(options, 0, args, miens.length, options.length);
+            List<Object> args = new ArrayList<>(Arrays.asList("--image", image, "--taille", taille, "--statistiques", fichier));
+            args.addAll(Arrays.asList(options));
             long debut = System.nanoTime();
-            try (Processus processus = new Processus(Main.class, args)) {
+            try (Processus processus = new Processus(Main.class, args.toArray())) {
                 List<String> lignes = processus.lignes();
                 long duree = System.nanoTime() - debut;
                 statistiques = lignes.stream().map(l -> l.split(": ")).filter(l -> l.length == 2)
@@ -256,16 +262,11 @@ final class Mesureur {
     }
 
     private Manches.Echantillon povray(Catalogue.Groupe groupe, Path fichier, Methode methode) throws IOException {
-        try {
-            SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
-                    taille.hauteur);
-            return () -> {
-                jugee.dessiner(methode.options);
-                return new double[] {povray.temps()[0], Double.NaN};
-            };
-        } catch (Intraduisible e) {
-            throw new IOException("POV-Ray : " + e.getMessage(), e);
-        }
+        SceneJugee jugee = jugee(groupe, fichier);
+        return () -> {
+            jugee.dessiner(methode.options);
+            return new double[] {povray.temps()[0], Double.NaN};
+        };
     }
 
     /** Le moins qui en dise quelque chose quand chacun essaie un million de sphères par rayon. */

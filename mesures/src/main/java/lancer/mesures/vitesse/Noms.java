@@ -1,5 +1,8 @@
 package lancer.mesures.vitesse;
 
+import java.util.HashMap;
+import java.util.Map;
+import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
 
 /** Comment écrire dans une phrase, ou près d'un point, ce que le CSV nomme sèchement ; et comment dire un rapport. */
@@ -9,6 +12,22 @@ final class Noms {
 
     /** Au-delà, une hausse se dit en « fois », non en pour cent. */
     private static final double EN_FOIS = 1.5;
+
+    /** Au-delà, une borne ne dit rien. */
+    private static final double INCONNU = 100;
+
+    private static final Map<String, String> DANS_UNE_PHRASE = new HashMap<>();
+
+    static {
+        DANS_UNE_PHRASE.put(Catalogue.GRILLE, "la grille %s");
+        DANS_UNE_PHRASE.put(Catalogue.UN_RAYON, "un rayon par pixel");
+        DANS_UNE_PHRASE.put(Catalogue.BROUILLON, "le brouillon");
+        DANS_UNE_PHRASE.put(Catalogue.PROFONDEUR, "un rayon à %s réflexions");
+        DANS_UNE_PHRASE.put(Catalogue.SEUIL, "un rayon jusqu'au seuil %s");
+        DANS_UNE_PHRASE.put(Catalogue.ENSEMBLE, "« partage » (4 ; 0,1) jusqu'au seuil %s");
+        DANS_UNE_PHRASE.put(Catalogue.AUTO, "le choix de --auto erreur=%s");
+        DANS_UNE_PHRASE.put(Catalogue.POVRAY, "POV-Ray (%s)");
+    }
 
     private Noms() {
     }
@@ -20,66 +39,14 @@ final class Noms {
 
     /** Dans une phrase. */
     static String methode(Releve r) {
-        switch (r.methode) {
-            case Catalogue.GRILLE:
-                return "la grille " + r.parametres;
-            case Catalogue.UN_RAYON:
-                return "un rayon par pixel";
-            case Catalogue.BROUILLON:
-                return "le brouillon";
-            case Catalogue.PROFONDEUR:
-                return "un rayon à " + etiquette(r) + " réflexions";
-            case Catalogue.SEUIL:
-                return "un rayon jusqu'au seuil " + etiquette(r);
-            case Catalogue.ENSEMBLE:
-                return "« partage » (4 ; 0,1) jusqu'au seuil " + etiquette(r);
-            case Catalogue.AUTO:
-                return "le choix de --auto erreur=" + etiquette(r);
-            case Catalogue.POVRAY:
-                return "POV-Ray (" + r.parametres + ")";
-            default:
-                return "« " + r.methode + " » (" + etiquette(r) + ")";
-        }
+        return String.format(DANS_UNE_PHRASE.getOrDefault(r.methode, "« " + r.methode + " » (%s)"), etiquette(r));
     }
 
     /** Près d'un point. */
     static String etiquette(Releve r) {
-        switch (r.methode) {
-            case Catalogue.UN_RAYON:
-                return "1 rayon";
-            case Catalogue.BROUILLON:
-                return "brouillon";
-            case Catalogue.COINS:
-            case Catalogue.PARTAGE:
-                return r.parametres.replaceAll("n=(\\d+) seuil=(.*)", "$1 ; $2").replace('.', ',');
-            case Catalogue.ENSEMBLE:
-                return r.parametres.substring(r.parametres.lastIndexOf(' ') + 1);
-            default:
-                return r.parametres.substring(r.parametres.indexOf('=') + 1).replace('.', ',');
-        }
-    }
-
-    /** Une série, pour la légende. */
-    static String serie(String methode) {
-        switch (methode) {
-            case Catalogue.GRILLE:
-                return "grille complète";
-            case Catalogue.COINS:
-            case Catalogue.PARTAGE:
-                return "« " + methode + " » (n ; seuil)";
-            case Catalogue.PROFONDEUR:
-                return "un rayon, tant de réflexions";
-            case Catalogue.SEUIL:
-                return "un rayon, jusqu'à ce seuil";
-            case Catalogue.ENSEMBLE:
-                return "« partage » (4 ; 0,1), jusqu'à ce seuil";
-            case Catalogue.AUTO:
-                return "--auto, pour cette erreur";
-            case Catalogue.POVRAY:
-                return "POV-Ray et ses options";
-            default:
-                return methode;
-        }
+        String court = r.parametres.replaceFirst(".* jusqu'à ", "").replaceFirst("^n=(\\d+) seuil=", "$1 ; ").replaceFirst("^\\w+=", "");
+        return r.methode.equals(Catalogue.UN_RAYON) ? "1 rayon" : r.methode.equals(Catalogue.BROUILLON) ? r.methode
+                : r.methode.equals(Catalogue.POVRAY) ? court : court.replace('.', ',');
     }
 
     /** De combien c'est plus que 1, et entre quoi ; ou qu'on ne sait pas le dire. */
@@ -93,7 +60,7 @@ final class Noms {
 
     /** « + 12 % ». */
     static String pourCent(double facteur) {
-        return Double.isInfinite(facteur) || facteur == 0 ? "on ne sait"
+        return !(facteur > 1 / INCONNU && facteur < INCONNU) ? "on ne sait"
                 : (facteur < 1 ? "\u2212" : "+") + "\u00A0" + Style.arrondi(Math.abs(100 * (facteur - 1))) + "\u00A0%";
     }
 }

@@ -10,6 +10,7 @@ import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Random;
 import java.util.Set;
@@ -34,7 +35,7 @@ final class Ouvrier {
 
     /** L'échauffement : tant de dessins, ou moins s'ils durent plus que cela. */
     static final int ECHAUFFEMENT = 10;
-    static final long ECHAUFFEMENT_NS = TimeUnit.SECONDS.toNanos(3);
+    static final long ECHAUFFEMENT_NS = TimeUnit.MILLISECONDS.toNanos(1500);
 
     /** Ce que l'on refait par les boucles du cours, en sphères essayées, à peu près. */
     private static final double BUDGET = 1e8;
@@ -117,7 +118,7 @@ final class Ouvrier {
         new Random(GRAINE).ints(0, nombre).distinct().limit(Math.max(1, (int) (nombre * Math.min(1, BUDGET / cout))))
                 .mapToObj(k -> Pave.deRang(k, taille.largeur, taille.hauteur)).forEach(p -> choisis.add(coin(p)));
         ImageLineaire juste = new ImageLineaire(taille.largeur, taille.hauteur);
-        juste.effacer();
+        Arrays.fill(juste.getComposantes(), Double.NaN);
         dessin.refaire(entier -> filtrer(entier, choisis), juste, taille.fils);
         int refaits = 0;
         for (int k = 0; k < taille.pixels(); k++) {

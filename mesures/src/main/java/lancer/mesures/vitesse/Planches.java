@@ -4,9 +4,9 @@ import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import lancer.Constantes;
+import lancer.mesures.Intervalle;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
@@ -18,7 +18,7 @@ import lancer.mesures.trace.Volet;
 final class Planches {
 
     private static final int LARGEUR_VIGNETTE = 1000;
-    private static final int HAUTEUR_VIGNETTE = 800;
+    private static final int HAUTEUR_VIGNETTE = 640;
 
     /** Ce que montre une barre, au plus : tant de fois plus, et moins. */
     private static final double BARRE = 3;
@@ -33,20 +33,23 @@ final class Planches {
         this.besoins = besoins;
         constats = new Constats(releves, besoins);
         Releve r = releves.get().get(0);
-        note = r.texte("largeur") + " × " + r.texte("hauteur") + ", " + r.texte("fils") + " fils. " + r.texte("machine") + ", "
-                + r.texte("jvm") + ", commit " + r.texte("commit") + ", " + r.texte("date").replace('T', ' ') + ". make mesures";
+        note = r.texte("largeur") + " × " + r.texte("hauteur") + ", " + r.texte("fils") + " fils. " + r.circonstances() + ". make mesures";
     }
 
     // ---- la courbe principale d'une scène
 
-    private static final Object[][] SERIES = {
-        {Catalogue.BROUILLON, Style.GRIS, FormeDePoint.POINTE}, {Catalogue.UN_RAYON, Style.NOIR, FormeDePoint.ROND},
-        {Catalogue.PROFONDEUR, Style.VERMILLON, FormeDePoint.ROND}, {Catalogue.SEUIL, Style.POURPRE, FormeDePoint.CROIX},
-        {Catalogue.GRILLE, Style.BLEU, FormeDePoint.CARRE}, {Catalogue.COINS, Style.ORANGE, FormeDePoint.TRIANGLE},
-        {Catalogue.PARTAGE, Style.VERT, FormeDePoint.LOSANGE}, {Catalogue.ENSEMBLE, Style.VERMILLON, FormeDePoint.LOSANGE},
-        {Catalogue.AUTO, Style.NOIR, FormeDePoint.ETOILE}, {Catalogue.POVRAY, Style.CIEL, FormeDePoint.TRIANGLE}};
+    private static final Object[][] SERIES = {{Catalogue.BROUILLON, "brouillon", Style.GRIS, FormeDePoint.POINTE},
+        {Catalogue.UN_RAYON, "un rayon", Style.NOIR, FormeDePoint.ROND},
+        {Catalogue.PROFONDEUR, "un rayon, tant de réflexions", Style.VERMILLON, FormeDePoint.ROND},
+        {Catalogue.SEUIL, "un rayon, jusqu'à ce seuil", Style.POURPRE, FormeDePoint.CROIX},
+        {Catalogue.GRILLE, "grille complète", Style.BLEU, FormeDePoint.CARRE},
+        {Catalogue.COINS, "« coins » (n ; seuil)", Style.ORANGE, FormeDePoint.TRIANGLE},
+        {Catalogue.PARTAGE, "« partage » (n ; seuil)", Style.VERT, FormeDePoint.LOSANGE},
+        {Catalogue.ENSEMBLE, "« partage » (4 ; 0,1), jusqu'à ce seuil", Style.VERMILLON, FormeDePoint.LOSANGE},
+        {Catalogue.AUTO, "--auto, pour cette erreur", Style.NOIR, FormeDePoint.ETOILE},
+        {Catalogue.POVRAY, "POV-Ray et ses options", Style.CIEL, FormeDePoint.TRIANGLE}};
 
-    /** @param vignette vrai pour une image plus petite, de mêmes caractères, dont les points n'ont pas tous leur nom */
+    /** @param vignette vrai pour une image plus petite, de mêmes caractères, sans légende, dont les points n'ont pas tous leur nom */
     Planche scene(String scene, boolean vignette) {
         Releves siens = constats.methodes(scene);
         double reference = siens.referenceMs();
@@ -62,15 +65,16 @@ final class Planches {
                 marques.add(estParDefaut(r) ? m.cerclee() : m);
             }
             if (!marques.isEmpty()) {
-                volet.serie(new Serie(Noms.serie((String) s[0]), (Color) s[1], (FormeDePoint) s[2],
+                volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3],
                         s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
             }
         }
-        String lire = "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat. Erreur : contre la moyenne de"
-                + " chaque pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un rayon, fois "
-                + Style.nombre(reference) + " ms. ";
-        Planche planche = new Planche(constats.titre(scene), lire + note).volet(volet, 1);
-        return vignette ? planche.taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE) : planche;
+        if (vignette) {
+            return new Planche(constats.titre(scene), "").taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE).sansLegende().volet(volet);
+        }
+        return new Planche(constats.titre(scene), "Plus bas, plus juste ; plus à gauche, plus vite ; en creux, ce que le front bat."
+                + " Erreur : contre la moyenne de chaque pixel sans limite de réflexions. Barres : 19 fois sur 20. Temps : le rapport à un"
+                + " rayon, fois " + Style.nombre(reference) + " ms. " + note).volet(volet);
     }
 
     private static Marque marque(Releve r, double reference, boolean pleine) {
@@ -94,7 +98,7 @@ final class Planches {
 
     // ---- ce que coûte chaque demande
 
-    private static final String[][] DEMANDES = {{"lampe une de moins", "une lampe de moins"}, {"lampe une de plus", "une lampe de plus"},
+    private static final String[][] DEMANDES = {{"lampe une de plus", "une lampe de plus"},
         {"reflets aucun", "aucun reflet"}, {"brume", "la brume"}, {"Blinn", "Blinn pour Phong"},
         {"telle quelle", "la même, ailleurs"}, {"partage n=4 seuil=0.1", "« partage » (4 ; 0,1)"},
         {"coins n=3 seuil=0.05", "« coins » (3 ; 0,05)"}, {"boucles du cours", "les boucles du cours"}};
@@ -106,20 +110,18 @@ final class Planches {
         List<Marque> temps = new ArrayList<>();
         List<Marque> rayons = new ArrayList<>();
         for (String[] nom : DEMANDES) {
-            for (Releve r : siens.get()) {
-                if ((r.methode + " " + r.parametres).trim().equals(nom[0])) {
-                    Intervalle i = borne(r.rapport());
-                    temps.add(Marque.en(i.valeur, noms.size()).entreX(i.min, i.max).nommee("× " + Style.nombre(i.valeur)));
-                    rayons.add(Marque.en(r.rayons() / base.rayons(), noms.size()));
-                    noms.add(nom[1]);
-                }
-            }
+            siens.get().stream().filter(r -> r.nom().equals(nom[0])).forEach(r -> {
+                Intervalle i = borne(r.rapport());
+                temps.add(Marque.en(i.valeur, noms.size()).entreX(i.min, i.max).nommee("× " + Style.nombre(i.valeur)));
+                rayons.add(Marque.en(r.rayons() / base.rayons(), noms.size()));
+                noms.add(nom[1]);
+            });
         }
         Volet volet = Volet.rangees("", "fois autant que la scène du cours telle quelle", noms, 1)
                 .serie(new Serie("rayons, comptés", Style.BLEU, FormeDePoint.CARRE, false, rayons))
                 .serie(new Serie("temps, 19 fois sur 20", Style.VERMILLON, FormeDePoint.ROND, false, temps));
-        return new Planche(constats.pages().get("demandes.titre"), "« La même, ailleurs » : la même scène dans une autre machine virtuelle,"
-                + " ce dont l'écart à 1 élargit toutes les barres. " + note).volet(volet, 1);
+        return new Planche(constats.pages().get("demandes.titre"), "« La même, ailleurs » : la même scène dans d'autres machines"
+                + " virtuelles, ce qui ne devrait rien changer. " + note).volet(volet);
     }
 
     // ---- le nombre de sphères
@@ -128,42 +130,40 @@ final class Planches {
         Releves processus = releves.de(Catalogue.SPHERES);
         double reference = processus.referenceMs();
         Volet volet = new Volet("", "", "nombre de sphères", "de la commande au PNG écrit, en secondes");
-        ToDoubleFunction<Releve> nombre = r -> Double.parseDouble(r.scene.substring(r.scene.indexOf('-') + 1));
-        Object[][] series = {{"foule", Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
-            {"foule", Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
-            {"etoiles", Catalogue.PROGRAMME, "le programme, neuf étoiles en plus", Style.POURPRE, FormeDePoint.LOSANGE},
-            {"foule", Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
+        Object[][] series = {{Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
+            {Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
+            {Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
         Releve derniere = null;
         for (Object[] s : series) {
             List<Marque> marques = new ArrayList<>();
-            for (Releve r : constats.spheres((String) s[0], (String) s[1]).get()) {
+            for (Releve r : constats.spheres((String) s[0])) {
                 Intervalle t = borne(r.rapport().fois(reference / 1000));
                 if (!Double.isNaN(t.valeur)) {
-                    marques.add(Marque.en(nombre.applyAsDouble(r), t.valeur).entreY(t.min, t.max).nommee(Style.nombre(t.valeur)));
+                    marques.add(Marque.en(r.nombre("spheres"), t.valeur).entreY(t.min, t.max).nommee(Style.nombre(t.valeur)));
                     derniere = r.methode.equals(Catalogue.BOUCLES) ? r : derniere;
                 }
             }
             if (!marques.isEmpty()) {
-                volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));
+                volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true, marques));
             }
         }
-        extrapoler(volet, derniere, reference, nombre);
+        extrapoler(volet, derniere, reference);
         return new Planche(constats.pages().get("spheres.titre"), "Démarrage de Java, lecture, préparation, dessin, écriture, à froid."
                 + " Au-delà de 10 000 sphères, le temps des boucles n'est pas mesuré : leurs examens sont comptés sur quelques pixels. "
                 + note)
-                .volet(volet, 1);
+                .volet(volet);
     }
 
-    private void extrapoler(Volet volet, Releve derniere, double reference, ToDoubleFunction<Releve> nombre) {
+    private void extrapoler(Volet volet, Releve derniere, double reference) {
         List<Marque> marques = new ArrayList<>();
-        for (Releve r : constats.spheres("foule", Catalogue.BOUCLES).get()) {
+        for (Releve r : constats.spheres(Catalogue.BOUCLES)) {
             if (derniere != null && r.nombre("tests") > derniere.nombre("tests")) {
                 double secondes = derniere.rapport().valeur * reference / 1000 * r.nombre("tests") / derniere.nombre("tests");
-                marques.add(Marque.en(nombre.applyAsDouble(r), secondes).creuse().nommee("≈ " + Style.arrondi(secondes / 60) + " min"));
+                marques.add(Marque.en(r.nombre("spheres"), secondes).creuse().nommee("≈ " + Style.arrondi(secondes / 60) + " min"));
             }
         }
         if (!marques.isEmpty()) {
-            marques.add(0, Marque.en(nombre.applyAsDouble(derniere), derniere.rapport().valeur * reference / 1000));
+            marques.add(0, Marque.en(derniere.nombre("spheres"), derniere.rapport().valeur * reference / 1000));
             volet.serie(new Serie("les boucles, extrapolation", Style.BLEU, FormeDePoint.CARRE, true, marques).enPointille());
         }
     }
@@ -173,23 +173,14 @@ final class Planches {
     Planche parcimonie() {
         List<String> noms = besoins.stream().map(b -> b.get("scene") + ", " + b.get("lampes_utiles") + " lampe"
                 + (b.get("lampes_utiles").equals("1") ? "" : "s") + " sur " + b.get("lampes")).collect(Collectors.toList());
-        Volet rayons = Volet.rangees("Des rayons par pixel", "rayons par pixel", noms, 0);
-        String[][] series = {{"rayons_utiles", "ceux qui peuvent changer un pixel"}, {"rayons", "ceux que lance le programme"},
-            {"rayons_sans_economie", "sans économie : tous les reflets, toutes les ombres"}};
-        Color[] couleurs = {Style.VERT, Style.VERMILLON, Style.GRIS};
-        FormeDePoint[] formes = {FormeDePoint.LOSANGE, FormeDePoint.ROND, FormeDePoint.CARRE};
-        for (int s = 0; s < series.length; s++) {
-            List<Marque> marques = new ArrayList<>();
-            for (int k = 0; k < besoins.size(); k++) {
-                Map<String, String> b = besoins.get(k);
-                marques.add(Marque.en(Double.parseDouble(b.get(series[s][0]))
-                        / (Double.parseDouble(b.get("largeur")) * Double.parseDouble(b.get("hauteur"))), k));
-            }
-            rayons.serie(new Serie(series[s][1], couleurs[s], formes[s], false, marques));
-        }
+        Volet rayons = Volet.rangees("Des rayons par pixel", "rayons par pixel", noms, 0)
+                .serie(rayons("rayons_utiles", "ceux qui peuvent changer un pixel", Style.VERT, FormeDePoint.LOSANGE))
+                .serie(rayons("rayons", "ceux que lance le programme", Style.VERMILLON, FormeDePoint.ROND))
+                .serie(rayons("rayons_sans_economie", "sans économie : tous les reflets, toutes les ombres", Style.GRIS,
+                        FormeDePoint.CARRE));
         List<Marque> demandees = new ArrayList<>();
         for (int k = 0; k < besoins.size(); k++) {
-            double reflets = Double.parseDouble(besoins.get(k).get("profondeur_utile"));
+            double reflets = Constats.nombre(besoins.get(k), "profondeur_utile");
             demandees.add(Marque.en(Math.max(0.5, reflets), k).nommee(reflets == 0 ? "aucun" : Style.nombre(reflets)));
         }
         Volet reflets = Volet.rangees("Des reflets qui comptent : le programme en suit " + Constantes.MAX_REFLETS, "reflets à la suite",
@@ -197,6 +188,15 @@ final class Planches {
                 .serie(new Serie("ce qu'en demande l'écran", Style.BLEU, FormeDePoint.ROND, false, demandees));
         return new Planche(constats.titreDeLaParcimonie(), "Tout est compté, rien n'est chronométré ; un rayon par pixel, "
                 + besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur") + ". make mesures")
-                .volet(rayons, 1.35).volet(reflets, 1);
+                .volet(rayons).volet(reflets);
+    }
+
+    private Serie rayons(String colonne, String nom, Color couleur, FormeDePoint forme) {
+        List<Marque> marques = new ArrayList<>();
+        for (Map<String, String> b : besoins) {
+            marques.add(Marque.en(Constats.nombre(b, colonne) / Constats.nombre(b, "largeur") / Constats.nombre(b, "hauteur"),
+                    marques.size()));
+        }
+        return new Serie(nom, couleur, forme, false, marques);
     }
 }

@@ -2,10 +2,9 @@ package lancer.mesures.vitesse;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -18,7 +17,11 @@ import lancer.mesures.trace.Planche;
 final class Rapport {
 
     /** Ce que « make mesures » réécrit dans le projet. */
-    static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md")};
+    static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
+        Paths.get("mesures/resultats/besoins.md")};
+
+    /** Celles que le README montre l'une près de l'autre, sous la courbe de la scène du cours. */
+    private static final List<String> VIGNETTES = Arrays.asList("miroirs", "tournesol");
 
     private final Path dossier;
     private final PrintStream sortie;
@@ -45,19 +48,18 @@ final class Rapport {
         Planches planches = new Planches(releves, besoins);
         for (String scene : releves.de(Catalogue.METHODES).scenes()) {
             ecrire(planches.scene(scene, false), scene);
-            ecrire(planches.scene(scene, true), scene + "-vignette");
+            if (VIGNETTES.contains(scene)) {
+                ecrire(planches.scene(scene, true), scene + "-vignette");
+            }
         }
         ecrire(planches.demandes(), "demandes");
         ecrire(planches.spheres(), "spheres");
         ecrire(planches.parcimonie(), "parcimonie");
         Stabilite.dessiner(dossier);
-        Files.write(dossier.resolve("besoins.md"), TableBesoins.markdown(besoins).getBytes(StandardCharsets.UTF_8));
         Map<String, String> valeurs = valeurs();
         valeurs.forEach((nom, valeur) -> sortie.println(nom + " : " + valeur));
-        for (Path page : PAGES) {
-            if (pages) {
-                PagesMesurees.reecrire(page, valeurs);
-            }
+        for (Path page : pages ? PAGES : new Path[0]) {
+            PagesMesurees.reecrire(page, valeurs);
         }
     }
 

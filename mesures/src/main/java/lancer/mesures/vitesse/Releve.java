@@ -4,14 +4,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import lancer.mesures.Intervalle;
 
 /** Ce qu'a donné une méthode sur une scène : une ligne du CSV. Un nombre qui manque y est vide, et ici NaN. */
 final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
             "methode", "parametres", "choix", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
-            "raffines", "pixels_verifies", "lecture_ms", "preparation_ms", "trace_ms", "manches", "jetees", "reference_ms", "processeur_ms",
-            "rapport", "rapport_min", "rapport_max", "erreur", "erreur_min", "erreur_max");
+            "raffines", "pixels_verifies", "lecture_ms", "preparation_ms", "trace_ms", "lancements", "manches", "jetees", "reference_ms",
+            "processeur_ms", "rapport", "rapport_min", "rapport_max", "erreur", "erreur_min", "erreur_max");
 
     final String famille;
     final String scene;
@@ -31,6 +32,11 @@ final class Releve {
         parametres = texte("parametres");
     }
 
+    /** Ce qui la distingue des autres d'une même scène, en clair. */
+    String nom() {
+        return (methode + " " + parametres).trim();
+    }
+
     static String reel(double valeur) {
         return Double.isNaN(valeur) || Double.isInfinite(valeur) ? "" : valeur == 0 ? "0" : String.format(Locale.ROOT, "%.5g", valeur);
     }
@@ -41,6 +47,12 @@ final class Releve {
 
     String texte(String colonne) {
         return champs.getOrDefault(colonne, "");
+    }
+
+    /** Sur quoi et quand. */
+    String circonstances() {
+        return texte("machine") + ", " + texte("coeurs") + " cœurs, " + texte("jvm") + ", commit " + texte("commit") + ", "
+                + texte("date").replace('T', ' ');
     }
 
     /** NaN si le champ est vide. */
@@ -65,9 +77,14 @@ final class Releve {
         return nombre("primaires") + nombre("ombre") + nombre("reflechis");
     }
 
+    /** Vrai si elle n'a eu qu'une machine virtuelle : l'intervalle de ses manches ignore ce qui en distingue deux. */
+    boolean estDUneMachine() {
+        return !(nombre("lancements") > 1);
+    }
+
     /** Vrai si ce n'en est pas la mesure, mais celle de la référence dans une autre machine virtuelle. */
     boolean estTemoin() {
-        return methode.equals(Catalogue.UN_RAYON) || methode.equals(Catalogue.TELLE_QUELLE);
+        return estDUneMachine() && (methode.equals(Catalogue.UN_RAYON) || methode.equals(Catalogue.TELLE_QUELLE));
     }
 
     /** Celui-ci va plus vite, et se trompe moins, à coup sûr. */

@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import lancer.atelier.FichierCsv;
 
@@ -24,15 +24,11 @@ final class Releves {
         this.tous = tous;
     }
 
-    /** Lit un CSV ; les intervalles des rapports y prennent la marge que montrent ceux qui devraient valoir 1. */
+    /** Lit un CSV ; les rapports pris dans une seule machine virtuelle y ont la marge que montrent ceux qui devraient valoir 1. */
     static Releves lire(Path csv) throws IOException {
-        List<Releve> lus = new ArrayList<>();
-        for (Map<String, String> champs : FichierCsv.lire(csv)) {
-            lus.add(new Releve(champs));
-        }
-        Releves releves = new Releves(lus);
+        Releves releves = new Releves(FichierCsv.lire(csv).stream().map(Releve::new).collect(Collectors.toList()));
         double marge = releves.marge();
-        lus.forEach(r -> r.elargir(marge));
+        releves.tous.stream().filter(Releve::estDUneMachine).forEach(r -> r.elargir(marge));
         return releves;
     }
 
@@ -47,15 +43,19 @@ final class Releves {
     }
 
     Releves de(String famille) {
-        return new Releves(tous.stream().filter(r -> r.famille.equals(famille)).collect(Collectors.toList()));
+        return tels(r -> r.famille.equals(famille));
     }
 
     Releves scene(String scene) {
-        return new Releves(tous.stream().filter(r -> r.scene.equals(scene)).collect(Collectors.toList()));
+        return tels(r -> r.scene.equals(scene));
     }
 
     Releves methode(String... noms) {
-        return new Releves(tous.stream().filter(r -> Arrays.asList(noms).contains(r.methode)).collect(Collectors.toList()));
+        return tels(r -> Arrays.asList(noms).contains(r.methode));
+    }
+
+    private Releves tels(Predicate<Releve> condition) {
+        return new Releves(tous.stream().filter(condition).collect(Collectors.toList()));
     }
 
     Optional<Releve> peutEtre(String methode, String parametres) {

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -90,41 +91,33 @@ public final class Vitesse {
         // avant d'écrire quoi que ce soit : sommes-nous dans le projet ?
         LecteurScene.trouver(SCENE);
         long debut = System.nanoTime();
+        boolean spheres = arguments.a("--spheres");
+        boolean tout = !spheres && !arguments.a("--stabilite") && !arguments.a("--dessiner");
         List<String> neufs = new ArrayList<>();
         Files.createDirectories(atelier);
-        if (arguments.a("--stabilite")) {
-            neufs.add(Stabilite.CSV);
-        } else if (!arguments.a("--dessiner")) {
-            mesurer();
+        if (tout || spheres) {
+            new Mesureur(rapide, arguments.a("--agitee"), atelier.resolve(CSV), sortie).mesurer(new Catalogue(rapide).groupes().stream()
+                    .filter(g -> tout || g.famille.equals(Catalogue.SPHERES)).collect(Collectors.toList()));
             neufs.add(CSV);
         }
-        if (neufs.contains(CSV) && !arguments.a("--spheres")) {
+        if (tout) {
             compterLesBesoins();
             new FigureDifferences(rapide).ecrire(atelier);
-            neufs.add(BESOINS);
-            neufs.add(FigureDifferences.PNG);
-            neufs.add(Stabilite.CSV);
+            neufs.addAll(Arrays.asList(BESOINS, FigureDifferences.PNG));
         }
-        if (neufs.contains(Stabilite.CSV)) {
+        if (tout || arguments.a("--stabilite")) {
             sortie.println("stabilité");
             Stabilite.mesurer(atelier, rapide);
+            neufs.add(Stabilite.CSV);
         }
         Files.createDirectories(resultats);
-        for (String nom : neufs) {
-            if (!resultats.equals(atelier)) {
-                Files.copy(atelier.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
-            }
+        for (String nom : resultats.equals(atelier) ? new ArrayList<String>() : neufs) {
+            Files.copy(atelier.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
         }
-        if (!arguments.a("--spheres")) {
+        if (!spheres) {
             new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
         }
         sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + resultats);
-    }
-
-    private void mesurer() throws IOException {
-        boolean spheres = arguments.a("--spheres");
-        new Mesureur(rapide, arguments.a("--agitee"), atelier.resolve(CSV), sortie).mesurer(new Catalogue(rapide).groupes().stream()
-                .filter(g -> !spheres || g.famille.equals(Catalogue.SPHERES)).collect(Collectors.toList()));
     }
 
     /** Toutes les scènes livrées, dans l'ordre de leurs noms. */

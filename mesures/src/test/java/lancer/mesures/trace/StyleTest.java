@@ -84,10 +84,10 @@ class StyleTest {
                 Arrays.asList(Marque.en(1, 10).nommee("un").entreX(0.8, 1.2), Marque.en(10, 1).creuse(), Marque.en(100, 0.4).cerclee()));
         Volet volet = new Volet("Le constat", "le sujet", "x, en ms", "y, en pas").serie(serie)
                 .front(serie.marques).repere(5, "un repère").zone(0.5, "rien d'autre");
-        BufferedImage planche = new Planche("Un titre", "une note").volet(volet, 1).volet(volet, 2).dessiner();
+        BufferedImage planche = new Planche("Un titre", "une note").volet(volet).volet(volet).dessiner();
         assertEquals(Style.LARGEUR, planche.getWidth());
         assertEquals(Style.HAUTEUR, planche.getHeight());
-        assertEquals(800, new Planche("Un titre", "").volet(volet, 1).taille(800, 500).dessiner().getWidth());
+        assertEquals(800, new Planche("Un titre", "").volet(volet).taille(800, 500).dessiner().getWidth());
         int[] pixels = planche.getRGB(0, 0, planche.getWidth(), planche.getHeight(), null, 0, planche.getWidth());
         for (Color couleur : new Color[] {Style.VERMILLON, Style.FRONT, Style.BANDE, Style.NOIR}) {
             assertTrue(Arrays.stream(pixels).filter(p -> p == couleur.getRGB()).count() > 100, couleur.toString());

@@ -71,17 +71,4 @@ class BesoinTest {
         assertEquals(pixels + 2 * pixels + pixels, besoin.rayonsSansEconomie());
         assertEquals(String.valueOf(2 * pixels), champs(besoin).get("rayons"), "le primaire, et l'ombre de la lampe de devant");
     }
-
-    @Test
-    void leTableauAUneLigneParSceneEtChaqueStructureParSonNomFrancais() {
-        String tableau = TableBesoins.markdown(java.util.Arrays.asList("scene1", "tournesol", "diffus").stream().map(nom -> {
-            try {
-                return champs(new Besoin(Paths.get("scenes/" + nom + ".ini"), TAILLE));
-            } catch (IOException e) {
-                throw new java.io.UncheckedIOException(e);
-            }
-        }).collect(Collectors.toList()));
-        assertEquals(6, IntStream.range(0, tableau.split("\n").length).filter(k -> tableau.split("\n")[k].startsWith("| `")).count());
-        assertTrue(!tableau.contains("null"), tableau);
-    }
 }

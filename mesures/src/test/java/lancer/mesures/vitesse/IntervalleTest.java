@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import lancer.mesures.Intervalle;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui se sait d'un nombre mesuré. */

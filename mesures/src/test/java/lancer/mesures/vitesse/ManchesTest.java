@@ -44,12 +44,30 @@ class ManchesTest {
 
     @Test
     void uneMancheQuEncadreUneMachineTroubleeEstJetee() throws IOException {
-        Iterator<Boolean> calmes = Arrays.asList(true, true, false, true, true, true).iterator();
+        Iterator<Boolean> calmes = Arrays.asList(true, true, false, false, false, true, true, true).iterator();
         Manches.Temps temps = manches(calmes::next, false).mesurer(echantillon("A", 2, 10, 10, 10, 10, 10),
                 echantillon("B", 2, 30, 900, 900, 30, 30), 3);
         assertEquals(3, temps.rapport.valeur, 1e-9);
         assertEquals(2, temps.jetees);
         assertEquals(5, temps.manches);
+    }
+
+    @Test
+    void unTroubleFiniEntreDeuxManchesNEnFaitJeterQuUne() throws IOException {
+        Iterator<Boolean> calmes = Arrays.asList(true, false, true, true).iterator();
+        Manches.Temps temps = manches(calmes::next, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 900, 30), 1);
+        assertEquals(3, temps.rapport.valeur, 1e-9);
+        assertEquals(1, temps.jetees);
+    }
+
+    @Test
+    void desMachinesVirtuellesQuiNeVontPasPareilElargissentLIntervalleAutantQueDesManches() throws IOException {
+        Manches.Temps une = manches(() -> true, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 30, 30), 2);
+        Manches.Temps autre = manches(() -> true, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 40, 40), 2);
+        Manches.Temps deux = une.enUnRapport().plus(autre.enUnRapport());
+        assertEquals(2, deux.rapports.length);
+        assertEquals(4, deux.manches);
+        assertTrue(deux.rapport.max > 5 * deux.rapport.valeur, "deux rapports n'en disent guère");
     }
 
     @Test

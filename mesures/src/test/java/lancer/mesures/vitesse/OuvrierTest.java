@@ -13,7 +13,6 @@ import java.io.StringReader;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import lancer.Scene;
-import lancer.atelier.SceneMesuree;
 import lancer.atelier.Scenes;
 import lancer.mesures.ImageLineaire;
 import lancer.sortie.ImageMemoire;
@@ -29,7 +28,7 @@ class OuvrierTest {
     Path dossier;
 
     private Scene scene() throws IOException {
-        return Scenes.lire(SceneMesuree.fichier("foule-30", dossier));
+        return Scenes.lire(Scenes.fichier("foule-30", dossier));
     }
 
     private Methode methode(String cle) {
@@ -83,7 +82,7 @@ class OuvrierTest {
 
     @Test
     void unPngDuProgrammeEstComparePixelParPixelEtLesExamensDesBouclesSontComptes() throws IOException {
-        Path fichier = SceneMesuree.fichier("foule-30", dossier);
+        Path fichier = Scenes.fichier("foule-30", dossier);
         String compte = Ouvrier.pixels(fichier, TAILLE, 200, null);
         assertTrue(compte.startsWith("200 ") && Long.parseLong(compte.substring(4)) >= 200 * 30, compte);
         ImageMemoire image = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);

@@ -17,7 +17,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.PagesMesurees;
-import lancer.atelier.SceneMesuree;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.lecture.LecteurScene;
@@ -30,7 +29,10 @@ class ResultatsTest {
 
     private static final Path RESULTATS = projet("mesures/resultats");
 
-    /** Lignes recomptées de chaque sorte ; une image de plus de rayons que cela prendrait trop de temps à refaire. */
+    /**
+     * Lignes recomptées des réglages, et deux fois moins des foules ; une image de plus de rayons que cela prendrait trop de temps à
+     * refaire.
+     */
     private static final int LIGNES = 6;
     private static final double RAYONS_MAX = 2e7;
 
@@ -42,11 +44,11 @@ class ResultatsTest {
         return Paths.get(Files.exists(Paths.get("ensemble.xml")) ? "" : "..").resolve(chemin);
     }
 
-    private static List<Releve> auSort(List<Releve> releves) {
+    private static List<Releve> auSort(List<Releve> releves, int lignes) {
         List<Releve> possibles = releves.stream().filter(r -> r.rayons() < RAYONS_MAX && r.nombre("spheres") < 20000)
                 .collect(Collectors.toList());
-        assertTrue(possibles.size() >= LIGNES, possibles.size() + " lignes");
-        return new Random(1).ints(0, possibles.size()).distinct().limit(LIGNES).mapToObj(possibles::get).collect(Collectors.toList());
+        assertTrue(possibles.size() >= lignes, possibles.size() + " lignes");
+        return new Random(1).ints(0, possibles.size()).distinct().limit(lignes).mapToObj(possibles::get).collect(Collectors.toList());
     }
 
     private static void verifier(Releve r, Compteurs c) {
@@ -60,7 +62,7 @@ class ResultatsTest {
     void lesComptesDesReglagesSontEncoreCeuxDuProgramme() throws IOException {
         List<Releve> tous = Releves.lire(RESULTATS.resolve(Vitesse.CSV)).get().stream()
                 .filter(r -> !r.famille.equals(Catalogue.SPHERES) && !r.methode.equals(Catalogue.POVRAY)).collect(Collectors.toList());
-        for (Releve r : auSort(tous)) {
+        for (Releve r : auSort(tous, LIGNES)) {
             Methode methode = new Catalogue(false).groupe(r.famille, r.scene).methode(r.methode + "/" + r.parametres);
             Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
             Methode.Dessin dessin = methode.new Dessin(Scenes.lire(LecteurScene.trouver("scenes/" + r.scene + ".ini")),
@@ -74,9 +76,9 @@ class ResultatsTest {
     @Test
     void lesComptesDesFoulesSontEncoreCeuxDuProgramme() throws IOException {
         List<Releve> tous = Releves.lire(RESULTATS.resolve(Vitesse.CSV)).de(Catalogue.SPHERES).methode(Catalogue.PROGRAMME).get();
-        for (Releve r : auSort(tous).subList(0, 3)) {
+        for (Releve r : auSort(tous, LIGNES / 2)) {
             Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
-            Methode.Dessin dessin = new Methode("", "").new Dessin(Scenes.lire(SceneMesuree.fichier(r.scene, dossier)), taille.largeur,
+            Methode.Dessin dessin = new Methode("", "").new Dessin(Scenes.lire(Scenes.fichier(r.scene, dossier)), taille.largeur,
                     taille.hauteur);
             dessin.faire(new ImageLineaire(taille.largeur, taille.hauteur), taille.fils);
             verifier(r, dessin.lancer.getCompteurs());
@@ -99,8 +101,6 @@ class ResultatsTest {
             assertTrue(texte.contains("<!--v:"), relative + " montre des mesures");
             assertEquals(PagesMesurees.remplacer(texte, valeurs), texte, relative + " : make mesures, ou MESURES=--dessiner, le réécrit");
         }
-        assertEquals(TableBesoins.markdown(FichierCsv.lire(RESULTATS.resolve(Vitesse.BESOINS))),
-                new String(Files.readAllBytes(RESULTATS.resolve("besoins.md")), StandardCharsets.UTF_8));
     }
 
     @Test

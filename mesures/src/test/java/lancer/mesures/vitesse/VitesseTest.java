@@ -92,6 +92,20 @@ class VitesseTest {
     }
 
     @Test
+    void plusieursMachinesVirtuellesNePrennentPasLaMargeDUneSeule() throws IOException {
+        noter(Catalogue.UN_RAYON, "", 1.25, 6);
+        noter(Catalogue.COINS, "d'une machine", 2, 1);
+        noter(Catalogue.COINS, "de cinq", 2, 1);
+        int colonne = Releve.COLONNES.indexOf("lancements");
+        List<String> champs = new ArrayList<>(Arrays.asList(lignes.get(3).split(",", -1)));
+        champs.set(colonne, "5");
+        lignes.set(3, String.join(",", champs));
+        Releves releves = Releves.lire(Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8));
+        assertEquals(2 * 1.05 * 1.25, releves.le(Catalogue.COINS, "d'une machine").rapport().max, 1e-9);
+        assertEquals(2 * 1.05, releves.le(Catalogue.COINS, "de cinq").rapport().max, 1e-9);
+    }
+
+    @Test
     void leFrontEstCeQueRienNeBatEnTempsEtEnErreur() throws IOException {
         noter(Catalogue.BROUILLON, "4 × 4", 0.1, 20);
         noter(Catalogue.UN_RAYON, "", 1, 6);

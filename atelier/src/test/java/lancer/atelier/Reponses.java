@@ -29,13 +29,13 @@ import lancer.Vecteur;
 import lancer.contrat.Specularite;
 
 /**
- * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme.
+ * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme, que {@link ReponsesTest} compare à la page.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
+ * java -cp mesures/target/mesures.jar:atelier/target/test-classes lancer.atelier.Reponses docs/reponses.md images
  * </pre>
  */
-public final class Reponses {
+final class Reponses {
 
     private static final int[] EXPOSANTS = {1, 8, 32, 128, 1024};
     private static final String[] COULEURS = {"#000000", "#0072B2", "#009E73", "#E69F00", "#D55E00"};

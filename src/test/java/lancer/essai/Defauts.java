@@ -1,11 +1,10 @@
-package lancer.mesures.stabilite;
+package lancer.essai;
 
-import java.awt.Graphics2D;
-import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.IntStream;
 import lancer.Camera;
 import lancer.Couleur;
@@ -16,46 +15,38 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.antialias.Antialias;
 import lancer.contrat.Compteurs;
+import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Vue;
-import lancer.essai.Analytique;
 import lancer.essai.RechercheNaive.Ombre;
-import lancer.essai.RechercheNaive;
-import lancer.mesures.trace.Style;
 
 /**
  * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser. Les mêmes défauts sont dans les classes
  * {@code Limites…Test}, où chacun est expliqué.
  */
-final class Defauts {
-
-    /** La figure, dans le CSV : x = rang du défaut. */
-    static final String FIGURE = "defauts";
-    static final String PROGRAMME = "programme";
+public final class Defauts {
 
     /** Un demi-pas de l'écran : ce qui s'en écarte davantage se voit, ou peut se voir. */
     private static final double VISIBLE = 0.5 / 255;
-
-    /** Nombre de pixels faux au-dessous duquel chacun est grossi. */
-    private static final int RARES = 10;
 
     /** Au milieu d'une scène d'un côté pair, aucun pixel ne regarde exactement l'horizon. */
     private static final int COTE = 100;
     private static final int COTE_IMPAIR = 101;
 
     /** Une scène, ce que sa géométrie en donne, ce qu'en fait un défaut, et ce qu'en fait le programme. */
-    static final class Defaut {
+    public static final class Defaut {
 
-        /** Dans le CSV, puis en français. */
-        final String cle;
-        final String nom;
-        private final int cote;
+        /** En un mot, puis en français. */
+        public final String cle;
+        public final String nom;
+        public final int cote;
+        public final Couleur[] naive;
+        public final Couleur[] programme;
+
+        /** {@code null} là où la géométrie ne décide pas. */
         private final Couleur[] attendue;
-        private final Couleur[] naive;
-        private final Couleur[] programme;
 
         Defaut(String cle, String nom, int cote, Couleur[] attendue, Couleur[] naive, Couleur[] programme) {
             this.cle = cle;
@@ -66,37 +57,17 @@ final class Defauts {
             this.programme = programme;
         }
 
-        private Exactitude comparer(String methode, int rang, Couleur[] obtenue) {
-            int juges = 0;
-            int faux = 0;
-            for (int k = 0; k < attendue.length; k++) {
-                juges += attendue[k] != null ? 1 : 0;
-                faux += estFaux(k, obtenue) ? 1 : 0;
-            }
-            return new Exactitude(FIGURE, methode, rang, 0, juges, faux, 0, 0);
+        public int juges() {
+            return (int) Arrays.stream(attendue).filter(Objects::nonNull).count();
         }
 
-        private boolean estFaux(int k, Couleur[] obtenue) {
+        public int faux(Couleur[] obtenue) {
+            return (int) IntStream.range(0, attendue.length).filter(k -> estFaux(k, obtenue)).count();
+        }
+
+        public boolean estFaux(int k, Couleur[] obtenue) {
             return attendue[k] != null && (differe(attendue[k].r, obtenue[k].r) || differe(attendue[k].v, obtenue[k].v)
                     || differe(attendue[k].b, obtenue[k].b));
-        }
-
-        /** L'image juste, celle du défaut, et où celle-ci est fausse ; de rares pixels sont grossis. */
-        BufferedImage image() {
-            BufferedImage image = new BufferedImage(3 * cote + 4, cote, BufferedImage.TYPE_INT_RGB);
-            Graphics2D g = image.createGraphics();
-            g.setColor(Style.BANDE);
-            g.fillRect(2 * cote + 4, 0, cote, cote);
-            g.setColor(Style.VERMILLON);
-            int bord = comparer(cle, 0, naive).faux < RARES ? 2 : 0;
-            for (int k = 0; k < attendue.length; k++) {
-                image.setRGB(k % cote, k / cote, programme[k].getCode());
-                image.setRGB(k % cote + cote + 2, k / cote, naive[k].getCode());
-                if (estFaux(k, naive)) {
-                    g.fillRect(k % cote + 2 * cote + 4 - bord, k / cote - bord, 2 * bord + 1, 2 * bord + 1);
-                }
-            }
-            return image;
         }
     }
 
@@ -106,9 +77,15 @@ final class Defauts {
     }
 
     private final List<Defaut> defauts = new ArrayList<>();
+    private final Echantillonnage neufPoints;
     private Camera camera = new Camera(COTE, COTE);
 
-    List<Defaut> tous() {
+    /** @param neufPoints ce qui donne à chaque pixel la moyenne de neuf, à un tiers de pixel l'un de l'autre */
+    public Defauts(Echantillonnage neufPoints) {
+        this.neufPoints = neufPoints;
+    }
+
+    public List<Defaut> tous() {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
         Scene scene = scene(Camera.OEIL, boule);
         noter("acne", "une surface s'ombre elle-même", scene, 0, naive(scene, Ombre.SANS_EXCLURE, 0), deLaLampe(boule, 1));
@@ -128,17 +105,6 @@ final class Defauts {
         camera = new Camera(COTE_IMPAIR, COTE_IMPAIR);
         lampePosee();
         return defauts;
-    }
-
-    /** De chacun, les pixels faux, puis ceux du programme. */
-    static List<Exactitude> compter(List<Defaut> defauts) {
-        List<Exactitude> exactitudes = new ArrayList<>();
-        for (Defaut d : defauts) {
-            int rang = exactitudes.size() / 2;
-            exactitudes.add(d.comparer(d.cle, rang, d.naive));
-            exactitudes.add(d.comparer(PROGRAMME, rang, d.programme));
-        }
-        return exactitudes;
     }
 
     private static Sphere boule(double x, double y, double z, double r, double kd, double ks) {
@@ -250,7 +216,7 @@ final class Defauts {
         Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
         Vue points = deLaLampe(boule, 10);
-        noter("limiter", "limiter avant de moyenner", scene.avec(Antialias.coins(3, 0), scene.getSeuil()), 0,
+        noter("limiter", "limiter avant de moyenner", scene.avec(neufPoints, scene.getSeuil()), 0,
                 image((xe, ye) -> moyenne(points, xe, ye, 1)), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
     }
 

@@ -13,7 +13,6 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Scene;
-import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 
 /**
@@ -21,10 +20,10 @@ import lancer.atelier.Scenes;
  * contre la vérité ; et, quand elle est tenue, si un réglage moins cher l'aurait tenue aussi : le prix de la prudence.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.MesureAuto FICHIER.csv [GRAINE COMBIEN]
+ * java -cp mesures/target/mesures.jar:mesures/target/test-classes lancer.mesures.MesureAuto FICHIER.csv [GRAINE COMBIEN]
  * </pre>
  */
-public final class MesureAuto {
+final class MesureAuto {
 
     private static final int LARGEUR = 200;
     private static final int HAUTEUR = 150;
@@ -65,7 +64,7 @@ public final class MesureAuto {
     }
 
     private void mesurer(String sorte, String nom, Scene scene) throws IOException {
-        Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR);
+        Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR, 1);
         for (double voulue : ERREURS) {
             PromesseAuto promesse = new PromesseAuto(nom, scene, LARGEUR, HAUTEUR, gabarit, voulue);
             Files.write(csv, Collections.singletonList(promesse.csv()), StandardOpenOption.APPEND);

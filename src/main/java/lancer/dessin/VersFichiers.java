@@ -1,20 +1,23 @@
-package lancer.sortie;
+package lancer.dessin;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.List;
 import java.util.function.DoubleSupplier;
 import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.auto.Souhait;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Toile;
-import lancer.contrat.Variante;
 import lancer.lecture.LecteurScene;
+import lancer.sortie.BarreProgression;
+import lancer.sortie.Comparaison;
+import lancer.sortie.Ecriture;
+import lancer.sortie.FichierPfm;
+import lancer.sortie.FichierPng;
+import lancer.sortie.ImageMemoire;
 import lancer.texte.Texte;
 
 /** Le travail sans fenêtre : les fichiers demandés, vérifiés avant de dessiner, et ce qu'il y a à dire du dessin. */
@@ -26,39 +29,30 @@ public final class VersFichiers {
     private final Ecriture png;
     private final Ecriture pfm;
 
-    private VersFichiers(Options options, PrintStream sortie, PrintStream erreur) {
+    /** @throws Echec si un fichier ne pourra être écrit, ou écraserait un de ceux qui sont lus, ou l'autre sortie */
+    public VersFichiers(Options options, PrintStream sortie, PrintStream erreur) {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
+        boolean deuxImages = options.comparer != null && Options.estImage(options.scene);
+        Path scene = deuxImages ? Paths.get(options.scene) : LecteurScene.trouver(options.scene);
         png = options.image == null ? null : new Ecriture(options.image);
         pfm = options.lineaire == null ? null : new Ecriture(options.lineaire);
-    }
-
-    /** @throws Echec si une sortie ne pourra être écrite, ou si elle écraserait la scène ou l'autre sortie */
-    public static VersFichiers pourDessiner(Options options, PrintStream sortie, PrintStream erreur) {
-        Path scene = LecteurScene.trouver(options.scene);
-        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
-        fichiers.epargner(scene, "la sortie est la scène elle-même : " + Texte.echappe(scene.toString()));
-        if (fichiers.png != null && fichiers.pfm != null && fichiers.png.vise(fichiers.pfm.getCible())) {
-            throw new Echec(CodeSortie.DEMANDE, "--image et --lineaire écrivent le même fichier : "
+        epargner(scene, deuxImages ? "une des images comparées" : "la scène elle-même");
+        if (options.comparer != null) {
+            epargner(Paths.get(options.comparer), "une des images comparées");
+        }
+        if (png != null && pfm != null) {
+            png.epargner(pfm.getCible(), "--image et --lineaire écrivent le même fichier : "
                     + Texte.echappe(options.image) + " ; attendu : deux fichiers");
         }
-        return fichiers;
     }
 
-    /** @throws Echec si l'image des différences ne pourra être écrite, ou écraserait une des images comparées */
-    public static VersFichiers pourComparer(Options options, PrintStream sortie, PrintStream erreur) {
-        VersFichiers fichiers = new VersFichiers(options, sortie, erreur);
-        String faute = "la sortie est une des images comparées : " + Texte.echappe(String.valueOf(options.image));
-        fichiers.epargner(Paths.get(options.comparer), faute);
-        fichiers.epargner(Paths.get(options.scene), faute);
-        return fichiers;
-    }
-
-    private void epargner(Path fichier, String faute) {
+    private void epargner(Path fichier, String quoi) {
         for (Ecriture ecriture : new Ecriture[] {png, pfm}) {
             if (ecriture != null) {
-                ecriture.epargner(fichier, faute);
+                ecriture.epargner(fichier, "la sortie est " + quoi + " : " + Texte.echappe(fichier.toString())
+                        + " ; attendu : un autre fichier");
             }
         }
     }
@@ -72,28 +66,26 @@ public final class VersFichiers {
      * Dessine autant de fois que demandé, écrit les fichiers, et répond aux demandes de nombres.
      *
      * @param prepare la scène, prête à être dessinée
-     * @param libres les variantes que {@code --auto} peut régler
-     * @param toile ce qui dessine dans {@code image}
      * @return ce qui a dessiné : {@code prepare}, ou ce qu'a choisi {@code --auto}
      */
-    public Lancer dessiner(Lancer prepare, List<Variante> libres, Toile toile, ImageMemoire image, long lectureNs,
-            long preparationNs) {
-        Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils, libres, enCours -> { }) : null;
+    public Lancer dessiner(Dessinateur dessinateur, Lancer prepare) {
+        Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils,
+                dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
         Lancer lancer = auto == null ? prepare : auto.getLancer();
-        long[] traces = auto == null ? tracer(lancer, toile, options.reflets)
-                : tracer(lancer, auto.surveiller(toile, auto.getChoisi()), auto.getChoisi().reflets);
+        long[] traces = auto == null ? tracer(lancer, dessinateur, options.reflets)
+                : tracer(lancer, auto.surveiller(dessinateur, auto.getChoisi()), auto.getChoisi().reflets);
         if (auto != null) {
             auto.controler();
         }
         if (png != null) {
-            png.ecrire(image, new FichierPng());
+            png.ecrire(dessinateur.getImage(), new FichierPng());
         }
         if (pfm != null) {
-            pfm.ecrire(image, new FichierPfm());
+            pfm.ecrire(dessinateur.getImage(), new FichierPfm());
         }
         if (options.statistiques) {
-            Object nombres = new Statistiques(lancer.getCompteurs(), lectureNs, preparationNs, traces);
-            Pannes.repondre(auto == null ? nombres.toString()
+            String nombres = dessinateur.statistiques(lancer, traces);
+            Pannes.repondre(auto == null ? nombres
                     : nombres + System.lineSeparator() + auto.getStatistiques(), sortie);
         }
         if (auto != null) {
@@ -112,14 +104,12 @@ public final class VersFichiers {
     private long[] tracer(Lancer lancer, Toile toile, int reflets) {
         long[] traces = new long[options.repeter];
         // une classe : la première lambda d'un programme coûte cher à son démarrage
-        DoubleSupplier avancement = new DoubleSupplier() {
+        BarreProgression barre = BarreProgression.commencer(new DoubleSupplier() {
             @Override
             public double getAsDouble() {
                 return lancer.getAvancement();
             }
-        };
-        BarreProgression barre = new BarreProgression(avancement, erreur);
-        barre.commencer();
+        }, erreur);
         try {
             for (int k = 0; k < traces.length; k++) {
                 long debut = System.nanoTime();
@@ -139,6 +129,6 @@ public final class VersFichiers {
             png.ecrire(comparaison.getDifferences(), new FichierPng());
         }
         Pannes.repondre(comparaison.toString(), sortie);
-        return comparaison.sontPareilles() ? CodeSortie.FAIT : CodeSortie.PANNE;
+        return comparaison.sontPareilles() ? 0 : 1;
     }
 }

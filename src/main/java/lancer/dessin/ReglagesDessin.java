@@ -1,15 +1,15 @@
-package lancer.sortie;
+package lancer.dessin;
 
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import lancer.Constantes;
 import lancer.Scene;
-import lancer.commande.CodeSortie;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.contrat.Modele;
@@ -30,15 +30,15 @@ public final class ReglagesDessin {
     private final double seuil;
     /** De chaque variante présente, la section du fichier, de ligne 0 s'il ne l'a pas. */
     private final Map<Variante, Section> lues;
-    /** Par type, les sections mises à la place de celles du fichier, et les variantes débranchées. */
-    private final Map<String, Section> changees;
-    private final Set<String> debranchees;
+    /** Par type, quelle que soit la casse, les sections qui remplacent celles du fichier, et les débranchées. */
+    private final SortedMap<String, Section> changees;
+    private final SortedSet<String> debranchees;
 
     /** Ceux de la ligne de commande et du fichier, {@code null} si ce sont eux. */
     private final ReglagesDessin initiaux;
 
-    private ReglagesDessin(int reflets, double seuil, Map<Variante, Section> lues, Map<String, Section> changees,
-            Set<String> debranchees, ReglagesDessin initiaux) {
+    private ReglagesDessin(int reflets, double seuil, Map<Variante, Section> lues,
+            SortedMap<String, Section> changees, SortedSet<String> debranchees, ReglagesDessin initiaux) {
         this.reflets = reflets;
         this.seuil = seuil;
         this.lues = lues;
@@ -53,20 +53,20 @@ public final class ReglagesDessin {
      * @throws Echec si une variante à débrancher n'existe pas
      */
     public static ReglagesDessin de(LecteurScene lu, Options options) {
-        Set<String> debranchees = new HashSet<>();
+        SortedSet<String> debranchees = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
         for (String type : options.sans) {
             boolean connue = Services.varianteConnue(type);
             for (Variante presente : lu.getVariantes().keySet()) {
                 connue |= Texte.memeMot(presente.getSection(), type);
             }
             if (!connue) {
-                throw new Echec(CodeSortie.DEMANDE, "valeur impossible pour --sans : " + Texte.cite(type)
+                throw Echec.demande("valeur impossible pour --sans : " + Texte.cite(type)
                         + " ; attendu : une variante, par exemple Brume");
             }
-            debranchees.add(Texte.minuscules(type));
+            debranchees.add(type);
         }
-        return new ReglagesDessin(options.reflets, options.seuil, lu.getVariantes(), new HashMap<>(), debranchees,
-                null);
+        return new ReglagesDessin(options.reflets, options.seuil, lu.getVariantes(),
+                new TreeMap<>(String.CASE_INSENSITIVE_ORDER), debranchees, null);
     }
 
     /** Ceux de la ligne de commande et du fichier. */
@@ -98,12 +98,12 @@ public final class ReglagesDessin {
     }
 
     public boolean estBranchee(Variante variante) {
-        return !debranchees.contains(type(variante));
+        return !debranchees.contains(variante.getSection());
     }
 
     /** La section avec laquelle cette variante dessine, ou dessinerait. */
     public Section getSection(Variante variante) {
-        return changees.getOrDefault(type(variante), lues.get(variante));
+        return changees.getOrDefault(variante.getSection(), lues.get(variante));
     }
 
     /** La valeur de ce paramètre, donnée ou par défaut ; {@code null} si une autre clé en tient lieu. */
@@ -126,10 +126,6 @@ public final class ReglagesDessin {
         return libres;
     }
 
-    private static String type(Variante variante) {
-        return Texte.minuscules(variante.getSection());
-    }
-
     /** Les mêmes, à tant de réflexions et à ce seuil. */
     public ReglagesDessin avec(int autresReflets, double autreSeuil) {
         return new ReglagesDessin(autresReflets, autreSeuil, lues, changees, debranchees, initiaux());
@@ -137,19 +133,19 @@ public final class ReglagesDessin {
 
     /** Les mêmes, cette variante étant branchée ou non. */
     public ReglagesDessin avec(Variante variante, boolean branchee) {
-        Set<String> autres = new HashSet<>(debranchees);
+        SortedSet<String> autres = new TreeSet<>(debranchees);
         if (branchee) {
-            autres.remove(type(variante));
+            autres.remove(variante.getSection());
         } else {
-            autres.add(type(variante));
+            autres.add(variante.getSection());
         }
         return new ReglagesDessin(reflets, seuil, lues, changees, autres, initiaux());
     }
 
     /** Les mêmes, cette variante étant réglée par cette section. */
     public ReglagesDessin avec(Variante variante, Section section) {
-        Map<String, Section> autres = new HashMap<>(changees);
-        autres.put(type(variante), section);
+        SortedMap<String, Section> autres = new TreeMap<>(changees);
+        autres.put(variante.getSection(), section);
         return new ReglagesDessin(reflets, seuil, lues, autres, debranchees, initiaux());
     }
 
@@ -160,13 +156,11 @@ public final class ReglagesDessin {
      * @param luesApres ceux de cette scène
      */
     public ReglagesDessin pour(ReglagesDessin luesApres) {
-        Map<String, Section> gardees = new HashMap<>();
+        SortedMap<String, Section> gardees = new TreeMap<>(changees);
         for (Variante apres : luesApres.lues.keySet()) {
-            for (Variante avant : lues.keySet()) {
-                if (type(avant).equals(type(apres)) && changees.containsKey(type(avant))
-                        && lues.get(avant).toString().equals(luesApres.lues.get(apres).toString())) {
-                    gardees.put(type(avant), changees.get(type(avant)));
-                }
+            Section avant = lues.get(getVariante(apres.getSection()));
+            if (!avant.toString().equals(luesApres.lues.get(apres).toString())) {
+                gardees.remove(apres.getSection());
             }
         }
         return new ReglagesDessin(reflets, seuil, luesApres.lues, gardees, debranchees, luesApres);
@@ -203,7 +197,7 @@ public final class ReglagesDessin {
     public String getOptions() {
         return (reflets == Constantes.MAX_REFLETS ? "" : " --reflets " + reflets)
                 + (seuil == Constantes.SEUIL ? "" : " --seuil " + seuil)
-                + (debranchees.isEmpty() ? "" : " --sans " + String.join(",", new TreeSet<>(debranchees)));
+                + (debranchees.isEmpty() ? "" : " --sans " + String.join(",", debranchees));
     }
 
     /** Pour être lus : {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */

@@ -49,7 +49,7 @@ final class PromesseAuto {
         double pixels = largeur * hauteur;
         rayons = lancer.getCompteurs().rayons() / pixels;
         essais = auto.getRayonsDesEssais() / pixels;
-        erreur = gabarit.erreur(image);
+        erreur = Intervalle.deLaRacine(gabarit.carres(image)).valeur;
     }
 
     boolean estTenue() {

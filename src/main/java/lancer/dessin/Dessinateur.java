@@ -1,0 +1,161 @@
+package lancer.dessin;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import java.util.function.DoubleConsumer;
+import lancer.Camera;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.SceneFautive;
+import lancer.commande.Echec;
+import lancer.commande.Options;
+import lancer.commande.Pannes;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Diagnostic;
+import lancer.contrat.PixelFautif;
+import lancer.contrat.Toile;
+import lancer.lecture.LecteurScene;
+import lancer.sortie.ImageMemoire;
+import lancer.temoins.LancerSurveille;
+
+/** Une scène lue, comment la dessiner, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres regardent. */
+public abstract class Dessinateur implements Toile {
+
+    private static final double NS_PAR_MS = 1e6;
+
+    protected final Options options;
+    private volatile Scene scene;
+    private volatile String fichier;
+    private volatile ReglagesDessin reglages;
+    private volatile ImageMemoire image;
+    private volatile Lancer lancer;
+    private volatile double avancement;
+    // une classe, car la première lambda d'un programme coûte cher à son démarrage
+    private final DoubleConsumer suivi = new DoubleConsumer() {
+        @Override
+        public void accept(double part) {
+            avancement = part;
+        }
+    };
+    private long lectureNs;
+    private long preparationNs;
+
+    protected Dessinateur(Options options) {
+        this.options = options;
+    }
+
+    /**
+     * Lit une scène, qui devient celle à dessiner.
+     *
+     * @param nomFichier voir {@link Scene#Scene(String)}
+     * @return ce qu'elle a de laissé de côté, une ligne chacun
+     * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
+     * @throws CancellationException de même, si ce fil a été interrompu
+     */
+    public List<String> lireScene(String nomFichier) {
+        avancement = 0;
+        long debut = System.nanoTime();
+        LecteurScene lu = LecteurScene.lire(nomFichier, suivi);
+        ReglagesDessin demandes = ReglagesDessin.de(lu, options);
+        Scene nouvelle = demandes.regler(new Scene(lu));
+        if (Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("lecture abandonnée : la scène d'avant reste");
+        }
+        lectureNs = System.nanoTime() - debut;
+        scene = nouvelle;
+        fichier = nomFichier;
+        reglages = demandes;
+        return lu.getAvertissements();
+    }
+
+    public Scene getScene() {
+        return scene;
+    }
+
+    /** La part faite de la lecture, ou de la préparation, de 0 à 1. */
+    public double getAvancement() {
+        return avancement;
+    }
+
+    /** Comment dessiner la scène lue, tant que {@link #regler} n'en dit pas plus. */
+    public ReglagesDessin getReglages() {
+        return reglages;
+    }
+
+    /**
+     * Dit comment dessiner la scène lue, jusqu'à la suivante.
+     *
+     * @throws SceneFautive si ces réglages ne vont pas ; rien n'est alors changé
+     */
+    public void regler(ReglagesDessin voulus) {
+        scene = voulus.regler(scene);
+        reglages = voulus;
+    }
+
+    /**
+     * Dessine la scène lue, brouillon puis image.
+     *
+     * @throws CancellationException si le dessin a été arrêté
+     * @throws Echec si un pixel ne peut être calculé
+     */
+    public abstract void doTracerImage(int largeur, int hauteur);
+
+    /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */
+    protected Lancer preparer(ImageMemoire vierge) {
+        // dans cet ordre : qui voit la nouvelle image ne voit plus l'ancien lancer
+        lancer = null;
+        image = vierge;
+        avancement = 0;
+        long debut = System.nanoTime();
+        Lancer nouveau = LancerSurveille.preparer(scene, vierge.getLargeur(), vierge.getHauteur(), options.simple,
+                suivi);
+        preparationNs = System.nanoTime() - debut;
+        lancer = nouveau;
+        return nouveau;
+    }
+
+    /** L'image qui se dessine, ou s'est dessinée ; {@code null} avant la première. */
+    public ImageMemoire getImage() {
+        return image;
+    }
+
+    /** Ce qui dessine cette image ; {@code null} tant que la scène se prépare. */
+    public Lancer getLancer() {
+        return lancer;
+    }
+
+    /**
+     * Ce que dit {@code --statistiques} : comptes d'un dessin, et temps. Toujours avec un point décimal, sans
+     * séparateur de milliers ni exposant, quelle que soit la langue de la machine.
+     *
+     * @param tracesNs le temps de chaque dessin, dans l'ordre, en nanosecondes
+     */
+    protected String statistiques(Lancer dessine, long... tracesNs) {
+        Compteurs c = dessine.getCompteurs();
+        double traceNs = mediane(tracesNs);
+        return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
+                + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\nexamens.essais: %d\npixels.raffines: %d\n"
+                + "pixels.temoins: %d\n"
+                + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
+                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites, c.examensEssais,
+                c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS, preparationNs / NS_PAR_MS,
+                traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
+    }
+
+    /** La médiane de la seconde moitié : au début, la machine virtuelle compile encore. */
+    private static double mediane(long[] temps) {
+        long[] tries = Arrays.copyOfRange(temps, temps.length / 2, temps.length);
+        Arrays.sort(tries);
+        return (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2.0;
+    }
+
+    /** Ce qu'il faut dire d'un pixel de la scène lue qui n'a pu être calculé. */
+    protected Echec nommer(PixelFautif panne) {
+        int largeur = image == null ? options.largeur : image.getLargeur();
+        int hauteur = image == null ? options.hauteur : image.getHauteur();
+        PixelFautif precise = Diagnostic.preciser(panne, scene, new Camera(largeur, hauteur), reglages.getReflets());
+        return Echec.panne(Pannes.duPixel(precise, reglages.getOptions(), fichier, largeur, hauteur));
+    }
+}
