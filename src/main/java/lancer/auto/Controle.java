@@ -43,7 +43,8 @@ final class Controle implements Toile {
     Estimation mesurer(LimitesDesReflets exactes, double attendue, double rayons) {
         int points = 2 * Niveaux.pointsPour(attendue);
         double parBloc = 2 * Essais.COTE * Essais.COTE * points * exactes.rayons;
-        tirage = new Tirage(rayons / parBloc, blocs, blocs.stream().mapToDouble(b -> de(b).promesse()).toArray());
+        double[] promesses = blocs.stream().mapToDouble(b -> Niveaux.promesse(de(b).niveaux)).toArray();
+        tirage = new Tirage(rayons / parBloc, blocs, promesses);
         return tirage.estimer(Niveaux.ecarts(tirage.blocs.stream().map(this::de).toArray(Niveaux[]::new),
                 Niveaux.references(essais, tirage.blocs, exactes, points)));
     }

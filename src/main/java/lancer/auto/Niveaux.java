@@ -25,7 +25,7 @@ final class Niveaux implements Toile {
     private static final double PLASTIQUE = 1.3247179572447460;
 
     private final Pave bloc;
-    private final double[] niveaux = new double[3 * Essais.COTE * Essais.COTE];
+    final double[] niveaux = new double[3 * Essais.COTE * Essais.COTE];
 
     Niveaux(Pave bloc) {
         this.bloc = bloc;
@@ -109,12 +109,8 @@ final class Niveaux implements Toile {
         return promesses;
     }
 
-    /** Ce que le bloc promet d'erreur, d'après ce qui en est dessiné. */
-    double promesse() {
-        return promesse(niveaux);
-    }
-
-    private static double promesse(double[] vus) {
+    /** Ce que promet d'erreur un bloc où l'on voit ces composantes : d'autant plus qu'elles diffèrent. */
+    static double promesse(double[] vus) {
         double contraste = 0;
         for (int c = 0; c < 3; c++) {
             double min = NIVEAUX;
