@@ -74,7 +74,7 @@ scene-geante: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Generateur foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
-# Une famille des mesures : de une à un million de sphères.
+# Une famille des mesures : de une à un million de sphères, avec et sans étoiles lointaines.
 bench: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --spheres $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 

@@ -9,7 +9,7 @@ import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.VersFichiers;
-import lancer.fenetre.Fenetre;
+import lancer.fenetre.Ouverture;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.sortie.ImageMemoire;
@@ -17,7 +17,7 @@ import lancer.sortie.LectureImage;
 
 /**
  * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un
- * fichier. AWT n'est touché que par {@link Fenetre}.
+ * fichier. AWT n'est touché que par {@link Ouverture}.
  */
 public class Main extends Dessinateur {
 
@@ -65,7 +65,7 @@ public class Main extends Dessinateur {
             } else if (options.versFichier()) {
                 versFichiers();
             } else {
-                Fenetre.ouvrir(this, options, erreur);
+                Ouverture.ouvrir(this, options, erreur, () -> System.exit(0));
             }
             return 0;
         } catch (PixelFautif e) {

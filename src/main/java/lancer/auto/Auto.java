@@ -236,8 +236,9 @@ public final class Auto {
     public void controler() {
         double avant = ecoule();
         double permis = permis(surveille.prix);
-        mesuree = controle.mesurer(limites.exactes, surveille.erreur,
-                Math.max((1 - PART_DU_CHOIX) * permis, permis - depense()));
+        // une image qui n'est pas celle du choix se mesure sans compter
+        mesuree = controle.mesurer(limites.exactes, surveille.erreur, surveille != choisi ? Double.POSITIVE_INFINITY
+                : Math.max((1 - PART_DU_CHOIX) * permis, permis - depense()));
         essaisS += ecoule() - avant;
     }
 

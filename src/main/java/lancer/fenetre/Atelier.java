@@ -1,5 +1,7 @@
 package lancer.fenetre;
 
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import javax.swing.JFrame;
 import lancer.Lancer;
 import lancer.dessin.ReglagesDessin;
@@ -27,9 +29,6 @@ interface Atelier {
     /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
     boolean enCours();
 
-    /** Ce que fait la touche Échap : arrêter un dessin en cours, sinon fermer ce qui s'est ouvert à côté. */
-    void echapper();
-
     /** L'image montrée si elle est achevée, sinon {@code null}. */
     ImageMemoire getImageComplete();
 
@@ -38,6 +37,15 @@ interface Atelier {
 
     /** Nombre de fils d'un dessin. */
     int getFils();
+
+    /** Un fil à part, où les tâches attendent leur tour ; il ne retient pas le programme. */
+    static ExecutorService unFil(String nom) {
+        return Executors.newSingleThreadExecutor(tache -> {
+            Thread fil = new Thread(tache, nom);
+            fil.setDaemon(true);
+            return fil;
+        });
+    }
 
     /** Appelle {@code siChange} chaque fois qu'un dessin commence, s'achève ou s'arrête, et qu'une scène est lue. */
     void prevenir(Runnable siChange);

@@ -3,8 +3,12 @@ package lancer.fenetre;
 import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.datatransfer.StringSelection;
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
 import javax.swing.BorderFactory;
 import javax.swing.JPopupMenu;
 import javax.swing.JTextArea;
@@ -27,6 +31,15 @@ final class Bandeau extends JTextArea {
     private static final int MARGE_H = 10;
 
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> avis(""));
+    /** De quoi copier ce qui se lit. */
+    final Action copie = new AbstractAction("Copier le message") {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public void actionPerformed(ActionEvent e) {
+            getToolkit().getSystemClipboard().setContents(new StringSelection(getText()), null);
+        }
+    };
     private String faute = "";
     private String message = "";
     private boolean erreur;
@@ -54,9 +67,10 @@ final class Bandeau extends JTextArea {
                 }
             }
         });
+        copie.putValue(Action.MNEMONIC_KEY, KeyEvent.VK_M);
+        copie.setEnabled(false);
         JPopupMenu menu = new JPopupMenu();
-        menu.add("Copier le message").addActionListener(e ->
-                getToolkit().getSystemClipboard().setContents(new StringSelection(getText()), null));
+        menu.add(copie);
         setComponentPopupMenu(menu);
     }
 
@@ -107,6 +121,7 @@ final class Bandeau extends JTextArea {
         if (!texte.equals(getText())) {
             setText(texte);
             setVisible(!texte.isEmpty());
+            copie.setEnabled(!texte.isEmpty());
             revalidate();
             getParent().repaint();
         }

@@ -106,10 +106,11 @@ final class Dialogues {
                 + "Ctrl+Maj+C   copier les réglages\n"
                 + "Ctrl+1, Ctrl+0, F11   taille demandée, remplir la fenêtre, plein écran\n"
                 + "molette, Ctrl+Haut, Ctrl+Bas   loupe ; la tirer la déplace\n"
-                + "un clic   les rayons du pixel ; flèches   le pixel voisin, Maj   de dix en dix\n"
+                + "un clic, Entrée   les rayons du pixel ; flèches   le pixel voisin, Maj   de dix en dix\n"
+                + "Ctrl+page suivante, Ctrl+page précédente   un autre échantillon du pixel\n"
                 + "F5   relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi\n"
                 + "F3   vitesse ou précision : les réglages possibles, à dessiner d'un clic\n"
-                + "Échap   arrêter le dessin ; sinon, fermer l'inspecteur, ou quitter le plein écran\n"
+                + "Échap   arrêter le dessin ; sinon, fermer ce qui est à côté, ou le plein écran\n"
                 + "Ctrl+Q   quitter\n"
                 + "F1   ces touches", "Touches", JOptionPane.PLAIN_MESSAGE);
         parent.requestFocus();

@@ -1,6 +1,5 @@
 package lancer.fenetre;
 
-import java.awt.Component;
 import java.awt.EventQueue;
 import java.io.File;
 import java.nio.file.Files;
@@ -15,10 +14,13 @@ import lancer.sortie.FichierPng;
 import lancer.sortie.ImageMemoire;
 import lancer.texte.Texte;
 
-/** L'image de la fenêtre vers un fichier PNG, le même qu'avec {@code --image} ; le disque a un fil à part. */
+/**
+ * L'image achevée, vers le presse-papiers ou un fichier PNG, le même qu'avec {@code --image} ; le disque a un fil à
+ * part.
+ */
 final class Enregistrement {
 
-    private final Component parent;
+    private final Atelier atelier;
     private final Bandeau bandeau;
     /** Un fil qui retient le programme : fermer la fenêtre laisse finir d'écrire. */
     private final ExecutorService disque =
@@ -28,15 +30,37 @@ final class Enregistrement {
     private File echoue;
 
     /** @param bandeau où dire ce qu'il en est */
-    Enregistrement(Component parent, Bandeau bandeau) {
-        this.parent = parent;
+    Enregistrement(Atelier atelier, Bandeau bandeau) {
+        this.atelier = atelier;
         this.bandeau = bandeau;
     }
 
-    /** Demande où enregistrer cette image. @param scene le fichier de la scène, qui ne sera pas écrasé */
-    void commencer(ImageMemoire image, String scene) {
+    void copier() {
+        ImageMemoire image = imageOuAvis();
+        if (image != null) {
+            bandeau.getToolkit().getSystemClipboard().setContents(new ImageCopiee(PanneauImage.copie(image)), null);
+            bandeau.avis("image copiée, " + image.getLargeur() + " × " + image.getHauteur() + " pixels");
+        }
+    }
+
+    /** L'image achevée ; à défaut, dit pourquoi il n'y en a pas. */
+    private ImageMemoire imageOuAvis() {
+        ImageMemoire image = atelier.getImageComplete();
+        if (image == null) {
+            bandeau.avis(atelier.enCours() ? "L'image se dessine encore : elle servira une fois achevée."
+                    : "Pas d'image achevée ; F5 pour la dessiner.");
+        }
+        return image;
+    }
+
+    /** Demande où l'écrire. @param scene le fichier de la scène, qui ne sera pas écrasé */
+    void enregistrer(String scene) {
+        ImageMemoire image = imageOuAvis();
+        if (image == null) {
+            return;
+        }
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File choisi = Dialogues.choisirImage(parent, echoue != null ? echoue : new File(dossier, nom));
+        File choisi = Dialogues.choisirImage(atelier.getCadre(), echoue != null ? echoue : new File(dossier, nom));
         if (choisi == null) {
             return;
         }
@@ -74,7 +98,7 @@ final class Enregistrement {
     }
 
     private void confirmer(ImageMemoire image, Ecriture ecriture, File cible) {
-        if (!disque.isShutdown() && Dialogues.confirmerRemplacement(parent, cible)) {
+        if (!disque.isShutdown() && Dialogues.confirmerRemplacement(atelier.getCadre(), cible)) {
             disque.execute(() -> essayer(cible, () -> ecrire(image, ecriture, cible)));
         }
     }

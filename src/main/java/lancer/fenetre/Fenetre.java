@@ -1,42 +1,39 @@
 package lancer.fenetre;
 
-import java.awt.AWTError;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
 import java.awt.Image;
+import java.awt.KeyEventPostProcessor;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
-import java.io.PrintStream;
-import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import lancer.Lancer;
 import lancer.SceneFautive;
-import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
-import lancer.lecture.Services;
-import lancer.sortie.BarreProgression;
 import lancer.sortie.ImageMemoire;
 
 /**
@@ -75,6 +72,7 @@ public final class Fenetre implements Atelier {
     private final MenuScenes scenes = new MenuScenes(this::ouvrirScene);
     private final Timer retaille = new Timer(REPOS_MS, e -> ajuster());
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
+    private final KeyEventPostProcessor renvoi = this::renvoyer;
 
     /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
     private String fichier;
@@ -96,7 +94,7 @@ public final class Fenetre implements Atelier {
     private boolean enAttente;
     private boolean fermee;
 
-    private Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
+    Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
             Runnable fin) {
         this.dessinateur = dessinateur;
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
@@ -106,95 +104,34 @@ public final class Fenetre implements Atelier {
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(taille);
         affichage = new MenuAffichage(cadre, panneau, barre, taille, this::ajuster);
-        bandeau = panneau.getBandeau();
-        enregistrement = new Enregistrement(cadre, bandeau);
+        bandeau = panneau.bandeau;
+        enregistrement = new Enregistrement(this, bandeau);
         menuDessin = new MenuDessin(this, variantes, this::recharger, this::arreter);
-    }
-
-    /**
-     * Ouvre la fenêtre sur la scène demandée, et revient ; fermer la fenêtre termine le programme, avec le statut 0.
-     *
-     * @param erreur où dire ce que cette première scène a de laissé de côté
-     * @throws SceneFautive si la scène ne peut être utilisée ; rien ne s'est ouvert
-     * @throws Echec s'il n'y a pas d'écran
-     */
-    public static void ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur) {
-        ouvrir(dessinateur, options, erreur, () -> System.exit(0));
-    }
-
-    /** De même, et fermer la fenêtre appelle {@code fin}, dans un autre fil. */
-    public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
-        Dimension taille = new Dimension(options.largeur, options.hauteur);
-        Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
-        if (premier != null) {
-            // la fenêtre n'est pas encore là pour le dire
-            BarreProgression barre = BarreProgression.commencer(dessinateur::getAvancement, erreur);
-            try {
-                premier.lire();
-            } finally {
-                barre.finir();
-            }
-            Pannes.avertir(premier.getAvertissements(), erreur);
-        }
-        exigerEcran();
-        // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
-        ExecutorService dessins = Executors.newSingleThreadExecutor(tache -> {
-            Thread fil = new Thread(tache, "lancer-dessin");
-            fil.setDaemon(true);
-            return fil;
-        });
-        if (premier != null) {
-            // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
-            dessins.execute(premier);
-        }
-        List<String> variantes = Services.nomsDesVariantes();
-        Fenetre[] ouverte = new Fenetre[1];
-        try {
-            EventQueue.invokeAndWait(() -> {
-                Dialogues.preparer();
-                ouverte[0] = new Fenetre(dessinateur, options, variantes, dessins, fin);
-                ouverte[0].commencer(premier);
-            });
-        } catch (InvocationTargetException e) {
-            throw Echec.panne(Pannes.message(e.getCause()));
-        } catch (InterruptedException e) {
-            throw Echec.panne("interrompu");
-        }
-        return ouverte[0];
-    }
-
-    private static void exigerEcran() {
-        boolean present;
-        try {
-            present = !GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (HeadlessException | AWTError | LinkageError e) {
-            // un DISPLAY sans serveur derrière, ou un Java sans ses bibliothèques d'écran
-            present = false;
-        }
-        if (!present) {
-            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
-        }
     }
 
     private JMenuBar menus() {
         JMenuBar menus = new JMenuBar();
         JMenu menu = menus.add(Menus.menu("Fichier"));
         Menus.article(menu, "Ouvrir une scène…", Menus.ctrl(KeyEvent.VK_O), this::choisirScene);
-        Menus.article(menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S), this::enregistrer);
-        Menus.article(menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C), this::copier);
+        Menus.siScene(this, Menus.article(menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S),
+                () -> enregistrement.enregistrer(fichier)));
+        Menus.siScene(this, Menus.article(menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C), enregistrement::copier));
+        menu.add(bandeau.copie);
         menu.addSeparator();
         Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
-        menus.add(affichage.getMenu());
-        menus.add(menuDessin.getMenu());
-        menus.add(scenes.getMenu());
+        menus.add(affichage.menu);
+        Menus.siScene(this, Menus.article(affichage.menu, "Rayons d'un pixel (Entrée)", null, this::inspecter));
+        menus.add(menuDessin.menu);
+        menus.add(scenes.menu);
         menu = menus.add(Menus.menu("Aide"));
+        // A est à Affichage
+        menu.setMnemonic(KeyEvent.VK_I);
         Menus.article(menu, "Touches", Menus.touche(KeyEvent.VK_F1), () -> Dialogues.montrerTouches(cadre));
         return menus;
     }
 
     /** @param premier le dessin qu'il y a déjà à montrer, ou {@code null} */
-    private void commencer(Tracage premier) {
+    void commencer(Tracage premier) {
         assembler();
         ecouter();
         titrer();
@@ -227,8 +164,9 @@ public final class Fenetre implements Atelier {
     private void ecouter() {
         surveillance.commencer();
         cadre.getRootPane().setTransferHandler(new DepotFichier(this::ouvrirScene, bandeau::avis));
-        cadre.getRootPane().registerKeyboardAction(e -> echapper(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                JComponent.WHEN_IN_FOCUSED_WINDOW);
+        lier(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), this::echapper);
+        lier(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), this::inspecter);
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventPostProcessor(renvoi);
         cadre.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
@@ -243,16 +181,14 @@ public final class Fenetre implements Atelier {
         affichage.lierTouches(cadre.getRootPane());
         menuDessin.lierTouches(cadre.getRootPane());
         for (boolean lachee : new boolean[] {false, true}) {
-            cadre.getRootPane().registerKeyboardAction(e -> tenir(!lachee),
-                    KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), JComponent.WHEN_IN_FOCUSED_WINDOW);
+            lier(KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), () -> tenir(!lachee));
         }
         retaille.setRepeats(false);
+        inspecteur = new Inspecteur(this, panneau);
         panneau.suivreSouris(() -> {
             montrerPixel();
             resumer();
-        });
-        inspecteur = new Inspecteur(this, panneau);
-        panneau.suivreClics(inspecteur::montrer);
+        }, inspecteur::montrer);
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
@@ -260,6 +196,18 @@ public final class Fenetre implements Atelier {
                 retaille.restart();
             }
         });
+    }
+
+    private void lier(KeyStroke touche, Runnable action) {
+        cadre.getRootPane().registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
+    }
+
+    /** Mène l'inspecteur au pixel qui est sous la souris, ou au milieu. */
+    private void inspecter() {
+        Point pixel = panneau.getPixelVise();
+        if (pixel != null) {
+            inspecteur.montrer(pixel);
+        }
     }
 
     /** Le cadre, qui contient tout ce qui se voit. */
@@ -321,8 +269,8 @@ public final class Fenetre implements Atelier {
             retenir();
         }
         // une scène qui se lit se relit ; celle qui est lue n'est pas toujours celle qui se voit
-        boolean autre = enCours && courant.getFichier() != null && courant != adopte;
-        lancer(autre ? courant.getFichier() : fichier.equals(lu) ? null : fichier);
+        boolean autre = enCours && courant.fichier != null && courant != adopte;
+        lancer(autre ? courant.fichier : fichier.equals(lu) ? null : fichier);
     }
 
     /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
@@ -334,7 +282,7 @@ public final class Fenetre implements Atelier {
 
     /** Redessine, si ce n'est plus à cette taille qu'il faut dessiner. */
     private void ajuster() {
-        if (courant != null && fichier != null && !affichage.getTaille().equals(courant.getTaille())) {
+        if (courant != null && fichier != null && !affichage.getTaille().equals(courant.taille)) {
             redessiner(true);
         }
         resumer();
@@ -377,45 +325,37 @@ public final class Fenetre implements Atelier {
 
     /** Le fichier de la scène montrée a changé ; une autre scène qui se lit passe avant. */
     private void relire() {
-        if (!enCours || courant.getFichier() == null || courant.getFichier().equals(fichier)) {
+        if (!enCours || courant.fichier == null || courant.fichier.equals(fichier)) {
             dessiner(fichier);
         }
     }
 
-    private void enregistrer() {
-        ImageMemoire image = imageOuAvis();
-        if (image != null) {
-            enregistrement.commencer(image, fichier);
-        }
-    }
-
-    private void copier() {
-        ImageMemoire image = imageOuAvis();
-        if (image != null) {
-            cadre.getToolkit().getSystemClipboard().setContents(new ImageCopiee(PanneauImage.copie(image)), null);
-            bandeau.avis("image copiée, " + image.getLargeur() + " × " + image.getHauteur() + " pixels");
-        }
-    }
-
-    /** L'image achevée ; à défaut, dit pourquoi il n'y en a pas. */
-    private ImageMemoire imageOuAvis() {
-        ImageMemoire image = getImageComplete();
-        if (image == null) {
-            bandeau.avis(enCours ? "L'image se dessine encore : elle servira une fois achevée."
-                    : "Pas d'image achevée ; F5 pour la dessiner.");
-        }
-        return image;
-    }
-
-    @Override
-    public void echapper() {
+    /** Arrête le dessin en cours ; sinon ferme la fenêtre d'à côté, celle qui a le clavier ou l'inspecteur. */
+    private void echapper() {
+        Window devant = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow();
         if (enCours) {
             arreter();
+        } else if (estACote(devant)) {
+            devant.setVisible(false);
         } else if (inspecteur.isVisible()) {
-            inspecteur.fermer();
+            inspecteur.setVisible(false);
         } else {
             affichage.quitterLePleinEcran();
         }
+    }
+
+    private boolean estACote(Window fenetre) {
+        return fenetre instanceof JDialog && fenetre.getOwner() == cadre && !((JDialog) fenetre).isModal();
+    }
+
+    /** Une touche dont la fenêtre d'à côté n'a rien fait est pour le cadre, mais n'y ouvre pas un menu. */
+    private boolean renvoyer(KeyEvent e) {
+        if (!e.isConsumed() && !e.isAltDown() && e.getKeyCode() != KeyEvent.VK_F10
+                && estACote(KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow())) {
+            SwingUtilities.processKeyBindings(new KeyEvent(cadre.getRootPane(), e.getID(), e.getWhen(),
+                    e.getModifiersEx(), e.getKeyCode(), e.getKeyChar(), e.getKeyLocation()));
+        }
+        return false;
     }
 
     private void arreter() {
@@ -437,6 +377,7 @@ public final class Fenetre implements Atelier {
         }
         surveillance.terminer();
         inspecteur.terminer();
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
         dessins.shutdown();
         cadre.dispose();
         enregistrement.terminer(fin);
@@ -477,7 +418,7 @@ public final class Fenetre implements Atelier {
     /** Montre où en est le dessin en cours. */
     private void observer() {
         boolean fini = courant.isFini();
-        lu = courant.getAvertissements() != null ? courant.getFichier() : lu;
+        lu = courant.getAvertissements() != null ? courant.fichier : lu;
         // l'image d'abord : vue avec le lancer d'après, elle a au moins son brouillon
         ImageMemoire image = dessinateur.getImage();
         Lancer lancer = courant.getLancer();
@@ -485,7 +426,7 @@ public final class Fenetre implements Atelier {
             panneau.montrer(image, lancer.isBrouillonFait(), courant.getDureeNs() > PATIENCE_NS);
         }
         boolean montree = lancer != null && (image == panneau.getImage() || image == panneau.getNaissante());
-        if (montree && courant.getFichier() != null && courant != adopte) {
+        if (montree && courant.fichier != null && courant != adopte) {
             adopter(courant);
         }
         barre.avancer(courant);
@@ -502,7 +443,7 @@ public final class Fenetre implements Atelier {
     private void adopter(Tracage tracage) {
         adopte = tracage;
         reglages = tracage.getReglages() != null ? tracage.getReglages() : dessinateur.getReglages();
-        fichier = tracage.getFichier();
+        fichier = tracage.fichier;
         surveillance.suivre(fichier, tracage.getVersion());
         titrer();
         scenes.montrer(fichier);
@@ -529,7 +470,7 @@ public final class Fenetre implements Atelier {
                 bandeau.avis(ecart);
             }
         } else if (panne instanceof SceneFautive) {
-            if (courant.getFichier() == null) {
+            if (courant.fichier == null) {
                 bandeau.erreur(Pannes.message(panne));
             } else {
                 refuser(courant, Pannes.message(panne));
@@ -545,8 +486,8 @@ public final class Fenetre implements Atelier {
     /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */
     private void refuser(Tracage fautif, String message) {
         bandeau.faute(message);
-        if (fichier == null || fautif.getFichier().equals(fichier)) {
-            fichier = fautif.getFichier();
+        if (fichier == null || fautif.fichier.equals(fichier)) {
+            fichier = fautif.fichier;
             surveillance.suivre(fichier, fautif.getVersion());
             titrer();
         }

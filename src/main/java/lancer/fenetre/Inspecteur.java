@@ -9,14 +9,11 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -49,7 +46,7 @@ final class Inspecteur extends JDialog {
 
     private static final int MARGE = 6;
     private static final int LARGEUR = 520;
-    private static final int LARGEUR_MIN = 320;
+    private static final int LARGEUR_MIN = 350;
     private static final int SAUT = 10;
     private static final Color CHANGE = new Color(0xFFE9A8);
     private static final String INACHEVEE = "L'image n'est pas achevée : rien encore à quoi comparer.";
@@ -61,11 +58,7 @@ final class Inspecteur extends JDialog {
     private final JLabel verdict = new JLabel(" ");
     private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
     private final VueDeCote cote = new VueDeCote();
-    private final transient ExecutorService fil = Executors.newSingleThreadExecutor(tache -> {
-        Thread t = new Thread(tache, "lancer-inspection");
-        t.setDaemon(true);
-        return t;
-    });
+    private final transient ExecutorService fil = Atelier.unFil("lancer-inspection");
     private Point pixel;
     private int rang = Inspection.AU_CENTRE;
     private transient Inspection enCours;
@@ -90,21 +83,14 @@ final class Inspecteur extends JDialog {
         add(verdict, BorderLayout.PAGE_START);
         add(new JScrollPane(texte), BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
-        lierFleches(getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        // il n'y a rien à y écrire : + et − sont pour le cadre
+        texte.setKeymap(null);
         lierFleches(texte, JComponent.WHEN_FOCUSED);
         lierFleches(atelier.getCadre().getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
-        getRootPane().registerKeyboardAction(e -> atelier.echapper(), Menus.touche(KeyEvent.VK_ESCAPE),
-                JComponent.WHEN_IN_FOCUSED_WINDOW);
         for (int sens : new int[] {-1, 1}) {
-            KeyStroke touche = Menus.touche(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN);
+            KeyStroke touche = Menus.ctrl(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN);
             texte.registerKeyboardAction(e -> choisir(grille.voisin(sens)), touche, JComponent.WHEN_FOCUSED);
         }
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent e) {
-                fermer();
-            }
-        });
         atelier.prevenir(this::calculer);
     }
 
@@ -130,10 +116,10 @@ final class Inspecteur extends JDialog {
     /** Ouvre la fenêtre sur ce pixel, ou l'y mène. */
     void montrer(Point voulu) {
         pixel = voulu;
+        panneau.suivre(pixel);
         rang = Inspection.AU_CENTRE;
         if (!isVisible()) {
             placer();
-            setVisible(true);
         }
         calculer();
     }
@@ -142,8 +128,7 @@ final class Inspecteur extends JDialog {
     private void placer() {
         JFrame cadre = atelier.getCadre();
         Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())),
-                Math.min(cadre.getHeight(), ecran.height));
+        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())), cadre.getHeight());
         int depasse = cadre.getX() + cadre.getWidth() + getWidth() - ecran.x - ecran.width;
         if (depasse > 0 && cadre.getX() > ecran.x) {
             cadre.setLocation(Math.max(ecran.x, cadre.getX() - depasse), cadre.getY());
@@ -156,10 +141,15 @@ final class Inspecteur extends JDialog {
         calculer();
     }
 
-    void fermer() {
-        setVisible(false);
-        abandonner();
-        panneau.superposer(null);
+    /** Caché, il n'explique plus rien. */
+    @Override
+    public void setVisible(boolean visible) {
+        super.setVisible(visible);
+        if (!visible) {
+            abandonner();
+            panneau.suivre(null);
+            panneau.superposer(null);
+        }
     }
 
     /** La fenêtre du programme se ferme. */

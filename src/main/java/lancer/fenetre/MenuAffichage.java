@@ -18,7 +18,7 @@ import javax.swing.JRootPane;
 /** Le menu de la taille : celle où l'image se dessine, celle où elle se montre, et le plein écran. */
 final class MenuAffichage {
 
-    private final JMenu menu = Menus.menu("Affichage");
+    final JMenu menu = Menus.menu("Affichage");
     private final JFrame cadre;
     private final PanneauImage panneau;
     private final JComponent barre;
@@ -50,10 +50,6 @@ final class MenuAffichage {
         menu.addSeparator();
         Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
         Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
-    }
-
-    JMenu getMenu() {
-        return menu;
     }
 
     /** Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique. */
@@ -98,7 +94,7 @@ final class MenuAffichage {
         // cachés, des menus ne répondraient plus à leurs touches
         cadre.getJMenuBar().setPreferredSize(entre ? new Dimension() : null);
         barre.setVisible(!entre);
-        panneau.getBandeau().fautesSeules(entre);
+        panneau.bandeau.fautesSeules(entre);
         ecran.setFullScreenWindow(entre ? cadre : null);
         cadre.setBounds(entre ? cadre.getBounds() : place);
         cadre.setVisible(true);

@@ -22,18 +22,14 @@ final class MenuDessin {
 
     private static final int[] REFLEXIONS = {0, 1, 2, 5, 10};
 
-    private final JMenu menu = Menus.menu("Dessin");
+    final JMenu menu = Menus.menu("Dessin");
     private final JMenu reflexions = Menus.menu("Réflexions");
     private final ButtonGroup nombres = new ButtonGroup();
     private final Map<String, JCheckBoxMenuItem> cases = new LinkedHashMap<>();
     private final Atelier atelier;
-    private final JMenuItem relire;
     private final JMenuItem arreter;
-    private final JMenuItem regler;
-    private final JMenuItem vitesse;
-    private final JMenuItem defaire;
-    private PanneauVariantes panneau;
-    private final JMenuItem copier;
+    private PanneauVariantes parametres;
+    private PanneauVitesse vitesse;
 
     /**
      * @param variantes les noms de celles qui sont présentes
@@ -42,7 +38,7 @@ final class MenuDessin {
      */
     MenuDessin(Atelier atelier, List<String> variantes, Runnable relire, Runnable arreter) {
         this.atelier = atelier;
-        this.relire = Menus.article(menu, "Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5), relire);
+        article("Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5), relire);
         // la touche est liée ailleurs : Java l'afficherait « Escape »
         this.arreter = Menus.article(menu, "Arrêter (Échap)", null, arreter);
         menu.addSeparator();
@@ -50,27 +46,29 @@ final class MenuDessin {
             Menus.choix(reflexions, nombres, String.valueOf(n), null, () -> reflechir(n));
         }
         menu.add(reflexions);
+        Menus.siScene(atelier, reflexions);
         reflexions.setMnemonic('x');
         reflexions.setToolTipText("touches + et −");
         for (String nom : variantes) {
             cases.put(nom, Menus.coche(menu, nom, null, () -> basculer(nom)));
+            Menus.siScene(atelier, cases.get(nom));
         }
-        regler = Menus.article(menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), this::regler);
-        regler.setVisible(!variantes.isEmpty());
-        vitesse = Menus.article(menu, "Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3),
-                () -> PanneauVitesse.ouvrir(atelier));
+        if (!variantes.isEmpty()) {
+            article("Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), this::regler);
+        }
+        article("Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3), this::comparer);
         menu.addSeparator();
-        defaire = Menus.article(menu, "Revenir aux réglages de la scène", null,
+        article("Revenir aux réglages de la scène", null,
                 () -> atelier.dessiner(atelier.getReglages().initiaux(), false));
-        copier = Menus.article(menu, "Copier ces réglages",
+        article("Copier ces réglages",
                 KeyStroke.getKeyStroke(KeyEvent.VK_C, Menus.ctrl(0).getModifiers() | InputEvent.SHIFT_DOWN_MASK),
                 this::copier);
         atelier.prevenir(this::montrer);
         montrer();
     }
 
-    JMenu getMenu() {
-        return menu;
+    private void article(String nom, KeyStroke touche, Runnable action) {
+        Menus.siScene(atelier, Menus.article(menu, nom, touche, action));
     }
 
     /** Lie les touches qui ne sont pas celles d'un article. */
@@ -110,11 +108,13 @@ final class MenuDessin {
     }
 
     private void regler() {
-        if (panneau == null) {
-            panneau = new PanneauVariantes(atelier);
-        }
-        Menus.aCote(panneau, atelier.getCadre());
-        panneau.setVisible(true);
+        parametres = parametres == null ? new PanneauVariantes(atelier) : parametres;
+        Menus.aCote(parametres, atelier.getCadre());
+    }
+
+    private void comparer() {
+        vitesse = vitesse == null ? new PanneauVitesse(atelier) : vitesse;
+        Menus.aCote(vitesse, atelier.getCadre());
     }
 
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */
@@ -129,22 +129,14 @@ final class MenuDessin {
 
     private void montrer() {
         ReglagesDessin reglages = atelier.getReglages();
-        relire.setEnabled(reglages != null);
         arreter.setEnabled(atelier.enCours());
-        reflexions.setEnabled(reglages != null);
-        regler.setEnabled(reglages != null);
-        vitesse.setEnabled(reglages != null);
-        defaire.setEnabled(reglages != null);
-        copier.setEnabled(reglages != null);
         nombres.clearSelection();
         for (int k = 0; k < REFLEXIONS.length && reglages != null; k++) {
             if (REFLEXIONS[k] == reglages.getReflets()) {
                 reflexions.getItem(k).setSelected(true);
             }
         }
-        cases.forEach((nom, coche) -> {
-            coche.setEnabled(reglages != null);
-            coche.setSelected(reglages != null && reglages.estBranchee(reglages.getVariante(nom)));
-        });
+        cases.forEach((nom, coche) ->
+                coche.setSelected(reglages != null && reglages.estBranchee(reglages.getVariante(nom))));
     }
 }

@@ -34,7 +34,7 @@ final class MenuScenes {
     private static final int COMMENTAIRE_MAX = 100;
     private static final String CLE = "scenes";
 
-    private final JMenu menu = Menus.menu("Scènes");
+    final JMenu menu = Menus.menu("Scènes");
     private final Consumer<File> ouvrir;
     private volatile String montree;
     /** Retenu pour le rester : muet, car qu'un dossier personnel se refuse n'est pas l'affaire de qui dessine. */
@@ -45,10 +45,6 @@ final class MenuScenes {
     MenuScenes(Consumer<File> ouvrir) {
         this.ouvrir = ouvrir;
         montrer(null);
-    }
-
-    JMenu getMenu() {
-        return menu;
     }
 
     /** @param fichier la scène montrée, {@code null} s'il n'y en a pas encore */

@@ -49,6 +49,12 @@ final class Menus {
         return choix;
     }
 
+    /** Grise cet article tant qu'aucune scène n'est montrée. */
+    static void siScene(Atelier atelier, JMenuItem article) {
+        article.setEnabled(false);
+        atelier.prevenir(() -> article.setEnabled(atelier.getReglages() != null));
+    }
+
     private static <T extends JMenuItem> T article(JMenu menu, T article, KeyStroke touche, Runnable action) {
         article.setMnemonic(lettreLibre(menu, article.getText()));
         article.setAccelerator(touche);
@@ -57,14 +63,16 @@ final class Menus {
         return article;
     }
 
-    /** Met cette fenêtre au bord droit de l'autre, ou à défaut de place par-dessus, sans sortir de l'écran. */
+    /** Montre cette fenêtre au bord droit de l'autre, ou à défaut de place par-dessus, sans sortir de l'écran. */
     static void aCote(Window fenetre, Window autre) {
         if (!fenetre.isVisible()) {
             Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
             Rectangle place = autre.getBounds();
+            fenetre.setSize(Math.min(fenetre.getWidth(), ecran.width), Math.min(fenetre.getHeight(), ecran.height));
             fenetre.setLocation(Math.min(place.x + place.width, ecran.x + ecran.width - fenetre.getWidth()),
                     Math.max(ecran.y, Math.min(place.y, ecran.y + ecran.height - fenetre.getHeight())));
         }
+        fenetre.setVisible(true);
     }
 
     private static int lettreLibre(JMenu menu, String nom) {

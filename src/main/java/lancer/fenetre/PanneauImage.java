@@ -38,7 +38,7 @@ final class PanneauImage extends JPanel {
 
     private static final int LOUPE_MAX = 16;
 
-    private final Bandeau bandeau = new Bandeau();
+    final Bandeau bandeau = new Bandeau();
     /** L'image montrée, et celle qui se dessine par-dessus tant que son brouillon n'est pas complet. */
     private transient ImageMemoire montree;
     private transient BufferedImage fond;
@@ -51,6 +51,7 @@ final class PanneauImage extends JPanel {
     /** Ce qui se peint par-dessus l'image, dont la place est donnée, en pixels de l'écran ; {@code null} : rien. */
     private transient BiConsumer<Graphics2D, Rectangle> dessus;
     private Point souris;
+    private Point suivi;
     private transient Runnable siChange = () -> { };
     /** Ce que la loupe agrandit, 1 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
     private int loupe = 1;
@@ -65,10 +66,6 @@ final class PanneauImage extends JPanel {
         AffineTransform ecran = getEchelle();
         setPreferredSize(new Dimension((int) Math.ceil(image.width / ecran.getScaleX()),
                 (int) Math.ceil(image.height / ecran.getScaleY())));
-    }
-
-    Bandeau getBandeau() {
-        return bandeau;
     }
 
     /** Ce qu'on lit tant qu'il n'y a pas d'image ; {@code null} pour rien. */
@@ -138,8 +135,14 @@ final class PanneauImage extends JPanel {
         return (double) getPlace(image.getLargeur(), image.getHauteur()).width / image.getLargeur();
     }
 
-    /** Agrandit deux fois plus, ou deux fois moins, autour de la souris, ou du milieu si elle n'est pas là. */
+    /** Agrandit deux fois plus, ou deux fois moins, comme la molette, sans perdre de vue le pixel suivi. */
     void approcher(boolean plus) {
+        grossir(plus);
+        laisserVoir();
+    }
+
+    /** Autour de la souris, ou du milieu si elle n'est pas là. */
+    private void grossir(boolean plus) {
         int autre = plus ? Math.min(LOUPE_MAX, 2 * loupe) : Math.max(1, loupe / 2);
         if (montree != null && autre != loupe) {
             Dimension libre = getLibre();
@@ -150,6 +153,22 @@ final class PanneauImage extends JPanel {
             loupe = autre;
             centrer((x - place.x) / place.width - (x - libre.width / 2.0) / (loupe * montree.getLargeur()),
                     (y - place.y) / place.height - (y - libre.height / 2.0) / (loupe * montree.getHauteur()));
+        }
+    }
+
+    /** Garde ce pixel de l'image en vue à la loupe ; {@code null} : plus aucun. */
+    void suivre(Point pixel) {
+        suivi = pixel;
+        laisserVoir();
+    }
+
+    private void laisserVoir() {
+        if (loupe > 1 && suivi != null) {
+            Rectangle place = getPlace(montree.getLargeur(), montree.getHauteur());
+            Rectangle carre = new Rectangle(place.x + loupe * suivi.x, place.y + loupe * suivi.y, loupe, loupe);
+            if (!new Rectangle(getLibre()).contains(carre)) {
+                centrer((suivi.x + 0.5) / montree.getLargeur(), (suivi.y + 0.5) / montree.getHauteur());
+            }
         }
     }
 
@@ -214,6 +233,7 @@ final class PanneauImage extends JPanel {
             peindre(g2, devant != null ? devant : fond);
             peindre(g2, devant != null ? null : calque);
             if (dessus != null && montree != null && devant == null) {
+                g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
                 dessus.accept(g2, getPlace(montree.getLargeur(), montree.getHauteur()));
             }
         } finally {
@@ -247,9 +267,15 @@ final class PanneauImage extends JPanel {
         repaint();
     }
 
-    /** Appelle {@code siClique} avec le pixel de l'image montrée où l'on clique. */
-    void suivreClics(Consumer<Point> siClique) {
-        addMouseListener(new MouseAdapter() {
+    /**
+     * Suit la souris ; la molette, et un bouton tenu, mènent la loupe.
+     *
+     * @param siBouge appelé quand la souris ou la loupe bouge
+     * @param siClique reçoit le pixel de l'image montrée où l'on clique
+     */
+    void suivreSouris(Runnable siBouge, Consumer<Point> siClique) {
+        siChange = siBouge;
+        MouseAdapter suiveur = new MouseAdapter() {
             @Override
             public void mouseClicked(MouseEvent e) {
                 souris = e.getPoint();
@@ -258,13 +284,7 @@ final class PanneauImage extends JPanel {
                     siClique.accept(pixel);
                 }
             }
-        });
-    }
 
-    /** Appelle {@code siBouge} quand la souris ou la loupe bouge ; la molette, et un bouton tenu, mènent celle-ci. */
-    void suivreSouris(Runnable siBouge) {
-        siChange = siBouge;
-        MouseAdapter suiveur = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
                 souris = e.getPoint();
@@ -293,7 +313,7 @@ final class PanneauImage extends JPanel {
             public void mouseWheelMoved(MouseWheelEvent e) {
                 souris = e.getPoint();
                 if (e.getWheelRotation() != 0) {
-                    approcher(e.getWheelRotation() < 0);
+                    grossir(e.getWheelRotation() < 0);
                 }
             }
         };
@@ -302,15 +322,25 @@ final class PanneauImage extends JPanel {
         addMouseWheelListener(suiveur);
     }
 
+    /** Le pixel de l'image montrée qui est sous la souris, ou au milieu du panneau ; {@code null} s'il n'y en a pas. */
+    Point getPixelVise() {
+        Point sous = getPixelSouris(montree);
+        return sous != null ? sous : getPixel(montree, new Point(getWidth() / 2, getHeight() / 2));
+    }
+
     /** Le pixel de cette image qui est sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas dessiné. */
     Point getPixelSouris(ImageMemoire image) {
-        if (souris == null || image == null) {
+        return getPixel(image, souris);
+    }
+
+    private Point getPixel(ImageMemoire image, Point ou) {
+        if (ou == null || image == null) {
             return null;
         }
         AffineTransform ecran = getEchelle();
         Rectangle place = getPlace(image.getLargeur(), image.getHauteur());
-        int dx = (int) (souris.x * ecran.getScaleX()) - place.x;
-        int dy = (int) (souris.y * ecran.getScaleY()) - place.y;
+        int dx = (int) (ou.x * ecran.getScaleX()) - place.x;
+        int dy = (int) (ou.y * ecran.getScaleY()) - place.y;
         if (dx < 0 || dx >= place.width || dy < 0 || dy >= place.height) {
             return null;
         }

@@ -3,29 +3,24 @@ package lancer.fenetre;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.event.KeyEvent;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.auto.Reglage;
 import lancer.auto.Souhait;
 import lancer.contrat.Reglable;
+import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
@@ -44,17 +39,11 @@ final class PanneauVitesse extends JDialog {
     private static final double MS_PAR_S = 1e3;
     private static final double NS_PAR_S = 1e9;
 
-    private static PanneauVitesse ouvert;
-
     private final transient Atelier atelier;
     private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner);
     private final JLabel etat = new JLabel(" ");
     private final JLabel machine = new JLabel(" ");
-    private final transient ExecutorService fil = Executors.newSingleThreadExecutor(tache -> {
-        Thread nouveau = new Thread(tache, "lancer-vitesse");
-        nouveau.setDaemon(true);
-        return nouveau;
-    });
+    private final transient ExecutorService fil = Atelier.unFil("lancer-vitesse");
     private transient Future<?> essais;
 
     /** La scène essayée, telle que rien de ce panneau ne la change ; {@code null} s'il n'y en a pas. */
@@ -66,7 +55,7 @@ final class PanneauVitesse extends JDialog {
     /** Le point dessiné, s'il n'est pas encore mesuré. */
     private transient Reglage voulu;
 
-    private PanneauVitesse(Atelier atelier) {
+    PanneauVitesse(Atelier atelier) {
         super(atelier.getCadre(), "Vitesse ou précision");
         setName("vitesse");
         this.atelier = atelier;
@@ -79,31 +68,19 @@ final class PanneauVitesse extends JDialog {
         graphique.setPreferredSize(new Dimension(560, 400));
         add(graphique, BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
-        getRootPane().registerKeyboardAction(e -> fermer(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                JComponent.WHEN_IN_FOCUSED_WINDOW);
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent e) {
-                fermer();
-            }
-        });
         pack();
         atelier.prevenir(this::suivre);
     }
 
-    /** Le montre, et l'essai commence s'il n'a pas déjà eu lieu. */
-    static void ouvrir(Atelier atelier) {
-        if (ouvert == null || ouvert.atelier != atelier) {
-            ouvert = new PanneauVitesse(atelier);
+    /** Montré, il essaie ce qui ne l'a pas été ; caché, plus rien. */
+    @Override
+    public void setVisible(boolean visible) {
+        super.setVisible(visible);
+        if (visible) {
+            suivre();
+        } else {
+            abandonner();
         }
-        Menus.aCote(ouvert, atelier.getCadre());
-        ouvert.setVisible(true);
-        ouvert.suivre();
-    }
-
-    private void fermer() {
-        setVisible(false);
-        abandonner();
     }
 
     private void abandonner() {
@@ -130,9 +107,11 @@ final class PanneauVitesse extends JDialog {
             essayee = scene;
             essayer(lancer, reglages);
         }
-        graphique.setPresent(reglages.getReflets(), reglages.getSeuil(), section(reglages));
+        String present = GraphiqueVitesse.cle(reglages.getReflets(), reglages.getSeuil(), section(reglages));
+        graphique.setPresent(present);
         ImageMemoire image = atelier.getImageComplete();
-        if (voulu != null && auto != null && image != null && image.getLineaire() != null && estDessine(reglages)) {
+        if (voulu != null && auto != null && image != null && image.getLineaire() != null
+                && GraphiqueVitesse.cle(voulu).equals(present)) {
             mesurer(auto, voulu, lancer, image);
             voulu = null;
         }
@@ -164,14 +143,8 @@ final class PanneauVitesse extends JDialog {
     }
 
     /** La section qui règle l'échantillonnage ; {@code null} si c'est la scène. */
-    private static String section(ReglagesDessin reglages) {
-        return libres(reglages).stream().map(v -> reglages.getSection(v).toString()).findFirst().orElse(null);
-    }
-
-    private boolean estDessine(ReglagesDessin reglages) {
-        String section = voulu.section == null ? null : voulu.section.toString();
-        return reglages.getReflets() == voulu.reflets && reglages.getSeuil() == voulu.seuil
-                && (section == null || section.equals(section(reglages)));
+    private static Section section(ReglagesDessin reglages) {
+        return libres(reglages).stream().map(reglages::getSection).findFirst().orElse(null);
     }
 
     private void essayer(Lancer lancer, ReglagesDessin reglages) {
@@ -246,9 +219,9 @@ final class PanneauVitesse extends JDialog {
                 double incertitude = fait.getIncertitude();
                 EventQueue.invokeLater(() -> {
                     if (scene == essayee) {
-                        etat.setText(String.format(Locale.FRANCE, "Mesuré : erreur de %.2f ± %.2f "
-                                + "(attendue : %.2f ± %.2f), %.1f rayons par pixel, %.0f ms", erreur, incertitude,
-                                reglage.erreur, reglage.incertitude, rayons, secondes * MS_PAR_S));
+                        etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : %.2f ± %.2f), "
+                                + "%.1f rayons par pixel, %.0f ms", erreur, incertitude, reglage.erreur,
+                                reglage.incertitude, rayons, secondes * MS_PAR_S));
                         graphique.ajouterMesure(rayons, erreur, incertitude);
                     }
                 });

@@ -16,8 +16,10 @@ final class Tracage extends SwingWorker<Void, Void> {
     private static final double NS_PAR_S = 1e9;
 
     private final Dessinateur dessinateur;
-    private final String fichier;
-    private final Dimension taille;
+    /** Le fichier de la scène à lire, {@code null} s'il n'y en a pas. */
+    final String fichier;
+    /** La taille de l'image, en pixels. */
+    final Dimension taille;
     private final ReglagesDessin voulus;
     private final long debut = System.nanoTime();
     private volatile long fin;
@@ -27,8 +29,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     private volatile boolean dessine;
 
     /**
-     * @param fichier la scène à lire, {@code null} pour redessiner celle qui est déjà lue
-     * @param taille celle de l'image, en pixels
+     * @param fichier {@code null} pour redessiner la scène qui est déjà lue
      * @param voulus ses réglages, {@code null} pour ceux de la ligne de commande et du fichier
      */
     Tracage(Dessinateur dessinateur, String fichier, Dimension taille, ReglagesDessin voulus) {
@@ -103,20 +104,10 @@ final class Tracage extends SwingWorker<Void, Void> {
         return dessine ? dessinateur.getLancer() : null;
     }
 
-    /** La taille de l'image, en pixels. */
-    Dimension getTaille() {
-        return taille;
-    }
-
     /** Vrai si chaque pixel de l'image a une couleur. */
     boolean isBrouillonFait() {
         Lancer lancer = getLancer();
         return lancer != null && lancer.isBrouillonFait();
-    }
-
-    /** Le fichier de la scène à lire, {@code null} s'il n'y en a pas. */
-    String getFichier() {
-        return fichier;
     }
 
     /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */

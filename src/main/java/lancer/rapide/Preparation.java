@@ -125,13 +125,12 @@ public final class Preparation {
             return structures;
         }
         suivi.accept(PART_RANGEMENT);
-        construire();
-        suivi.accept(PART_STRUCTURES);
+        construire(suivi);
         return genre == Genre.CARTES ? structures : new Sondage(scene, camera, equipe).choisir(structures);
     }
 
     /** La grille et les cartes, sans rapport entre elles, par autant de fils que de cœurs si cela en vaut la peine. */
-    private void construire() {
+    private void construire(DoubleConsumer suivi) {
         int nombre = 2 + structures.ombres.length;
         IntConsumer construction = new IntConsumer() {
             @Override
@@ -144,6 +143,8 @@ public final class Preparation {
                 } else {
                     structures.premiers = deLOeil();
                 }
+                int faites = 1 + equipe.getFaites();
+                suivi.accept(PART_RANGEMENT + (PART_STRUCTURES - PART_RANGEMENT) * faites / nombre);
             }
         };
         if (spheres.nombre < SPHERES_PAR_FIL) {

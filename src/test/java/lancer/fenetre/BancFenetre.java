@@ -83,7 +83,7 @@ final class BancFenetre {
         sortie = main.sortie;
         erreur = main.erreur;
         robot = new Robot();
-        fenetre = Fenetre.ouvrir(main, main.options, flux(erreur), fin::countDown);
+        fenetre = Ouverture.ouvrir(main, main.options, flux(erreur), fin::countDown);
         cadre = fenetre.getCadre();
         panneau = composant("image", JComponent.class);
     }
@@ -207,14 +207,19 @@ final class BancFenetre {
         }
     }
 
-    /** Frappe des touches ensemble, comme Ctrl+S, quand la fenêtre les reçoit. */
+    /** Frappe des touches ensemble, comme Ctrl+S, quand le cadre les reçoit. */
     void frapper(int... touches) throws Exception {
+        frapper(cadre, touches);
+    }
+
+    /** De même, quand cette fenêtre les reçoit. */
+    void frapper(Window fenetre, int... touches) throws Exception {
         attendre("le clavier est à la fenêtre", () -> {
-            if (!cadre.isFocused()) {
-                cadre.toFront();
-                cadre.requestFocus();
+            if (!fenetre.isFocused()) {
+                fenetre.toFront();
+                fenetre.requestFocus();
             }
-            return cadre.isFocused();
+            return fenetre.isFocused();
         });
         for (int touche : touches) {
             robot.keyPress(touche);

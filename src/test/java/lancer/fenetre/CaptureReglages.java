@@ -20,7 +20,7 @@ final class CaptureReglages {
 
     public static void main(String[] args) throws Exception {
         Options options = Options.lire(Arrays.copyOfRange(args, 1, args.length));
-        Fenetre fenetre = Fenetre.ouvrir(new Main(options, System.out, System.err), options, System.err, () -> { });
+        Fenetre fenetre = Ouverture.ouvrir(new Main(options, System.out, System.err), options, System.err, () -> { });
         attendreLImage(fenetre);
         EventQueue.invokeLater(article(fenetre, "Paramètres des variantes…")::doClick);
         while (Arrays.stream(Window.getWindows()).filter(Window::isShowing).count() < 2) {

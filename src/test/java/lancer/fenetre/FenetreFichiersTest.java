@@ -8,11 +8,13 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static lancer.fenetre.BancFenetre.texte;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.KeyEvent;
 import java.io.File;
@@ -252,14 +254,20 @@ class FenetreFichiersTest extends EssaiFenetre {
     void leTexteDUneFauteSeCopie() throws Exception {
         banc = new BancFenetre(lente());
         banc.imageAchevee();
+        AbstractButton article = banc.cadre.getJMenuBar().getMenu(0).getItem(3);
+        assertFalse(article.isEnabled(), "rien à copier");
         ecrire(FAUTIVE);
         banc.attendreMessage(scene.toString());
         JTextArea bandeau = chercher("message", JTextArea.class);
-        String copie = surFilEvenements(() -> {
-            ((AbstractButton) bandeau.getComponentPopupMenu().getComponent(0)).doClick();
-            return (String) bandeau.getToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
-        });
-        assertEquals(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage(), copie);
+        AbstractButton duBandeau = (AbstractButton) bandeau.getComponentPopupMenu().getComponent(0);
+        for (AbstractButton bouton : new AbstractButton[] {article, duBandeau}) {
+            String copie = surFilEvenements(() -> {
+                bandeau.getToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
+                bouton.doClick();
+                return BancFenetre.copie();
+            });
+            assertEquals(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage(), copie);
+        }
     }
 
     @Test

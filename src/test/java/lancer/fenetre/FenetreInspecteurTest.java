@@ -11,20 +11,19 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
+import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Robot;
 import java.awt.Toolkit;
-import java.awt.datatransfer.DataFlavor;
-import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
-import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
-import javax.swing.KeyStroke;
 import lancer.essai.Essai;
 import lancer.sortie.ImageMemoire;
 import org.junit.jupiter.api.Test;
@@ -71,15 +70,8 @@ class FenetreInspecteurTest extends EssaiFenetre {
         attendre("le verdict « " + debut + " »", () -> verdict.getText().startsWith(debut));
     }
 
-    /** La touche, telle que la fenêtre de l'inspecteur y répond. */
-    private static void presser(int touche, int avec) throws Exception {
-        JComponent racine = inspecteur().getRootPane();
-        surFilEvenements(() -> {
-            KeyStroke frappe = KeyStroke.getKeyStroke(touche, avec);
-            Action action = racine.getActionMap().get(racine.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(frappe));
-            action.actionPerformed(new ActionEvent(racine, 0, ""));
-            return null;
-        });
+    private void presser(int... touches) throws Exception {
+        banc.frapper(inspecteur(), touches);
     }
 
     private static String couleur(int code) {
@@ -119,17 +111,17 @@ class FenetreInspecteurTest extends EssaiFenetre {
         banc.imageAchevee();
         cliquer(150, 100);
         attendreTitre(150, 100);
-        presser(KeyEvent.VK_RIGHT, 0);
-        presser(KeyEvent.VK_UP, 0);
+        presser(KeyEvent.VK_RIGHT);
+        presser(KeyEvent.VK_UP);
         attendreTitre(151, 99);
-        presser(KeyEvent.VK_DOWN, InputEvent.SHIFT_DOWN_MASK);
-        presser(KeyEvent.VK_LEFT, InputEvent.SHIFT_DOWN_MASK);
+        presser(KeyEvent.VK_SHIFT, KeyEvent.VK_DOWN);
+        presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
         attendreTitre(141, 109);
         banc.frapper(KeyEvent.VK_LEFT);
         attendreTitre(140, 109);
         cliquer(3, H - 1);
-        presser(KeyEvent.VK_LEFT, InputEvent.SHIFT_DOWN_MASK);
-        presser(KeyEvent.VK_DOWN, 0);
+        presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
+        presser(KeyEvent.VK_DOWN);
         attendreTitre(0, H - 1);
     }
 
@@ -164,15 +156,102 @@ class FenetreInspecteurTest extends EssaiFenetre {
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
         attendre("le dessin recommence", () -> banc.fenetre.enCours() && ((PanneauImage) banc.panneau).getImage() != avant);
-        presser(KeyEvent.VK_ESCAPE, 0);
+        presser(KeyEvent.VK_ESCAPE);
         attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
-        presser(KeyEvent.VK_ESCAPE, 0);
+        presser(KeyEvent.VK_ESCAPE);
         attendre("l'inspecteur se ferme", () -> inspecteurFerme());
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("sans figure de nouveau", codes);
+    }
+
+    @Test
+    void auClavierSeulEntreeLOuvreAuMilieuEtLesTouchesDuCadreYRepondent() throws Exception {
+        ouvrir(lente());
+        banc.imageAchevee();
+        ouvrirAuMilieu();
+        presser(KeyEvent.VK_SUBTRACT);
+        int[] deux = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=2");
+        attendre("moins de réflexions", () -> banc.fenetre.getImageComplete() != null
+                && Arrays.equals(deux, banc.fenetre.getImageComplete().getCodes()));
+        attendreVerdict("Au bit près");
+    }
+
+    @Test
+    void aLaLoupeLePixelQueMenentLesFlechesResteEnVue() throws Exception {
+        ouvrir(lente());
+        banc.imageAchevee();
+        ouvrirAuMilieu();
+        presser(KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
+        presser(KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
+        PanneauImage image = (PanneauImage) banc.panneau;
+        for (int k = 0; k < 4; k++) {
+            presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
+        }
+        attendre("la loupe est au plus fort", () -> image.getReduction(banc.fenetre.getImageComplete()) == 16);
+        attendreEnVue(L / 2, H / 2 - 20);
+        for (int k = 1; k <= 3; k++) {
+            presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
+            attendreEnVue(L / 2 - 10 * k, H / 2 - 20);
+        }
+    }
+
+    private void ouvrirAuMilieu() throws Exception {
+        banc.robot.mouseMove(0, 0);
+        banc.frapper(KeyEvent.VK_ENTER);
+        attendreTitre(L / 2, H / 2);
+    }
+
+    private void attendreEnVue(int x, int y) throws Exception {
+        PanneauImage image = (PanneauImage) banc.panneau;
+        attendreTitre(x, y);
+        // autour du milieu, la moitié de ce que la loupe laisse voir
+        attendre("il est en vue", () -> Math.abs(image.getPixelVise().x - x) <= image.getWidth() / 32
+                && Math.abs(image.getPixelVise().y - y) <= image.getHeight() / 32);
+    }
+
+    @Test
+    void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
+        BancFenetre.exigerEcran();
+        int[] attendue = attendue(L, H);
+        Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
+                scene.toString()).start();
+        try {
+            attendre("l'image est à l'écran", () -> BancFenetre.trouver(attendue, L) != null);
+            Point coin = BancFenetre.trouver(attendue, L);
+            Robot robot = new Robot();
+            robot.mouseMove(coin.x + 150, coin.y + 110);
+            attendre("l'anneau", () -> {
+                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+                return estEntoure(robot, coin.x + 150.5, coin.y + 110.5);
+            });
+            robot.mouseWheel(-1);
+            robot.mouseWheel(-1);
+            robot.mouseWheel(-1);
+            // autour de la souris, qui est au bord du pixel
+            attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150 + 4, coin.y + 110 + 4));
+        } finally {
+            programme.destroyForcibly();
+        }
+    }
+
+    /** Vrai si l'on voit presque partout du blanc autour, au rayon d'un anneau pour des caractères deux fois plus grands. */
+    private static boolean estEntoure(Robot robot, double x, double y) {
+        int blancs = 0;
+        for (int k = 0; k < 16; k++) {
+            int plusClair = 0;
+            for (double rayon = 16; rayon <= 20; rayon += 0.5) {
+                Color vu = robot.getPixelColor((int) (x + rayon * Math.cos(k * Math.PI / 8)),
+                        (int) (y + rayon * Math.sin(k * Math.PI / 8)));
+                plusClair = Math.max(plusClair, Math.min(vu.getRed(), Math.min(vu.getGreen(), vu.getBlue())));
+            }
+            blancs += plusClair > 200 ? 1 : 0;
+        }
+        // les traits qui partent de là le recouvrent
+        return blancs >= 12;
     }
 
     private static boolean inspecteurFerme() {
@@ -185,7 +264,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
         banc.imageAchevee().getCodes()[120 * L + 160] ^= 1;
         cliquer(160, 120);
         attendreVerdict("Différent du pixel dessiné, qui est #");
-        presser(KeyEvent.VK_RIGHT, 0);
+        presser(KeyEvent.VK_RIGHT);
         attendreVerdict("Au bit près");
     }
 
@@ -208,14 +287,10 @@ class FenetreInspecteurTest extends EssaiFenetre {
         int[] codes = banc.imageAchevee().getCodes();
         cliquer(150, 100);
         String recit = attendreRecit(couleur(codes[100 * L + 150]));
-        JTextArea texte = composant("recit", JTextArea.class);
-        surFilEvenements(() -> {
-            texte.selectAll();
-            texte.copy();
-            return null;
-        });
-        assertEquals(recit, Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor));
-        assertFalse(texte.isEditable());
+        presser(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        presser(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
+        attendre("le texte, copié", () -> BancFenetre.copie().equals(recit));
+        assertFalse(composant("recit", JTextArea.class).isEditable());
     }
 
     @Test

@@ -14,6 +14,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Color;
+import java.awt.Component;
 import java.awt.Point;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
@@ -23,12 +24,17 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
 import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
 import lancer.Camera;
@@ -365,6 +371,27 @@ class FenetreTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("il n'y a plus rien à arrêter", () -> !dessin.getItem(1).isEnabled());
         assertTrue(dessin.getItem(0).isEnabled(), "on peut redessiner");
+    }
+
+    @Test
+    void chaqueMenuEtChaqueArticleSeChoisitParUneLettreQueSesVoisinsNOntPas() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        JMenuBar menus = banc.cadre.getJMenuBar();
+        verifierLesLettres(Arrays.stream(menus.getComponents()));
+        for (int k = 0; k < menus.getMenuCount(); k++) {
+            // ceux des scènes sont sans nombre
+            if (!menus.getMenu(k).getText().equals("Scènes")) {
+                verifierLesLettres(Arrays.stream(menus.getMenu(k).getMenuComponents()));
+            }
+        }
+    }
+
+    private static void verifierLesLettres(Stream<Component> articles) {
+        List<Integer> lettres = articles.filter(article -> article instanceof JMenuItem)
+                .map(article -> ((JMenuItem) article).getMnemonic()).collect(Collectors.toList());
+        assertEquals(lettres.size(), new HashSet<>(lettres).size(), lettres.toString());
+        assertFalse(lettres.contains(KeyEvent.VK_UNDEFINED), lettres.toString());
     }
 
     @Test

@@ -6,13 +6,17 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
@@ -34,12 +38,25 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendre(debut, () -> etat.getText().startsWith(debut));
     }
 
-    /** Ce que fait cette touche là où elle est liée : sans gestionnaire de fenêtres, le clavier reste à la première. */
-    private static void frapper(JComponent composant, int touche) throws Exception {
-        BancFenetre.surFilEvenements(() -> {
-            composant.getActionForKeyStroke(KeyStroke.getKeyStroke(touche, 0)).actionPerformed(null);
-            return null;
-        });
+    private void frapper(int touche) throws Exception {
+        banc.frapper(SwingUtilities.getWindowAncestor(graphique), touche);
+    }
+
+    private int[] sansReflexion() throws Exception {
+        return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=0");
+    }
+
+    /** Ce qui, à l'écran, est le plus à gauche de la couleur du front : le bord du moins cher des réglages. */
+    private Point moinsCher() {
+        BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(Toolkit.getDefaultToolkit().getScreenSize()));
+        for (int x = 0; x < vue.getWidth(); x++) {
+            for (int y = 0; y < vue.getHeight(); y++) {
+                if ((vue.getRGB(x, y) & 0xFFFFFF) == 0x1F5FA8) {
+                    return new Point(x, y);
+                }
+            }
+        }
+        return null;
     }
 
     private static boolean essaiEnCours() {
@@ -51,21 +68,39 @@ class FenetreVitesseTest extends EssaiFenetre {
     void unPointChoisiAuClavierSeDessineEtSeMesure() throws Exception {
         ouvrirLePanneau();
         attendreEtat("Un clic");
-        frapper(graphique, KeyEvent.VK_RIGHT);
-        frapper(graphique, KeyEvent.VK_ENTER);
+        frapper(KeyEvent.VK_RIGHT);
+        frapper(KeyEvent.VK_ENTER);
         attendreEtat("Mesuré");
         // le moins cher des réglages : un rayon par pixel, sans réflexion
         assertEquals(0, banc.fenetre.getReglages().getReflets());
-        assertArrayEquals(BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=0"), banc.imageAchevee().getCodes());
-        Matcher m = Pattern.compile("Mesuré : erreur de (\\d+),\\d+ ± .*").matcher(etat.getText());
+        assertArrayEquals(sansReflexion(), banc.imageAchevee().getCodes());
+        Matcher m = Pattern.compile("Mesuré : (\\d+),\\d+ ± .*").matcher(etat.getText());
         assertTrue(m.matches(), etat.getText());
         assertTrue(Integer.parseInt(m.group(1)) > 0, "sans réflexions ni anticrénelage, l'erreur se voit : " + etat.getText());
     }
 
     @Test
+    void unClicDeSourisSurUnPointDessineAvecSesReglages() throws Exception {
+        ouvrirLePanneau();
+        attendreEtat("Un clic");
+        Point ou = null;
+        while (ou == null) {
+            SwingUtilities.getWindowAncestor(graphique).toFront();
+            ou = moinsCher();
+        }
+        banc.robot.mouseMove(ou.x + 3, ou.y);
+        banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        attendreEtat("Mesuré");
+        assertEquals(0, banc.fenetre.getReglages().getReflets());
+        assertArrayEquals(sansReflexion(), banc.imageAchevee().getCodes());
+    }
+
+    @Test
     void fermerLePanneauArreteLesEssais() throws Exception {
         ouvrirLePanneau();
-        frapper(graphique.getRootPane(), KeyEvent.VK_ESCAPE);
+        attendre("les essais commencent, ou finissent", () -> !etat.getText().equals(" "));
+        frapper(KeyEvent.VK_ESCAPE);
         attendre("le panneau se ferme", () -> !graphique.isShowing());
         attendre("plus aucun essai", () -> !essaiEnCours());
     }

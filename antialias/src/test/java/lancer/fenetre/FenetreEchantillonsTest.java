@@ -39,7 +39,7 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         JComponent grille = composant("echantillons", JComponent.class);
         presser(grille, 5, 5, MouseEvent.MOUSE_PRESSED);
         attendre("le premier", () -> recit.getText().contains("\nchaîne de l'échantillon 150.17, 100.17\n"));
-        KeyStroke suivante = KeyStroke.getKeyStroke(KeyEvent.VK_PAGE_DOWN, 0);
+        KeyStroke suivante = KeyStroke.getKeyStroke(KeyEvent.VK_PAGE_DOWN, InputEvent.CTRL_DOWN_MASK);
         surFilEvenements(() -> {
             recit.getActionForKeyStroke(suivante).actionPerformed(new ActionEvent(recit, 0, ""));
             return null;

@@ -19,20 +19,17 @@ final class Foule {
 
     private final Plume plume;
     private final int n;
-    private final long graine;
-    private final Random hasard;
+    private final Random hasard = new Random(1);
 
-    Foule(Plume plume, int n, long graine, Random hasard) {
+    Foule(Plume plume, int n) {
         this.plume = plume;
         this.n = n;
-        this.graine = graine;
-        this.hasard = hasard;
     }
 
     void ecrire() throws IOException {
         plume.commentaires("Une foule : " + n + " boules au hasard, qui ne se touchent pas.", "",
                 "À regarder : le temps du dessin, et comment il grandit avec le nombre de boules.", "",
-                "Écrite par lancer.atelier.Generateur foule " + n + " " + graine);
+                "Écrite par lancer.atelier.Generateur foule " + n);
         String[] materiaux = new String[MATERIAUX];
         for (int i = 0; i < MATERIAUX; i++) {
             double[] kd = Teinte.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);

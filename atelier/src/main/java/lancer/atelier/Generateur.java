@@ -8,13 +8,12 @@ import java.io.OutputStreamWriter;
 import java.io.PrintStream;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.util.Random;
 
 /**
  * Écrit sur la sortie standard une scène aussi grande que l'on veut :
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.atelier.Generateur foule N [GRAINE]
+ * java -cp mesures/target/mesures.jar lancer.atelier.Generateur foule N
  * java -cp mesures/target/mesures.jar lancer.atelier.Generateur tournesol N
  * </pre>
  *
@@ -25,10 +24,7 @@ public final class Generateur {
     /** Au-delà, ce n'est plus une scène mais un disque plein. */
     public static final int N_MAX = 100000000;
 
-    /** Graine de {@code foule} si l'on n'en donne pas. */
-    public static final long GRAINE = 1;
-
-    private static final String USAGE = "usage : Generateur foule N [GRAINE] | tournesol N";
+    private static final String USAGE = "usage : Generateur foule N | tournesol N";
 
     private Generateur() {
     }
@@ -53,19 +49,14 @@ public final class Generateur {
      * @throws IOException si la sortie ne peut être écrite
      */
     static int executer(String[] args, Appendable sortie, PrintStream erreurs) throws IOException {
-        String scene = args.length == 0 ? "" : args[0];
-        boolean foule = scene.equals("foule");
+        String scene = args.length == 2 ? args[0] : "";
         try {
-            if (!foule && !scene.equals("tournesol")) {
-                throw new IllegalArgumentException("scène inconnue : « " + scene + " »");
-            }
-            if (args.length < 2 || args.length > (foule ? 3 : 2)) {
-                throw new IllegalArgumentException(scene + " : un nombre" + (foule ? ", et une graine si l'on veut" : ""));
-            }
-            if (foule) {
-                foule(sortie, entier(args[1]), args.length > 2 ? entier(args[2]) : GRAINE);
-            } else {
+            if (scene.equals("foule")) {
+                foule(sortie, entier(args[1]));
+            } else if (scene.equals("tournesol")) {
                 tournesol(sortie, entier(args[1]));
+            } else {
+                throw new IllegalArgumentException("une scène, et son nombre de boules");
             }
             return 0;
         } catch (IllegalArgumentException e) {
@@ -86,10 +77,9 @@ public final class Generateur {
      * Des boules au hasard qui ne se touchent pas, devant l'œil.
      *
      * @param n de 1 à {@link #N_MAX}
-     * @param graine du hasard ; la même graine donne la même foule
      */
-    public static void foule(Appendable sortie, long n, long graine) throws IOException {
-        new Foule(new Plume(sortie), verifie(n), graine, new Random(graine)).ecrire();
+    public static void foule(Appendable sortie, long n) throws IOException {
+        new Foule(new Plume(sortie), verifie(n)).ecrire();
     }
 
     /**

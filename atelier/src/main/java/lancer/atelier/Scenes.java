@@ -5,16 +5,23 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.SplittableRandom;
 import lancer.Scene;
 import lancer.lecture.LecteurScene;
 
 /**
- * Des scènes par leur nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 »). Telles que
+ * Des scènes par leur nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 », « etoiles-1000 »). Telles que
  * la base les voit : les variantes du chemin des classes sont là pour être mesurées, non pour s'y installer.
  */
 public final class Scenes {
 
     public static final String FOULE = "foule";
+
+    /** Une foule, et neuf boules si loin que toute boîte commune à tous ne contient que du vide. */
+    public static final String ETOILES = "etoiles";
+
+    private static final int NOMBRE_ETOILES = 9;
+    private static final double LOIN = 1e12;
 
     private Scenes() {
     }
@@ -44,8 +51,17 @@ public final class Scenes {
         // cent millions d'octets peut-être, que Ctrl+C ne doit pas laisser
         fichier.toFile().deleteOnExit();
         try (BufferedWriter sortie = Files.newBufferedWriter(fichier, StandardCharsets.UTF_8)) {
-            Generateur.foule(sortie, Integer.parseInt(nom.substring(tiret + 1)), Generateur.GRAINE);
+            ecrire(nom.substring(0, tiret), Integer.parseInt(nom.substring(tiret + 1)), sortie);
         }
         return fichier;
+    }
+
+    private static void ecrire(String famille, int nombre, Appendable sortie) throws IOException {
+        Generateur.foule(sortie, nombre);
+        SplittableRandom hasard = new SplittableRandom(NOMBRE_ETOILES);
+        for (int k = 1; famille.equals(ETOILES) && k <= NOMBRE_ETOILES; k++) {
+            sortie.append("\n[Sphere étoile " + k + "]\ncentre=" + LOIN * hasard.nextDouble(-1, 1) + " "
+                    + LOIN * hasard.nextDouble(-1, 1) + " " + LOIN * hasard.nextDouble(-1, 1) + "\nrayon=1\nKd=1 1 1\n");
+        }
     }
 }

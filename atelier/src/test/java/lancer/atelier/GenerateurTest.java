@@ -1,7 +1,6 @@
 package lancer.atelier;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -67,13 +66,6 @@ class GenerateurTest {
     }
 
     @Test
-    void laMemeGraineDonneLeMemeTexteUneAutreUnAutre() throws IOException {
-        assertEquals(engendrer("foule", "500", "7"), engendrer("foule", "500", "7"));
-        assertEquals(engendrer("foule", "500"), engendrer("foule", "500", Long.toString(Generateur.GRAINE)));
-        assertNotEquals(engendrer("foule", "500", "7"), engendrer("foule", "500", "8"));
-    }
-
-    @Test
     void laLangueDeLaMachineNeChangeRienAuTexte() throws IOException {
         Locale avant = Locale.getDefault();
         String texte = engendrer("tournesol", "50");
@@ -97,7 +89,7 @@ class GenerateurTest {
 
     @ParameterizedTest(name = "« {0} » est refusé")
     @ValueSource(strings = {"", "neige 3", "foule", "foule -1", "foule 1.5", "foule 0",
-        "foule 100000001", "foule 5 x", "foule 5 1 1", "tournesol dix", "tournesol 0", "tournesol 5 1", "foule 5 99999999999999999999"})
+        "foule 100000001", "foule 5 1", "tournesol dix", "tournesol 0", "tournesol 5 1", "foule 99999999999999999999"})
     void uneDemandeFautiveTientEnUneLigne(String ligne) throws IOException {
         String[] args = ligne.isEmpty() ? new String[0] : ligne.split(" ");
         StringBuilder texte = new StringBuilder();
@@ -112,7 +104,7 @@ class GenerateurTest {
     @Test
     void appeleDeJavaUnNombreHorsLimitesEstRefuseAvantDEcrire() {
         StringBuilder texte = new StringBuilder();
-        assertThrows(IllegalArgumentException.class, () -> Generateur.foule(texte, 0, 1));
+        assertThrows(IllegalArgumentException.class, () -> Generateur.foule(texte, 0));
         assertThrows(IllegalArgumentException.class, () -> Generateur.tournesol(texte, -1));
         assertEquals("", texte.toString());
     }

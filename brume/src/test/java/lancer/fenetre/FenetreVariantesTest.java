@@ -18,11 +18,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JSlider;
+import lancer.dessin.ReglagesDessin;
+import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
 
 /** Une variante dans la fenêtre : sa boîte, les glissières de ses paramètres, et l'image d'avant. */
@@ -113,6 +116,45 @@ class FenetreVariantesTest extends EssaiFenetre {
             String copie = BancFenetre.copie();
             return copie.startsWith(section + "\n; java ") && copie.endsWith(" --taille 320x240 --reflets 10 " + scene + "\n");
         });
+    }
+
+    @Test
+    void laSectionEtLaCommandeCopieesDonnentLaMemeImageAuBitPresSansFenetreEtAvec() throws Exception {
+        ecrire(ROUGE + "[Brume du matin]\ncouleur=0.9 0.8 0.7\ndebut=2\nfin=9.75\n");
+        ouvrir();
+        placer(glissiere("Brume.densite"), 19);
+        reglerEtRecopier("3 réflexions, seuil 0.01, [Brume du matin] ", true, "[Brume du matin]\n");
+    }
+
+    @Test
+    void sansLaVarianteLaCommandeCopieeSuffit() throws Exception {
+        ouvrir();
+        reglerEtRecopier("3 réflexions, seuil 0.01", false, "; java ");
+    }
+
+    /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
+    private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
+        surFilEvenements(() -> {
+            ReglagesDessin reglages = banc.fenetre.getReglages().avec(3, 0.01);
+            banc.fenetre.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
+            return null;
+        });
+        JLabel resume = chercher("resume", JLabel.class);
+        attendre("les réglages se disent", () -> resume.getText().contains(dit));
+        int[] vue = banc.imageAchevee().getCodes().clone();
+        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
+        attendre("la copie", () -> BancFenetre.copie().startsWith(debut));
+        String[] copie = ("\n" + BancFenetre.copie()).split("\n; java -\\w+ \\S+ (lancer\\.Main )?");
+        banc.fermer();
+        ecrire(ROUGE + copie[0]);
+        String[] commande = copie[1].trim().split(" ");
+        Path png = dossier.resolve("copie.png");
+        String[] versFichier = Arrays.copyOf(commande, commande.length + 1);
+        versFichier[commande.length] = "--image=" + png;
+        assertEquals("", Essai.executer(versFichier).erreur);
+        assertArrayEquals(vue, BancFenetre.codes(ImageIO.read(png.toFile())));
+        banc = new BancFenetre(commande);
+        assertArrayEquals(vue, banc.imageAchevee().getCodes());
     }
 
     @Test

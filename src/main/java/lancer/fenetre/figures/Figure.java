@@ -42,8 +42,8 @@ public final class Figure {
     /** Part de la distance en deçà de laquelle un objet est devant, et non la surface où le trait s'arrête. */
     private static final double DEVANT = 1 - 1e-4;
 
-    private static final int ANNEAU = 9;
-    private static final double POINTE = 9;
+    /** Rayon d'un anneau, et longueur d'une pointe, pour un caractère haut de un. */
+    private static final double TAILLE = 0.75;
     private static final double OUVERTURE = 0.4;
 
     private final Camera camera;
@@ -172,9 +172,10 @@ public final class Figure {
             double angle = Math.atan2(y[MORCEAUX] - y[0], x[MORCEAUX] - x[0]);
             double boutX = place.x + echelle * x[MORCEAUX];
             double boutY = place.y + echelle * y[MORCEAUX];
+            double pointe = TAILLE * g.getFont().getSize2D();
             for (double ecart = -OUVERTURE; fleche && ecart <= OUVERTURE; ecart += 2 * OUVERTURE) {
-                peindreLisere(g, new Line2D.Double(boutX, boutY, boutX - POINTE * Math.cos(angle + ecart),
-                        boutY - POINTE * Math.sin(angle + ecart)), couleur);
+                peindreLisere(g, new Line2D.Double(boutX, boutY, boutX - pointe * Math.cos(angle + ecart),
+                        boutY - pointe * Math.sin(angle + ecart)), couleur);
             }
         }
     }
@@ -188,18 +189,22 @@ public final class Figure {
         g.draw(trait);
     }
 
-    /** @param place celle de l'image, en pixels de l'écran */
+    /**
+     * @param g en pixels de l'écran ; sa police dit ce qu'il en faut pour être lu
+     * @param place celle de l'image
+     */
     public void peindre(Graphics2D g, Rectangle place) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        double rayon = TAILLE * g.getFont().getSize2D();
         double echelle = (double) place.width / camera.getLargeur();
         traits.forEach(trait -> trait.peindre(g, place, echelle));
         for (double[] anneau : anneaux) {
             double x = place.x + echelle * anneau[0];
             double y = place.y + echelle * anneau[1];
-            Ellipse2D rond = new Ellipse2D.Double(x - ANNEAU, y - ANNEAU, 2 * ANNEAU, 2 * ANNEAU);
+            Ellipse2D rond = new Ellipse2D.Double(x - rayon, y - rayon, 2 * rayon, 2 * rayon);
             peindreLisere(g, rond, Color.WHITE);
             String numero = String.valueOf((int) anneau[2]);
-            int decalage = ANNEAU + 2;
+            float decalage = (float) rayon + 2;
             g.setColor(Color.BLACK);
             g.drawString(numero, (float) x + decalage + 1, (float) y - decalage + 1);
             g.setColor(Color.WHITE);

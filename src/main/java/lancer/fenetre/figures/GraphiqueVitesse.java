@@ -21,6 +21,7 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import lancer.auto.Reglage;
+import lancer.contrat.Section;
 
 /** Des réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
 public final class GraphiqueVitesse extends JComponent {
@@ -120,9 +121,18 @@ public final class GraphiqueVitesse extends JComponent {
         cadrer();
     }
 
-    /** Ceux de l'image montrée. */
-    public void setPresent(int reflets, double seuil, String section) {
-        present = reflets + " " + seuil + " " + section;
+    /** De quoi comparer des réglages. @param section celle de l'échantillonnage, {@code null} si c'est la scène */
+    public static String cle(int reflets, double seuil, Section section) {
+        return reflets + " " + seuil + " " + section;
+    }
+
+    public static String cle(Reglage reglage) {
+        return cle(reglage.reflets, reglage.seuil, reglage.section);
+    }
+
+    /** @param cle celle des réglages de l'image montrée */
+    public void setPresent(String cle) {
+        present = cle;
         repaint();
     }
 
@@ -132,7 +142,7 @@ public final class GraphiqueVitesse extends JComponent {
     }
 
     private boolean estPresent(Point p) {
-        return (p.reglage.reflets + " " + p.reglage.seuil + " " + p.reglage.section).equals(present);
+        return cle(p.reglage).equals(present);
     }
 
     private List<Point> tous() {

@@ -29,7 +29,7 @@ public final class GrilleEchantillons extends JComponent {
     public GrilleEchantillons(IntConsumer siChoisi) {
         setName("echantillons");
         setPreferredSize(new Dimension(COTE, COTE));
-        setToolTipText("échantillons du pixel ; cliquer pour en choisir un, ou page suivante, page précédente");
+        setToolTipText("échantillons du pixel ; cliquer pour en choisir un, ou Ctrl et page suivante, page précédente");
         addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {

@@ -93,7 +93,10 @@ final class Catalogue {
         }
         groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5, false));
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
-            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(n <= BOUCLES_MAX), 1, false));
+            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(true, n <= BOUCLES_MAX), 1, false));
+        }
+        for (int n : court ? new int[] {100} : new int[] {100, 10000, 1000000}) {
+            groupes.add(new Groupe(SPHERES, Scenes.ETOILES + "-" + n, spheres(false, false), 1, false));
         }
         return groupes;
     }
@@ -165,14 +168,16 @@ final class Catalogue {
         return m;
     }
 
-    /** Le programme entier, POV-Ray, et tant que cela ne dure pas trop les boucles du cours. */
-    private static List<Methode> spheres(boolean boucles) {
+    /** Le programme entier et, là où la courbe les montre, les boucles du cours et POV-Ray. */
+    private static List<Methode> spheres(boolean povray, boolean boucles) {
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(PROGRAMME, "").par(Methode.Genre.PROCESSUS));
         if (boucles) {
             m.add(new Methode(BOUCLES, "").par(Methode.Genre.PROCESSUS, "--simple").enBoucles());
         }
-        m.add(povray("-A"));
+        if (povray) {
+            m.add(povray("-A"));
+        }
         return m;
     }
 

@@ -36,8 +36,9 @@ final class Constats {
         return releves.de(Catalogue.DEMANDES);
     }
 
-    List<Releve> spheres(String methode) {
-        return releves.de(Catalogue.SPHERES).methode(methode).get();
+    Releves spheres(String famille, String methode) {
+        return new Releves(releves.de(Catalogue.SPHERES).methode(methode).get().stream().filter(r -> r.scene.startsWith(famille + "-"))
+                .collect(Collectors.toList()));
     }
 
     /** Ce que montrent les pages, par leurs noms. */
@@ -60,6 +61,7 @@ final class Constats {
         valeurs.put("spheres.titre", titreDesSpheres());
         valeurs.put("spheres.povray", spheresContrePovray());
         valeurs.put("spheres.boucles", spheresContreBoucles());
+        valeurs.put("spheres.etoiles", etoiles());
         valeurs.put("parcimonie.titre", titreDeLaParcimonie());
         valeurs.put("besoins.tableau", tableauDesBesoins());
         valeurs.put("besoins.taille", besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur"));
@@ -128,7 +130,7 @@ final class Constats {
     // ---- le nombre de sphères
 
     private String titreDesSpheres() {
-        List<Releve> siens = spheres(Catalogue.PROGRAMME);
+        List<Releve> siens = spheres("foule", Catalogue.PROGRAMME).get();
         Releve petit = siens.get(siens.size() > 1 ? 1 : 0);
         Releve grand = siens.get(siens.size() - 1);
         return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, " + (petit.rapport().nettementSous(grand.rapport())
@@ -137,7 +139,7 @@ final class Constats {
 
     private String spheresContrePovray() {
         List<String> phrases = new ArrayList<>();
-        for (Releve nous : spheres(Catalogue.PROGRAMME)) {
+        for (Releve nous : spheres("foule", Catalogue.PROGRAMME).get()) {
             releves.de(Catalogue.SPHERES).scene(nous.scene).peutEtre(Catalogue.POVRAY, "-A").ifPresent(lui -> {
                 if (nous.rapport().nettementSous(lui.rapport())) {
                     phrases.add(nombre(nous) + " (" + fois(nous, lui) + ")");
@@ -150,12 +152,25 @@ final class Constats {
 
     private String spheresContreBoucles() {
         Releve derniere = null;
-        for (Releve boucles : spheres(Catalogue.BOUCLES)) {
+        for (Releve boucles : spheres("foule", Catalogue.BOUCLES).get()) {
             Releve nous = releves.de(Catalogue.SPHERES).scene(boucles.scene).le(Catalogue.PROGRAMME, "");
             derniere = nous.rapport().nettementSous(boucles.rapport()) ? boucles : derniere;
         }
         return derniere == null ? "aucune différence que la mesure porte" : "à " + nombre(derniere) + " sphères, "
                 + fois(releves.de(Catalogue.SPHERES).scene(derniere.scene).le(Catalogue.PROGRAMME, ""), derniere) + " plus de temps";
+    }
+
+    /** Ce que neuf étoiles ajoutent aux sphères et aux cases examinées : un compte, non un temps. */
+    private String etoiles() {
+        List<Releve> siennes = spheres("etoiles", Catalogue.PROGRAMME).get();
+        Releve avec = siennes.get(siennes.size() - 1);
+        Releve sans = releves.de(Catalogue.SPHERES).scene(avec.scene.replace("etoiles", "foule")).le(Catalogue.PROGRAMME, "");
+        return "neuf étoiles à 10¹² d'une foule de " + nombre(sans) + " multiplient ce qu'examinent ses rayons par "
+                + Style.nombre(examens(avec) / examens(sans));
+    }
+
+    static double examens(Releve r) {
+        return r.nombre("tests") + (Double.isNaN(r.nombre("noeuds")) ? 0 : r.nombre("noeuds"));
     }
 
     static String nombre(Releve r) {

@@ -91,9 +91,10 @@ final class Mesureur {
     }
 
     /** Les mêmes, de programmes entiers. */
-    private int voulues(Methode methode, int spheres) {
+    private int voulues(Catalogue.Groupe groupe, Methode methode, int spheres) {
         boolean longue = methode.boucles ? spheres >= 1000 : methode.genre == Methode.Genre.POVRAY && spheres >= 100_000;
-        return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2 : longue ? 3 : 5;
+        return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2
+                : longue || groupe.scene.startsWith(Scenes.ETOILES) ? 3 : 5;
     }
 
     // ---- des machines virtuelles qui durent
@@ -213,7 +214,7 @@ final class Mesureur {
                 }
                 echantillon = povray(groupe, fichier, methode);
             }
-            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues(methode, spheres));
+            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues(groupe, methode, spheres));
             champs.put("lancements", temps.rapports.length);
             if (echantillon == programme) {
                 programme.statistiques.forEach((nom, valeur) -> champs.put(colonne(nom), valeur));
@@ -222,7 +223,7 @@ final class Mesureur {
             }
             noter(groupe, methode, spheres, champs, temps);
         }
-        if (groupe.methodes.stream().noneMatch(m -> m.boucles)) {
+        if (groupe.scene.startsWith(Scenes.FOULE) && groupe.methodes.stream().noneMatch(m -> m.boucles)) {
             extrapoler(groupe, fichier, spheres);
         }
         Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));

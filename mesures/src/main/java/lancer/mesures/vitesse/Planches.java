@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.Constantes;
+import lancer.atelier.Scenes;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
@@ -130,13 +131,14 @@ final class Planches {
         Releves processus = releves.de(Catalogue.SPHERES);
         double reference = processus.referenceMs();
         Volet volet = new Volet("", "", "nombre de sphères", "de la commande au PNG écrit, en secondes");
-        Object[][] series = {{Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
-            {Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
-            {Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
+        Object[][] series = {{Scenes.FOULE, Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
+            {Scenes.FOULE, Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
+            {Scenes.ETOILES, Catalogue.PROGRAMME, "le programme, neuf étoiles en plus", Style.POURPRE, FormeDePoint.LOSANGE},
+            {Scenes.FOULE, Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
         Releve derniere = null;
         for (Object[] s : series) {
             List<Marque> marques = new ArrayList<>();
-            for (Releve r : constats.spheres((String) s[0])) {
+            for (Releve r : constats.spheres((String) s[0], (String) s[1]).get()) {
                 Intervalle t = borne(r.rapport().fois(reference / 1000));
                 if (!Double.isNaN(t.valeur)) {
                     marques.add(Marque.en(r.nombre("spheres"), t.valeur).entreY(t.min, t.max).nommee(Style.nombre(t.valeur)));
@@ -144,7 +146,7 @@ final class Planches {
                 }
             }
             if (!marques.isEmpty()) {
-                volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true, marques));
+                volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));
             }
         }
         extrapoler(volet, derniere, reference);
@@ -156,7 +158,7 @@ final class Planches {
 
     private void extrapoler(Volet volet, Releve derniere, double reference) {
         List<Marque> marques = new ArrayList<>();
-        for (Releve r : constats.spheres(Catalogue.BOUCLES)) {
+        for (Releve r : constats.spheres(Scenes.FOULE, Catalogue.BOUCLES).get()) {
             if (derniere != null && r.nombre("tests") > derniere.nombre("tests")) {
                 double secondes = derniere.rapport().valeur * reference / 1000 * r.nombre("tests") / derniere.nombre("tests");
                 marques.add(Marque.en(r.nombre("spheres"), secondes).creuse().nommee("≈ " + Style.arrondi(secondes / 60) + " min"));

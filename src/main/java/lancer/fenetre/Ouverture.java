@@ -1,0 +1,86 @@
+package lancer.fenetre;
+
+import java.awt.AWTError;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.awt.Toolkit;
+import java.io.PrintStream;
+import java.lang.reflect.InvocationTargetException;
+import java.util.List;
+import java.util.concurrent.ExecutorService;
+import lancer.SceneFautive;
+import lancer.commande.Echec;
+import lancer.commande.Options;
+import lancer.commande.Pannes;
+import lancer.dessin.Dessinateur;
+import lancer.lecture.Services;
+import lancer.sortie.BarreProgression;
+
+/** De la ligne de commande à la fenêtre : lire la première scène, s'assurer d'un écran, et commencer à dessiner. */
+public final class Ouverture {
+
+    private Ouverture() {
+    }
+
+    /**
+     * Ouvre la fenêtre sur la scène demandée, et revient.
+     *
+     * @param erreur où dire ce que cette première scène a de laissé de côté
+     * @param fin ce que fait sa fermeture, dans un autre fil
+     * @throws SceneFautive si la scène ne peut être utilisée ; rien ne s'est ouvert
+     * @throws Echec s'il n'y a pas d'écran
+     */
+    public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
+        Dimension taille = new Dimension(options.largeur, options.hauteur);
+        Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
+        if (premier != null) {
+            // la fenêtre n'est pas encore là pour le dire
+            BarreProgression barre = BarreProgression.commencer(dessinateur::getAvancement, erreur);
+            try {
+                premier.lire();
+            } finally {
+                barre.finir();
+            }
+            Pannes.avertir(premier.getAvertissements(), erreur);
+        }
+        exigerEcran();
+        // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
+        ExecutorService dessins = Atelier.unFil("lancer-dessin");
+        if (premier != null) {
+            // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
+            dessins.execute(premier);
+        }
+        List<String> variantes = Services.nomsDesVariantes();
+        Fenetre[] ouverte = new Fenetre[1];
+        try {
+            EventQueue.invokeAndWait(() -> {
+                Dialogues.preparer();
+                ouverte[0] = new Fenetre(dessinateur, options, variantes, dessins, fin);
+                ouverte[0].commencer(premier);
+            });
+        } catch (InvocationTargetException e) {
+            throw Echec.panne(Pannes.message(e.getCause()));
+        } catch (InterruptedException e) {
+            throw Echec.panne("interrompu");
+        }
+        return ouverte[0];
+    }
+
+    private static void exigerEcran() {
+        boolean present;
+        try {
+            present = !GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+            // dès ce fil : le bureau reconnaît la fenêtre à la classe d'où part celui qui ouvre l'écran
+            Toolkit.getDefaultToolkit();
+        } catch (HeadlessException | AWTError | LinkageError e) {
+            // un DISPLAY sans serveur derrière, ou un Java sans ses bibliothèques d'écran
+            present = false;
+        }
+        if (!present) {
+            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+        }
+    }
+}
