@@ -1,12 +1,11 @@
 package lancer.auto;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Iterator;
+import java.util.Deque;
 import java.util.List;
-import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
@@ -14,58 +13,58 @@ import lancer.contrat.Variante;
 
 /**
  * {@code --auto} : choisit comment dessiner une scène, d'après quelques pixels essayés de plusieurs façons, et contrôle
- * ensuite l'image sur d'autres. L'erreur est celle d'{@link Estimation}, contre la moyenne du pixel sans limite de
- * réflexions ; le prix se compte en rayons. Du réglage le moins cher, on va vers les plus justes, toujours par le même
- * chemin, jusqu'à ce qui est voulu : vouloir moins d'erreur ne peut donc en annoncer plus. Pour une erreur voulue, le
- * choix ne dépend que de la scène, de la taille et de ce qui est voulu ou fixé ; pour un temps voulu, il dépend aussi
- * de la machine. Le brouillon n'est jamais choisi : ce n'est pas une image.
+ * ensuite l'image sur d'autres. Le prix se compte en rayons. Du réglage le moins cher, on va vers les plus justes,
+ * toujours par le même chemin, jusqu'à ce qui est voulu : vouloir moins d'erreur ne peut donc en annoncer plus. Pour
+ * une erreur voulue, le choix ne dépend que de la scène, de la taille et de ce qui est voulu ou fixé ; pour un temps
+ * voulu, il dépend aussi de la machine. Le brouillon n'est jamais choisi : ce n'est pas une image.
  */
 public final class Auto {
 
-    /** Blocs où s'essaient les limites et se cherche le contraste. */
+    /** Blocs où s'essaient les limites et se cherche le contraste, et les rayons que chacun y lance de l'écran. */
     private static final int BLOCS_MIN = 200;
     private static final int BLOCS_MAX = 4000;
+    private static final int RAYONS_PAR_BLOC = 14;
 
-    /** Part des rayons du choix qui va à ces blocs, et ce que chacun y demande de points. */
-    private static final double PART_DES_BLOCS = 0.3;
-    private static final int POINTS_PAR_BLOC = EssaiFinesses.POINTS + 6;
+    /** Rayons permis aux essais d'un petit dessin : moins de 0,2 s, même si rien n'est encore compilé. */
+    private static final double PLANCHER = 500_000;
 
-    /** Part de ce qui reste que prennent les blocs tirés pour mesurer une erreur ; une moindre en tirera d'autres. */
-    private static final double PART_DES_TIRAGES = 0.7;
+    /** Part du dessin que coûtent ceux d'un autre : un rayon d'essai coûte un peu plus que celui d'une image. */
+    private static final double PART = 0.4;
 
-    /** L'erreur que les limites peuvent faire sans gêner la mesure des échantillonnages, en niveaux. */
-    private static final double GENE = 0.25;
+    /** Parts des essais qui vont à ces blocs, à ceux qui sont tirés parmi eux, au prix du choix, et au contrôle. */
+    private static final double PART_DES_BLOCS = 0.2;
+    private static final double PART_DES_TIRAGES = 0.4;
+    private static final double PART_DU_CHOIX = 0.85;
+
+    /** Le temps d'un dessin, rapporté à celui de ses rayons dans le meilleur essai : une machine n'est jamais seule. */
+    private static final double PRUDENCE = 1.2;
 
     private static final double NS_PAR_S = 1e9;
-    private static final double MS_PAR_S = 1e3;
 
     private final Souhait souhait;
     private final Essais essais;
-    private final Budget budget;
-    private final List<Finesse> finesses;
-    private final Consumer<Auto> suivi;
+    private final double pixels;
+    private final Deque<Finesse> finesses;
+    private final long debut = System.nanoTime();
     private EssaiLimites limites;
     private EssaiFinesses essai;
 
     /** De moins en moins d'erreur, attendue comme au plus. */
     private final List<Reglage> front = new ArrayList<>();
     private final List<Reglage> essayes = new ArrayList<>();
-    private int semes;
-    private int finessesVues;
     private Reglage choisi;
     private double tempsAttendu;
     private double essaisS;
     private Lancer lancer;
-    private EssaiFinesses controle;
-    private Prelevement prelevement;
+    private Reglage surveille;
+    private Controle controle;
     private Estimation mesuree;
 
-    private Auto(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes, Consumer<Auto> suivi) {
+    private Auto(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes) {
         this.souhait = souhait;
-        this.suivi = suivi;
         essais = new Essais(prepare, fils);
-        budget = new Budget(souhait, essais);
-        finesses = Finesse.possibles(prepare.getScene(), variantes);
+        pixels = (double) essais.camera.getLargeur() * essais.camera.getHauteur();
+        finesses = new ArrayDeque<>(Finesse.possibles(prepare.getScene(), variantes));
     }
 
     /**
@@ -73,111 +72,94 @@ public final class Auto {
      *
      * @param prepare la scène, prête à être dessinée
      * @param variantes celles dont les réglages sont permis
-     * @throws lancer.SceneFautive si une variante propose un réglage fautif
-     */
-    public static Auto choisir(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes) {
-        return choisir(prepare, souhait, fils, variantes, auto -> { });
-    }
-
-    /**
-     * Choisit, en disant où il en est.
-     *
      * @param suivi appelé dans ce fil après chaque pas
+     * @throws lancer.SceneFautive si une variante propose un réglage fautif
      * @throws java.util.concurrent.CancellationException si ce fil est interrompu
      */
     public static Auto choisir(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes,
             Consumer<Auto> suivi) {
-        Auto auto = new Auto(prepare, souhait, fils, variantes, suivi);
+        Auto auto = new Auto(prepare, souhait, fils, variantes);
         auto.semer();
-        auto.monter();
+        auto.monter(suivi);
         auto.choisir();
-        auto.essaisS = auto.budget.ecoule();
+        auto.essaisS = auto.ecoule();
         return auto;
+    }
+
+    private double ecoule() {
+        return (System.nanoTime() - debut) / NS_PAR_S;
+    }
+
+    /** Le temps qu'il faudrait pour dessiner à ce prix par pixel, en secondes. */
+    private double dessin(double prix) {
+        return PRUDENCE * prix * pixels * essais.parRayon;
+    }
+
+    /** Les rayons permis aux essais, si le dessin est à ce prix par pixel : au plus la moitié, ou d'un temps voulu. */
+    private double permis(double prix) {
+        return souhait.temps > 0 ? Math.min(souhait.temps / 2, souhait.temps - dessin(prix)) / essais.parRayon
+                : Math.max(PLANCHER, PART * prix * pixels);
+    }
+
+    private double depense() {
+        return souhait.temps > 0 ? ecoule() / essais.parRayon : essais.rayons;
     }
 
     /** Sème autant de blocs que le plus petit dessin le permet, et y essaie ce qui ne dépend pas d'une finesse. */
     private void semer() {
         List<Pave> blocs = essais.semer(BLOCS_MIN, false);
         limites = new EssaiLimites(essais, blocs, souhait);
-        double prix = limites.exactes.rayons;
-        double permis = PART_DES_BLOCS * budget.pourChoisir(prix) / (POINTS_PAR_BLOC * prix);
-        if (permis > BLOCS_MIN) {
-            blocs = essais.semer((int) Math.min(BLOCS_MAX, permis), false);
+        double permis = permis(limites.permises.get(0).rayons);
+        double autant = PART_DES_BLOCS * permis / (RAYONS_PAR_BLOC * limites.exactes.rayons);
+        if (autant > BLOCS_MIN) {
+            blocs = essais.semer((int) Math.min(BLOCS_MAX, autant), false);
             limites = new EssaiLimites(essais, blocs, souhait);
         }
-        LimitesDesReflets communes = limites.permises.stream().filter(l -> l.erreur.auPlus() <= GENE).findFirst()
-                .orElse(limites.exactes);
-        semes = blocs.size();
-        essai = new EssaiFinesses(essais, blocs, communes);
-        affiner(Double.POSITIVE_INFINITY, limites.permises.get(0).rayons);
+        essai = new EssaiFinesses(essais, blocs, limites.exactes, PART_DES_TIRAGES * permis);
     }
 
-    /** Du moins cher au plus juste : à chaque pas, ce qui retire le plus d'erreur par rayon de plus. */
-    private void monter() {
-        Iterator<Finesse> suivantes = finesses.iterator();
+    /** Du moins cher au plus juste : à chaque pas, la plus grande des deux parts de l'erreur diminue. */
+    private void monter(Consumer<Auto> suivi) {
         int profondeur = 0;
-        Finesse suivante = null;
-        Finesse finesse = essayer(suivantes.next());
+        Reglage ici = noter(essai.essayer(finesses.remove()), profondeur);
         while (true) {
-            Reglage ici = noter(approfondir(finesse, profondeur), profondeur);
-            if (front.isEmpty() || ici.estPlusJusteQue(front.get(front.size() - 1))) {
-                front.add(ici);
+            Reglage mieux = front.isEmpty() ? null : front.get(front.size() - 1);
+            if (mieux == null || ici.erreur < mieux.erreur && ici.erreurAuPlus < mieux.erreurAuPlus) {
+                mieux = ici;
+                front.add(mieux);
             }
             suivi.accept(this);
-            if (suffit(front.get(front.size() - 1))) {
+            if (suffit(mieux)) {
                 return;
             }
-            while (suivantes.hasNext() && (suivante == null || suivante.erreur.carre() >= finesse.erreur.carre())) {
-                suivante = essayer(suivantes.next());
-            }
-            boolean plusFin = suivante != null && suivante.erreur.carre() < finesse.erreur.carre();
             boolean plusLoin = profondeur + 1 < limites.permises.size();
-            if (plusFin && plusLoin) {
-                plusLoin = noter(finesse, profondeur + 1).gain(ici) > noter(suivante, profondeur).gain(ici);
-            }
-            if (plusLoin) {
+            boolean aReflets = ici.limites.erreur.carre > ici.finesse.erreur.carre;
+            if (plusLoin && (aReflets || finesses.isEmpty())) {
                 profondeur++;
-            } else if (plusFin) {
-                finesse = suivante;
+                ici = noter(ici.finesse, profondeur);
+            } else if (!finesses.isEmpty()) {
+                Reglage autre = noter(essai.essayer(finesses.remove()), profondeur);
+                ici = autre.erreur < ici.erreur ? autre : ici;
             } else {
                 return;
             }
         }
     }
 
-    private Finesse essayer(Finesse finesse) {
-        essai.essayer(finesse);
-        finessesVues++;
-        return finesse;
-    }
-
-    /** La même, contre des références aussi fines que son erreur le demande. */
-    private Finesse approfondir(Finesse finesse, int profondeur) {
-        double prix = finesse.prix * essai.rayonsParRayon(limites.permises.get(profondeur));
-        while (affiner(finesse.erreur.erreur(), prix)) {
-            essai.essayer(finesse);
-        }
-        return finesse;
-    }
-
-    private boolean affiner(double erreur, double prix) {
-        return essai.affiner(erreur, PART_DES_TIRAGES * budget.pourChoisir(prix));
-    }
-
     private Reglage noter(Finesse finesse, int profondeur) {
-        LimitesDesReflets l = limites.permises.get(profondeur);
-        Reglage reglage = new Reglage(finesse, l, essai.rayonsParRayon(l));
+        Reglage reglage = new Reglage(finesse, limites.permises.get(profondeur));
         essayes.add(reglage);
         return reglage;
     }
 
+    /** Pour un temps voulu : un essai de plus coûte souvent autant que tous ceux d'avant. */
     private boolean suffit(Reglage reglage) {
-        return souhait.temps > 0 ? budget.pourChoisir(0) <= essai.prochain() || !tient(reglage)
-                : reglage.getErreurAuPlus() <= souhait.erreur;
+        return souhait.temps > 0 ? 2 * depense() >= PART_DU_CHOIX * permis(0) || !tient(reglage)
+                : reglage.erreurAuPlus <= souhait.erreur;
     }
 
     private boolean tient(Reglage reglage) {
-        return budget.ecoule() + budget.dessin(reglage.getPrix()) <= souhait.temps;
+        return ecoule() + dessin(reglage.prix) <= souhait.temps;
     }
 
     /** Pour une erreur, le premier qui la tient, ou le plus juste ; pour un temps, le plus juste qui le tient. */
@@ -187,9 +169,10 @@ public final class Auto {
             k--;
         }
         choisi = front.get(k);
-        essai.chiffrer(choisi.finesse, choisi.limites, PART_DES_TIRAGES * budget.pourControler(choisi.getPrix()));
-        tempsAttendu = souhait.temps > 0 ? budget.ecoule() + budget.dessin(choisi.getPrix()) : 0;
-        lancer = getLancer(choisi);
+        essai.chiffrer(choisi.finesse, choisi.limites, PART_DU_CHOIX * permis(choisi.prix) - depense());
+        choisi = new Reglage(choisi.finesse, choisi.limites);
+        tempsAttendu = souhait.temps > 0 ? ecoule() + dessin(choisi.prix) : 0;
+        lancer = essais.prepare.avec(choisi.finesse.echantillonnage, choisi.seuil);
     }
 
     /** Ce qui est choisi. */
@@ -200,11 +183,6 @@ public final class Auto {
     /** De quoi dessiner la scène comme il est choisi, à la profondeur que dit {@link #getChoisi()}. */
     public Lancer getLancer() {
         return lancer;
-    }
-
-    /** De quoi la dessiner autrement. */
-    public Lancer getLancer(Reglage reglage) {
-        return essais.lancer(reglage.finesse.echantillonnage, reglage.limites.seuil);
     }
 
     /** Les réglages essayés, avec ce qui en est attendu. */
@@ -219,65 +197,49 @@ public final class Auto {
 
     /** Échantillonnages qui restent à essayer, au plus. */
     public int getRestants() {
-        return finesses.size() - finessesVues;
+        return finesses.size();
     }
 
     /** Secondes que demande un rayon de plus, d'après les essais. */
     public double getSecondesParRayon() {
-        return essais.parRayon();
+        return essais.parRayon;
     }
 
     /** Les rayons des essais, contrôle compris. */
     public long getRayonsDesEssais() {
-        return essais.rayons();
+        return essais.rayons;
     }
 
     /** Vrai si ce qui est voulu devrait être tenu. */
     public boolean estTenable() {
-        return souhait.estTenu(choisi.getErreurAuPlus(), tempsAttendu);
+        return souhait.temps > 0 ? tempsAttendu <= souhait.temps : choisi.erreurAuPlus <= souhait.erreur;
     }
 
     /** Ce qui est attendu de la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */
     public Reglage evaluer(int reflets, double seuil) {
-        LimitesDesReflets l = limites.essayer(reflets, seuil);
-        return new Reglage(essayer(Finesse.de(essais.scene())), l, essai.rayonsParRayon(l));
+        return new Reglage(essai.essayer(Finesse.de(essais.prepare.getScene())), limites.essayer(reflets, seuil));
     }
 
-    /** Mesure une image dessinée avec ce réglage. @return son erreur, et son incertitude, en niveaux */
-    public double[] mesurer(Reglage reglage, BiFunction<Integer, Integer, Couleur> image) {
-        preparerLeControle((couleur, xe, ye) -> { }, reglage, Double.POSITIVE_INFINITY);
-        for (Pave bloc : controle.tirage().blocs) {
-            for (int k = 0; k < bloc.pixels(); k++) {
-                int i = bloc.i0 + k % (bloc.i1 - bloc.i0);
-                int j = bloc.j0 + k / (bloc.i1 - bloc.i0);
-                prelevement.drawPixel(image.apply(i, j), i, j);
-            }
-        }
-        controler();
-        return new double[] {mesuree.erreur(), mesuree.incertitude()};
+    /**
+     * De quoi contrôler une image, sur d'autres pixels que ceux du choix s'il y en a.
+     *
+     * @param reglage celui de l'image
+     * @return ce qu'il faut donner à dessiner pour que {@code toile} le soit
+     */
+    public Toile surveiller(Toile toile, Reglage reglage) {
+        surveille = reglage;
+        controle = new Controle(toile, essais, essais.semer(essai.blocs.size(), true));
+        return controle;
     }
 
-    /** @return ce qu'il faut donner à dessiner pour que {@code toile} le soit, et que l'image puisse être contrôlée */
-    public Toile surveiller(Toile toile) {
-        preparerLeControle(toile, choisi, budget.pourControler(choisi.getPrix()));
-        return prelevement;
-    }
-
-    private void preparerLeControle(Toile toile, Reglage reglage, double rayons) {
-        double debut = budget.ecoule();
-        List<Pave> blocs = essais.semer(semes, true);
-        // une image d'un seul bloc n'en a pas d'autre
-        controle = new EssaiFinesses(essais, blocs.isEmpty() ? essais.semer(1, false) : blocs, limites.exactes);
-        controle.affiner(reglage.getErreur(), rayons);
-        prelevement = new Prelevement(toile, essais.camera.getLargeur(), controle.tirage().blocs);
-        essaisS += budget.ecoule() - debut;
-    }
-
-    /** Mesure l'image dessinée, sur d'autres pixels que ceux du choix s'il y en a. */
+    /** Mesure l'image dessinée. */
     public void controler() {
-        double debut = budget.ecoule();
-        mesuree = controle.mesurer(prelevement);
-        essaisS += budget.ecoule() - debut;
+        double avant = ecoule();
+        double permis = permis(surveille.prix);
+        // une image qui n'est pas celle du choix se mesure sans compter
+        mesuree = controle.mesurer(limites.exactes, surveille.erreur, surveille != choisi ? Double.POSITIVE_INFINITY
+                : Math.max((1 - PART_DU_CHOIX) * permis, permis - depense()));
+        essaisS += ecoule() - avant;
     }
 
     /** L'erreur de l'image, mesurée par {@link #controler}, en niveaux. */
@@ -285,17 +247,28 @@ public final class Auto {
         return mesuree.erreur();
     }
 
+    /** Ce dont elle peut s'écarter, en niveaux, dix-neuf fois sur vingt. */
+    public double getIncertitude() {
+        return mesuree.incertitude();
+    }
+
     /** Trois lignes : le choix, pourquoi, et ce qu'il en est. */
     public List<String> getLignes() {
+        double dessin = lancer.getDureeNs() / NS_PAR_S;
+        String duree = tempsAttendu > 0 ? Souhait.texte(" ; %.3f s, essais compris", tempsAttendu) : "";
         return Arrays.asList("auto, choisi : " + choisi,
-                "auto, attendu : " + CompteRendu.attente(souhait, choisi, essayes.size(), tempsAttendu),
-                "auto, mesuré : " + CompteRendu.controle(souhait, mesuree, controle.tirage().pixels(),
-                        lancer.getDureeNs() / NS_PAR_S, essaisS));
+                Souhait.texte("auto, attendu : erreur d'au plus %.2f, sans doute %.2f ; %.2f rayons de l'écran par "
+                        + "pixel, %.2f avec les ombres et les reflets%s ; %s", choisi.erreurAuPlus, choisi.erreur,
+                        choisi.rayons, choisi.prix, duree, souhait.raison(estTenable(), essayes.size())),
+                Souhait.texte("auto, mesuré : erreur de %.2f ± %.2f, sur %d pixel%s ; dessin en %.3f s, "
+                        + "essais en %.3f s ; %s", mesuree.erreur(), mesuree.incertitude(), controle.pixels(),
+                        controle.pixels() > 1 ? "s" : "", dessin, essaisS,
+                        souhait.verdict(mesuree, dessin + essaisS)));
     }
 
     /** Des lignes de plus pour {@code --statistiques}. */
     public String getStatistiques() {
-        return CompteRendu.texte("auto.erreur.attendue: %.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%n"
-                + "auto.essais.ms: %.3f", choisi.getErreur(), mesuree.erreur(), essais.rayons(), essaisS * MS_PAR_S);
+        return Souhait.texte("auto.erreur.attendue: %.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%n"
+                + "auto.essais.ms: %.3f", choisi.erreur, mesuree.erreur(), essais.rayons, 1e3 * essaisS);
     }
 }

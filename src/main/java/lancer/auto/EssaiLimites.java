@@ -13,110 +13,95 @@ import lancer.contrat.Pave;
 /** Les limites des reflets, essayées sur des rayons semés également : un au centre de chaque bloc. */
 final class EssaiLimites {
 
-    /** Profondeurs essayées ; le programme ne va pas plus loin que la dernière, qui passe pour exacte. */
+    /** Profondeurs essayées ; le programme ne va pas plus loin que la dernière. */
     private static final int[] REFLETS = {0, 1, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 60, 80, 120, 160, 240, 320, 480, 640,
             1000};
-    private static final double[] SEUILS = {0, 1.0 / 4, 1.0 / 16, 1.0 / 64, 1.0 / 256, Constantes.SEUIL, 1.0 / 4096};
+    private static final double[] SEUILS = {1.0 / 4, 1.0 / 16, 1.0 / 64, 1.0 / 256, Constantes.SEUIL, 1.0 / 4096};
 
-    /** Un écart que personne ne verra ni ne mesurera, en niveaux. */
+    /** Un produit des Ks sous lequel un reflet ne se voit ni ne se mesure ; un tel écart, en niveaux. */
+    private static final double SANS_LIMITE = 1e-9;
     private static final double EXACT = 0.001;
 
     /** Entre lesquelles choisir : de moins en moins d'erreur, et de plus en plus de rayons. */
     final List<LimitesDesReflets> permises = new ArrayList<>();
 
-    /** Où chaque rayon voit ce qu'il verrait sans limite. */
+    /** Sans limite, autant dire. */
     final LimitesDesReflets exactes;
 
     private final Essais essais;
     private final List<Pave> blocs;
-    private final Couleur[] sansLimite;
 
-    /** De chaque rayon sans limite : ceux qu'il a fait lancer, lui compris. */
+    /** De chaque rayon sans limite : ce qu'il voit, et ceux qu'il a fait lancer, lui compris. */
+    private final double[][] justes;
     private final double[] rayons;
 
-    /**
-     * Les rayons que des limites peuvent arrêter ; ceux qu'arrête le dernier essai, et son plus grand carré d'un écart,
-     * en niveaux².
-     */
+    /** Les rayons que des limites peuvent arrêter. */
     private final List<Integer> reflechis;
-    private List<Integer> limites;
-    private double pire;
 
     /** Essaie toutes celles que le souhait laisse à choisir. */
     EssaiLimites(Essais essais, List<Pave> blocs, Souhait souhait) {
         this.essais = essais;
         this.blocs = blocs;
-        sansLimite = new Couleur[blocs.size()];
-        rayons = new double[blocs.size()];
-        limites = IntStream.range(0, blocs.size()).boxed().collect(Collectors.toList());
-        voir(limites, REFLETS[REFLETS.length - 1], 0, sansLimite, rayons);
+        justes = new double[blocs.size()][];
+        rayons = new double[justes.length];
+        List<Integer> tous = IntStream.range(0, justes.length).boxed().collect(Collectors.toList());
+        int loin = REFLETS[REFLETS.length - 1];
+        voir(tous, loin, SANS_LIMITE, justes, rayons);
+        exactes = new LimitesDesReflets(loin, SANS_LIMITE, new Estimation(0, 0), moyenne(rayons));
+        double[] directs = new double[justes.length];
+        voir(tous, 0, 0, new double[justes.length][], directs);
+        reflechis = tous.stream().filter(k -> directs[k] < rayons[k]).collect(Collectors.toList());
         List<LimitesDesReflets> toutes = new ArrayList<>();
-        toutes.add(essayer(limites, REFLETS[0], 0));
-        reflechis = limites;
-        while (pire > EXACT * EXACT) {
-            toutes.add(essayer(limites, REFLETS[toutes.size()], 0));
+        boolean reflete = essais.prepare.getScene().getObjets().stream()
+                .anyMatch(objet -> !objet.getKs().equals(new Couleur()));
+        int[] profondeurs = souhait.reflets != null ? new int[] {souhait.reflets} : reflete ? REFLETS : new int[] {0};
+        LimitesDesReflets avant = null;
+        LimitesDesReflets l = null;
+        // un pas de plus qui ne coûte rien se fait : d'autres rayons le demandent peut-être
+        for (int k = 0; k < profondeurs.length
+                && (avant == null || l.rayons > avant.rayons && l.erreur.erreur() > EXACT); k++) {
+            avant = l;
+            l = essayer(profondeurs[k], souhait.seuil == null ? 0 : souhait.seuil);
+            toutes.add(l);
         }
-        if (limites.isEmpty() && essais.reflechit()) {
-            // un pas de plus ne coûte rien, et d'autres rayons le demandent peut-être
-            toutes.set(toutes.size() - 1, essayer(limites, REFLETS[toutes.size()], 0));
+        for (int k = 0; k < SEUILS.length && souhait.seuil == null && l.reflets > 0; k++) {
+            toutes.add(essayer(l.reflets, SEUILS[k]));
         }
-        exactes = toutes.get(toutes.size() - 1);
-        int fin = souhait.reflets == null ? exactes.reflets : souhait.reflets;
-        double premier = souhait.seuil == null ? SEUILS[0] : souhait.seuil;
-        if (souhait.reflets != null || premier > 0) {
-            toutes.clear();
-            IntStream.of(REFLETS).filter(r -> souhait.reflets == null && r < fin)
-                    .forEach(r -> toutes.add(essayer(r, premier)));
-            toutes.add(essayer(fin, premier));
-        }
-        // sans reflets, tous les seuils se valent
-        Arrays.stream(SEUILS).filter(seuil -> souhait.seuil == null && seuil > 0 && fin > 0)
-                .forEach(seuil -> toutes.add(essayer(fin, seuil)));
-        permettre(toutes);
-    }
-
-    LimitesDesReflets essayer(int reflets, double seuil) {
-        return essayer(reflechis, reflets, seuil);
-    }
-
-    private void permettre(List<LimitesDesReflets> toutes) {
-        toutes.sort(Comparator.comparingDouble((LimitesDesReflets l) -> l.rayons)
-                .thenComparingDouble(l -> l.erreur.erreur()));
+        toutes.sort(Comparator.<LimitesDesReflets>comparingDouble(limites -> limites.rayons)
+                .thenComparingDouble(limites -> limites.erreur.erreur()).thenComparingInt(limites -> -limites.reflets));
         double moindre = Double.POSITIVE_INFINITY;
-        for (LimitesDesReflets l : toutes) {
-            if (l.erreur.erreur() < moindre) {
-                permises.add(l);
-                moindre = l.erreur.erreur();
+        for (LimitesDesReflets limites : toutes) {
+            if (limites.erreur.erreur() < moindre) {
+                permises.add(limites);
+                moindre = limites.erreur.erreur();
             }
         }
     }
 
-    /** Met dans {@code couleurs} celle du centre de ces blocs, et dans {@code lances} les rayons qu'elle demande. */
-    private void voir(List<Integer> rangs, int reflets, double seuil, Couleur[] couleurs, double[] lances) {
-        List<Pave> vus = rangs.stream().map(blocs::get).collect(Collectors.toList());
-        essais.passer(vus, new LimitesDesReflets(reflets, seuil, null, 0), (k, bloc, pave, vue) -> {
+    LimitesDesReflets essayer(int reflets, double seuil) {
+        double[][] vus = justes.clone();
+        double[] lances = rayons.clone();
+        voir(reflechis, reflets, seuil, vus, lances);
+        double[] carres = new double[justes.length];
+        for (int k : reflechis) {
+            for (int c = 0; c < 3; c++) {
+                carres[k] += (vus[k][c] - justes[k][c]) * (vus[k][c] - justes[k][c]) / 3;
+            }
+        }
+        return new LimitesDesReflets(reflets, seuil, Estimation.de(carres), moyenne(lances));
+    }
+
+    /** Met dans {@code vus} ce qui se voit au centre de ces blocs, dans {@code lances} les rayons qu'il y faut. */
+    private void voir(List<Integer> rangs, int reflets, double seuil, double[][] vus, double[] lances) {
+        List<Pave> parmi = rangs.stream().map(blocs::get).collect(Collectors.toList());
+        essais.passer(parmi, reflets, seuil, (k, bloc, pave, vue) -> {
             long avant = vue.rayons();
-            couleurs[rangs.get(k)] = vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0);
+            vus[rangs.get(k)] = Niveaux.de(vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0));
             lances[rangs.get(k)] = vue.rayons() - avant;
         });
     }
 
-    /** @param rangs de tous les rayons que ces limites peuvent arrêter */
-    private LimitesDesReflets essayer(List<Integer> rangs, int reflets, double seuil) {
-        Couleur[] couleurs = sansLimite.clone();
-        double[] lances = rayons.clone();
-        voir(rangs, reflets, seuil, couleurs, lances);
-        limites = rangs.stream().filter(k -> lances[k] < rayons[k]).collect(Collectors.toList());
-        double[] carres = new double[couleurs.length];
-        for (int k : rangs) {
-            double[] vue = Niveaux.de(couleurs[k]);
-            double[] juste = Niveaux.de(sansLimite[k]);
-            for (int c = 0; c < 3; c++) {
-                carres[k] += (vue[c] - juste[c]) * (vue[c] - juste[c]) / 3;
-            }
-        }
-        pire = Arrays.stream(carres).max().getAsDouble();
-        return new LimitesDesReflets(reflets, seuil, Estimation.de(carres),
-                Arrays.stream(lances).average().getAsDouble());
+    private static double moyenne(double[] comptes) {
+        return Arrays.stream(comptes).average().getAsDouble();
     }
 }

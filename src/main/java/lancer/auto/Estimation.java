@@ -13,24 +13,16 @@ final class Estimation {
     /** Écarts types ajoutés au carré estimé, pour qu'une erreur attendue « au plus » le soit presque toujours. */
     private static final double PRUDENCE = 2;
 
-    /** En niveaux², comme l'écart type dont {@code variance} est le carré. */
-    private final double carre;
+    /** En niveaux², et la variance de ce qui l'estime. */
+    final double carre;
     private final double variance;
 
-    /**
-     * @param carre en niveaux²
-     * @param variance celle de l'estimateur de ce carré
-     */
     Estimation(double carre, double variance) {
         this.carre = carre;
         this.variance = variance;
     }
 
-    /**
-     * La moyenne de mesures indépendantes, et ce qu'elle a d'incertain.
-     *
-     * @param mesures chacune d'espérance le carré cherché, en niveaux²
-     */
+    /** La moyenne de mesures indépendantes, chacune d'espérance le carré cherché, et ce qu'elle a d'incertain. */
     static Estimation de(double[] mesures) {
         double moyenne = Arrays.stream(mesures).average().getAsDouble();
         double carres = Arrays.stream(mesures).map(mesure -> (mesure - moyenne) * (mesure - moyenne)).sum();
@@ -45,10 +37,6 @@ final class Estimation {
     /** En niveaux. */
     double erreur() {
         return Math.sqrt(carre);
-    }
-
-    double carre() {
-        return carre;
     }
 
     /** Ce que l'erreur ne devrait pas dépasser, en niveaux. */

@@ -13,9 +13,6 @@ import lancer.contrat.Variante;
 /** Un échantillonnage possible de la scène, et ce que les essais en disent. */
 final class Finesse {
 
-    /** Comment l'obtenir soi-même. */
-    final String texte;
-
     /** La section de variante qui la donne ; {@code null} pour celle de la scène. */
     final Section section;
     final Echantillonnage echantillonnage;
@@ -23,15 +20,12 @@ final class Finesse {
     /** Contre les mêmes pixels, d'une moyenne exacte ; {@code null} tant que rien n'est essayé. */
     Estimation erreur;
 
-    /** De l'écran, par pixel. */
+    /** De l'écran, par pixel ; et leur prix avec ceux qu'ils lancent, celui d'un rayon par pixel étant 1. */
     double rayons;
-
-    /** De ces rayons, reflets et ombres compris, celui de l'image d'un rayon par pixel étant 1. */
     double prix;
 
-    private Finesse(Section section, String texte, Echantillonnage echantillonnage) {
+    private Finesse(Section section, Echantillonnage echantillonnage) {
         this.section = section;
-        this.texte = texte;
         this.echantillonnage = echantillonnage;
     }
 
@@ -49,7 +43,7 @@ final class Finesse {
                     Modele modele = new Modele();
                     variante.installer(reglage, modele);
                     reglage.verifierCles();
-                    finesses.add(new Finesse(reglage, reglage.toString(), modele.getEchantillonnage()));
+                    finesses.add(new Finesse(reglage, modele.getEchantillonnage()));
                 }
             }
         }
@@ -61,8 +55,13 @@ final class Finesse {
 
     /** Celle de la scène. */
     static Finesse de(Scene scene) {
-        Echantillonnage fixe = scene.getEchantillonnage();
-        boolean centre = fixe == Echantillonnage.CENTRE;
-        return new Finesse(null, centre ? "un rayon par pixel" : "l'échantillonnage de la scène", fixe);
+        return new Finesse(null, scene.getEchantillonnage());
+    }
+
+    /** Comment l'obtenir soi-même. */
+    @Override
+    public String toString() {
+        return section != null ? section.toString()
+                : echantillonnage == Echantillonnage.CENTRE ? "un rayon par pixel" : "l'échantillonnage de la scène";
     }
 }

@@ -8,10 +8,8 @@ final class LimitesDesReflets {
     final int reflets;
     final double seuil;
 
-    /** Contre les mêmes rayons sans limite. */
+    /** Contre les mêmes rayons sans limite ; et rayons de toutes sortes pour un rayon de l'écran, lui compris. */
     final Estimation erreur;
-
-    /** Rayons de toutes sortes pour un rayon de l'écran, lui compris. */
     final double rayons;
 
     LimitesDesReflets(int reflets, double seuil, Estimation erreur, double rayons) {

@@ -1,5 +1,7 @@
 package lancer.auto;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 import lancer.Couleur;
 import lancer.contrat.Pave;
@@ -10,15 +12,20 @@ import lancer.contrat.Vue;
 final class Niveaux implements Toile {
 
     private static final double NIVEAUX = 255;
-    private static final double POINTS_POUR_UN_NIVEAU = 9;
-    private static final int POINTS_MIN = 13;
-    private static final int POINTS_MAX = 89;
+
+    /** Ce que promet d'erreur un bloc où l'on ne voit qu'une couleur : aucun n'est à l'abri d'un détail. */
+    private static final double IMPREVU = 0.1;
+    private static final int POINTS_D_UNE_PROMESSE = 8;
+
+    private static final double POINTS_POUR_UN_NIVEAU = 12;
+    private static final int POINTS_MIN = 10;
+    private static final int POINTS_MAX = 72;
 
     /** Le nombre plastique, solution de x³ = x + 1. */
     private static final double PLASTIQUE = 1.3247179572447460;
 
     private final Pave bloc;
-    private final double[] niveaux = new double[3 * Essais.COTE * Essais.COTE];
+    final double[] niveaux = new double[3 * Essais.COTE * Essais.COTE];
 
     Niveaux(Pave bloc) {
         this.bloc = bloc;
@@ -29,28 +36,32 @@ final class Niveaux implements Toile {
         return (int) Math.max(POINTS_MIN, Math.min(POINTS_MAX, POINTS_POUR_UN_NIVEAU * Math.pow(erreur, -4.0 / 3)));
     }
 
-    /** L'abscisse du point k d'une suite bien répartie dans le carré unité (Roberts, suite R2, 2018). */
+    /** Le point k d'une suite bien répartie dans le carré unité (Roberts, suite R2, 2018) : son abscisse. */
     static double x(int k, double decalage) {
         return (decalage + k / PLASTIQUE) % 1;
     }
 
-    /** Son ordonnée. */
     static double y(int k, double decalage) {
         return (decalage + k / PLASTIQUE / PLASTIQUE) % 1;
     }
 
     /**
-     * Deux références du bloc : les couleurs moyennes de ses pixels, chacune à une erreur près, sans biais et sans
-     * rapport avec celle de l'autre. Toujours les mêmes pour un bloc.
+     * Deux références de chaque bloc : les couleurs moyennes de ses pixels, chacune à une erreur près, sans biais et
+     * sans rapport avec celle de l'autre. Toujours les mêmes pour un bloc.
      *
      * @param points d'un pixel ; aucune grille régulière n'a les leurs, et n'en est donc favorisée
      */
-    static Niveaux[] references(Pave bloc, Vue vue, int points) {
-        SplittableRandom hasard = new SplittableRandom((long) bloc.j0 << Integer.SIZE | bloc.i0);
-        return new Niveaux[] {reference(bloc, vue, points, hasard), reference(bloc, vue, points, hasard)};
+    static Niveaux[][] references(Essais essais, List<Pave> blocs, LimitesDesReflets limites, int points) {
+        Niveaux[][] references = new Niveaux[blocs.size()][];
+        essais.passer(blocs, limites.reflets, limites.seuil, (rang, bloc, pave, vue) -> {
+            SplittableRandom hasard = new SplittableRandom((long) bloc.j0 << Integer.SIZE | bloc.i0);
+            references[rang] = new Niveaux[] {reference(bloc, vue, points, hasard),
+                reference(bloc, vue, points, hasard)};
+        });
+        return references;
     }
 
-    private static Niveaux reference(Pave bloc, Vue vue, int points, SplittableRandom hasard) {
+    static Niveaux reference(Pave bloc, Vue vue, int points, SplittableRandom hasard) {
         Niveaux reference = new Niveaux(bloc);
         for (int j = bloc.j0; j < bloc.j1; j++) {
             for (int i = bloc.i0; i < bloc.i1; i++) {
@@ -79,8 +90,45 @@ final class Niveaux implements Toile {
         return new double[] {NIVEAUX * limite(couleur.r), NIVEAUX * limite(couleur.v), NIVEAUX * limite(couleur.b)};
     }
 
-    static double limite(double composante) {
+    private static double limite(double composante) {
         return Math.max(0, Math.min(1, composante));
+    }
+
+    /** Ce que chacun de ces blocs promet d'erreur, d'après quelques points du bloc et d'un demi-pixel autour. */
+    static double[] promesses(Essais essais, List<Pave> blocs, LimitesDesReflets limites) {
+        double[] promesses = new double[blocs.size()];
+        essais.passer(blocs, limites.reflets, limites.seuil, (rang, bloc, pave, vue) -> {
+            double[] vus = new double[3 * POINTS_D_UNE_PROMESSE];
+            for (int k = 0; k < POINTS_D_UNE_PROMESSE; k++) {
+                Couleur couleur = vue.couleur(bloc.i0 - 0.5 + x(k, 0) * (bloc.i1 - bloc.i0 + 1),
+                        bloc.j0 - 0.5 + y(k, 0) * (bloc.j1 - bloc.j0 + 1));
+                System.arraycopy(de(couleur), 0, vus, 3 * k, 3);
+            }
+            promesses[rang] = promesse(vus);
+        });
+        return promesses;
+    }
+
+    /** Ce que promet d'erreur un bloc où l'on voit ces composantes : d'autant plus qu'elles diffèrent. */
+    static double promesse(double[] vus) {
+        double contraste = 0;
+        for (int c = 0; c < 3; c++) {
+            double min = NIVEAUX;
+            double max = 0;
+            for (int k = c; k < vus.length; k += 3) {
+                min = Math.min(min, vus[k]);
+                max = Math.max(max, vus[k]);
+            }
+            contraste = Math.max(contraste, max - min);
+        }
+        return IMPREVU + contraste / NIVEAUX;
+    }
+
+    /** L'{@link #ecart} de chacun de ces blocs à ses références. */
+    static double[] ecarts(Niveaux[] dessines, Niveaux[][] references) {
+        double[] ecarts = new double[dessines.length];
+        Arrays.setAll(ecarts, k -> dessines[k].ecart(references[k]));
+        return ecarts;
     }
 
     /**

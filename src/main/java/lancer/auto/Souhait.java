@@ -2,13 +2,11 @@ package lancer.auto;
 
 import java.util.Locale;
 
-/** Ce qui est voulu d'une image, et ce qui est fixé d'avance : le reste est à choisir. Immuable. */
+/** Ce qui est voulu d'une image, et ce qui est fixé d'avance ; et ce qu'il y a à en dire. Immuable. */
 public final class Souhait {
 
-    /** L'erreur voulue, en niveaux ; 0 si c'est un temps qui est voulu. */
+    /** L'erreur voulue, en niveaux, ou le temps voulu, essais et dessin, en secondes ; l'autre est nul. */
     final double erreur;
-
-    /** Le temps voulu, essais et dessin, en secondes. */
     final double temps;
 
     /** {@code null} : à choisir. */
@@ -37,14 +35,31 @@ public final class Souhait {
         return new Souhait(erreur, temps, reflets, seuil);
     }
 
-    /** Vrai si c'est ce qui est voulu, ou mieux. */
-    boolean estTenu(double erreur, double temps) {
-        return this.erreur > 0 ? erreur <= this.erreur : temps <= this.temps;
+    /** Pourquoi un réglage est choisi, entre tant d'essayés. @param tenable s'il devrait tenir ce qui est voulu */
+    String raison(boolean tenable, int essayes) {
+        String voulu = erreur > 0 ? texte("une erreur de %.2f", erreur) : texte("%.3f s", temps);
+        if (essayes == 1) {
+            return "seul réglage essayé, qui " + (tenable ? "promet " : "ne promet pas ") + voulu;
+        }
+        return tenable ? (erreur > 0 ? "le moins cher" : "le plus juste") + " de " + essayes
+                + " réglages essayés pour " + voulu : "aucun de " + essayes + " réglages essayés ne promet " + voulu
+                + ", voici le plus " + (erreur > 0 ? "juste" : "rapide");
     }
 
-    @Override
-    public String toString() {
-        return erreur > 0 ? String.format(Locale.ROOT, "une erreur de %.2f", erreur)
-                : String.format(Locale.ROOT, "%.3f s", temps);
+    /** Si une image le tient. @param mesuree son erreur, et {@code temps} celui des essais et du dessin, en secondes */
+    String verdict(Estimation mesuree, double temps) {
+        if (erreur == 0) {
+            return "temps voulu " + (temps <= this.temps ? "tenu" : "dépassé");
+        }
+        if (mesuree.erreur() + mesuree.incertitude() <= erreur) {
+            return "erreur voulue tenue";
+        }
+        return mesuree.erreur() - mesuree.incertitude() > erreur ? "erreur voulue dépassée"
+                : "on ne peut dire si l'erreur voulue est tenue";
+    }
+
+    /** Toujours avec un point, quelle que soit la langue. */
+    static String texte(String format, Object... valeurs) {
+        return String.format(Locale.ROOT, format, valeurs);
     }
 }

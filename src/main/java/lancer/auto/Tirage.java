@@ -1,7 +1,9 @@
 package lancer.auto;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import lancer.contrat.Pave;
 
 /**
@@ -15,7 +17,10 @@ final class Tirage {
      * Dispersion des carrés que l'on suppose au moins, rapportée au carré de leur moyenne : quelques blocs font presque
      * toute l'erreur d'un bon échantillonnage, et ils peuvent tous manquer au tirage.
      */
-    private static final double RARETE = 25;
+    private static final double RARETE = 64;
+
+    private static final int TIRAGES_MIN = 40;
+    private static final int TIRAGES_MAX = 640;
 
     final int tirages;
     private final int semes;
@@ -23,74 +28,59 @@ final class Tirage {
     /** Les blocs tirés, chacun une fois. */
     final List<Pave> blocs = new ArrayList<>();
 
+    /** Pour chaque bloc tiré, combien de fois il l'est, et par quoi multiplier ce qu'on y mesure pour estimer tout. */
     private final List<Integer> fois = new ArrayList<>();
-
-    /** Pour chaque bloc tiré, par quoi multiplier ce qu'on y mesure pour estimer la moyenne de tous. */
     private final List<Double> poids = new ArrayList<>();
 
     /**
+     * @param combien de tirages, à peu près : assez pour en dire quelque chose, et pas plus qu'il n'est utile
      * @param promesses une par bloc, strictement positive
-     * @param facteur de la moyenne des blocs à celle de l'image, dont les blocs du bord ont moins de pixels
      */
-    Tirage(int tirages, List<Pave> parmi, double[] promesses, double facteur) {
-        this.tirages = tirages;
+    Tirage(double combien, List<Pave> parmi, double[] promesses) {
+        tirages = (int) Math.max(TIRAGES_MIN, Math.min(TIRAGES_MAX, combien));
         semes = promesses.length;
-        double somme = 0;
-        for (double promesse : promesses) {
-            somme += promesse;
-        }
+        double somme = Arrays.stream(promesses).sum();
+        // une mesure vaut pour un bloc entier, et les blocs du bord ont parfois moins de pixels
+        double entiers = parmi.stream().mapToInt(Pave::pixels).sum() / (double) (Essais.COTE * Essais.COTE);
         double cumul = 0;
         int faits = 0;
         for (int k = 0; k < semes; k++) {
             cumul += promesses[k];
-            int avant = faits;
-            while (faits < tirages && (faits + 0.5) * somme < cumul * tirages) {
-                faits++;
-            }
-            if (faits > avant) {
+            int encore = (int) Math.round(cumul / somme * tirages) - faits;
+            if (encore > 0) {
                 blocs.add(parmi.get(k));
-                fois.add(faits - avant);
-                poids.add(facteur * somme / promesses[k] / semes);
+                fois.add(encore);
+                poids.add(somme / promesses[k] / entiers);
+                faits += encore;
             }
         }
     }
 
     /** @param mesures une par bloc tiré, en niveaux² */
     Estimation estimer(double[] mesures) {
-        double somme = 0;
+        double moyenne = 0;
         double carres = 0;
         double carresDesBlocs = 0;
         for (int k = 0; k < mesures.length; k++) {
             double mesure = mesures[k] * poids.get(k);
-            somme += fois.get(k) * mesure;
-            carres += fois.get(k) * mesure * mesure;
-            carresDesBlocs += fois.get(k) * mesure * mesures[k];
+            double part = fois.get(k) / (double) tirages;
+            moyenne += part * mesure;
+            carres += part * mesure * mesure;
+            carresDesBlocs += part * mesure * mesures[k];
         }
-        double moyenne = somme / tirages;
-        double duTirage = (carres / tirages - moyenne * moyenne) / (tirages - 1);
+        double duTirage = (carres - moyenne * moyenne) / (tirages - 1);
         // ceux parmi lesquels on tire ne sont eux-mêmes que quelques-uns de l'image
-        double duSemis = (carresDesBlocs / tirages - moyenne * moyenne) / semes;
+        double duSemis = (carresDesBlocs - moyenne * moyenne) / semes;
         double rare = RARETE * moyenne * moyenne / tirages;
         return new Estimation(Math.max(0, moyenne), Math.max(rare, Math.max(0, duTirage) + Math.max(0, duSemis)));
     }
 
     /** Par pixel de l'image, un nombre compté sur chaque bloc tiré : exact si tous les pixels se valent. */
     double parPixel(double[] comptes) {
-        double somme = 0;
-        double pixels = 0;
-        for (int k = 0; k < comptes.length; k++) {
-            somme += comptes[k] * poids.get(k) * fois.get(k);
-            pixels += blocs.get(k).pixels() * poids.get(k) * fois.get(k);
-        }
-        return somme / pixels;
+        return somme(comptes) / somme(blocs.stream().mapToDouble(Pave::pixels).toArray());
     }
 
-    /** Nombre de pixels de tous les blocs tirés. */
-    int pixels() {
-        int pixels = 0;
-        for (Pave bloc : blocs) {
-            pixels += bloc.pixels();
-        }
-        return pixels;
+    private double somme(double[] comptes) {
+        return IntStream.range(0, comptes.length).mapToDouble(k -> comptes[k] * poids.get(k) * fois.get(k)).sum();
     }
 }

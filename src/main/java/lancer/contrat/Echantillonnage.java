@@ -24,11 +24,11 @@ public interface Echantillonnage {
     int tracer(Pave pave, Vue vue, Toile toile);
 
     /**
-     * Vrai si aucun pixel ne doit rien aux autres : dans un pavé à lui seul, il a les bits qu'il a dans l'image. Sinon,
-     * et par défaut, il faut dessiner tout le pavé où il est.
+     * Dessine au moins ces pixels du pavé, avec les bits qu'ils ont quand il est dessiné tout entier : pour n'en voir
+     * que quelques-uns. Par défaut, il l'est ; à redéfinir si un pixel peut se dessiner à moindres frais.
      */
-    default boolean parPixel() {
-        return false;
+    default int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        return tracer(pave, vue, toile);
     }
 
     /** Un rayon au centre de chaque pixel. */
@@ -42,8 +42,8 @@ public interface Echantillonnage {
         }
 
         @Override
-        public boolean parPixel() {
-            return true;
+        public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+            return tracer(voulus, vue, toile);
         }
 
         private static void ligne(int i0, int i1, int j, Vue vue, Toile toile) {

@@ -70,10 +70,10 @@ public final class VersFichiers {
      */
     public Lancer dessiner(Dessinateur dessinateur, Lancer prepare) {
         Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils,
-                dessinateur.getReglages().getVariantesLibres()) : null;
+                dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
         Lancer lancer = auto == null ? prepare : auto.getLancer();
         long[] traces = auto == null ? tracer(lancer, dessinateur, options.reflets)
-                : tracer(lancer, auto.surveiller(dessinateur), auto.getChoisi().getReflets());
+                : tracer(lancer, auto.surveiller(dessinateur, auto.getChoisi()), auto.getChoisi().reflets);
         if (auto != null) {
             auto.controler();
         }

@@ -21,6 +21,7 @@ import lancer.auto.Reglage;
 import lancer.auto.Souhait;
 import lancer.contrat.Reglable;
 import lancer.contrat.Section;
+import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
@@ -191,10 +192,10 @@ final class PanneauVitesse extends JDialog {
     }
 
     private void dessiner(Reglage reglage) {
-        ReglagesDessin reglages = atelier.getReglages().avec(reglage.getReflets(), reglage.getSeuil());
-        if (reglage.getSection() != null) {
-            Variante variante = reglages.getVariante(reglage.getSection().getNom());
-            reglages = reglages.avec(variante, reglage.getSection());
+        ReglagesDessin reglages = atelier.getReglages().avec(reglage.reflets, reglage.seuil);
+        if (reglage.section != null) {
+            Variante variante = reglages.getVariante(reglage.section.getNom());
+            reglages = reglages.avec(variante, reglage.section);
         }
         voulu = reglage;
         atelier.dessiner(reglages, false);
@@ -207,24 +208,26 @@ final class PanneauVitesse extends JDialog {
         etat.setText("mesure de l'image…");
         essais = fil.submit(() -> {
             try {
-                double[] erreur = fait.mesurer(reglage, (i, j) -> couleur(image, i, j));
+                Toile controle = fait.surveiller((couleur, i, j) -> { }, reglage);
+                float[] lineaire = image.getLineaire();
+                for (int k = 0; k < lineaire.length / 3; k++) {
+                    controle.drawPixel(new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]),
+                            k % image.getLargeur(), k / image.getLargeur());
+                }
+                fait.controler();
+                double erreur = fait.getErreurMesuree();
+                double incertitude = fait.getIncertitude();
                 EventQueue.invokeLater(() -> {
                     if (scene == essayee) {
                         etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : %.2f ± %.2f), "
-                                + "%.1f rayons par pixel, %.0f ms", erreur[0], erreur[1], reglage.getErreur(),
-                                reglage.getIncertitude(), rayons, secondes * MS_PAR_S));
-                        graphique.ajouterMesure(rayons, erreur[0], erreur[1]);
+                                + "%.1f rayons par pixel, %.0f ms", erreur, incertitude, reglage.erreur,
+                                reglage.incertitude, rayons, secondes * MS_PAR_S));
+                        graphique.ajouterMesure(rayons, erreur, incertitude);
                     }
                 });
             } catch (CancellationException e) {
                 // le panneau est fermé, ou la scène a changé
             }
         });
-    }
-
-    private static Couleur couleur(ImageMemoire image, int i, int j) {
-        float[] lineaire = image.getLineaire();
-        int k = 3 * (j * image.getLargeur() + i);
-        return new Couleur(lineaire[k], lineaire[k + 1], lineaire[k + 2]);
     }
 }

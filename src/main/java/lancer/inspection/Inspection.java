@@ -111,7 +111,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
             return 0;
         }
         vue = duFil;
-        entier.tracer(entier.parPixel() ? new Pave(x, y, x + 1, y + 1) : pave, this, this);
+        entier.tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
         echantillons = vus.values().stream()
                 .filter(e -> e.estDans(x, y) || termes.stream().anyMatch(t -> t.xe == e.xe && t.ye == e.ye))
                 .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))

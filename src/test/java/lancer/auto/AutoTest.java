@@ -40,7 +40,7 @@ class AutoTest {
     private static final int LARGEUR = 40;
 
     private static Auto auto(Scene scene, int largeur, int hauteur, List<Variante> variantes, Souhait souhait) {
-        return Auto.choisir(LancerSurveille.preparer(scene, largeur, hauteur, false), souhait, 2, variantes);
+        return Auto.choisir(LancerSurveille.preparer(scene, largeur, hauteur, false), souhait, 2, variantes, enCours -> { });
     }
 
     private static Auto auto(Scene scene, Souhait souhait) {
@@ -115,20 +115,20 @@ class AutoTest {
         Auto auto = autoEntreDeuxMurs(ks, Souhait.erreur(erreur).fixer(null, 0.0));
         int[] essayees = {0, 1, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 60, 80, 120, 160, 240, 320, 480, 640, 1000};
         int attendue = Arrays.stream(essayees).filter(p -> p >= profondeurQuIlFaut(ks, erreur)).findFirst().getAsInt();
-        assertEquals(attendue, auto.getChoisi().getReflets());
+        assertEquals(attendue, auto.getChoisi().reflets);
         assertTrue(auto.estTenable());
-        assertEquals(255 * 0.9 * Math.pow(ks, attendue + 1), auto.getChoisi().getErreur(), 1e-6);
+        assertEquals(255 * 0.9 * Math.pow(ks, attendue + 1), auto.getChoisi().erreur, 1e-6);
         // l'écran, et autant de reflets : les murs n'ont pas d'ombre
-        assertEquals(1 + attendue, auto.getChoisi().getPrix(), 1e-9);
+        assertEquals(1 + attendue, auto.getChoisi().prix, 1e-9);
     }
 
     @Test
     void laProfondeurFixeeResteEtLeSeuilFaitLeReste() {
         Auto auto = autoEntreDeuxMurs(0.5, Souhait.erreur(1).fixer(1000, null));
-        assertEquals(1000, auto.getChoisi().getReflets());
+        assertEquals(1000, auto.getChoisi().reflets);
         // 8 reflets ont un produit d'au moins 1/256 ; avec 6, soit 1/64, il manquerait 1,8 niveau
         assertTrue(auto.getChoisi().toString().endsWith("--reflets 1000 --seuil 0.00390625"), auto.getChoisi().toString());
-        assertEquals(9, auto.getChoisi().getPrix(), 1e-9);
+        assertEquals(9, auto.getChoisi().prix, 1e-9);
         auto = autoEntreDeuxMurs(0.5, Souhait.erreur(1).fixer(3, 0.25));
         assertEquals("un rayon par pixel, --reflets 3 --seuil 0.25", auto.getChoisi().toString());
         assertFalse(auto.estTenable());
@@ -139,7 +139,7 @@ class AutoTest {
     void sansRefletsLaProfondeurEstNulle(double erreur, double temps) {
         Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0), boule(0, -1001.5, 8, 1000, 0)),
                 erreur > 0 ? Souhait.erreur(erreur) : Souhait.temps(temps));
-        assertEquals(0, auto.getChoisi().getReflets());
+        assertEquals(0, auto.getChoisi().reflets);
     }
 
     @Test
@@ -147,25 +147,25 @@ class AutoTest {
         Auto auto = auto(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()), LARGEUR, HAUTEUR, grilles(),
                 Souhait.erreur(0.1));
         assertEquals("[Grille] n=1, --reflets 0", auto.getChoisi().toString());
-        assertTrue(auto.getChoisi().getErreurAuPlus() < 0.1, auto.getChoisi().getErreurAuPlus() + "");
-        assertEquals(1, auto.getChoisi().getRayons());
+        assertTrue(auto.getChoisi().erreurAuPlus < 0.1, auto.getChoisi().erreurAuPlus + "");
+        assertEquals(1, auto.getChoisi().rayons);
     }
 
     @Test
     void desBoulesPlusPetitesQuUnPixelDemandentPlusieursRayons() {
         Auto auto = auto(damier(), LARGEUR, HAUTEUR, grilles(), Souhait.erreur(4));
         assertTrue(auto.estTenable());
-        assertTrue(auto.getChoisi().getRayons() >= 4, auto.getChoisi().toString());
+        assertTrue(auto.getChoisi().rayons >= 4, auto.getChoisi().toString());
         Auto large = auto(damier(), LARGEUR, HAUTEUR, grilles(), Souhait.erreur(100));
-        assertEquals(1, large.getChoisi().getRayons());
+        assertEquals(1, large.getChoisi().rayons);
     }
 
     @Test
     void ceQuiNEstPasTenableEstDit() {
         Auto auto = auto(damier(), Souhait.erreur(4));
         assertFalse(auto.estTenable());
-        assertEquals(1, auto.getChoisi().getRayons());
-        assertTrue(auto.getChoisi().getErreur() > 4);
+        assertEquals(1, auto.getChoisi().rayons);
+        assertTrue(auto.getChoisi().erreur > 4);
     }
 
     /** Des boules d'un quart de pixel, un pixel sur deux. */
@@ -188,9 +188,10 @@ class AutoTest {
             String attendu = null;
             for (int fils : new int[] {1, 2, 7}) {
                 // assez de pavés pour que chaque fil en ait
-                Auto auto = Auto.choisir(LancerSurveille.preparer(scene, 80, 70, false), Souhait.erreur(erreur), fils, grilles());
+                Auto auto = Auto.choisir(LancerSurveille.preparer(scene, 80, 70, false), Souhait.erreur(erreur), fils, grilles(),
+                        enCours -> { });
                 Reglage r = auto.getChoisi();
-                String choix = r + " " + r.getErreur() + " " + r.getErreurAuPlus() + " " + r.getRayons() + " " + r.getPrix();
+                String choix = r + " " + r.erreur + " " + r.erreurAuPlus + " " + r.rayons + " " + r.prix;
                 attendu = attendu == null ? choix : attendu;
                 assertEquals(attendu, choix, fils + " fils");
             }
@@ -201,7 +202,7 @@ class AutoTest {
     void lErreurMesureeEstCelleDeToutePart() {
         // une erreur égale sur tous les pixels se mesure sans incertitude
         Auto auto = autoEntreDeuxMurs(0.5, Souhait.erreur(255).fixer(2, 0.0));
-        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }), auto.getChoisi().getReflets(), 2);
+        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
         auto.controler();
         // à ce que vaut « sans limite » près
         assertEquals(255 * 0.9 / 8, auto.getErreurMesuree(), 1e-3);
@@ -211,7 +212,7 @@ class AutoTest {
     @CsvSource({"1, 1", "1, 7", "2, 2", "3, 1", "33, 65", "201, 151"})
     void touteTailleDImageConvient(int largeur, int hauteur) {
         Auto auto = auto(scene(boule(0, 0, 8, 2, 0.5)), largeur, hauteur, grilles(), Souhait.erreur(1));
-        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }), auto.getChoisi().getReflets(), 2);
+        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
         auto.controler();
         assertEquals(3, auto.getLignes().size());
         assertTrue(auto.getErreurMesuree() < 10, auto.getLignes().toString());
@@ -262,9 +263,9 @@ class AutoTest {
     @Test
     void lesReglagesDUneVarianteSontEssayesEtSesRayonsComptes() {
         Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, grilles(), Souhait.erreur(0.01));
-        double[] rayons = auto.getFront().stream().mapToDouble(Reglage::getRayons).toArray();
+        double[] rayons = auto.getFront().stream().mapToDouble(r -> r.rayons).toArray();
         assertEquals("[1.0, 4.0, 16.0, 256.0]", Arrays.toString(rayons));
-        double[] erreurs = auto.getFront().stream().mapToDouble(Reglage::getErreur).toArray();
+        double[] erreurs = auto.getFront().stream().mapToDouble(r -> r.erreur).toArray();
         assertTrue(erreurs[0] > erreurs[1] && erreurs[1] > erreurs[2] && erreurs[2] > erreurs[3], Arrays.toString(erreurs));
     }
 
@@ -276,9 +277,9 @@ class AutoTest {
             double auPlus = Double.POSITIVE_INFINITY;
             for (double voulue = 16; voulue > 0.1; voulue /= 1.5) {
                 Reglage choisi = auto(scene, LARGEUR, HAUTEUR, grilles(), Souhait.erreur(voulue)).getChoisi();
-                assertTrue(choisi.getErreur() <= attendue && choisi.getErreurAuPlus() <= auPlus, choisi + " pour " + voulue);
-                attendue = choisi.getErreur();
-                auPlus = choisi.getErreurAuPlus();
+                assertTrue(choisi.erreur <= attendue && choisi.erreurAuPlus <= auPlus, choisi + " pour " + voulue);
+                attendue = choisi.erreur;
+                auPlus = choisi.erreurAuPlus;
             }
         }
     }
@@ -289,11 +290,11 @@ class AutoTest {
         Souhait souhait = Souhait.erreur(2);
         Estimation erreur = new Estimation(4, 0.25);
         assertEquals(0.25, erreur.incertitude(), 0.01);
-        assertTrue(CompteRendu.controle(Souhait.erreur(2.3), erreur, 9, 1, 1).endsWith(" ; erreur voulue tenue"));
-        assertTrue(CompteRendu.controle(souhait, erreur, 9, 1, 1).endsWith(" ; on ne peut dire si l'erreur voulue est tenue"));
-        assertTrue(CompteRendu.controle(Souhait.erreur(1.7), erreur, 9, 1, 1).endsWith(" ; erreur voulue dépassée"));
+        assertTrue(Souhait.erreur(2.3).verdict(erreur, 2).equals("erreur voulue tenue"));
+        assertTrue(souhait.verdict(erreur, 2).equals("on ne peut dire si l'erreur voulue est tenue"));
+        assertTrue(Souhait.erreur(1.7).verdict(erreur, 2).equals("erreur voulue dépassée"));
         // les essais sont compris dans le temps voulu
-        assertTrue(CompteRendu.controle(Souhait.temps(2), erreur, 9, 1, 1.1).endsWith(" ; temps voulu dépassé"));
+        assertTrue(Souhait.temps(2).verdict(erreur, 2.1).equals("temps voulu dépassé"));
     }
 
     /** Les essais d'un grand dessin en coûtent moins de la moitié ; ceux d'un petit, moins que rien ne demande 0,2 s. */
@@ -304,7 +305,7 @@ class AutoTest {
         List<Variante> modestes = variante(Arrays.asList(Section.reglage("Grille", "n", "1"), Section.reglage("Grille", "n", "2"),
                 Section.reglage("Grille", "n", "3")));
         Auto auto = auto(scene, largeur, hauteur, modestes, Souhait.erreur(voulue));
-        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }), auto.getChoisi().getReflets(), 2);
+        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
         auto.controler();
         double permis = Math.max(600_000, auto.getLancer().getCompteurs().rayons() / 2.0);
         assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis);
@@ -314,7 +315,7 @@ class AutoTest {
     void unReglageFautifEstRefuseCommeUneSection() {
         Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> fautive = variante(Collections.singletonList(Section.reglage("Grille", "m", "3")));
-        SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, fautive));
+        SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, fautive, enCours -> { }));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
 
@@ -322,7 +323,8 @@ class AutoTest {
     void uneVarianteSansListeDeReglagesEstNommee() {
         Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> muette = variante(null);
-        NullPointerException e = assertThrows(NullPointerException.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, muette));
+        NullPointerException e = assertThrows(NullPointerException.class,
+                () -> Auto.choisir(lancer, Souhait.erreur(1), 1, muette, enCours -> { }));
         assertEquals(muette.get(0).getClass().getName() + ".getReglages a rendu null", e.getMessage());
     }
 }

@@ -42,12 +42,12 @@ final class Cases {
         hauteur = pave.j1 - pave.j0;
     }
 
-    /** @return le nombre de pixels dont la case a été coupée */
-    int tracer(Toile toile) {
+    /** Dessine ces pixels du pavé. @return le nombre de ceux dont la case a été coupée */
+    int tracer(Pave voulus, Toile toile) {
         boolean[][] suspects = suspects();
         int raffines = 0;
-        for (int y = 0; y < hauteur; y++) {
-            for (int x = 0; x < largeur; x++) {
+        for (int y = voulus.j0 - pave.j0; y < voulus.j1 - pave.j0; y++) {
+            for (int x = voulus.i0 - pave.i0; x < voulus.i1 - pave.i0; x++) {
                 commencer(x, y);
                 boolean divisible = finX > 1 || finY > 1;
                 if (divisible && voisinSuspect(suspects)) {

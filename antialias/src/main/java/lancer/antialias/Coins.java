@@ -41,8 +41,8 @@ final class Coins implements Echantillonnage {
     }
 
     @Override
-    public boolean parPixel() {
-        return true;
+    public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        return tracer(voulus, vue, toile);
     }
 
     private double contraste(Echantillons echantillons) {

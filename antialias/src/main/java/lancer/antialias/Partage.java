@@ -29,15 +29,13 @@ final class Partage implements Echantillonnage {
     /** @return le nombre de pixels où une case a été coupée */
     @Override
     public int tracer(Pave pave, Vue vue, Toile toile) {
-        if (parPixel()) {
-            return new Coins(n, 0).tracer(pave, vue, toile);
-        }
-        return new Cases(n, seuil, pave, vue).tracer(toile);
+        return tracer(pave, pave, vue, toile);
     }
 
-    /** Vrai s'il n'y a rien à partager. */
     @Override
-    public boolean parPixel() {
-        return n == 1 || seuil == 0;
+    public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        // un sous-pixel, ou tous : il n'y a rien à partager
+        return n == 1 || seuil == 0 ? new Coins(n, 0).tracer(voulus, vue, toile)
+                : new Cases(n, seuil, pave, vue).tracer(voulus, toile);
     }
 }

@@ -3,7 +3,6 @@ package lancer.auto;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Collections;
-import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
@@ -21,15 +20,15 @@ class ErreurMesureeTest {
     @ValueSource(strings = {"bowling", "brume", "diffus", "miroirs", "ombres", "scene1", "tournesol"})
     void lErreurMesureeEtCelleQuiEtaitAttendueSontDAccordAuxIncertitudesPres(String nom) {
         Lancer prepare = LancerSurveille.preparer(new Scene("scenes/" + nom + ".ini"), L, H, false);
-        Auto auto = Auto.choisir(prepare, Souhait.erreur(4), 2, Collections.singletonList(new Antialias()));
+        Auto auto = Auto.choisir(prepare, Souhait.erreur(4), 2, Collections.singletonList(new Antialias()), enCours -> { });
         for (Reglage reglage : auto.getFront()) {
-            Couleur[][] image = new Couleur[L][H];
-            auto.getLancer(reglage).TracerPixels((couleur, i, j) -> image[i][j] = couleur, reglage.getReflets(), 2);
-            double[] mesure = auto.mesurer(reglage, (i, j) -> image[i][j]);
-            double auPlus = reglage.getErreurAuPlus();
-            assertTrue(mesure[0] - mesure[1] <= auPlus && mesure[0] + mesure[1] >= auPlus - 2 * reglage.getIncertitude(),
-                    reglage + " : " + reglage.getErreur() + " ± " + reglage.getIncertitude() + ", mesuré " + mesure[0] + " ± "
-                            + mesure[1]);
+            prepare.avec(reglage.finesse.echantillonnage, reglage.seuil)
+                    .TracerPixels(auto.surveiller((couleur, i, j) -> { }, reglage), reglage.reflets, 2);
+            auto.controler();
+            assertTrue(auto.getErreurMesuree() - auto.getIncertitude() <= reglage.erreurAuPlus
+                    && auto.getErreurMesuree() + auto.getIncertitude() >= reglage.erreurAuPlus - 2 * reglage.incertitude,
+                    reglage + " : " + reglage.erreur + " ± " + reglage.incertitude + ", mesuré " + auto.getErreurMesuree()
+                            + " ± " + auto.getIncertitude());
         }
     }
 }

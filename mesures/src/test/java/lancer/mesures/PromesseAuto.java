@@ -40,11 +40,11 @@ final class PromesseAuto {
         this.scene = nom;
         this.voulue = voulue;
         auto = Auto.choisir(LancerSurveille.preparer(scene, largeur, hauteur, false), Souhait.erreur(voulue),
-                Runtime.getRuntime().availableProcessors(), Collections.<Variante>singletonList(new Antialias()));
+                Runtime.getRuntime().availableProcessors(), Collections.<Variante>singletonList(new Antialias()), enCours -> { });
         promise = auto.estTenable();
         ImageLineaire image = new ImageLineaire(largeur, hauteur);
         Lancer lancer = auto.getLancer();
-        lancer.TracerPixels(auto.surveiller(image), auto.getChoisi().getReflets(), Runtime.getRuntime().availableProcessors());
+        lancer.TracerPixels(auto.surveiller(image, auto.getChoisi()), auto.getChoisi().reflets, Runtime.getRuntime().availableProcessors());
         auto.controler();
         double pixels = largeur * hauteur;
         rayons = lancer.getCompteurs().rayons() / pixels;
@@ -57,9 +57,9 @@ final class PromesseAuto {
     }
 
     String csv() {
-        return FichierCsv.ligne(scene, voulue, auto.getChoisi(), promise ? "oui" : "non", nombre(auto.getChoisi().getErreur()),
-                nombre(auto.getChoisi().getErreurAuPlus()), nombre(erreur), estTenue() ? "oui" : "non",
-                nombre(auto.getChoisi().getPrix()), nombre(rayons), nombre(essais), nombre(essais / rayons));
+        return FichierCsv.ligne(scene, voulue, auto.getChoisi(), promise ? "oui" : "non", nombre(auto.getChoisi().erreur),
+                nombre(auto.getChoisi().erreurAuPlus), nombre(erreur), estTenue() ? "oui" : "non",
+                nombre(auto.getChoisi().prix), nombre(rayons), nombre(essais), nombre(essais / rayons));
     }
 
     private static String nombre(double x) {
@@ -75,7 +75,7 @@ final class PromesseAuto {
                 promesses.stream().filter(p -> p.promise).count(),
                 promesses.stream().filter(p -> p.promise && p.estTenue()).count(),
                 promesses.stream().filter(p -> p.promise).mapToDouble(p -> p.erreur / p.voulue).max().orElse(0),
-                promesses.stream().filter(p -> Math.abs(p.auto.getChoisi().getPrix() / p.rayons - 1) <= JUSTE).count(),
+                promesses.stream().filter(p -> Math.abs(p.auto.getChoisi().prix / p.rayons - 1) <= JUSTE).count(),
                 rang(promesses, p -> p.erreur / p.voulue, 0.5), rang(promesses, p -> p.essais / p.rayons, 0.5),
                 rang(promesses, p -> p.essais / p.rayons, 0.9), rang(promesses, p -> p.essais, 1));
     }

@@ -68,11 +68,11 @@ public final class GraphiqueVitesse extends JComponent {
         public Point(Reglage reglage, boolean front) {
             this.reglage = reglage;
             this.front = front;
-            rayons = reglage.getPrix();
-            ecran = reglage.getRayons();
-            erreur = reglage.getErreur();
-            auPlus = reglage.getErreurAuPlus();
-            auMoins = auPlus - 2 * reglage.getIncertitude();
+            rayons = reglage.prix;
+            ecran = reglage.rayons;
+            erreur = reglage.erreur;
+            auPlus = reglage.erreurAuPlus;
+            auMoins = auPlus - 2 * reglage.incertitude;
         }
     }
 
@@ -127,7 +127,7 @@ public final class GraphiqueVitesse extends JComponent {
     }
 
     public static String cle(Reglage reglage) {
-        return cle(reglage.getReflets(), reglage.getSeuil(), reglage.getSection());
+        return cle(reglage.reflets, reglage.seuil, reglage.section);
     }
 
     /** @param cle celle des réglages de l'image montrée */

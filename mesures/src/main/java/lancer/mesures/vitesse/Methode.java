@@ -107,9 +107,9 @@ final class Methode {
             Lancer prepare = LancerSurveille.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, boucles);
             if (erreurVoulue > 0) {
                 Auto auto = Auto.choisir(prepare, Souhait.erreur(erreurVoulue), Runtime.getRuntime().availableProcessors(),
-                        Collections.<Variante>singletonList(new Antialias()));
+                        Collections.<Variante>singletonList(new Antialias()), enCours -> { });
                 lancer = auto.getLancer();
-                reflets = auto.getChoisi().getReflets();
+                reflets = auto.getChoisi().reflets;
                 choix = auto.getChoisi().toString();
             } else {
                 lancer = prepare;
