@@ -95,7 +95,7 @@ final class Catalogue {
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
             groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(true, n <= BOUCLES_MAX), 1, false));
         }
-        for (int n : court ? new int[] {100} : new int[] {100, 10000, 1000000}) {
+        for (int n : court ? new int[] {100} : new int[] {100, 10000}) {
             groupes.add(new Groupe(SPHERES, Scenes.ETOILES + "-" + n, spheres(false, false), 1, false));
         }
         return groupes;
@@ -108,8 +108,8 @@ final class Catalogue {
     }
 
     /**
-     * Les réglages de la courbe principale d'une scène. Là où tous feraient la même erreur, l'anticrénelage de {@code miroirs}, ou
-     * dureraient des minutes pour dire ce que d'autres disent, il y en a moins.
+     * Les réglages de la courbe principale d'une scène : tous sur celle du cours. Ailleurs, ceux qui feraient la même erreur
+     * (l'anticrénelage de {@code miroirs}), ou dureraient des minutes pour redire ce qu'elle dit, n'y sont pas.
      */
     private List<Methode> methodes(String scene) {
         boolean miroirs = scene.equals("miroirs");
@@ -120,10 +120,11 @@ final class Catalogue {
         for (int n : miroirs ? new int[] {2, 8} : cours ? new int[] {2, 4, 8} : new int[] {2, 4}) {
             m.add(new Methode(GRILLE, n + " × " + n).echantillonnee(Antialias.coins(n, 0)));
         }
-        for (int n : miroirs ? new int[] {3} : cours ? new int[] {3, 4, 8} : new int[] {3, 4}) {
+        for (int n : cours ? new int[] {3, 4, 8} : new int[] {3}) {
             m.add(new Methode(COINS, "n=" + n + " seuil=0.05").echantillonnee(Antialias.coins(n, 0.05)));
         }
-        for (double[] p : miroirs ? new double[][] {{4, 0.1}} : new double[][] {{4, 0.1}, {4, 0.2}, {8, 0.06}, {16, 0.03}, {16, 0.06}}) {
+        double[][] partages = {{4, 0.1}, {4, 0.2}, {8, 0.06}, {16, 0.06}, {16, 0.03}};
+        for (double[] p : Arrays.copyOf(partages, miroirs ? 1 : cours ? 5 : 4)) {
             m.add(new Methode(PARTAGE, "n=" + (int) p[0] + " seuil=" + p[1]).echantillonnee(Antialias.partage((int) p[0], p[1])));
         }
         for (int p : miroirs ? new int[] {0, 2, 10, 20, Gabarit.PROFONDEUR} : new int[] {0, 1, 2, Gabarit.PROFONDEUR}) {
@@ -142,8 +143,8 @@ final class Catalogue {
         }
         m.add(povray("-A"));
         m.add(povray("+A0.3 +R3 +AM1"));
-        if (!miroirs) {
-            m.add(povray(scene.equals("tournesol") ? "+A0.1 +R3 +AM2" : "+A0.03 +R4 +AM2"));
+        if (cours) {
+            m.add(povray("+A0.03 +R4 +AM2"));
         }
         m.removeIf(methode -> court && !COURT.contains(methode.cle()));
         return m;
