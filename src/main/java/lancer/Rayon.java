@@ -86,10 +86,8 @@ public class Rayon {
      * {@code null} si la distance est infinie.
      */
     public PointContact calcContact() {
-        if (distance == Constantes.INFINI) {
-            return null;
-        }
-        return new PointContact(objet.getPointDeSurface(P.add(distance, V)), objet, distance);
+        return distance == Constantes.INFINI ? null
+                : new PointContact(objet.getPointDeSurface(P.add(distance, V)), objet, distance);
     }
 
     /** La couleur du ciel dans la direction du rayon : bleu au-dessus de l'horizon, brun au-dessous. */

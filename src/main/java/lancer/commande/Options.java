@@ -98,8 +98,12 @@ public final class Options {
         return options;
     }
 
-    /** Vrai si un fichier est demandé : alors, pas de fenêtre. */
-    public boolean versFichier() {
+    /** Vrai si ce qui est demandé, un fichier, un pixel, une comparaison, se fait sans fenêtre. */
+    public boolean sansFenetre() {
+        return versFichier() || pixel || comparer != null;
+    }
+
+    private boolean versFichier() {
         return image != null || lineaire != null;
     }
 

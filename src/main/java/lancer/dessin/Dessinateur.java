@@ -1,6 +1,8 @@
 package lancer.dessin;
 
+import java.io.PrintStream;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
@@ -26,6 +28,8 @@ public abstract class Dessinateur implements Toile {
     private static final double NS_PAR_MS = 1e6;
 
     protected final Options options;
+    protected final PrintStream sortie;
+    protected final PrintStream erreur;
     private volatile Scene scene;
     private volatile String fichier;
     private volatile ReglagesDessin reglages;
@@ -42,8 +46,17 @@ public abstract class Dessinateur implements Toile {
     private long lectureNs;
     private long preparationNs;
 
-    protected Dessinateur(Options options) {
+    protected Dessinateur(Options options, PrintStream sortie, PrintStream erreur) {
         this.options = options;
+        this.sortie = sortie;
+        this.erreur = erreur;
+    }
+
+    /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
+    protected void direEcart(Lancer dessine) {
+        if (dessine.getEcart() != null) {
+            Pannes.avertir(Collections.singletonList(dessine.getEcart()), erreur);
+        }
     }
 
     /**

@@ -39,7 +39,7 @@ class OptionsTest {
     void sansOptionLesValeursSontCellesDuCours() {
         Options o = Options.lire();
         assertNull(o.scene);
-        assertFalse(o.versFichier());
+        assertFalse(o.sansFenetre());
         assertEquals(Constantes.LARGEUR_IMAGE, o.largeur);
         assertEquals(Constantes.HAUTEUR_IMAGE, o.hauteur);
         assertEquals(Constantes.MAX_REFLETS, o.reflets);
@@ -201,7 +201,7 @@ class OptionsTest {
         assertTrue(o.pixel);
         assertEquals(x, o.pixelX);
         assertEquals(y, o.pixelY);
-        assertFalse(o.versFichier());
+        assertTrue(o.sansFenetre());
     }
 
     @ParameterizedTest
