@@ -44,8 +44,18 @@ final class Estimation {
         return Math.sqrt(carre + PRUDENCE * Math.sqrt(variance));
     }
 
+    /** Ce qu'elle devrait atteindre, en niveaux. */
+    double auMoins() {
+        return Math.sqrt(Math.max(0, carre - PRUDENCE * Math.sqrt(variance)));
+    }
+
     /** Ce dont elle peut s'écarter, en niveaux, à deux écarts types : dix-neuf fois sur vingt. */
     double incertitude() {
-        return (auPlus() - Math.sqrt(Math.max(0, carre - PRUDENCE * Math.sqrt(variance)))) / 2;
+        return (auPlus() - auMoins()) / 2;
+    }
+
+    /** Où tomberait une mesure aussi incertaine qu'elle. */
+    Estimation mesuree() {
+        return new Estimation(carre, 2 * variance);
     }
 }

@@ -15,9 +15,12 @@ public final class Reglage {
     /** L'erreur attendue, en niveaux, contre la moyenne du pixel sans limite de réflexions. */
     public final double erreur;
 
-    /** Ce que l'erreur ne devrait pas dépasser, et ce dont elle peut s'écarter, dix-neuf fois sur vingt. */
+    /** Ce que l'erreur ne devrait pas dépasser. */
     public final double erreurAuPlus;
-    public final double incertitude;
+
+    /** Entre quoi doit tomber, dix-neuf fois sur vingt, l'erreur mesurée de l'image : une mesure a son incertitude aussi. */
+    public final double mesureAuMoins;
+    public final double mesureAuPlus;
 
     /** Rayons de l'écran par pixel, attendus, et rayons de toutes sortes. */
     public final double rayons;
@@ -36,7 +39,8 @@ public final class Reglage {
         Estimation estimation = finesse.erreur.plus(limites.erreur);
         erreur = estimation.erreur();
         erreurAuPlus = estimation.auPlus();
-        incertitude = estimation.incertitude();
+        mesureAuMoins = estimation.mesuree().auMoins();
+        mesureAuPlus = estimation.mesuree().auPlus();
         rayons = finesse.rayons;
         prix = finesse.prix * limites.rayons;
     }

@@ -219,14 +219,16 @@ final class PanneauVitesse extends JDialog {
                 double incertitude = fait.getIncertitude();
                 EventQueue.invokeLater(() -> {
                     if (scene == essayee) {
-                        etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : %.2f ± %.2f), "
-                                + "%.1f rayons par pixel, %.0f ms", erreur, incertitude, reglage.erreur,
-                                reglage.incertitude, rayons, secondes * MS_PAR_S));
+                        etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : de %.2f à %.2f), "
+                                + "%.1f rayons par pixel, %.0f ms", erreur, incertitude, reglage.mesureAuMoins,
+                                reglage.mesureAuPlus, rayons, secondes * MS_PAR_S));
                         graphique.ajouterMesure(rayons, erreur, incertitude);
                     }
                 });
             } catch (CancellationException e) {
                 // le panneau est fermé, ou la scène a changé
+            } catch (RuntimeException | Error e) {
+                EventQueue.invokeLater(() -> etat.setText("Mesure impossible : " + e.getMessage()));
             }
         });
     }

@@ -18,17 +18,16 @@ class ErreurMesureeTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"bowling", "brume", "diffus", "miroirs", "ombres", "scene1", "tournesol"})
-    void lErreurMesureeEtCelleQuiEtaitAttendueSontDAccordAuxIncertitudesPres(String nom) {
+    void lErreurMesureeEstEntreCellesQuiEtaientAttendues(String nom) {
         Lancer prepare = LancerSurveille.preparer(new Scene("scenes/" + nom + ".ini"), L, H, false);
         Auto auto = Auto.choisir(prepare, Souhait.erreur(4), 2, Collections.singletonList(new Antialias()), enCours -> { });
         for (Reglage reglage : auto.getFront()) {
             prepare.avec(reglage.finesse.echantillonnage, reglage.seuil)
                     .TracerPixels(auto.surveiller((couleur, i, j) -> { }, reglage), reglage.reflets, 2);
             auto.controler();
-            assertTrue(auto.getErreurMesuree() - auto.getIncertitude() <= reglage.erreurAuPlus
-                    && auto.getErreurMesuree() + auto.getIncertitude() >= reglage.erreurAuPlus - 2 * reglage.incertitude,
-                    reglage + " : " + reglage.erreur + " ± " + reglage.incertitude + ", mesuré " + auto.getErreurMesuree()
-                            + " ± " + auto.getIncertitude());
+            double mesuree = auto.getErreurMesuree();
+            assertTrue(mesuree >= reglage.mesureAuMoins && mesuree <= reglage.mesureAuPlus, reglage + " : de " + reglage.mesureAuMoins
+                    + " à " + reglage.mesureAuPlus + ", mesuré " + mesuree);
         }
     }
 }

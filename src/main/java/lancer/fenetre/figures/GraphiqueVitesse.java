@@ -71,8 +71,8 @@ public final class GraphiqueVitesse extends JComponent {
             rayons = reglage.prix;
             ecran = reglage.rayons;
             erreur = reglage.erreur;
-            auPlus = reglage.erreurAuPlus;
-            auMoins = auPlus - 2 * reglage.incertitude;
+            auPlus = reglage.mesureAuPlus;
+            auMoins = reglage.mesureAuMoins;
         }
     }
 
