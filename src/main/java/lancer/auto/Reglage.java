@@ -18,7 +18,7 @@ public final class Reglage {
     /** Ce que l'erreur ne devrait pas dépasser. */
     public final double erreurAuPlus;
 
-    /** Entre quoi doit tomber, dix-neuf fois sur vingt, l'erreur mesurée de l'image : une mesure a son incertitude aussi. */
+    /** Entre quoi doit tomber, dix-neuf fois sur vingt, l'erreur mesurée de l'image, qui a son incertitude aussi. */
     public final double mesureAuMoins;
     public final double mesureAuPlus;
 
