@@ -140,7 +140,7 @@ class AutoAntialiasTest {
                     "--statistiques", "--lineaire=" + dossier.resolve("auto.pfm"), scene.toString());
             assertFalse(rapport(essai).get("mesuré").endsWith("erreur voulue dépassée"), essai.erreur);
             double mesuree = Double.parseDouble(rapport(essai).get("mesuré").replaceAll("erreur de ([0-9.]+) .*", "$1"));
-            assertTrue(mesuree < erreur, voulue + " : " + mesuree + " après " + erreur);
+            assertTrue(mesuree <= Double.parseDouble(voulue) && mesuree < erreur, voulue + " : " + mesuree + " après " + erreur);
             long lances = essai.statistique("rayons.primaires") + essai.statistique("rayons.ombre")
                     + essai.statistique("rayons.reflechis");
             assertTrue(lances > rayons, voulue);
