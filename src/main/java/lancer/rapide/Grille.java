@@ -16,15 +16,8 @@ final class Grille implements Intersections {
     /** Cases par sphère. */
     private static final double DENSITE = 2;
 
-    /**
-     * Une sphère de tant de fois le rayon médian couvrirait presque toute la grille ; une autre, à tant de fois la
-     * distance médiane du milieu, l'étirerait. Il y en a au plus tant, à part. Les médianes sont celles d'un
-     * échantillon.
-     */
-    private static final double GROSSE = 50;
-    private static final double ECARTEE = 64;
+    /** Sphères à part, au plus : voir {@link Demesurees}. */
     private static final int GROSSES_MAX = 8;
-    private static final int ECHANTILLON = 1000;
 
     /** Au-delà, par sphère, de tant de cases dans leurs boîtes, ou de places dans les cases, pas de grille. */
     private static final int BOITES_PAR_SPHERE = 64;
@@ -96,7 +89,7 @@ final class Grille implements Intersections {
      * @return {@code null} si elles occupent trop de cases, ou si trop d'entre elles sont démesurées
      */
     static Grille de(Spheres spheres, Arbre secours, Equipe equipe) {
-        int[] grosses = grosses(spheres);
+        int[] grosses = Demesurees.parmi(spheres);
         if (grosses.length > GROSSES_MAX || grosses.length == spheres.nombre) {
             return null;
         }
@@ -112,43 +105,6 @@ final class Grille implements Intersections {
         lesquelles = Arrays.copyOf(lesquelles, m);
         Grille grille = new Grille(spheres, lesquelles, grosses, secours);
         return grille.remplir(lesquelles, equipe) ? grille : null;
-    }
-
-    /** Les numéros, croissants, des sphères bien plus grosses, ou bien plus loin, que la plupart (un sol, un ciel). */
-    private static int[] grosses(Spheres spheres) {
-        double[] g = spheres.geometrie;
-        int pas = 1 + spheres.nombre / ECHANTILLON;
-        double[] valeurs = new double[(spheres.nombre + pas - 1) / pas];
-        double[] milieu = new double[Spheres.PAS];
-        for (int axe = 0; axe < Spheres.PAS; axe++) {
-            for (int i = 0; i < valeurs.length; i++) {
-                valeurs[i] = g[Spheres.PAS * pas * i + axe];
-            }
-            milieu[axe] = mediane(valeurs);
-        }
-        for (int i = 0; i < valeurs.length; i++) {
-            valeurs[i] = ecart(g, Spheres.PAS * pas * i, milieu);
-        }
-        double loin = ECARTEE * mediane(valeurs);
-        int[] grosses = new int[spheres.nombre];
-        int n = 0;
-        for (int k = 0; k < spheres.nombre; k++) {
-            int s = Spheres.PAS * k;
-            if (g[s + 3] > GROSSE * milieu[3] || ecart(g, s, milieu) > loin) {
-                grosses[n++] = k;
-            }
-        }
-        return Arrays.copyOf(grosses, n);
-    }
-
-    private static double mediane(double[] valeurs) {
-        Arrays.sort(valeurs);
-        return valeurs[valeurs.length / 2];
-    }
-
-    private static double ecart(double[] g, int s, double[] milieu) {
-        return Math.max(Math.abs(g[s] - milieu[0]),
-                Math.max(Math.abs(g[s + 1] - milieu[1]), Math.abs(g[s + 2] - milieu[2])));
     }
 
     /** Note chaque sphère dans les cases qu'elle touche ; faux si elles sont trop. */

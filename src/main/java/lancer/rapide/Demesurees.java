@@ -1,0 +1,55 @@
+package lancer.rapide;
+
+import java.util.Arrays;
+
+/** Les sphères qu'il vaut mieux mettre à part : un sol, un ciel, une étoile. */
+final class Demesurees {
+
+    /**
+     * Une sphère de tant de fois le rayon médian couvrirait presque toute une grille ; une autre, à tant de fois la
+     * distance médiane du milieu, l'étirerait. Les médianes sont celles d'un échantillon.
+     */
+    private static final double GROSSE = 50;
+    private static final double ECARTEE = 64;
+    private static final int ECHANTILLON = 1000;
+
+    private Demesurees() {
+    }
+
+    /** Les numéros, croissants, des sphères bien plus grosses, ou bien plus loin, que la plupart. */
+    static int[] parmi(Spheres spheres) {
+        double[] g = spheres.geometrie;
+        int pas = 1 + spheres.nombre / ECHANTILLON;
+        double[] valeurs = new double[(spheres.nombre + pas - 1) / pas];
+        double[] milieu = new double[Spheres.PAS];
+        for (int axe = 0; axe < Spheres.PAS; axe++) {
+            for (int i = 0; i < valeurs.length; i++) {
+                valeurs[i] = g[Spheres.PAS * pas * i + axe];
+            }
+            milieu[axe] = mediane(valeurs);
+        }
+        for (int i = 0; i < valeurs.length; i++) {
+            valeurs[i] = ecart(g, Spheres.PAS * pas * i, milieu);
+        }
+        double loin = ECARTEE * mediane(valeurs);
+        int[] grosses = new int[spheres.nombre];
+        int n = 0;
+        for (int k = 0; k < spheres.nombre; k++) {
+            int s = Spheres.PAS * k;
+            if (g[s + 3] > GROSSE * milieu[3] || ecart(g, s, milieu) > loin) {
+                grosses[n++] = k;
+            }
+        }
+        return Arrays.copyOf(grosses, n);
+    }
+
+    private static double mediane(double[] valeurs) {
+        Arrays.sort(valeurs);
+        return valeurs[valeurs.length / 2];
+    }
+
+    private static double ecart(double[] g, int s, double[] milieu) {
+        return Math.max(Math.abs(g[s] - milieu[0]),
+                Math.max(Math.abs(g[s + 1] - milieu[1]), Math.abs(g[s + 2] - milieu[2])));
+    }
+}
