@@ -20,21 +20,17 @@ import lancer.contrat.Variante;
  */
 public final class Auto {
 
-    /** Blocs où s'essaient les limites et se cherche le contraste, et les rayons que chacun y lance de l'écran. */
-    private static final int BLOCS_MIN = 200;
-    private static final int BLOCS_MAX = 4000;
-    private static final int RAYONS_PAR_BLOC = 14;
-
     /** Rayons permis aux essais d'un petit dessin : moins de 0,2 s, même si rien n'est encore compilé. */
-    private static final double PLANCHER = 500_000;
+    private static final double PLANCHER = 570_000;
 
     /** Part du dessin que coûtent ceux d'un autre : un rayon d'essai coûte un peu plus que celui d'une image. */
     private static final double PART = 0.4;
 
-    /** Parts des essais qui vont à ces blocs, à ceux qui sont tirés parmi eux, au prix du choix, et au contrôle. */
+    /** Parts des essais qui vont à semer, à tirer, à tout le chemin, jusqu'au prix du choix ; le reste au contrôle. */
     private static final double PART_DES_BLOCS = 0.2;
-    private static final double PART_DES_TIRAGES = 0.4;
-    private static final double PART_DU_CHOIX = 0.85;
+    private static final double PART_DES_TIRAGES = 0.35;
+    private static final double PART_DU_CHEMIN = 0.78;
+    private static final double PART_DU_CHOIX = 0.88;
 
     /** Le temps d'un dessin, rapporté à celui de ses rayons dans le meilleur essai : une machine n'est jamais seule. */
     private static final double PRUDENCE = 1.2;
@@ -79,7 +75,6 @@ public final class Auto {
     public static Auto choisir(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes,
             Consumer<Auto> suivi) {
         Auto auto = new Auto(prepare, souhait, fils, variantes);
-        auto.semer();
         auto.monter(suivi);
         auto.choisir();
         auto.essaisS = auto.ecoule();
@@ -102,26 +97,18 @@ public final class Auto {
     }
 
     private double depense() {
-        return souhait.temps > 0 ? ecoule() / essais.parRayon : essais.rayons;
-    }
-
-    /** Sème autant de blocs que le plus petit dessin le permet, et y essaie ce qui ne dépend pas d'une finesse. */
-    private void semer() {
-        List<Pave> blocs = essais.semer(BLOCS_MIN, false);
-        limites = new EssaiLimites(essais, blocs, souhait);
-        double permis = permis(limites.permises.get(0).rayons);
-        double autant = PART_DES_BLOCS * permis / (RAYONS_PAR_BLOC * limites.exactes.rayons);
-        if (autant > BLOCS_MIN) {
-            blocs = essais.semer((int) Math.min(BLOCS_MAX, autant), false);
-            limites = new EssaiLimites(essais, blocs, souhait);
-        }
-        essai = new EssaiFinesses(essais, blocs, limites.exactes, PART_DES_TIRAGES * permis);
+        return souhait.temps > 0 ? ecoule() / essais.parRayon : essais.rayons();
     }
 
     /** Du moins cher au plus juste : à chaque pas, la plus grande des deux parts de l'erreur diminue. */
     private void monter(Consumer<Auto> suivi) {
+        limites = new EssaiLimites(essais, souhait, () -> PART_DES_BLOCS * permis(1));
+        essai = new EssaiFinesses(essais, limites.blocs, limites.exactes, PART_DES_TIRAGES * permis(1));
         int profondeur = 0;
-        Reglage ici = noter(essai.essayer(finesses.remove()), profondeur);
+        Finesse suivante = finesses.remove();
+        double reste = (PART_DES_BLOCS + PART_DES_TIRAGES) * permis(1) - depense();
+        essai.essayer(suivante, Double.POSITIVE_INFINITY, reste);
+        Reglage ici = noter(suivante, profondeur);
         while (true) {
             Reglage mieux = front.isEmpty() ? null : front.get(front.size() - 1);
             if (mieux == null || ici.erreur < mieux.erreur && ici.erreurAuPlus < mieux.erreurAuPlus) {
@@ -138,12 +125,25 @@ public final class Auto {
                 profondeur++;
                 ici = noter(ici.finesse, profondeur);
             } else if (!finesses.isEmpty()) {
-                Reglage autre = noter(essai.essayer(finesses.remove()), profondeur);
-                ici = autre.erreur < ici.erreur ? autre : ici;
+                suivante = finesses.remove();
+                reste = PART_DU_CHEMIN * permis(moindrePrix(mieux)) - depense();
+                if (essai.essayer(suivante, reste, reste)) {
+                    Reglage autre = noter(suivante, profondeur);
+                    ici = autre.erreur < ici.erreur ? autre : ici;
+                } else {
+                    finesses.clear();
+                }
             } else {
                 return;
             }
         }
+    }
+
+    /** Le moindre prix de ce qui peut encore être choisi : ce qui tient l'erreur voulue suit au moins ces reflets. */
+    private double moindrePrix(Reglage mieux) {
+        return Math.max(mieux.prix, limites.permises.stream()
+                .filter(l -> souhait.temps == 0 && l.erreur.erreur() <= souhait.erreur)
+                .mapToDouble(l -> l.rayons).findFirst().orElse(0));
     }
 
     private Reglage noter(Finesse finesse, int profondeur) {
@@ -159,7 +159,12 @@ public final class Auto {
     }
 
     private boolean tient(Reglage reglage) {
-        return ecoule() + dessin(reglage.prix) <= souhait.temps;
+        return fin(reglage) <= souhait.temps;
+    }
+
+    /** Quand l'image sera dessinée ainsi, et contrôlée, pour un temps voulu. */
+    private double fin(Reglage reglage) {
+        return ecoule() + dessin(reglage.prix) + (1 - PART_DU_CHOIX) * souhait.temps / 2;
     }
 
     /** Pour une erreur, le premier qui la tient, ou le plus juste ; pour un temps, le plus juste qui le tient. */
@@ -171,7 +176,7 @@ public final class Auto {
         choisi = front.get(k);
         essai.chiffrer(choisi.finesse, choisi.limites, PART_DU_CHOIX * permis(choisi.prix) - depense());
         choisi = new Reglage(choisi.finesse, choisi.limites);
-        tempsAttendu = souhait.temps > 0 ? ecoule() + dessin(choisi.prix) : 0;
+        tempsAttendu = souhait.temps > 0 ? fin(choisi) : 0;
         lancer = essais.prepare.avec(choisi.finesse.echantillonnage, choisi.seuil);
     }
 
@@ -207,7 +212,7 @@ public final class Auto {
 
     /** Les rayons des essais, contrôle compris. */
     public long getRayonsDesEssais() {
-        return essais.rayons;
+        return essais.rayons();
     }
 
     /** Vrai si ce qui est voulu devrait être tenu. */
@@ -217,7 +222,9 @@ public final class Auto {
 
     /** Ce qui est attendu de la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */
     public Reglage evaluer(int reflets, double seuil) {
-        return new Reglage(essai.essayer(Finesse.de(essais.prepare.getScene())), limites.essayer(reflets, seuil));
+        Finesse presente = Finesse.de(essais.prepare.getScene());
+        essai.essayer(presente, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+        return new Reglage(presente, limites.essayer(reflets, seuil));
     }
 
     /**
@@ -235,10 +242,10 @@ public final class Auto {
     /** Mesure l'image dessinée. */
     public void controler() {
         double avant = ecoule();
-        double permis = permis(surveille.prix);
+        double permis = permis(lancer.getCompteurs().rayons() / pixels);
         // une image qui n'est pas celle du choix se mesure sans compter
         mesuree = controle.mesurer(limites.exactes, surveille.erreur, surveille != choisi ? Double.POSITIVE_INFINITY
-                : Math.max((1 - PART_DU_CHOIX) * permis, permis - depense()));
+                : Math.max((1 - PART_DU_CHOIX) * permis, souhait.temps > 0 ? 0 : permis - depense()));
         essaisS += ecoule() - avant;
     }
 
@@ -269,6 +276,6 @@ public final class Auto {
     /** Des lignes de plus pour {@code --statistiques}. */
     public String getStatistiques() {
         return Souhait.texte("auto.erreur.attendue: %.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%n"
-                + "auto.essais.ms: %.3f", choisi.erreur, mesuree.erreur(), essais.rayons, 1e3 * essaisS);
+                + "auto.essais.ms: %.3f", choisi.erreur, mesuree.erreur(), essais.rayons(), 1e3 * essaisS);
     }
 }

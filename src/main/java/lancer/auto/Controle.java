@@ -41,12 +41,15 @@ final class Controle implements Toile {
 
     /** L'erreur de la dernière image dessinée. @param attendue en niveaux ; {@code rayons} permis, de toutes sortes */
     Estimation mesurer(LimitesDesReflets exactes, double attendue, double rayons) {
-        int points = 2 * Niveaux.pointsPour(attendue);
-        double parBloc = 2 * Essais.COTE * Essais.COTE * points * exactes.rayons;
         double[] promesses = blocs.stream().mapToDouble(b -> Niveaux.promesse(de(b).niveaux)).toArray();
+        double parBloc = 2 * Essais.COTE * Essais.COTE * References.pointsPour(attendue) * exactes.rayons;
         tirage = new Tirage(rayons / parBloc, blocs, promesses);
-        return tirage.estimer(Niveaux.ecarts(tirage.blocs.stream().map(this::de).toArray(Niveaux[]::new),
-                Niveaux.references(essais, tirage.blocs, exactes, points)));
+        References references = new References(essais, tirage.blocs, exactes);
+        double fin = essais.rayons() + rayons;
+        // les premiers points disent ce que coûtent les autres
+        references.affiner(Double.POSITIVE_INFINITY, rayons / 4);
+        references.affiner(attendue, fin - essais.rayons());
+        return tirage.estimer(references.ecarts(tirage.blocs.stream().map(this::de).toArray(Niveaux[]::new)));
     }
 
     private Niveaux de(Pave bloc) {

@@ -12,7 +12,7 @@ import lancer.contrat.Vue;
 final class EssaiFinesses {
 
     /** Rayons de l'écran que demandent, pour un bloc tiré, ses références et les essais qui se font contre elles. */
-    private static final double RAYONS_PAR_TIRAGE = 1000;
+    private static final double RAYONS_PAR_TIRAGE = 1300;
 
     /** Ce que coûte de l'essayer, rapporté à ses pixels quand ils sont comme ceux de toute l'image. */
     private static final double ENTOURE = 8;
@@ -22,8 +22,7 @@ final class EssaiFinesses {
     final List<Pave> blocs;
     private final double[] promesses;
     private final Tirage tirage;
-    private int points;
-    private Niveaux[][] references;
+    private final References references;
 
     /**
      * @param limites sans limite, autant dire : l'erreur ne vient que des échantillonnages
@@ -35,27 +34,26 @@ final class EssaiFinesses {
         this.limites = limites;
         promesses = Niveaux.promesses(essais, blocs, limites);
         tirage = new Tirage(rayons / (RAYONS_PAR_TIRAGE * limites.rayons), blocs, promesses);
-        affiner(Double.POSITIVE_INFINITY);
+        references = new References(essais, tirage.blocs, limites);
+        references.affiner(Double.POSITIVE_INFINITY, rayons / 2);
     }
 
-    /** Fait des références assez fines pour une erreur de cet ordre, et un peu moindre. @return faux si c'est fait */
-    private boolean affiner(double erreur) {
-        int besoin = Niveaux.pointsPour(erreur);
-        if (besoin <= points) {
+    /**
+     * Donne à celle-ci son erreur et son prix.
+     *
+     * @param rayons permis à son dessin ; {@code enTout}, à lui et à ce qui manque aux références
+     * @return faux s'ils n'y suffisent pas, ce qui est dit d'elle ne vaut alors rien, ou pas assez
+     */
+    boolean essayer(Finesse finesse, double rayons, double enTout) {
+        double fin = essais.rayons() + enTout;
+        Niveaux[] dessines = essais.borner(rayons, () -> dessiner(finesse, tirage, limites));
+        if (dessines == null) {
             return false;
         }
-        points = 2 * besoin;
-        references = Niveaux.references(essais, tirage.blocs, limites, points);
-        return true;
-    }
-
-    /** Donne à celle-ci son erreur et son prix. */
-    Finesse essayer(Finesse finesse) {
-        Niveaux[] dessines = dessiner(finesse, tirage, limites);
         do {
-            finesse.erreur = tirage.estimer(Niveaux.ecarts(dessines, references));
-        } while (affiner(finesse.erreur.erreur()));
-        return finesse;
+            finesse.erreur = tirage.estimer(references.ecarts(dessines));
+        } while (references.affiner(finesse.erreur.erreur(), fin - essais.rayons()));
+        return references.suffisent(finesse.erreur.erreur());
     }
 
     /** Lui donne un prix plus sûr, sur autant de blocs que ces rayons le permettent, sous ces limites. */
@@ -63,8 +61,9 @@ final class EssaiFinesses {
         double avant = finesse.prix;
         double parBloc = ENTOURE * Essais.COTE * Essais.COTE * avant * celles.rayons;
         Tirage autre = new Tirage(rayons / parBloc, blocs, promesses);
-        dessiner(finesse, autre, celles);
-        finesse.prix = (autre.tirages * finesse.prix + tirage.tirages * avant) / (autre.tirages + tirage.tirages);
+        if (essais.borner(rayons, () -> dessiner(finesse, autre, celles)) != null) {
+            finesse.prix = (autre.tirages * finesse.prix + tirage.tirages * avant) / (autre.tirages + tirage.tirages);
+        }
     }
 
     /** Dessine ces blocs, et donne à celle-ci son prix. */

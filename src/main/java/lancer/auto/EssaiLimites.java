@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.DoubleSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.Constantes;
@@ -22,6 +23,11 @@ final class EssaiLimites {
     private static final double SANS_LIMITE = 1e-9;
     private static final double EXACT = 0.001;
 
+    /** Blocs où s'essaient les limites et se cherche le contraste, et les rayons que chacun y lance de l'écran. */
+    private static final int BLOCS_MIN = 50;
+    private static final int BLOCS_MAX = 3200;
+    private static final int RAYONS_PAR_BLOC = 14;
+
     /** Entre lesquelles choisir : de moins en moins d'erreur, et de plus en plus de rayons. */
     final List<LimitesDesReflets> permises = new ArrayList<>();
 
@@ -29,24 +35,29 @@ final class EssaiLimites {
     final LimitesDesReflets exactes;
 
     private final Essais essais;
-    private final List<Pave> blocs;
+    List<Pave> blocs;
 
     /** De chaque rayon sans limite : ce qu'il voit, et ceux qu'il a fait lancer, lui compris. */
-    private final double[][] justes;
-    private final double[] rayons;
+    private double[][] justes;
+    private double[] rayons;
 
     /** Les rayons que des limites peuvent arrêter. */
     private final List<Integer> reflechis;
 
-    /** Essaie toutes celles que le souhait laisse à choisir. */
-    EssaiLimites(Essais essais, List<Pave> blocs, Souhait souhait) {
+    /** Essaie toutes celles que le souhait laisse à choisir, sur autant de blocs que tant de rayons le permettent. */
+    EssaiLimites(Essais essais, Souhait souhait, DoubleSupplier permis) {
         this.essais = essais;
-        this.blocs = blocs;
-        justes = new double[blocs.size()][];
-        rayons = new double[justes.length];
-        List<Integer> tous = IntStream.range(0, justes.length).boxed().collect(Collectors.toList());
         int loin = REFLETS[REFLETS.length - 1];
-        voir(tous, loin, SANS_LIMITE, justes, rayons);
+        List<Integer> tous;
+        int combien = BLOCS_MIN;
+        do {
+            blocs = essais.semer(combien, false);
+            justes = new double[blocs.size()][];
+            rayons = new double[justes.length];
+            tous = IntStream.range(0, justes.length).boxed().collect(Collectors.toList());
+            voir(tous, loin, SANS_LIMITE, justes, rayons);
+            combien *= 2;
+        } while (combien <= BLOCS_MAX && RAYONS_PAR_BLOC * combien * moyenne(rayons) <= permis.getAsDouble());
         exactes = new LimitesDesReflets(loin, SANS_LIMITE, new Estimation(0, 0), moyenne(rayons));
         double[] directs = new double[justes.length];
         voir(tous, 0, 0, new double[justes.length][], directs);

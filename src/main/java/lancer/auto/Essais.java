@@ -6,6 +6,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Supplier;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.contrat.Pave;
@@ -29,8 +32,9 @@ final class Essais {
     final Camera camera;
     private final int fils;
 
-    /** Les rayons de toutes sortes lancés jusqu'ici. */
-    long rayons;
+    /** Les rayons de toutes sortes lancés jusqu'ici, et ceux qu'aucune passe ne doit faire dépasser. */
+    private final AtomicLong rayons = new AtomicLong();
+    private double borne = Double.POSITIVE_INFINITY;
 
     /** Secondes que demande un rayon, dans la passe la plus rapide. */
     double parRayon = Double.POSITIVE_INFINITY;
@@ -72,6 +76,32 @@ final class Essais {
         return semes;
     }
 
+    long rayons() {
+        return rayons.get();
+    }
+
+    /**
+     * Fait ces passes s'il n'y faut pas plus de tant de rayons en tout ; sinon elles s'arrêtent au bloc où ils sont
+     * lancés, et sont comptées pour autant, quel que soit le nombre de fils.
+     *
+     * @return ce qu'elles rendent ; {@code null} si elles se sont arrêtées
+     */
+    <T> T borner(double permis, Supplier<T> passes) {
+        long avant = rayons();
+        borne = avant + permis;
+        try {
+            return passes.get();
+        } catch (CancellationException e) {
+            if (rayons() <= borne) {
+                throw e;
+            }
+            rayons.set(avant + (long) Math.max(0, permis));
+            return null;
+        } finally {
+            borne = Double.POSITIVE_INFINITY;
+        }
+    }
+
     /** Fait un essai sur chaque bloc, à la place des pixels de l'image. */
     void passer(List<Pave> blocs, int reflets, double seuil, Essai essai) {
         Map<Integer, List<Integer>> rangs = new HashMap<>();
@@ -81,11 +111,14 @@ final class Essais {
         Lancer lancer = prepare.avec(prepare.getScene().getEchantillonnage(), seuil);
         lancer.parcourir((pave, vue, toile) -> {
             for (int k : rangs.getOrDefault(pave(pave), Collections.<Integer>emptyList())) {
+                long avant = vue.rayons();
                 essai.faire(k, blocs.get(k), pave, vue);
+                if (rayons.addAndGet(vue.rayons() - avant) > borne) {
+                    lancer.arreter();
+                }
             }
             return 0;
         }, null, reflets, fils);
-        rayons += lancer.getCompteurs().rayons();
         // le temps d'une passe qui démarre, ou que l'on dérange, n'apprend rien
         parRayon = Math.min(parRayon, lancer.getDureeNs() / NS_PAR_S / Math.max(1, lancer.getCompteurs().rayons()));
     }

@@ -1,12 +1,9 @@
 package lancer.auto;
 
-import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import lancer.Couleur;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
-import lancer.contrat.Vue;
 
 /** Les couleurs des pixels d'un bloc, limitées à [0, 1] et en niveaux : de quoi en comparer deux dessins. */
 final class Niveaux implements Toile {
@@ -16,10 +13,6 @@ final class Niveaux implements Toile {
     /** Ce que promet d'erreur un bloc où l'on ne voit qu'une couleur : aucun n'est à l'abri d'un détail. */
     private static final double IMPREVU = 0.1;
     private static final int POINTS_D_UNE_PROMESSE = 8;
-
-    private static final double POINTS_POUR_UN_NIVEAU = 12;
-    private static final int POINTS_MIN = 10;
-    private static final int POINTS_MAX = 72;
 
     /** Le nombre plastique, solution de x³ = x + 1. */
     private static final double PLASTIQUE = 1.3247179572447460;
@@ -31,11 +24,6 @@ final class Niveaux implements Toile {
         this.bloc = bloc;
     }
 
-    /** Combien de points pour chacune des références d'une erreur de cet ordre : le double produit s'y annule assez. */
-    static int pointsPour(double erreur) {
-        return (int) Math.max(POINTS_MIN, Math.min(POINTS_MAX, POINTS_POUR_UN_NIVEAU * Math.pow(erreur, -4.0 / 3)));
-    }
-
     /** Le point k d'une suite bien répartie dans le carré unité (Roberts, suite R2, 2018) : son abscisse. */
     static double x(int k, double decalage) {
         return (decalage + k / PLASTIQUE) % 1;
@@ -43,38 +31,6 @@ final class Niveaux implements Toile {
 
     static double y(int k, double decalage) {
         return (decalage + k / PLASTIQUE / PLASTIQUE) % 1;
-    }
-
-    /**
-     * Deux références de chaque bloc : les couleurs moyennes de ses pixels, chacune à une erreur près, sans biais et
-     * sans rapport avec celle de l'autre. Toujours les mêmes pour un bloc.
-     *
-     * @param points d'un pixel ; aucune grille régulière n'a les leurs, et n'en est donc favorisée
-     */
-    static Niveaux[][] references(Essais essais, List<Pave> blocs, LimitesDesReflets limites, int points) {
-        Niveaux[][] references = new Niveaux[blocs.size()][];
-        essais.passer(blocs, limites.reflets, limites.seuil, (rang, bloc, pave, vue) -> {
-            SplittableRandom hasard = new SplittableRandom((long) bloc.j0 << Integer.SIZE | bloc.i0);
-            references[rang] = new Niveaux[] {reference(bloc, vue, points, hasard),
-                reference(bloc, vue, points, hasard)};
-        });
-        return references;
-    }
-
-    static Niveaux reference(Pave bloc, Vue vue, int points, SplittableRandom hasard) {
-        Niveaux reference = new Niveaux(bloc);
-        for (int j = bloc.j0; j < bloc.j1; j++) {
-            for (int i = bloc.i0; i < bloc.i1; i++) {
-                double dx = hasard.nextDouble();
-                double dy = hasard.nextDouble();
-                Couleur somme = new Couleur();
-                for (int k = 0; k < points; k++) {
-                    somme = somme.add(vue.couleur(i + x(k, dx), j + y(k, dy)));
-                }
-                reference.drawPixel(somme.div(points), i, j);
-            }
-        }
-        return reference;
     }
 
     /** Les pixels d'à côté ne comptent pas. */
@@ -122,25 +78,5 @@ final class Niveaux implements Toile {
             contraste = Math.max(contraste, max - min);
         }
         return IMPREVU + contraste / NIVEAUX;
-    }
-
-    /** L'{@link #ecart} de chacun de ces blocs à ses références. */
-    static double[] ecarts(Niveaux[] dessines, Niveaux[][] references) {
-        double[] ecarts = new double[dessines.length];
-        Arrays.setAll(ecarts, k -> dessines[k].ecart(references[k]));
-        return ecarts;
-    }
-
-    /**
-     * Le carré moyen de l'écart à la moyenne exacte du pixel, en niveaux², rapporté à un bloc entier. Parfois négatif,
-     * mais sans biais : pour deux références a et b, c'est (x − a)(x − b), où leurs erreurs s'annulent en moyenne au
-     * lieu de s'ajouter.
-     */
-    double ecart(Niveaux[] references) {
-        double somme = 0;
-        for (int k = 0; k < niveaux.length; k++) {
-            somme += (niveaux[k] - references[0].niveaux[k]) * (niveaux[k] - references[1].niveaux[k]);
-        }
-        return somme / niveaux.length;
     }
 }

@@ -1,5 +1,6 @@
 package lancer.auto;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -22,9 +23,12 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Pave;
 import lancer.contrat.Reglable;
 import lancer.contrat.Section;
+import lancer.contrat.Toile;
 import lancer.contrat.Variante;
+import lancer.contrat.Vue;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -246,27 +250,35 @@ class AutoTest {
     }
 
     private static Echantillonnage grille(int n) {
-        return (pave, vue, toile) -> {
-            for (int j = pave.j0; j < pave.j1; j++) {
-                for (int i = pave.i0; i < pave.i1; i++) {
-                    Couleur somme = new Couleur();
-                    for (int k = 0; k < n * n; k++) {
-                        somme = somme.add(vue.couleur(i + (k % n + 0.5) / n, j + (k / n + 0.5) / n));
+        return new Echantillonnage() {
+            @Override
+            public int tracer(Pave pave, Vue vue, Toile toile) {
+                for (int j = pave.j0; j < pave.j1; j++) {
+                    for (int i = pave.i0; i < pave.i1; i++) {
+                        Couleur somme = new Couleur();
+                        for (int k = 0; k < n * n; k++) {
+                            somme = somme.add(vue.couleur(i + (k % n + 0.5) / n, j + (k / n + 0.5) / n));
+                        }
+                        toile.drawPixel(somme.div(n * n), i, j);
                     }
-                    toile.drawPixel(somme.div(n * n), i, j);
                 }
+                return 0;
             }
-            return 0;
+
+            @Override
+            public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+                return tracer(voulus, vue, toile);
+            }
         };
     }
 
     @Test
     void lesReglagesDUneVarianteSontEssayesEtSesRayonsComptes() {
-        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, grilles(), Souhait.erreur(0.01));
+        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, modestes(), Souhait.erreur(0.01));
         double[] rayons = auto.getFront().stream().mapToDouble(r -> r.rayons).toArray();
-        assertEquals("[1.0, 4.0, 16.0, 256.0]", Arrays.toString(rayons));
+        assertArrayEquals(new double[] {1, 4, 9}, rayons, 1e-9);
         double[] erreurs = auto.getFront().stream().mapToDouble(r -> r.erreur).toArray();
-        assertTrue(erreurs[0] > erreurs[1] && erreurs[1] > erreurs[2] && erreurs[2] > erreurs[3], Arrays.toString(erreurs));
+        assertTrue(erreurs[0] > erreurs[1] && erreurs[1] > erreurs[2], Arrays.toString(erreurs));
     }
 
     @Test
@@ -297,18 +309,32 @@ class AutoTest {
         assertTrue(Souhait.temps(2).verdict(erreur, 2.1).equals("temps voulu dépassé"));
     }
 
-    /** Les essais d'un grand dessin en coûtent moins de la moitié ; ceux d'un petit, moins que rien ne demande 0,2 s. */
+    /**
+     * Les essais d'un grand dessin en coûtent au plus la moitié ; ceux d'un petit, ce que rien ne demande en 0,2 s : celui d'une grille
+     * de 16 s'arrête s'il passerait.
+     */
     @ParameterizedTest
-    @CsvSource({"4, 40, 30", "1, 40, 30", "4, 1600, 1200", "1, 1600, 1200"})
-    void lesEssaisCoutentAuPlusLaMoitieDuDessinOuTresPeu(double voulue, int largeur, int hauteur) {
-        Scene scene = scene(boule(-1, 0, 8, 1.2, 0.5), boule(1.2, 0.4, 7, 0.7, 0.8), boule(0, -1001.5, 8, 1000, 0.3));
-        List<Variante> modestes = variante(Arrays.asList(Section.reglage("Grille", "n", "1"), Section.reglage("Grille", "n", "2"),
-                Section.reglage("Grille", "n", "3")));
-        Auto auto = auto(scene, largeur, hauteur, modestes, Souhait.erreur(voulue));
+    @CsvSource({"40, 30", "200, 150"})
+    void lesEssaisCoutentAuPlusLaMoitieDuDessinOuTresPeu(int largeur, int hauteur) {
+        Scene boules = scene(boule(-1, 0, 8, 1.2, 0.5), boule(1.2, 0.4, 7, 0.7, 0.8), boule(0, -1001.5, 8, 1000, 0.3));
+        for (double voulue : new double[] {50, 4, 1, 0.25}) {
+            verifierLeCoutDesEssais(auto(boules, largeur, hauteur, grilles(), Souhait.erreur(voulue)));
+            verifierLeCoutDesEssais(auto(damier(), largeur, hauteur, grilles(), Souhait.erreur(voulue)));
+            verifierLeCoutDesEssais(auto(entreDeuxMurs(0.9), largeur, hauteur, modestes(), Souhait.erreur(voulue)));
+        }
+        verifierLeCoutDesEssais(auto(boules, 8 * largeur, 8 * hauteur, modestes(), Souhait.erreur(1)));
+    }
+
+    private static void verifierLeCoutDesEssais(Auto auto) {
         auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
         auto.controler();
         double permis = Math.max(600_000, auto.getLancer().getCompteurs().rayons() / 2.0);
-        assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis);
+        assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis + ", " + auto.getChoisi());
+    }
+
+    private static List<Variante> modestes() {
+        return variante(Arrays.asList(Section.reglage("Grille", "n", "1"), Section.reglage("Grille", "n", "2"),
+                Section.reglage("Grille", "n", "3")));
     }
 
     @Test

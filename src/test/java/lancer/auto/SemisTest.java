@@ -1,7 +1,11 @@
 package lancer.auto;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -10,6 +14,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Lancer;
@@ -110,17 +116,47 @@ class SemisTest {
     }
 
     @Test
-    void deuxReferencesDUnBlocSontToujoursLesMemesEtDifferentEntreElles() {
+    void deuxReferencesDifferentEntreEllesEtSontLesMemesFaitesEnUneFoisOuEnPlusieurs() {
         Scene boule = new Scene(Collections.<Objet3D>singletonList(new Sphere(new Point(0, 0, 8), 2)),
                 Collections.<Lampe>emptyList());
-        Essais essais = new Essais(new Lancer(boule, new Camera(100, 100)), 2);
+        Essais essais = new Essais(new Lancer(boule, new Camera(101, 101)), 2);
         LimitesDesReflets limites = new LimitesDesReflets(0, 0, new Estimation(0, 0), 1);
-        // du ciel, dont la couleur change partout
-        List<Pave> bloc = Collections.singletonList(Pave.deRang(7, 100, 100, Essais.COTE));
-        Niveaux[] premieres = Niveaux.references(essais, bloc, limites, 13)[0];
-        Niveaux[] secondes = Niveaux.references(essais, bloc, limites, 13)[0];
-        assertEquals(0, premieres[0].ecart(new Niveaux[] {secondes[0], secondes[0]}));
-        assertEquals(0, premieres[1].ecart(new Niveaux[] {secondes[1], secondes[1]}));
-        assertFalse(premieres[0].ecart(new Niveaux[] {premieres[1], premieres[1]}) == 0);
+        // du ciel, dont la couleur change partout ; le dernier bloc d'une ligne n'a que deux pixels
+        List<Pave> blocs = Arrays.asList(Pave.deRang(7, 101, 101, Essais.COTE), Pave.deRang(50, 101, 101, Essais.COTE));
+        References enUneFois = new References(essais, blocs, limites);
+        assertTrue(enUneFois.affiner(0, 1e9));
+        assertFalse(enUneFois.affiner(0, 1e9));
+        long cout = essais.rayons();
+        assertEquals(0, cout % (2 * 6));
+        References enPlusieurs = new References(essais, blocs, limites);
+        for (double rayons : new double[] {0, 100, 500, 1e9}) {
+            assertTrue(enPlusieurs.affiner(0, rayons));
+        }
+        assertEquals(2 * cout, essais.rayons(), "aucun point deux fois");
+        assertArrayEquals(enUneFois.sommes, enPlusieurs.sommes);
+        assertNotEquals(enUneFois.sommes[0][0], enUneFois.sommes[0][1]);
+    }
+
+    @Test
+    void desPassesBorneesSArretentEtNeComptentPasPourPlus() {
+        Essais essais = essais(200, 150);
+        List<Pave> blocs = essais.semer(1000, false);
+        Essais.Essai unRayon = (rang, bloc, pave, vue) -> vue.couleur(bloc.i0, bloc.j0);
+        Supplier<String> passes = () -> {
+            essais.passer(blocs, 0, 0, unRayon);
+            return "faites";
+        };
+        assertEquals("faites", essais.borner(1000, passes));
+        assertEquals(1000, essais.rayons());
+        assertNull(essais.borner(999, passes));
+        assertEquals(1999, essais.rayons());
+        assertNull(essais.borner(-5, passes));
+        assertEquals(1999, essais.rayons());
+        // rien n'en reste
+        passes.get();
+        assertEquals(2999, essais.rayons());
+        Thread.currentThread().interrupt();
+        assertThrows(CancellationException.class, () -> essais.borner(1000, passes));
+        assertTrue(Thread.interrupted());
     }
 }
