@@ -14,7 +14,7 @@ import lancer.contrat.Pave;
 final class References {
 
     private static final double POINTS_POUR_UN_NIVEAU = 20;
-    private static final int POINTS_MIN = 8;
+    private static final int POINTS_MIN = 12;
     private static final int POINTS_MAX = 120;
 
     final List<Pave> blocs;

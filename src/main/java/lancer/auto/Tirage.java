@@ -17,7 +17,7 @@ final class Tirage {
      * Dispersion des carrés que l'on suppose au moins, rapportée au carré de leur moyenne : quelques blocs font presque
      * toute l'erreur d'un bon échantillonnage, et ils peuvent tous manquer au tirage.
      */
-    private static final double RARETE = 100;
+    private static final double RARETE = 160;
 
     private static final int TIRAGES_MIN = 40;
     private static final int TIRAGES_MAX = 640;
