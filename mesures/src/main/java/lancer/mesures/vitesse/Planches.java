@@ -18,8 +18,8 @@ import lancer.mesures.trace.Volet;
 /** Des mesures aux courbes. */
 final class Planches {
 
-    private static final int LARGEUR_VIGNETTE = 1000;
-    private static final int HAUTEUR_VIGNETTE = 640;
+    private static final int LARGEUR_VIGNETTE = 940;
+    private static final int HAUTEUR_VIGNETTE = 620;
 
     /** Ce que montre une barre, au plus : tant de fois plus, et moins. */
     private static final double BARRE = 3;
