@@ -44,7 +44,7 @@ class VitesseTest {
         List<Methode> deux = Arrays.asList(tout.methodes.get(0), tout.methode("grille/2 × 2"));
         Path csv = dossier.resolve("vitesse.csv");
         new Mesureur(true, true, csv, new PrintStream(sortie)).mesurer(
-                Collections.singletonList(new Catalogue.Groupe(Catalogue.METHODES, "scene1", deux, 1, true)));
+                Collections.singletonList(new Catalogue.Groupe(Catalogue.METHODES, "scene1", deux, 1)));
         Releves releves = Releves.lire(csv);
         Releve un = releves.le(Catalogue.UN_RAYON, "");
         Releve grille = releves.le(Catalogue.GRILLE, "2 × 2");
