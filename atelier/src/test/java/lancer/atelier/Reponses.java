@@ -1,6 +1,5 @@
 package lancer.atelier;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -14,7 +13,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
-import javax.imageio.ImageIO;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -27,6 +25,9 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Specularite;
+import lancer.sortie.Ecriture;
+import lancer.sortie.FichierPng;
+import lancer.sortie.ImageMemoire;
 
 /**
  * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme, que {@link ReponsesTest} compare à la page.
@@ -56,8 +57,8 @@ final class Reponses {
         PagesMesurees.reecrire(Paths.get(args[0]), valeurs());
         Files.write(images.resolve("reponses-cosinus.svg"), cosinus().getBytes(StandardCharsets.UTF_8));
         Path neuves = Files.createTempDirectory("reponses");
-        ImageIO.write(etapes(), "png", neuves.resolve("reponses-etapes.png").toFile());
-        ImageIO.write(escaliers(), "png", neuves.resolve("reponses-escaliers.png").toFile());
+        new Ecriture(neuves.resolve("reponses-etapes.png").toString()).ecrire(etapes(), new FichierPng());
+        new Ecriture(neuves.resolve("reponses-escaliers.png").toString()).ecrire(escaliers(), new FichierPng());
         Images.actualiser(neuves, images).forEach(nom -> System.out.println("changée : " + nom));
     }
 
@@ -193,15 +194,14 @@ final class Reponses {
     }
 
     /** Les cinq étapes, côte à côte. */
-    static BufferedImage etapes() {
-        BufferedImage image = new BufferedImage(5 * LARGEUR + 4 * 4, HAUTEUR, BufferedImage.TYPE_INT_RGB);
-        remplir(image, 0xFFFFFF);
+    static ImageMemoire etapes() {
+        ImageMemoire image = blanche(5 * LARGEUR + 4 * 4, HAUTEUR);
         Camera camera = new Camera(LARGEUR, HAUTEUR);
         for (int etape = 0; etape < 5; etape++) {
             Scene scene = scene(etape > 1);
             for (int p = 0; p < LARGEUR * HAUTEUR; p++) {
-                image.setRGB(etape * (LARGEUR + 4) + p % LARGEUR, p / LARGEUR,
-                        moyenne(etape, scene, camera, p % LARGEUR, p / LARGEUR, FINESSE).getCode());
+                image.drawPixel(moyenne(etape, scene, camera, p % LARGEUR, p / LARGEUR, FINESSE), etape * (LARGEUR + 4) + p % LARGEUR,
+                        p / LARGEUR);
             }
         }
         return image;
@@ -216,27 +216,25 @@ final class Reponses {
     }
 
     /** Le bord d'une boule, à la loupe : un rayon par pixel, puis 3 × 3. */
-    static BufferedImage escaliers() {
+    static ImageMemoire escaliers() {
         int cote = 28;
-        BufferedImage image = new BufferedImage(2 * cote * LOUPE + 8, cote * LOUPE, BufferedImage.TYPE_INT_RGB);
-        remplir(image, 0xFFFFFF);
+        ImageMemoire image = blanche(2 * cote * LOUPE + 8, cote * LOUPE);
         Camera camera = new Camera(100, 75);
         Scene scene = scene(true);
         for (int n = 1; n <= 3; n += 2) {
             for (int p = 0; p < cote * cote; p++) {
-                int code = moyenne(4, scene, camera, 60 + p % cote, 12 + p / cote, n).getCode();
+                Couleur couleur = moyenne(4, scene, camera, 60 + p % cote, 12 + p / cote, n);
                 for (int q = 0; q < LOUPE * LOUPE; q++) {
-                    image.setRGB((n - 1) / 2 * (cote * LOUPE + 8) + p % cote * LOUPE + q % LOUPE, p / cote * LOUPE
-                            + q / LOUPE, code);
+                    image.drawPixel(couleur, (n - 1) / 2 * (cote * LOUPE + 8) + p % cote * LOUPE + q % LOUPE, p / cote * LOUPE + q / LOUPE);
                 }
             }
         }
         return image;
     }
 
-    private static void remplir(BufferedImage image, int code) {
-        for (int k = 0; k < image.getWidth() * image.getHeight(); k++) {
-            image.setRGB(k % image.getWidth(), k / image.getWidth(), code);
-        }
+    private static ImageMemoire blanche(int largeur, int hauteur) {
+        ImageMemoire image = new ImageMemoire(largeur, hauteur, false);
+        Arrays.fill(image.getCodes(), -1);
+        return image;
     }
 }
