@@ -69,7 +69,7 @@ class JugeTest {
     @BeforeEach
     void ecrireLesScenes() throws IOException {
         grise = ecrire("grise.ini", "0.5 0.5 0.5");
-        coloree = ecrire("coloree.ini", "0.5 0.4 0.3");
+        coloree = ecrire("coloree.ini", "0.5 0.5 0.49");
     }
 
     private Path ecrire(String nom, String Ks) throws IOException {
@@ -101,6 +101,7 @@ class JugeTest {
         List<String> lignes = Files.readAllLines(csv);
         assertEquals(2, lignes.size());
         assertEquals(lignes.get(0).split(",").length, lignes.get(1).split(",").length);
+        assertEquals(lignes.get(0), Files.readAllLines(Paths.get("resultats/juge.csv")).get(0), "make juge");
         assertTrue(lignes.get(1).startsWith("grise,40,30,2,3,1,0,0,0.00"), lignes.get(1));
         assertTrue(lignes.get(1).endsWith(",oui"), lignes.get(1));
     }

@@ -103,12 +103,6 @@ class TraductionPovTest {
         refuse("pas une sphère", ScenesJugees.scene(new Plan()), 5);
     }
 
-    @Test
-    void unKsGrisNeDemandeQuUnDessin() {
-        assertTrue(TraductionPov.estGrise(ScenesJugees.deuxBoules(new Couleur(0.3))));
-        assertFalse(TraductionPov.estGrise(ScenesJugees.deuxBoules(new Couleur(0.3, 0.3, 0.31))));
-    }
-
     /** Un objet qui n'est pas une sphère. */
     private static final class Plan extends Objet3D {
         @Override
