@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UnsupportedEncodingException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -19,6 +20,7 @@ import lancer.atelier.Arguments;
 import lancer.commande.Pannes;
 import lancer.lecture.LecteurScene;
 import lancer.mesures.stabilite.Stabilite;
+import lancer.texte.Texte;
 
 /**
  * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux.
@@ -72,14 +74,11 @@ public final class Vitesse {
         try {
             new Vitesse(sortie, args).faire();
             return 0;
-        } catch (SceneFautive e) {
-            erreurs.println("Vitesse : " + e.getMessage() + " ; à lancer à la racine du projet");
-            return 2;
-        } catch (IllegalArgumentException e) {
-            erreurs.println("Vitesse : " + e.getMessage());
+        } catch (SceneFautive | IllegalArgumentException e) {
+            erreurs.println("Vitesse : " + e.getMessage() + (e instanceof SceneFautive ? " ; à lancer à la racine du projet" : ""));
             return 2;
         } catch (IOException e) {
-            erreurs.println("Vitesse : " + (e.getMessage() == null ? e : e.getMessage()));
+            erreurs.println("Vitesse : " + e.getMessage() + (e instanceof FileSystemException ? " : " + Texte.panne(e) : ""));
             return 1;
         } catch (RuntimeException | OutOfMemoryError e) {
             erreurs.println("Vitesse : " + Pannes.message(e));

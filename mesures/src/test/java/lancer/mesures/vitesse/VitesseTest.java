@@ -39,6 +39,14 @@ class VitesseTest {
     }
 
     @Test
+    void sansMesuresRienNeSeDessineEtUneLigneDitPourquoi() {
+        ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
+        assertEquals(1, Vitesse.executer(new String[] {"--dessiner", "--dossier", dossier.toString()}, new PrintStream(sortie),
+                new PrintStream(erreurs)));
+        assertEquals("Vitesse : " + dossier.resolve(Vitesse.CSV) + " : fichier introuvable", erreurs.toString().trim());
+    }
+
+    @Test
     void chaqueMethodeEstMesureeVerifieeJugeeEtNotee() throws IOException {
         Catalogue.Groupe tout = new Catalogue(true).groupe(Catalogue.METHODES, "scene1");
         List<Methode> deux = Arrays.asList(tout.methodes.get(0), tout.methode("grille/2 × 2"));
