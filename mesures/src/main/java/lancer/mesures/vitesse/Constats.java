@@ -133,8 +133,9 @@ final class Constats {
         List<Releve> siens = spheres("foule", Catalogue.PROGRAMME).get();
         Releve petit = siens.get(siens.size() > 1 ? 1 : 0);
         Releve grand = siens.get(siens.size() - 1);
-        return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, le programme prend " + (petit.rapport().nettementSous(grand.rapport())
-                ? fois(petit, grand) + " plus de temps" : "un temps que la mesure ne distingue pas");
+        return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, le programme prend "
+                + (petit.rapport().nettementSous(grand.rapport()) ? fois(petit, grand) + " plus de temps"
+                : "un temps que la mesure ne distingue pas");
     }
 
     private String spheresContrePovray() {

@@ -75,9 +75,12 @@ class VitesseTest {
                 .map(c -> champs.indexOf(c) < 0 ? "" : champs.get(champs.indexOf(c) + 1)).toArray()));
     }
 
+    private Releves notes() throws IOException {
+        return Releves.lire(Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8));
+    }
+
     private String titre() throws IOException {
-        Path csv = Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8);
-        return new Constats(Releves.lire(csv), Collections.emptyList()).titre("scene1");
+        return new Constats(notes(), Collections.emptyList()).titre("scene1");
     }
 
     @Test
@@ -108,9 +111,8 @@ class VitesseTest {
         List<String> champs = new ArrayList<>(Arrays.asList(lignes.get(3).split(",", -1)));
         champs.set(colonne, "5");
         lignes.set(3, String.join(",", champs));
-        Releves releves = Releves.lire(Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8));
-        assertEquals(2 * 1.05 * 1.25, releves.le(Catalogue.COINS, "d'une machine").rapport().max, 1e-9);
-        assertEquals(2 * 1.05, releves.le(Catalogue.COINS, "de cinq").rapport().max, 1e-9);
+        assertEquals(2 * 1.05 * 1.25, notes().le(Catalogue.COINS, "d'une machine").rapport().max, 1e-9);
+        assertEquals(2 * 1.05, notes().le(Catalogue.COINS, "de cinq").rapport().max, 1e-9);
     }
 
     @Test
@@ -120,9 +122,8 @@ class VitesseTest {
         noter(Catalogue.GRILLE, "2 × 2", 4, 1.5);
         noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 3, 1.5);
         noter(Catalogue.PROFONDEUR, "p=0", 0.5, 40);
-        Path csv = Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8);
         assertEquals(Arrays.asList(Catalogue.BROUILLON, Catalogue.UN_RAYON, Catalogue.PARTAGE),
-                Releves.lire(csv).front().stream().map(r -> r.methode).collect(Collectors.toList()));
+                notes().front().stream().map(r -> r.methode).collect(Collectors.toList()));
     }
 
     @Test
