@@ -81,8 +81,11 @@ public final class Volet implements Contenu {
         return this;
     }
 
+    /** Une série de plus, si elle a quelque chose à montrer. */
     public Volet serie(Serie serie) {
-        (serie.forme == FormeDePoint.AUCUNE ? fonds : series).add(serie);
+        if (!serie.marques.isEmpty()) {
+            (serie.forme == FormeDePoint.AUCUNE ? fonds : series).add(serie);
+        }
         return this;
     }
 
@@ -232,11 +235,11 @@ public final class Volet implements Contenu {
                 Serie serie = partie.get(s);
                 boolean points = serie.forme != FormeDePoint.AUCUNE;
                 setSeriesPaint(s, serie.couleur);
-                setSeriesFillPaint(s, serie.trait() == Style.POINTILLE ? Color.WHITE : serie.couleur);
+                setSeriesFillPaint(s, serie.trait == Style.POINTILLE ? Color.WHITE : serie.couleur);
                 setSeriesLinesVisible(s, Boolean.valueOf(serie.reliee));
                 setSeriesShapesVisible(s, points);
                 setSeriesShape(s, serie.forme.dessin);
-                setSeriesStroke(s, serie.trait());
+                setSeriesStroke(s, serie.trait);
                 setSeriesOutlineStroke(s, Style.TRAIT);
                 setDrawXError(points);
                 setDrawYError(points);

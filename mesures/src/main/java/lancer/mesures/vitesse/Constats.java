@@ -37,8 +37,7 @@ final class Constats {
     }
 
     Releves spheres(String famille, String methode) {
-        return new Releves(releves.de(Catalogue.SPHERES).methode(methode).get().stream().filter(r -> r.scene.startsWith(famille + "-"))
-                .collect(Collectors.toList()));
+        return releves.de(Catalogue.SPHERES).methode(methode).tels(r -> r.scene.startsWith(famille + "-"));
     }
 
     /** Ce que montrent les pages, par leurs noms. */

@@ -65,10 +65,8 @@ final class Planches {
                 m = !vignette || front.contains(r) || estParDefaut(r) ? m.nommee(Noms.etiquette(r)) : m;
                 marques.add(estParDefaut(r) ? m.cerclee() : m);
             }
-            if (!marques.isEmpty()) {
-                volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3],
-                        s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
-            }
+            volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3],
+                    s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
         }
         if (vignette) {
             return new Planche(constats.titre(scene), "").taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE).sansLegende().volet(volet);
@@ -145,9 +143,7 @@ final class Planches {
                     derniere = r.methode.equals(Catalogue.BOUCLES) ? r : derniere;
                 }
             }
-            if (!marques.isEmpty()) {
-                volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));
-            }
+            volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));
         }
         extrapoler(volet, derniere, reference);
         return new Planche(constats.pages().get("spheres.titre"), "Démarrage de Java, lecture, préparation, dessin, écriture, à froid."

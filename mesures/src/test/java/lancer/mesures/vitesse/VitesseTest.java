@@ -10,11 +10,14 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import lancer.atelier.FichierCsv;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,11 +42,11 @@ class VitesseTest {
     }
 
     @Test
-    void sansMesuresRienNeSeDessineEtUneLigneDitPourquoi() {
+    void ailleursQuALaRacineDuProjetRienNEstEcrit() {
         ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
-        assertEquals(1, Vitesse.executer(new String[] {"--dessiner", "--dossier", dossier.toString()}, new PrintStream(sortie),
-                new PrintStream(erreurs)));
-        assertEquals("Vitesse : " + dossier.resolve(Vitesse.CSV) + " : fichier introuvable", erreurs.toString().trim());
+        assertEquals(2, Vitesse.executer(new String[] {"--dessiner"}, new PrintStream(sortie), new PrintStream(erreurs)));
+        assertTrue(erreurs.toString().contains("à lancer à la racine du projet"), erreurs.toString());
+        assertFalse(Files.exists(Paths.get("mesures")), "le dossier du module n'en a pas d'autre de ce nom");
     }
 
     @Test
@@ -100,6 +103,17 @@ class VitesseTest {
         // la même chose, ailleurs, va un quart plus lentement : trois quarts ne se distinguent plus de un
         noter(Catalogue.UN_RAYON, "", 1.25, 6);
         assertTrue(titre().contains("aucune différence"), titre());
+    }
+
+    @Test
+    void lesPromessesDAutoSontComptees() {
+        String[] colonnes = {"scene", "promise", "tenue", "erreur", "erreur_voulue", "rayons_attendus", "rayons", "rayons_des_essais"};
+        List<Map<String, String>> lues = new ArrayList<>();
+        for (String ligne : new String[] {"diffus oui oui 1 2 10 10 1", "sort-1 oui non 3 2 9 10 30", "sort-2 non non 9 2 5 10 19"}) {
+            lues.add(IntStream.range(0, colonnes.length).boxed().collect(Collectors.toMap(k -> colonnes[k], k -> ligne.split(" ")[k])));
+        }
+        assertEquals("{auto.chers=1, auto.livrees=1 fois sur 1, auto.pire=1,5, auto.plus_cher=1,5, auto.prix=1 fois sur 2, "
+                + "auto.sort=0 fois sur 2}", Rapport.promesses(lues).toString());
     }
 
     @Test
