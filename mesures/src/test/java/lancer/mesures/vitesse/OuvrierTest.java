@@ -52,7 +52,7 @@ class OuvrierTest {
         ImageLineaire lue = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
         lue.lire(image);
         for (int k = 0; k < TAILLE.pixels(); k++) {
-            assertTrue(attendue.memesBits(lue, k));
+            assertEquals(attendue.getCouleur(k), lue.getCouleur(k));
         }
     }
 
