@@ -128,13 +128,12 @@ final class Constats {
 
     // ---- le nombre de sphères
 
-    private String titreDesSpheres() {
+    String titreDesSpheres() {
         List<Releve> siens = spheres("foule", Catalogue.PROGRAMME).get();
-        Releve petit = siens.get(siens.size() > 1 ? 1 : 0);
+        Releve petit = siens.get(siens.size() > 2 ? 1 : 0);
         Releve grand = siens.get(siens.size() - 1);
-        return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, le programme prend "
-                + (petit.rapport().nettementSous(grand.rapport()) ? fois(petit, grand) + " plus de temps"
-                : "un temps que la mesure ne distingue pas");
+        return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, " + (petit.rapport().nettementSous(grand.rapport())
+                ? "le programme prend " + fois(petit, grand) + " plus de temps" : "aucune différence que la mesure porte");
     }
 
     private String spheresContrePovray() {

@@ -96,6 +96,16 @@ class VitesseTest {
     }
 
     @Test
+    void leTempsDUneFouleEstCompareACeluiDUnePlusPetite() throws IOException {
+        for (int n : new int[] {1, 100}) {
+            noter(Catalogue.PROGRAMME, "", n == 1 ? 1 : 3, 0);
+            lignes.add(lignes.remove(lignes.size() - 1).replace("methodes,scene1,,", "spheres,foule-" + n + "," + n + ","));
+        }
+        assertEquals("De 1 à 100 sphères, tout compris, le programme prend de 2,7 à 3,4 fois plus de temps",
+                new Constats(notes(), Collections.emptyList()).titreDesSpheres());
+    }
+
+    @Test
     void ceDontDeuxMachinesVirtuellesDifferentNEstPasUneDifference() throws IOException {
         noter(Catalogue.COINS, Catalogue.COINS_DEFAUT, 4, 1.5);
         noter(Catalogue.PARTAGE, "n=4 seuil=0.06", 3, 1.2);
