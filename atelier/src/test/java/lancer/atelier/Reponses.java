@@ -11,7 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.ToDoubleFunction;
+import java.util.function.ToDoubleBiFunction;
 import java.util.stream.IntStream;
 import lancer.Camera;
 import lancer.Constantes;
@@ -74,11 +74,11 @@ final class Reponses {
         valeurs.put("bas.800", "(" + nombre(bas.x) + " ; " + nombre(bas.y) + " ; 0)");
         valeurs.put("focale", nombre(Camera.FOCALE));
         Scene scene = new Scene("scenes/scene1.ini");
-        valeurs.put("miroir", String.format(Locale.FRANCE, "%.0e", plusGrand(scene, Reponses::ecartDuMiroir))
+        valeurs.put("miroir", String.format(Locale.FRANCE, "%.0e", rang(1, scene, Reponses::ecartDuMiroir))
                 .replaceFirst("e-0?(\\d+)", " · 10<sup>−$1</sup>"));
         for (String nom : Arrays.asList("diffus", "brume")) {
             Scene vue = new Scene("scenes/" + nom + ".ini");
-            valeurs.put(nom + ".distance", nombre(mediane(vue, c -> c.contact.distance)));
+            valeurs.put(nom + ".distance", nombre(rang(0.5, vue, (rayon, contact) -> contact.distance)));
         }
         for (int n : Arrays.asList(32, 128)) {
             double angle = Math.toDegrees(Math.acos(Math.pow(0.5, 1.0 / n)));
@@ -92,40 +92,22 @@ final class Reponses {
         return String.format(Locale.FRANCE, "%.3f", x).replaceFirst(",?0+$", "").replace('-', '−');
     }
 
-    /** Un rayon et ce qu'il rencontre. */
-    private static final class Vu {
-        private final Rayon rayon;
-        private final PointContact contact;
-
-        Vu(Rayon rayon, PointContact contact) {
-            this.rayon = rayon;
-            this.contact = contact;
-        }
-    }
-
     /** De combien le miroir d'un vecteur de longueur 1 s'en écarte avant qu'on le normalise. */
-    private static double ecartDuMiroir(Vu vu) {
-        Vecteur V = vu.rayon.getV();
-        Vecteur N = vu.contact.objet.getNormale(vu.contact);
+    private static double ecartDuMiroir(Rayon rayon, PointContact contact) {
+        Vecteur V = rayon.getV();
+        Vecteur N = contact.objet.getNormale(contact);
         return Math.abs(V.sub(N.mul(2 * V.dot(N))).norme() - 1);
     }
 
-    private static double plusGrand(Scene scene, ToDoubleFunction<Vu> mesure) {
-        double[] mesures = mesures(scene, mesure);
-        return mesures[mesures.length - 1];
-    }
-
-    private static double mediane(Scene scene, ToDoubleFunction<Vu> mesure) {
-        double[] mesures = mesures(scene, mesure);
-        return mesures[mesures.length / 2];
-    }
-
-    /** Ce que vaut une mesure en chaque contact d'une petite image, du plus petit au plus grand. */
-    private static double[] mesures(Scene scene, ToDoubleFunction<Vu> mesure) {
+    /** Ce que vaut une mesure en chaque contact d'une petite image : le plus petit pour la part 0, la médiane pour 0,5. */
+    private static double rang(double part, Scene scene, ToDoubleBiFunction<Rayon, PointContact> mesure) {
         Camera camera = new Camera(200, 150);
-        return IntStream.range(0, 200 * 150).mapToObj(k -> camera.getRayon(k % 200 + 0.5, k / 200 + 0.5))
-                .map(rayon -> new Vu(rayon, scene.getClosestIntersection(rayon))).filter(vu -> vu.contact != null)
-                .mapToDouble(mesure).sorted().toArray();
+        double[] mesures = IntStream.range(0, 200 * 150).mapToDouble(k -> {
+            Rayon rayon = camera.getRayon(k % 200 + 0.5, k / 200 + 0.5);
+            PointContact contact = scene.getClosestIntersection(rayon);
+            return contact == null ? Double.NaN : mesure.applyAsDouble(rayon, contact);
+        }).filter(x -> !Double.isNaN(x)).sorted().toArray();
+        return mesures[(int) Math.min(part * mesures.length, mesures.length - 1)];
     }
 
     /** Le graphe du cours : l'éclat que donne le programme, selon l'angle entre R et L. */
