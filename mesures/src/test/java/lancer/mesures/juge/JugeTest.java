@@ -69,7 +69,7 @@ class JugeTest {
     @BeforeEach
     void ecrireLesScenes() throws IOException {
         grise = ecrire("grise.ini", "0.5 0.5 0.5");
-        coloree = ecrire("coloree.ini", "0.5 0.5 0.49");
+        coloree = ecrire("coloree.ini", "0.5 0.4 0.3");
     }
 
     private Path ecrire(String nom, String Ks) throws IOException {
@@ -107,8 +107,8 @@ class JugeTest {
     }
 
     @Test
-    void unKsColoreSeJugeUneComposanteALaFoisEtSansSeuil() {
-        Sosie sosie = new Sosie(coloree, 0);
+    void unKsColoreAPeineSeJugeUneComposanteALaFoisEtSansSeuil() throws IOException {
+        Sosie sosie = new Sosie(ecrire("coloree.ini", "0.5 0.5 0.49"), 0);
         assertEquals(0, juger((c, d) -> sosie, "--taille", TAILLE, "--reflets", "3", coloree.toString()));
         assertEquals(Arrays.asList("coloree-rouge", "coloree-verte", "coloree-bleue"), sosie.dessins);
     }
