@@ -16,7 +16,7 @@ final class Exactitude {
     private static final String FIN = ",essais,faux,erreur_relative,erreur_unites";
     static final String STABILITE = "figure,methode,x,y" + FIN;
 
-    /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans son intervalle, 19 fois sur 20. */
+    /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans son intervalle. */
     static final String METHODES = "regime,methode,ns,plus_ou_moins" + FIN;
 
     /** Quelle courbe : voir {@link Mesures}. */
