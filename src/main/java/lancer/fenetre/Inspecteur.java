@@ -213,7 +213,7 @@ final class Inspecteur extends JDialog {
         verdict.setText(comparer(nouvelle.getCouleur()));
         grille.montrer(nouvelle);
         cote.montrer(nouvelle);
-        panneau.superposer(figure::peindre);
+        panneau.superposer(figure);
     }
 
     /** Marque les lignes que ce dessin a changées. */

@@ -19,10 +19,10 @@ import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
+import lancer.fenetre.figures.Figure;
 import lancer.sortie.ImageMemoire;
 
 /**
@@ -48,8 +48,8 @@ final class PanneauImage extends JPanel {
     private transient ImageMemoire tenue;
     private transient BufferedImage devant;
     private String invite;
-    /** Ce qui se peint par-dessus l'image, dont la place est donnée, en pixels de l'écran ; {@code null} : rien. */
-    private transient BiConsumer<Graphics2D, Rectangle> dessus;
+    /** Ce qui se peint par-dessus l'image ; {@code null} : rien. */
+    private transient Figure dessus;
     private Point souris;
     private Point suivi;
     private transient Runnable siChange = () -> { };
@@ -234,7 +234,7 @@ final class PanneauImage extends JPanel {
             peindre(g2, devant != null ? null : calque);
             if (dessus != null && montree != null && devant == null) {
                 g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
-                dessus.accept(g2, getPlace(montree.getLargeur(), montree.getHauteur()));
+                dessus.peindre(g2, getPlace(montree.getLargeur(), montree.getHauteur()), getLibre());
             }
         } finally {
             g2.dispose();
@@ -262,8 +262,8 @@ final class PanneauImage extends JPanel {
     }
 
     /** Peint ceci par-dessus l'image, à l'écran seulement ; {@code null} : plus rien. */
-    void superposer(BiConsumer<Graphics2D, Rectangle> voulu) {
-        dessus = voulu;
+    void superposer(Figure figure) {
+        dessus = figure;
         repaint();
     }
 
@@ -320,6 +320,12 @@ final class PanneauImage extends JPanel {
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
         addMouseWheelListener(suiveur);
+    }
+
+    /** La fenêtre a bougé sous la souris, qui n'en dit rien : on ne sait plus où elle est. */
+    void perdreSouris() {
+        souris = null;
+        siChange.run();
     }
 
     /** Le pixel de l'image montrée qui est sous la souris, ou au milieu du panneau ; {@code null} s'il n'y en a pas. */
