@@ -63,7 +63,7 @@ public final class Fenetre implements Atelier {
     private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
     private final PanneauImage panneau;
     private final Bandeau bandeau;
-    private final BarreEtat barre = new BarreEtat(this::arreterOuRecharger);
+    private final BarreEtat barre;
     private final JFrame cadre = new JFrame();
     private final Enregistrement enregistrement;
     private final List<Runnable> prevenus = new ArrayList<>();
@@ -103,6 +103,7 @@ public final class Fenetre implements Atelier {
         fils = options.fils;
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(taille);
+        barre = new BarreEtat(this::arreterOuRecharger, panneau.getPreferredSize().width, variantes.size());
         affichage = new MenuAffichage(cadre, panneau, barre, taille, this::ajuster);
         bandeau = panneau.bandeau;
         enregistrement = new Enregistrement(this, bandeau);
@@ -192,8 +193,15 @@ public final class Fenetre implements Atelier {
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
+                montrerPixel();
                 resumer();
                 retaille.restart();
+            }
+        });
+        cadre.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentMoved(ComponentEvent e) {
+                panneau.perdreSouris();
             }
         });
     }

@@ -30,12 +30,12 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
-import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
+import javax.swing.UIManager;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
@@ -309,6 +309,30 @@ class FenetreFichiersTest extends EssaiFenetre {
         choisir(dossier.resolve("sous/autre.png"));
         banc.attendreMessage("enregistrée : autre.png");
         assertEquals("boule.png", enregistrerSous(dossier.resolve("fin.png")));
+    }
+
+    @Test
+    void leChoixDUnFichierTientDansLEcranQuelleQueSoitSaPropreTaille() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        String cle = "FileChooser.filesOfTypeLabelText";
+        Object avant = UIManager.put(cle, String.join(" ", Collections.nCopies(ecran.width / 4, "type")));
+        try {
+            for (char touche : new char[] {'o', 's'}) {
+                banc.frapperCtrl(touche);
+                JFileChooser choix = composant(null, JFileChooser.class);
+                Rectangle place = surFilEvenements(() -> SwingUtilities.getWindowAncestor(choix).getBounds());
+                assertTrue(ecran.contains(place), place.toString());
+                surFilEvenements(() -> {
+                    choix.cancelSelection();
+                    return null;
+                });
+                attendre("le dialogue est fermé", () -> !choix.isShowing());
+            }
+        } finally {
+            UIManager.put(cle, avant);
+        }
     }
 
     @Test
