@@ -88,7 +88,8 @@ class FenetreTest extends EssaiFenetre {
         vue = peinte();
         assertEquals(L / 2, vue.getWidth());
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(L / 4, H / 8));
-        assertEquals(new Color(image.getCodes()[H / 2 * L + L / 2]).getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
+        Color milieu = new Color(image.getCodes()[H / 2 * L + L / 2]);
+        assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
         assertTrue(chercher("resume", JTextArea.class).getText().startsWith("320 × 240 pixels montrés à 50 %, "));
         assertSame(image, banc.fenetre.getImageComplete(), "rien n'est redessiné");
     }
@@ -347,9 +348,10 @@ class FenetreTest extends EssaiFenetre {
             }
         }.lent());
         JLabel pixel = chercher("pixel", JLabel.class);
-        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
-        coin.x += (banc.panneau.getWidth() - L) / 2;
+        Point coin = new Point();
         attendre("le haut du brouillon se dit", () -> {
+            coin.setLocation(banc.panneau.getLocationOnScreen());
+            coin.translate((banc.panneau.getWidth() - L) / 2, (banc.panneau.getHeight() - H) / 2);
             banc.robot.mouseMove(coin.x + 11, coin.y + 10);
             banc.robot.mouseMove(coin.x + 10, coin.y + 10);
             return pixel.getText().matches("pixel 10, 10 \\(brouillon\\) : #.*");
