@@ -7,7 +7,6 @@ import java.awt.Point;
 import java.text.NumberFormat;
 import java.util.Locale;
 import javax.swing.BorderFactory;
-import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -62,12 +61,9 @@ final class BarreEtat extends JPanel {
         // la largeur du plus long de ses deux textes, pour que la barre ne bouge pas
         bouton.setPreferredSize(bouton.getPreferredSize());
         JPanel textes = new JPanel(new BorderLayout(MARGE, 0));
-        Box gauche = Box.createHorizontalBox();
-        gauche.add(pastille);
-        gauche.add(Box.createHorizontalStrut(MARGE));
-        gauche.add(pixel);
         textes.add(resume, BorderLayout.PAGE_START);
-        textes.add(gauche, BorderLayout.LINE_START);
+        textes.add(pastille, BorderLayout.LINE_START);
+        textes.add(pixel, BorderLayout.CENTER);
         add(textes, BorderLayout.PAGE_START);
         add(avancement, BorderLayout.CENTER);
         add(bouton, BorderLayout.LINE_END);

@@ -19,7 +19,6 @@ import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
@@ -165,8 +164,8 @@ public final class Fenetre implements Atelier {
     private void ecouter() {
         surveillance.commencer();
         cadre.getRootPane().setTransferHandler(new DepotFichier(this::ouvrirScene, bandeau::avis));
-        lier(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), this::echapper);
-        lier(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), this::inspecter);
+        Menus.lier(cadre.getRootPane(), Menus.touche(KeyEvent.VK_ESCAPE), this::echapper);
+        Menus.lier(cadre.getRootPane(), Menus.touche(KeyEvent.VK_ENTER), this::inspecter);
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventPostProcessor(renvoi);
         cadre.addWindowListener(new WindowAdapter() {
             @Override
@@ -182,7 +181,8 @@ public final class Fenetre implements Atelier {
         affichage.lierTouches(cadre.getRootPane());
         menuDessin.lierTouches(cadre.getRootPane());
         for (boolean lachee : new boolean[] {false, true}) {
-            lier(KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), () -> tenir(!lachee));
+            Menus.lier(cadre.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee),
+                    () -> tenir(!lachee));
         }
         retaille.setRepeats(false);
         inspecteur = new Inspecteur(this, panneau);
@@ -206,10 +206,6 @@ public final class Fenetre implements Atelier {
         });
     }
 
-    private void lier(KeyStroke touche, Runnable action) {
-        cadre.getRootPane().registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
-    }
-
     /** Mène l'inspecteur au pixel qui est sous la souris, ou au milieu. */
     private void inspecter() {
         Point pixel = panneau.getPixelVise();
@@ -218,19 +214,16 @@ public final class Fenetre implements Atelier {
         }
     }
 
-    /** Le cadre, qui contient tout ce qui se voit. */
     @Override
     public JFrame getCadre() {
         return cadre;
     }
 
-    /** L'image montrée si elle est achevée ; {@code null} tant qu'un dessin est en cours, ou s'il a été arrêté. */
     @Override
     public ImageMemoire getImageComplete() {
         return !enCours && complete == panneau.getImage() ? complete : null;
     }
 
-    /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
     @Override
     public boolean enCours() {
         return enCours;

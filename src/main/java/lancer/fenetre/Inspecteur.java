@@ -12,7 +12,6 @@ import java.awt.event.KeyEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -28,7 +27,6 @@ import javax.swing.text.DefaultHighlighter;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
-import lancer.commande.Pannes;
 import lancer.fenetre.figures.Figure;
 import lancer.fenetre.figures.GrilleEchantillons;
 import lancer.fenetre.figures.VueDeCote;
@@ -182,18 +180,12 @@ final class Inspecteur extends JDialog {
                 pixel.y);
         int voulu = rang;
         enCours = nouvelle;
-        fil.execute(() -> {
-            try {
-                nouvelle.faire(voulu);
-                List<String> lignes = new Recit(nouvelle, Inspecteur::arrondi).lignes();
-                Figure figure = new Figure(nouvelle);
-                EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure));
-            } catch (CancellationException e) {
-                // un autre pixel est demandé
-            } catch (RuntimeException | Error e) {
-                EventQueue.invokeLater(() -> verdict.setText(Pannes.message(e)));
-            }
-        });
+        Atelier.confier(fil, () -> {
+            nouvelle.faire(voulu);
+            List<String> lignes = new Recit(nouvelle, Inspecteur::arrondi).lignes();
+            Figure figure = new Figure(nouvelle);
+            EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure));
+        }, verdict::setText);
     }
 
     private void recevoir(Inspection nouvelle, List<String> lignes, Figure figure) {

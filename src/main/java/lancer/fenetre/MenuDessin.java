@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
-import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRootPane;
@@ -73,10 +72,8 @@ final class MenuDessin {
 
     /** Lie les touches qui ne sont pas celles d'un article. */
     void lierTouches(JRootPane racine) {
-        racine.registerKeyboardAction(e -> reflechir(voisin(true)), KeyStroke.getKeyStroke('+'),
-                JComponent.WHEN_IN_FOCUSED_WINDOW);
-        racine.registerKeyboardAction(e -> reflechir(voisin(false)), KeyStroke.getKeyStroke('-'),
-                JComponent.WHEN_IN_FOCUSED_WINDOW);
+        Menus.lier(racine, KeyStroke.getKeyStroke('+'), () -> reflechir(voisin(true)));
+        Menus.lier(racine, KeyStroke.getKeyStroke('-'), () -> reflechir(voisin(false)));
     }
 
     private int voisin(boolean plus) {
