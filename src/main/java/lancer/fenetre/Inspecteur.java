@@ -45,6 +45,7 @@ final class Inspecteur extends JDialog {
     private static final int MARGE = 6;
     private static final int LARGEUR = 520;
     private static final int LARGEUR_MIN = 350;
+    private static final int HAUTEUR_MIN = 500;
     private static final int SAUT = 10;
     private static final Color CHANGE = new Color(0xFFE9A8);
     private static final String INACHEVEE = "L'image n'est pas achevée : rien encore à quoi comparer.";
@@ -126,7 +127,8 @@ final class Inspecteur extends JDialog {
     private void placer() {
         JFrame cadre = atelier.getCadre();
         Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())), cadre.getHeight());
+        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())),
+                Math.max(HAUTEUR_MIN, cadre.getHeight()));
         int depasse = cadre.getX() + cadre.getWidth() + getWidth() - ecran.x - ecran.width;
         if (depasse > 0 && cadre.getX() > ecran.x) {
             cadre.setLocation(Math.max(ecran.x, cadre.getX() - depasse), cadre.getY());
