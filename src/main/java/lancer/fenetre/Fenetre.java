@@ -162,10 +162,9 @@ public final class Fenetre implements Atelier {
 
     /** À quoi la fenêtre répond, en plus de ses menus. */
     private void ecouter() {
-        surveillance.commencer();
         cadre.getRootPane().setTransferHandler(new DepotFichier(this::ouvrirScene, bandeau::avis));
-        Menus.lier(cadre.getRootPane(), Menus.touche(KeyEvent.VK_ESCAPE), this::echapper);
-        Menus.lier(cadre.getRootPane(), Menus.touche(KeyEvent.VK_ENTER), this::inspecter);
+        Menus.lier(cadre, Menus.touche(KeyEvent.VK_ESCAPE), this::echapper);
+        Menus.lier(cadre, Menus.touche(KeyEvent.VK_ENTER), this::inspecter);
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventPostProcessor(renvoi);
         cadre.addWindowListener(new WindowAdapter() {
             @Override
@@ -178,11 +177,8 @@ public final class Fenetre implements Atelier {
                 tenir(false);
             }
         });
-        affichage.lierTouches(cadre.getRootPane());
-        menuDessin.lierTouches(cadre.getRootPane());
         for (boolean lachee : new boolean[] {false, true}) {
-            Menus.lier(cadre.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee),
-                    () -> tenir(!lachee));
+            Menus.lier(cadre, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), () -> tenir(!lachee));
         }
         retaille.setRepeats(false);
         inspecteur = new Inspecteur(this, panneau);

@@ -14,7 +14,6 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
-import javax.swing.JRootPane;
 
 /** Le menu de la taille : celle où l'image se dessine, celle où elle se montre, et le plein écran. */
 final class MenuAffichage {
@@ -51,15 +50,12 @@ final class MenuAffichage {
         menu.addSeparator();
         Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
         Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
-    }
-
-    /** Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique. */
-    void lierTouches(JRootPane racine) {
+        // Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique
         Object[][] touches = {{'&', demander}, {KeyEvent.VK_NUMPAD1, demander}, {'à', remplir},
             {KeyEvent.VK_NUMPAD0, remplir}};
         for (Object[] t : touches) {
             int touche = t[0] instanceof Character ? KeyEvent.getExtendedKeyCodeForChar((char) t[0]) : (int) t[0];
-            Menus.lier(racine, Menus.ctrl(touche), ((JMenuItem) t[1])::doClick);
+            Menus.lier(cadre, Menus.ctrl(touche), ((JMenuItem) t[1])::doClick);
         }
     }
 

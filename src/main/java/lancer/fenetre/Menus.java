@@ -8,10 +8,10 @@ import java.awt.event.KeyEvent;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
-import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 
 /** De quoi faire des menus, où chaque article se choisit aussi par une lettre que ses voisins n'ont pas. */
@@ -52,8 +52,8 @@ final class Menus {
     }
 
     /** Lie une touche à ce qui n'a pas d'article. */
-    static void lier(JRootPane racine, KeyStroke touche, Runnable action) {
-        racine.registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
+    static void lier(JFrame cadre, KeyStroke touche, Runnable action) {
+        cadre.getRootPane().registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
     }
 
     /** Grise cet article tant qu'aucune scène n'est montrée. */
