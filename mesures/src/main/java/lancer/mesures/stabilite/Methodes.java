@@ -5,7 +5,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
@@ -43,8 +42,7 @@ public final class Methodes {
 
     /** Vrai si ces clés sont celles de toutes les méthodes dans tous les régimes. */
     public static boolean estComplet(Set<String> cles) {
-        return Arrays.stream(Regime.values())
-                .allMatch(r -> Arrays.stream(Aspect.values()).allMatch(m -> cles.contains(cle(r.name(), m.cle()))));
+        return cles.size() == Regime.values().length * Aspect.values().length;
     }
 
     /**
