@@ -189,7 +189,7 @@ final class PanneauImage extends JPanel {
      * @param parMorceaux sinon, vrai pour en montrer déjà ce qui est dessiné
      */
     void montrer(ImageMemoire image, boolean entiere, boolean parMorceaux) {
-        if (entiere && image != montree) {
+        if (entiere) {
             montree = image;
         }
         if (entiere || montree != null && !parMorceaux) {
