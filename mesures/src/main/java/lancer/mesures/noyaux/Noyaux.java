@@ -102,9 +102,9 @@ public final class Noyaux {
         }
         long larges = temps.values().stream().filter(t -> !(t[1] <= TROP_LARGE * t[0])).count();
         if (larges > 0 || !Files.isDirectory(resultats)) {
-            sortie.println((larges > 0 ? "La machine n'est pas tranquille, ou n'a pas lancé trois machines virtuelles : " + larges + " intervalles sur " + temps.size()
-                    + " dépassent 15 % du temps" : "À lancer à la racine du projet, " + resultats + " n'existe pas")
-                    + " : rien n'est écrit.");
+            sortie.println((larges > 0 ? "La machine n'est pas tranquille, ou n'a pas lancé trois machines virtuelles : " + larges
+                    + " intervalles sur " + temps.size() + " dépassent 15 % du temps"
+                    : "À lancer à la racine du projet, " + resultats + " n'existe pas") + " : rien n'est écrit.");
             return false;
         }
         Methodes.noter(resultats, temps);
