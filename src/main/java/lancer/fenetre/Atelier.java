@@ -1,9 +1,14 @@
 package lancer.fenetre;
 
+import java.awt.EventQueue;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.Consumer;
 import javax.swing.JFrame;
 import lancer.Lancer;
+import lancer.commande.Pannes;
 import lancer.dessin.ReglagesDessin;
 import lancer.sortie.ImageMemoire;
 
@@ -29,7 +34,7 @@ interface Atelier {
     /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
     boolean enCours();
 
-    /** L'image montrée si elle est achevée, sinon {@code null}. */
+    /** L'image montrée si elle est achevée ; {@code null} tant qu'un dessin est en cours, ou s'il a été arrêté. */
     ImageMemoire getImageComplete();
 
     /** Ce qui a dessiné l'image achevée ou la dessine, scène préparée comprise ; {@code null} s'il n'y en a pas. */
@@ -44,6 +49,23 @@ interface Atelier {
             Thread fil = new Thread(tache, nom);
             fil.setDaemon(true);
             return fil;
+        });
+    }
+
+    /**
+     * Donne une tâche à ce fil.
+     *
+     * @param siPanne reçoit, dans le fil des événements, ce qui l'a empêchée ; rien si c'est qu'elle a été arrêtée
+     */
+    static Future<?> confier(ExecutorService fil, Runnable tache, Consumer<String> siPanne) {
+        return fil.submit(() -> {
+            try {
+                tache.run();
+            } catch (CancellationException e) {
+                // ce qu'elle calculait n'est plus demandé
+            } catch (RuntimeException | Error e) {
+                EventQueue.invokeLater(() -> siPanne.accept(Pannes.message(e)));
+            }
         });
     }
 

@@ -47,16 +47,10 @@ final class Bandeau extends JTextArea {
 
     Bandeau() {
         setName("message");
-        setEditable(false);
-        setFocusable(false);
-        setLineWrap(true);
-        setWrapStyleWord(true);
+        donnerALire(this);
         setBorder(BorderFactory.createEmptyBorder(MARGE_V, MARGE_H, MARGE_V, MARGE_H));
         setVisible(false);
         oubli.setRepeats(false);
-        // un fichier déposé ici l'est sur la fenêtre
-        setTransferHandler(null);
-        setCursor(Cursor.getDefaultCursor());
         setToolTipText("cliquer pour fermer ; bouton droit pour copier");
         addMouseListener(new MouseAdapter() {
             @Override
@@ -72,6 +66,17 @@ final class Bandeau extends JTextArea {
         JPopupMenu menu = new JPopupMenu();
         menu.add(copie);
         setComponentPopupMenu(menu);
+    }
+
+    /** Fait de ce texte une étiquette de plusieurs lignes. */
+    static void donnerALire(JTextArea texte) {
+        texte.setEditable(false);
+        texte.setFocusable(false);
+        texte.setLineWrap(true);
+        texte.setWrapStyleWord(true);
+        // un fichier déposé ici l'est sur la fenêtre
+        texte.setTransferHandler(null);
+        texte.setCursor(Cursor.getDefaultCursor());
     }
 
     /** La faute de la scène, qui reste jusqu'à la suivante ; vide, il n'y en a plus. */

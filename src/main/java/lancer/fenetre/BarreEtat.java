@@ -7,11 +7,11 @@ import java.awt.Point;
 import java.text.NumberFormat;
 import java.util.Locale;
 import javax.swing.BorderFactory;
-import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
+import javax.swing.JTextArea;
 import lancer.Lancer;
 import lancer.sortie.ImageMemoire;
 
@@ -23,20 +23,35 @@ final class BarreEtat extends JPanel {
     private static final int MARGE = 6;
     private static final int INTERLIGNE = 4;
     private static final int POUR_MILLE = 1000;
+    /** Ce que le résumé a de large en chiffres, et ce que chaque variante y ajoute. */
+    private static final int LETTRES = 60;
+    private static final int LETTRES_VARIANTE = 36;
 
-    private final JLabel pixel = new JLabel(" ");
-    private final JLabel resume = new JLabel(" ");
+    /** Ce qu'il y a de plus long à y lire d'un pixel achevé fait la moindre largeur de la fenêtre. */
+    private final JLabel pixel = new JLabel("pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000");
+    private final JTextArea resume = new JTextArea(" ");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
     private final JButton bouton = new JButton("Redessiner");
     /** Un carré de la couleur du pixel. */
     private final JLabel pastille = new JLabel("    ");
+    private final int largeurMin;
+    /** La largeur de la fenêtre, et la hauteur qu'il y a fallu. */
+    private int largeur;
+    private int hauteur;
 
-    /** @param siPresse ce que fait le bouton */
-    BarreEtat(Runnable siPresse) {
+    /**
+     * @param siPresse ce que fait le bouton
+     * @param image la largeur de l'image
+     * @param variantes combien de variantes le résumé peut avoir à dire
+     */
+    BarreEtat(Runnable siPresse, int image, int variantes) {
         super(new BorderLayout(MARGE, INTERLIGNE));
         setBorder(BorderFactory.createEmptyBorder(INTERLIGNE, MARGE, INTERLIGNE, MARGE));
         pixel.setName("pixel");
         resume.setName("resume");
+        resume.setOpaque(false);
+        resume.setFont(pixel.getFont());
+        Bandeau.donnerALire(resume);
         avancement.setName("avancement");
         bouton.setName("bouton");
         avancement.setStringPainted(true);
@@ -46,21 +61,31 @@ final class BarreEtat extends JPanel {
         // la largeur du plus long de ses deux textes, pour que la barre ne bouge pas
         bouton.setPreferredSize(bouton.getPreferredSize());
         JPanel textes = new JPanel(new BorderLayout(MARGE, 0));
-        Box gauche = Box.createHorizontalBox();
-        gauche.add(pastille);
-        gauche.add(Box.createHorizontalStrut(MARGE));
-        gauche.add(pixel);
         textes.add(resume, BorderLayout.PAGE_START);
-        textes.add(gauche, BorderLayout.LINE_START);
+        textes.add(pastille, BorderLayout.LINE_START);
+        textes.add(pixel, BorderLayout.CENTER);
         add(textes, BorderLayout.PAGE_START);
         add(avancement, BorderLayout.CENTER);
         add(bouton, BorderLayout.LINE_END);
+        largeurMin = super.getPreferredSize().width;
+        pixel.setText(" ");
+        resume.setRows(1 + (LETTRES + variantes * LETTRES_VARIANTE)
+                * resume.getFontMetrics(resume.getFont()).charWidth('0') / Math.max(largeurMin, image));
     }
 
-    /** C'est l'image qui fait la largeur de la fenêtre, pas ces textes. */
+    /**
+     * De quoi lire tout le résumé. Elle ne rapetisse qu'avec la fenêtre : une image qui remplit le reste se
+     * redessinerait sans fin.
+     */
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(0, super.getPreferredSize().height);
+        if (getParent().getWidth() != largeur) {
+            largeur = getParent().getWidth();
+            hauteur = 0;
+            resume.setSize(largeur - 2 * MARGE, Short.MAX_VALUE);
+        }
+        hauteur = Math.max(hauteur, super.getPreferredSize().height);
+        return new Dimension(largeurMin, hauteur);
     }
 
     void avancer(Tracage tracage) {
@@ -87,7 +112,6 @@ final class BarreEtat extends JPanel {
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
         resume.setText(image == null ? " "
                 : image.getLargeur() + " × " + image.getHauteur() + " pixels" + reduite + ", " + cout);
-        resume.setToolTipText(image == null ? null : resume.getText());
     }
 
     /**

@@ -28,9 +28,6 @@ final class DepotFichier extends TransferHandler {
 
     @Override
     public boolean importData(TransferSupport depot) {
-        if (!canImport(depot)) {
-            return false;
-        }
         try {
             List<?> fichiers = (List<?>) depot.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
             if (fichiers.size() != 1) {

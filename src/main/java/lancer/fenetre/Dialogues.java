@@ -2,6 +2,9 @@ package lancer.fenetre;
 
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.io.File;
 import java.util.Locale;
 import javax.swing.JComponent;
@@ -44,6 +47,9 @@ final class Dialogues {
     };
 
     private static final String TITRE_IMAGE = "Enregistrer l'image";
+
+    /** Ce qu'un dialogue laisse d'un petit écran à son propre cadre. */
+    private static final int BORDS = 40;
 
     /** Vrai tant qu'un choix de fichier est à l'écran : une touche qui se répète en ouvrirait un autre par-dessus. */
     private static boolean ouvert;
@@ -133,6 +139,10 @@ final class Dialogues {
         ouvert = true;
         choix.setDialogTitle(titre);
         choix.setFileFilter(filtre);
+        Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        Dimension voulue = choix.getPreferredSize();
+        choix.setPreferredSize(new Dimension(Math.min(voulue.width, ecran.width - BORDS),
+                Math.min(voulue.height, ecran.height - BORDS)));
         try {
             int reponse = choix.showDialog(parent, null);
             return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;

@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import lancer.SceneFautive;
-import lancer.commande.Pannes;
 import lancer.lecture.LecteurScene;
 import lancer.sortie.Ecriture;
 import lancer.sortie.FichierPng;
@@ -67,18 +66,14 @@ final class Enregistrement {
         dossier = choisi.getParentFile();
         boolean png = choisi.getName().toLowerCase(Locale.ROOT).endsWith(".png");
         File cible = png ? choisi : new File(choisi.getPath() + ".png");
-        disque.execute(() -> essayer(cible, () -> verifier(image, cible, scene)));
+        essayer(cible, () -> verifier(image, cible, scene));
     }
 
     private void essayer(File cible, Runnable etape) {
-        try {
-            etape.run();
-        } catch (RuntimeException | Error e) {
-            EventQueue.invokeLater(() -> {
-                echoue = cible;
-                bandeau.erreur(Pannes.message(e));
-            });
-        }
+        Atelier.confier(disque, etape, panne -> {
+            echoue = cible;
+            bandeau.erreur(panne);
+        });
     }
 
     private void verifier(ImageMemoire image, File cible, String scene) {
@@ -99,7 +94,7 @@ final class Enregistrement {
 
     private void confirmer(ImageMemoire image, Ecriture ecriture, File cible) {
         if (!disque.isShutdown() && Dialogues.confirmerRemplacement(atelier.getCadre(), cible)) {
-            disque.execute(() -> essayer(cible, () -> ecrire(image, ecriture, cible)));
+            essayer(cible, () -> ecrire(image, ecriture, cible));
         }
     }
 

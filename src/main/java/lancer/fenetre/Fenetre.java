@@ -19,7 +19,6 @@ import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
@@ -63,7 +62,7 @@ public final class Fenetre implements Atelier {
     private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
     private final PanneauImage panneau;
     private final Bandeau bandeau;
-    private final BarreEtat barre = new BarreEtat(this::arreterOuRecharger);
+    private final BarreEtat barre;
     private final JFrame cadre = new JFrame();
     private final Enregistrement enregistrement;
     private final List<Runnable> prevenus = new ArrayList<>();
@@ -103,6 +102,7 @@ public final class Fenetre implements Atelier {
         fils = options.fils;
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(taille);
+        barre = new BarreEtat(this::arreterOuRecharger, panneau.getPreferredSize().width, variantes.size());
         affichage = new MenuAffichage(cadre, panneau, barre, taille, this::ajuster);
         bandeau = panneau.bandeau;
         enregistrement = new Enregistrement(this, bandeau);
@@ -162,10 +162,9 @@ public final class Fenetre implements Atelier {
 
     /** À quoi la fenêtre répond, en plus de ses menus. */
     private void ecouter() {
-        surveillance.commencer();
         cadre.getRootPane().setTransferHandler(new DepotFichier(this::ouvrirScene, bandeau::avis));
-        lier(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), this::echapper);
-        lier(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), this::inspecter);
+        Menus.lier(cadre, Menus.touche(KeyEvent.VK_ESCAPE), this::echapper);
+        Menus.lier(cadre, Menus.touche(KeyEvent.VK_ENTER), this::inspecter);
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventPostProcessor(renvoi);
         cadre.addWindowListener(new WindowAdapter() {
             @Override
@@ -178,10 +177,8 @@ public final class Fenetre implements Atelier {
                 tenir(false);
             }
         });
-        affichage.lierTouches(cadre.getRootPane());
-        menuDessin.lierTouches(cadre.getRootPane());
         for (boolean lachee : new boolean[] {false, true}) {
-            lier(KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), () -> tenir(!lachee));
+            Menus.lier(cadre, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), () -> tenir(!lachee));
         }
         retaille.setRepeats(false);
         inspecteur = new Inspecteur(this, panneau);
@@ -192,14 +189,17 @@ public final class Fenetre implements Atelier {
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
+                montrerPixel();
                 resumer();
                 retaille.restart();
             }
         });
-    }
-
-    private void lier(KeyStroke touche, Runnable action) {
-        cadre.getRootPane().registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
+        cadre.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentMoved(ComponentEvent e) {
+                panneau.perdreSouris();
+            }
+        });
     }
 
     /** Mène l'inspecteur au pixel qui est sous la souris, ou au milieu. */
@@ -210,19 +210,16 @@ public final class Fenetre implements Atelier {
         }
     }
 
-    /** Le cadre, qui contient tout ce qui se voit. */
     @Override
     public JFrame getCadre() {
         return cadre;
     }
 
-    /** L'image montrée si elle est achevée ; {@code null} tant qu'un dessin est en cours, ou s'il a été arrêté. */
     @Override
     public ImageMemoire getImageComplete() {
         return !enCours && complete == panneau.getImage() ? complete : null;
     }
 
-    /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
     @Override
     public boolean enCours() {
         return enCours;

@@ -12,7 +12,6 @@ import java.awt.event.KeyEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -28,7 +27,6 @@ import javax.swing.text.DefaultHighlighter;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
-import lancer.commande.Pannes;
 import lancer.fenetre.figures.Figure;
 import lancer.fenetre.figures.GrilleEchantillons;
 import lancer.fenetre.figures.VueDeCote;
@@ -47,6 +45,7 @@ final class Inspecteur extends JDialog {
     private static final int MARGE = 6;
     private static final int LARGEUR = 520;
     private static final int LARGEUR_MIN = 350;
+    private static final int HAUTEUR_MIN = 500;
     private static final int SAUT = 10;
     private static final Color CHANGE = new Color(0xFFE9A8);
     private static final String INACHEVEE = "L'image n'est pas achevée : rien encore à quoi comparer.";
@@ -128,7 +127,8 @@ final class Inspecteur extends JDialog {
     private void placer() {
         JFrame cadre = atelier.getCadre();
         Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())), cadre.getHeight());
+        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())),
+                Math.max(HAUTEUR_MIN, cadre.getHeight()));
         int depasse = cadre.getX() + cadre.getWidth() + getWidth() - ecran.x - ecran.width;
         if (depasse > 0 && cadre.getX() > ecran.x) {
             cadre.setLocation(Math.max(ecran.x, cadre.getX() - depasse), cadre.getY());
@@ -182,18 +182,12 @@ final class Inspecteur extends JDialog {
                 pixel.y);
         int voulu = rang;
         enCours = nouvelle;
-        fil.execute(() -> {
-            try {
-                nouvelle.faire(voulu);
-                List<String> lignes = new Recit(nouvelle, Inspecteur::arrondi).lignes();
-                Figure figure = new Figure(nouvelle);
-                EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure));
-            } catch (CancellationException e) {
-                // un autre pixel est demandé
-            } catch (RuntimeException | Error e) {
-                EventQueue.invokeLater(() -> verdict.setText(Pannes.message(e)));
-            }
-        });
+        Atelier.confier(fil, () -> {
+            nouvelle.faire(voulu);
+            List<String> lignes = new Recit(nouvelle, Inspecteur::arrondi).lignes();
+            Figure figure = new Figure(nouvelle);
+            EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure));
+        }, verdict::setText);
     }
 
     private void recevoir(Inspection nouvelle, List<String> lignes, Figure figure) {
@@ -213,7 +207,7 @@ final class Inspecteur extends JDialog {
         verdict.setText(comparer(nouvelle.getCouleur()));
         grille.montrer(nouvelle);
         cote.montrer(nouvelle);
-        panneau.superposer(figure::peindre);
+        panneau.superposer(figure);
     }
 
     /** Marque les lignes que ce dessin a changées. */

@@ -5,15 +5,15 @@ import java.awt.GraphicsDevice;
 import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
-import javax.swing.JRootPane;
 
 /** Le menu de la taille : celle où l'image se dessine, celle où elle se montre, et le plein écran. */
 final class MenuAffichage {
@@ -50,16 +50,12 @@ final class MenuAffichage {
         menu.addSeparator();
         Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
         Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
-    }
-
-    /** Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique. */
-    void lierTouches(JRootPane racine) {
+        // Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique
         Object[][] touches = {{'&', demander}, {KeyEvent.VK_NUMPAD1, demander}, {'à', remplir},
             {KeyEvent.VK_NUMPAD0, remplir}};
         for (Object[] t : touches) {
             int touche = t[0] instanceof Character ? KeyEvent.getExtendedKeyCodeForChar((char) t[0]) : (int) t[0];
-            racine.registerKeyboardAction(e -> ((JMenuItem) t[1]).doClick(), Menus.ctrl(touche),
-                    JComponent.WHEN_IN_FOCUSED_WINDOW);
+            Menus.lier(cadre, Menus.ctrl(touche), ((JMenuItem) t[1])::doClick);
         }
     }
 
@@ -68,25 +64,17 @@ final class MenuAffichage {
         return remplir.isSelected() || plein.isSelected() ? panneau.getTailleMax(demandee) : demandee;
     }
 
-    /** @return vrai s'il y avait un plein écran à quitter */
-    boolean quitterLePleinEcran() {
-        boolean quitte = plein.isSelected();
-        if (quitte) {
-            plein.setSelected(false);
-            basculer();
+    void quitterLePleinEcran() {
+        if (plein.isSelected()) {
+            plein.doClick();
         }
-        return quitte;
     }
 
     private void basculer() {
         boolean entre = plein.isSelected();
         GraphicsDevice ecran = cadre.getGraphicsConfiguration().getDevice();
-        List<Window> ouvertes = new ArrayList<>();
-        for (Window fenetre : cadre.getOwnedWindows()) {
-            if (fenetre.isVisible()) {
-                ouvertes.add(fenetre);
-            }
-        }
+        List<Window> ouvertes = Arrays.stream(cadre.getOwnedWindows()).filter(Window::isVisible)
+                .collect(Collectors.toList());
         place = entre ? cadre.getBounds() : place;
         // un cadre garde sa barre de titre, même en plein écran, et n'en change que fermé
         cadre.dispose();
@@ -99,9 +87,7 @@ final class MenuAffichage {
         cadre.setBounds(entre ? cadre.getBounds() : place);
         cadre.setVisible(true);
         cadre.requestFocus();
-        for (Window fenetre : ouvertes) {
-            fenetre.setVisible(true);
-        }
+        ouvertes.forEach(fenetre -> fenetre.setVisible(true));
         siChange.run();
     }
 }

@@ -8,10 +8,8 @@ import java.util.List;
 import java.util.Map;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
-import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
-import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
@@ -63,20 +61,14 @@ final class MenuDessin {
         article("Copier ces réglages",
                 KeyStroke.getKeyStroke(KeyEvent.VK_C, Menus.ctrl(0).getModifiers() | InputEvent.SHIFT_DOWN_MASK),
                 this::copier);
+        Menus.lier(atelier.getCadre(), KeyStroke.getKeyStroke('+'), () -> reflechir(voisin(true)));
+        Menus.lier(atelier.getCadre(), KeyStroke.getKeyStroke('-'), () -> reflechir(voisin(false)));
         atelier.prevenir(this::montrer);
         montrer();
     }
 
     private void article(String nom, KeyStroke touche, Runnable action) {
         Menus.siScene(atelier, Menus.article(menu, nom, touche, action));
-    }
-
-    /** Lie les touches qui ne sont pas celles d'un article. */
-    void lierTouches(JRootPane racine) {
-        racine.registerKeyboardAction(e -> reflechir(voisin(true)), KeyStroke.getKeyStroke('+'),
-                JComponent.WHEN_IN_FOCUSED_WINDOW);
-        racine.registerKeyboardAction(e -> reflechir(voisin(false)), KeyStroke.getKeyStroke('-'),
-                JComponent.WHEN_IN_FOCUSED_WINDOW);
     }
 
     private int voisin(boolean plus) {

@@ -18,6 +18,7 @@ import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.prefs.Preferences;
+import java.util.stream.Collectors;
 import javax.swing.ButtonGroup;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
@@ -74,14 +75,8 @@ final class MenuScenes {
             File dossier = scene.toAbsolutePath().getParent().toFile();
             String[] noms = dossier.list((d, nom) ->
                     nom.toLowerCase(Locale.ROOT).endsWith(".ini") && !new File(d, nom).isDirectory());
-            List<File> voisines = new ArrayList<>();
-            if (noms != null) {
-                Arrays.sort(noms);
-                for (String nom : noms) {
-                    voisines.add(scene.resolveSibling(nom).toFile());
-                }
-            }
-            return voisines;
+            return Arrays.stream(noms == null ? new String[0] : noms).sorted()
+                    .map(nom -> scene.resolveSibling(nom).toFile()).collect(Collectors.toList());
         } catch (SceneFautive e) {
             return new ArrayList<>();
         }

@@ -7,6 +7,8 @@ import java.awt.Window;
 import java.awt.event.KeyEvent;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
@@ -47,6 +49,11 @@ final class Menus {
         JRadioButtonMenuItem choix = article(menu, new JRadioButtonMenuItem(nom), touche, action);
         groupe.add(choix);
         return choix;
+    }
+
+    /** Lie une touche à ce qui n'a pas d'article. */
+    static void lier(JFrame cadre, KeyStroke touche, Runnable action) {
+        cadre.getRootPane().registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
     }
 
     /** Grise cet article tant qu'aucune scène n'est montrée. */

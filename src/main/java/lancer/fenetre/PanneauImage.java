@@ -19,10 +19,10 @@ import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
+import lancer.fenetre.figures.Figure;
 import lancer.sortie.ImageMemoire;
 
 /**
@@ -41,15 +41,12 @@ final class PanneauImage extends JPanel {
     final Bandeau bandeau = new Bandeau();
     /** L'image montrée, et celle qui se dessine par-dessus tant que son brouillon n'est pas complet. */
     private transient ImageMemoire montree;
-    private transient BufferedImage fond;
     private transient ImageMemoire naissante;
-    private transient BufferedImage calque;
     /** L'image d'avant, tant qu'on la tient à la place des autres. */
     private transient ImageMemoire tenue;
-    private transient BufferedImage devant;
     private String invite;
-    /** Ce qui se peint par-dessus l'image, dont la place est donnée, en pixels de l'écran ; {@code null} : rien. */
-    private transient BiConsumer<Graphics2D, Rectangle> dessus;
+    /** Ce qui se peint par-dessus l'image ; {@code null} : rien. */
+    private transient Figure dessus;
     private Point souris;
     private Point suivi;
     private transient Runnable siChange = () -> { };
@@ -82,7 +79,6 @@ final class PanneauImage extends JPanel {
     /** Montre cette image à la place des autres, qui peuvent changer pendant ce temps ; {@code null} : plus aucune. */
     void tenir(ImageMemoire image) {
         tenue = image;
-        devant = image == null ? null : surCodes(image, OPAQUE);
         repaint();
     }
 
@@ -116,8 +112,10 @@ final class PanneauImage extends JPanel {
                 Math.max(1, (int) Math.round(rapport * proportions.height)));
     }
 
-    /** Où va une image de cette taille, en pixels de l'écran ; à la loupe, elle déborde. */
-    private Rectangle getPlace(int largeur, int hauteur) {
+    /** Où va cette image, en pixels de l'écran ; à la loupe, elle déborde. */
+    private Rectangle getPlace(ImageMemoire image) {
+        int largeur = image.getLargeur();
+        int hauteur = image.getHauteur();
         Dimension libre = getLibre();
         Dimension max = getTailleMax(new Dimension(largeur, hauteur));
         if (loupe > 1) {
@@ -132,7 +130,7 @@ final class PanneauImage extends JPanel {
 
     /** Le rapport de la taille à laquelle l'image est montrée à la sienne. */
     double getReduction(ImageMemoire image) {
-        return (double) getPlace(image.getLargeur(), image.getHauteur()).width / image.getLargeur();
+        return (double) getPlace(image).width / image.getLargeur();
     }
 
     /** Agrandit deux fois plus, ou deux fois moins, comme la molette, sans perdre de vue le pixel suivi. */
@@ -149,7 +147,7 @@ final class PanneauImage extends JPanel {
             AffineTransform ecran = getEchelle();
             double x = souris == null ? libre.width / 2.0 : souris.x * ecran.getScaleX();
             double y = souris == null ? libre.height / 2.0 : souris.y * ecran.getScaleY();
-            Rectangle place = getPlace(montree.getLargeur(), montree.getHauteur());
+            Rectangle place = getPlace(montree);
             loupe = autre;
             centrer((x - place.x) / place.width - (x - libre.width / 2.0) / (loupe * montree.getLargeur()),
                     (y - place.y) / place.height - (y - libre.height / 2.0) / (loupe * montree.getHauteur()));
@@ -164,7 +162,7 @@ final class PanneauImage extends JPanel {
 
     private void laisserVoir() {
         if (loupe > 1 && suivi != null) {
-            Rectangle place = getPlace(montree.getLargeur(), montree.getHauteur());
+            Rectangle place = getPlace(montree);
             Rectangle carre = new Rectangle(place.x + loupe * suivi.x, place.y + loupe * suivi.y, loupe, loupe);
             if (!new Rectangle(getLibre()).contains(carre)) {
                 centrer((suivi.x + 0.5) / montree.getLargeur(), (suivi.y + 0.5) / montree.getHauteur());
@@ -191,21 +189,15 @@ final class PanneauImage extends JPanel {
      * @param parMorceaux sinon, vrai pour en montrer déjà ce qui est dessiné
      */
     void montrer(ImageMemoire image, boolean entiere, boolean parMorceaux) {
-        if (entiere && image != montree) {
+        if (entiere) {
             montree = image;
-            fond = surCodes(image, OPAQUE);
         }
-        if (entiere || fond != null && !parMorceaux) {
+        if (entiere || montree != null && !parMorceaux) {
             naissante = null;
-            calque = null;
         } else if (image != naissante) {
-            if (fond == null) {
-                // pas encore de brouillon complet : ce qu'on en voit vaut mieux que du gris
-                montree = naissante;
-                fond = calque;
-            }
+            // pas encore de brouillon complet : ce qu'on en voit vaut mieux que du gris
+            montree = montree == null ? naissante : montree;
             naissante = image;
-            calque = surCodes(image, (DirectColorModel) ColorModel.getRGBdefault());
         }
         repaint();
     }
@@ -230,26 +222,28 @@ final class PanneauImage extends JPanel {
             g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, loupe > 1
                     ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR
                     : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-            peindre(g2, devant != null ? devant : fond);
-            peindre(g2, devant != null ? null : calque);
-            if (dessus != null && montree != null && devant == null) {
+            peindre(g2, tenue != null ? tenue : montree);
+            peindre(g2, tenue != null ? null : naissante);
+            if (dessus != null && montree != null && tenue == null) {
                 g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
-                dessus.accept(g2, getPlace(montree.getLargeur(), montree.getHauteur()));
+                dessus.peindre(g2, getPlace(montree), getLibre());
             }
         } finally {
             g2.dispose();
         }
-        if (invite != null && fond == null) {
+        if (invite != null && montree == null) {
             g.setColor(Color.WHITE);
             FontMetrics m = g.getFontMetrics();
             g.drawString(invite, Math.max(0, (getWidth() - m.stringWidth(invite)) / 2), getHeight() / 2);
         }
     }
 
-    private void peindre(Graphics2D g, BufferedImage image) {
+    /** Rien là où aucun pixel n'est dessiné. */
+    private void peindre(Graphics2D g, ImageMemoire image) {
         if (image != null) {
-            Rectangle place = getPlace(image.getWidth(), image.getHeight());
-            g.drawImage(image, place.x, place.y, place.width, place.height, null);
+            Rectangle place = getPlace(image);
+            g.drawImage(surCodes(image, (DirectColorModel) ColorModel.getRGBdefault()), place.x, place.y, place.width,
+                    place.height, null);
         }
     }
 
@@ -262,8 +256,8 @@ final class PanneauImage extends JPanel {
     }
 
     /** Peint ceci par-dessus l'image, à l'écran seulement ; {@code null} : plus rien. */
-    void superposer(BiConsumer<Graphics2D, Rectangle> voulu) {
-        dessus = voulu;
+    void superposer(Figure figure) {
+        dessus = figure;
         repaint();
     }
 
@@ -293,8 +287,7 @@ final class PanneauImage extends JPanel {
 
             @Override
             public void mouseExited(MouseEvent e) {
-                souris = null;
-                siBouge.run();
+                perdreSouris();
             }
 
             @Override
@@ -322,6 +315,12 @@ final class PanneauImage extends JPanel {
         addMouseWheelListener(suiveur);
     }
 
+    /** On ne sait plus où elle est : sortie, ou la fenêtre a bougé sous elle, qui n'en dit rien. */
+    void perdreSouris() {
+        souris = null;
+        siChange.run();
+    }
+
     /** Le pixel de l'image montrée qui est sous la souris, ou au milieu du panneau ; {@code null} s'il n'y en a pas. */
     Point getPixelVise() {
         Point sous = getPixelSouris(montree);
@@ -338,7 +337,7 @@ final class PanneauImage extends JPanel {
             return null;
         }
         AffineTransform ecran = getEchelle();
-        Rectangle place = getPlace(image.getLargeur(), image.getHauteur());
+        Rectangle place = getPlace(image);
         int dx = (int) (ou.x * ecran.getScaleX()) - place.x;
         int dy = (int) (ou.y * ecran.getScaleY()) - place.y;
         if (dx < 0 || dx >= place.width || dy < 0 || dy >= place.height) {

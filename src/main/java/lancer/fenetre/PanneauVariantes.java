@@ -85,6 +85,8 @@ final class PanneauVariantes extends JDialog {
     private JSlider glissiere(Variante variante, Parametre parametre, JLabel valeur) {
         JSlider glissiere = new JSlider(0, parametre.getCrans(), 0);
         glissiere.setName(variante.getSection() + "." + parametre.getCle());
+        // sans écart, les flèches du clavier n'y feraient rien
+        glissiere.setMinorTickSpacing(1);
         glissiere.setSnapToTicks(true);
         glissiere.addChangeListener(e -> {
             ReglagesDessin reglages = atelier.getReglages();

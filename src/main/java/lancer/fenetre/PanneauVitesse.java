@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
 import javax.swing.BorderFactory;
@@ -155,22 +154,16 @@ final class PanneauVitesse extends JDialog {
         machine.setText(fils + (fils > 1 ? " fils, " : " fil, ") + System.getProperty("os.name") + " "
                 + System.getProperty("os.arch") + ", Java " + System.getProperty("java.version"));
         etat.setText("premiers essais…");
-        essais = fil.submit(() -> {
-            try {
-                Auto fait = Auto.choisir(lancer, Souhait.erreur(GraphiqueVitesse.ARRONDI), fils, libres, enCours -> {
-                    int restants = enCours.getRestants();
-                    montrer(scene, enCours, pixels, "encore au plus " + restants
-                            + (restants > 1 ? " échantillonnages" : " échantillonnage") + " à essayer…", null);
-                });
-                Reglage present = fait.evaluer(reglages.getReflets(), reglages.getSeuil());
-                montrer(scene, fait, pixels, "Un clic sur un point dessine l'image avec ses réglages"
-                        + " (ou flèches, et Entrée).", present);
-            } catch (CancellationException e) {
-                // le panneau est fermé, ou la scène a changé
-            } catch (RuntimeException | Error e) {
-                EventQueue.invokeLater(() -> etat.setText("Essais impossibles : " + e.getMessage()));
-            }
-        });
+        essais = Atelier.confier(fil, () -> {
+            Auto fait = Auto.choisir(lancer, Souhait.erreur(GraphiqueVitesse.ARRONDI), fils, libres, enCours -> {
+                int restants = enCours.getRestants();
+                montrer(scene, enCours, pixels, "encore au plus " + restants
+                        + (restants > 1 ? " échantillonnages" : " échantillonnage") + " à essayer…", null);
+            });
+            Reglage present = fait.evaluer(reglages.getReflets(), reglages.getSeuil());
+            montrer(scene, fait, pixels, "Un clic sur un point dessine l'image avec ses réglages"
+                    + " (ou flèches, et Entrée).", present);
+        }, panne -> etat.setText("Essais impossibles : " + panne));
     }
 
     /** Du fil des essais : ce qu'ils disent, si personne n'a changé de scène entre-temps. */
@@ -206,30 +199,24 @@ final class PanneauVitesse extends JDialog {
         double rayons = lancer.getCompteurs().rayons() / (double) image.getCodes().length;
         double secondes = lancer.getDureeNs() / NS_PAR_S;
         etat.setText("mesure de l'image…");
-        essais = fil.submit(() -> {
-            try {
-                Toile controle = fait.surveiller((couleur, i, j) -> { }, reglage);
-                float[] lineaire = image.getLineaire();
-                for (int k = 0; k < lineaire.length / 3; k++) {
-                    controle.drawPixel(new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]),
-                            k % image.getLargeur(), k / image.getLargeur());
-                }
-                fait.controler();
-                double erreur = fait.getErreurMesuree();
-                double incertitude = fait.getIncertitude();
-                EventQueue.invokeLater(() -> {
-                    if (scene == essayee) {
-                        etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : de %.2f à %.2f), "
-                                + "%.1f rayons par pixel, %.0f ms", erreur, incertitude, reglage.mesureAuMoins,
-                                reglage.mesureAuPlus, rayons, secondes * MS_PAR_S));
-                        graphique.ajouterMesure(rayons, erreur, incertitude);
-                    }
-                });
-            } catch (CancellationException e) {
-                // le panneau est fermé, ou la scène a changé
-            } catch (RuntimeException | Error e) {
-                EventQueue.invokeLater(() -> etat.setText("Mesure impossible : " + e.getMessage()));
+        essais = Atelier.confier(fil, () -> {
+            Toile controle = fait.surveiller((couleur, i, j) -> { }, reglage);
+            float[] lineaire = image.getLineaire();
+            for (int k = 0; k < lineaire.length / 3; k++) {
+                controle.drawPixel(new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]),
+                        k % image.getLargeur(), k / image.getLargeur());
             }
-        });
+            fait.controler();
+            double erreur = fait.getErreurMesuree();
+            double incertitude = fait.getIncertitude();
+            EventQueue.invokeLater(() -> {
+                if (scene == essayee) {
+                    etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : de %.2f à %.2f), "
+                            + "%.1f rayons par pixel, %.0f ms", erreur, incertitude, reglage.mesureAuMoins,
+                            reglage.mesureAuPlus, rayons, secondes * MS_PAR_S));
+                    graphique.ajouterMesure(rayons, erreur, incertitude);
+                }
+            });
+        }, panne -> etat.setText("Mesure impossible : " + panne));
     }
 }

@@ -25,9 +25,6 @@ final class Surveillance extends TimerTask {
     /** @param siChange appelé dans le fil de la surveillance, une fois par changement */
     Surveillance(Runnable siChange) {
         this.siChange = siChange;
-    }
-
-    void commencer() {
         veille.schedule(this, PERIODE_MS, PERIODE_MS);
     }
 

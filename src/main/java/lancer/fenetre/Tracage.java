@@ -52,7 +52,10 @@ final class Tracage extends SwingWorker<Void, Void> {
                 lire();
             }
             if (!isCancelled()) {
-                regler();
+                if (voulus != null) {
+                    dessinateur.regler(fichier == null ? voulus : voulus.pour(dessinateur.getReglages()));
+                }
+                reglages = dessinateur.getReglages();
                 dessine = true;
                 dessinateur.doTracerImage(taille.width, taille.height);
             }
@@ -60,13 +63,6 @@ final class Tracage extends SwingWorker<Void, Void> {
         } finally {
             fin = System.nanoTime();
         }
-    }
-
-    private void regler() {
-        if (voulus != null) {
-            dessinateur.regler(fichier == null ? voulus : voulus.pour(dessinateur.getReglages()));
-        }
-        reglages = dessinateur.getReglages();
     }
 
     void arreter() {

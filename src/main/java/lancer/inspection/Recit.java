@@ -36,7 +36,7 @@ public final class Recit {
 
     private void dire(List<Echantillon> echantillons) {
         long siens = echantillons.stream().filter(e -> e.estDans(pixel.x, pixel.y)).count();
-        lignes.add(siens + " échantillons" + (siens == echantillons.size() ? ""
+        lignes.add(siens + (siens > 1 ? " échantillons" : " échantillon") + (siens == echantillons.size() ? ""
                 : " et " + (echantillons.size() - siens) + " partagés avec les voisins"));
         for (Echantillon e : echantillons) {
             lignes.add("  " + point(e) + (e.estDans(pixel.x, pixel.y) ? " : " : " (partagé) : ") + ecrire(e.couleur));

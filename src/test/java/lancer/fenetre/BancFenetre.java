@@ -18,6 +18,7 @@ import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
@@ -83,6 +84,8 @@ final class BancFenetre {
         sortie = main.sortie;
         erreur = main.erreur;
         robot = new Robot();
+        // ce qu'a copié l'essai d'avant n'est pas ce qu'on attend
+        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
         fenetre = Ouverture.ouvrir(main, main.options, flux(erreur), fin::countDown);
         cadre = fenetre.getCadre();
         panneau = composant("image", JComponent.class);

@@ -19,6 +19,7 @@ import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
 import lancer.Main;
 
 /**
@@ -70,12 +71,16 @@ final class Captures {
         while (true) {
             for (Window fenetre : Window.getWindows()) {
                 Component trouve = fenetre.isShowing() ? dans(fenetre, nom) : null;
-                if (trouve != null && (texte.isEmpty() || ((JLabel) trouve).getText().contains(texte))) {
+                if (trouve != null && (texte.isEmpty() || lire(trouve).contains(texte))) {
                     return trouve;
                 }
             }
             Thread.sleep(PERIODE_MS);
         }
+    }
+
+    private static String lire(Component texte) {
+        return texte instanceof JLabel ? ((JLabel) texte).getText() : ((JTextComponent) texte).getText();
     }
 
     private static Component dans(Component composant, String nom) {

@@ -19,6 +19,7 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import lancer.sortie.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
@@ -102,7 +103,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         });
         banc.robot.mouseWheel(-1);
         banc.robot.mouseWheel(-1);
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         attendre("le grossissement se dit", () -> resume.getText().startsWith("320 × 240 pixels à la loupe × 4, "));
         attendre("le même pixel reste sous la souris", () -> pixel.getText().startsWith("pixel 50, 60 : "));
         int[] grossie = new int[4 * 20 * 4 * 20];

@@ -13,6 +13,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Rectangle;
+import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
@@ -28,12 +30,12 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
-import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
+import javax.swing.UIManager;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
@@ -237,7 +239,7 @@ class FenetreFichiersTest extends EssaiFenetre {
             }
         });
         banc.imageAchevee();
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         String avant = surFilEvenements(resume::getText);
         banc.frapperCtrl('O');
         choisir(longue);
@@ -307,6 +309,30 @@ class FenetreFichiersTest extends EssaiFenetre {
         choisir(dossier.resolve("sous/autre.png"));
         banc.attendreMessage("enregistrée : autre.png");
         assertEquals("boule.png", enregistrerSous(dossier.resolve("fin.png")));
+    }
+
+    @Test
+    void leChoixDUnFichierTientDansLEcranQuelleQueSoitSaPropreTaille() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        String cle = "FileChooser.filesOfTypeLabelText";
+        Object avant = UIManager.put(cle, String.join(" ", Collections.nCopies(ecran.width / 4, "type")));
+        try {
+            for (char touche : new char[] {'o', 's'}) {
+                banc.frapperCtrl(touche);
+                JFileChooser choix = composant(null, JFileChooser.class);
+                Rectangle place = surFilEvenements(() -> SwingUtilities.getWindowAncestor(choix).getBounds());
+                assertTrue(ecran.contains(place), place.toString());
+                surFilEvenements(() -> {
+                    choix.cancelSelection();
+                    return null;
+                });
+                attendre("le dialogue est fermé", () -> !choix.isShowing());
+            }
+        } finally {
+            UIManager.put(cle, avant);
+        }
     }
 
     @Test

@@ -106,6 +106,18 @@ class FenetreInspecteurTest extends EssaiFenetre {
     }
 
     @Test
+    void aCoteDUneImageSansHauteurLaChaineSeLitAussi() throws Exception {
+        banc = new BancFenetre("--taille=320x8", scene.toString());
+        banc.imageAchevee();
+        banc.robot.mouseMove(0, 0);
+        banc.frapper(KeyEvent.VK_ENTER);
+        attendreVerdict("Au bit près");
+        JTextArea recit = composant("recit", JTextArea.class);
+        int lignes = surFilEvenements(() -> recit.getVisibleRect().height / recit.getFontMetrics(recit.getFont()).getHeight());
+        assertTrue(lignes >= 10, lignes + " lignes en vue");
+    }
+
+    @Test
     void lesFlechesLeMenentDUnPixelOuDeDixSansSortirDeLImage() throws Exception {
         ouvrir(lente());
         banc.imageAchevee();

@@ -9,8 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import javax.swing.JLabel;
 import javax.swing.JMenu;
+import javax.swing.JTextArea;
 import org.junit.jupiter.api.Test;
 
 /** Les réglages du menu Dessin : l'image qu'ils donnent, et le fichier de la scène, qu'ils ne changent pas. */
@@ -27,7 +27,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_SUBTRACT);
         banc.attendreImage("deux réflexions", attendue("--reflets=2"));
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         attendre("elles se disent", () -> resume.getText().contains("2 réflexions"));
         for (int k = 0; k < 5; k++) {
             banc.frapper(KeyEvent.VK_SUBTRACT);

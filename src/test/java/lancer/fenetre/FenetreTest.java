@@ -16,6 +16,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -37,6 +38,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
+import javax.swing.JTextArea;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -81,13 +83,14 @@ class FenetreTest extends EssaiFenetre {
         attendre("elle est à sa taille, au milieu", () -> BancFenetre.trouver(image.getCodes(), L) != null);
         BufferedImage vue = peinte();
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(60, 20));
-        retailler(-151 - L / 2, -83);
+        retailler(L / 2 - banc.panneau.getWidth(), -83);
         // une colonne de gris, puis la moitié des pixels : une boule rouge au milieu, comme avant
         vue = peinte();
         assertEquals(L / 2, vue.getWidth());
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(L / 4, H / 8));
-        assertEquals(new Color(image.getCodes()[H / 2 * L + L / 2]).getRed(), new Color(vue.getRGB(L / 4, H / 2)).getRed(), 25);
-        assertTrue(chercher("resume", JLabel.class).getText().startsWith("320 × 240 pixels montrés à 50 %, "));
+        Color milieu = new Color(image.getCodes()[H / 2 * L + L / 2]);
+        assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
+        assertTrue(chercher("resume", JTextArea.class).getText().startsWith("320 × 240 pixels montrés à 50 %, "));
         assertSame(image, banc.fenetre.getImageComplete(), "rien n'est redessiné");
     }
 
@@ -98,7 +101,7 @@ class FenetreTest extends EssaiFenetre {
         assertEquals("2000 x 1500", image.getLargeur() + " x " + image.getHauteur());
         double reduction = Math.min(banc.panneau.getWidth() / 2000.0, banc.panneau.getHeight() / 1500.0);
         assertTrue(reduction < 1, "l'écran du test est trop grand");
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         String debut = "2000 × 1500 pixels montrés à " + Math.round(100 * reduction) + " %, ";
         attendre("la réduction se dit", () -> resume.getText().startsWith(debut));
         JLabel pixel = chercher("pixel", JLabel.class);
@@ -108,6 +111,38 @@ class FenetreTest extends EssaiFenetre {
             banc.robot.mouseMove(coin.x + banc.panneau.getWidth() / 2, coin.y + banc.panneau.getHeight() / 2);
             return pixel.getText().matches("pixel (99\\d|100\\d), (74\\d|75\\d) : .*");
         });
+    }
+
+    @Test
+    void leResumeSeLitEnEntierDansUneFenetreEtroite() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        JTextArea resume = chercher("resume", JTextArea.class);
+        int uneLigne = surFilEvenements(resume::getHeight);
+        retailler(200 - banc.panneau.getWidth(), 0);
+        attendre("tout est à l'écran, sur plusieurs lignes", () -> {
+            Rectangle fin = resume.modelToView(resume.getText().length());
+            return resume.getText().endsWith(" réflexions") && resume.getHeight() > uneLigne
+                    && resume.getVisibleRect().contains(fin.x, fin.y + fin.height - 1);
+        });
+    }
+
+    @Test
+    void lePixelNeSeDitPlusQuandLaFenetreBougeSousLaSouris() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.attendreImage("à l'écran", banc.imageAchevee().getCodes());
+        Point coin = BancFenetre.trouver(banc.imageAchevee().getCodes(), L);
+        JLabel pixel = chercher("pixel", JLabel.class);
+        attendre("la souris est là", () -> {
+            banc.robot.mouseMove(coin.x + 101, coin.y + 60);
+            banc.robot.mouseMove(coin.x + 100, coin.y + 60);
+            return pixel.getText().startsWith("pixel 100, 60 : ");
+        });
+        surFilEvenements(() -> {
+            banc.cadre.setLocation(banc.cadre.getX() + 40, banc.cadre.getY() + 10);
+            return null;
+        });
+        attendre("ce n'est plus le même pixel", () -> pixel.getText().equals(" "));
     }
 
     private void retailler(int deX, int deY) throws Exception {
@@ -149,11 +184,11 @@ class FenetreTest extends EssaiFenetre {
         });
         banc.imageAchevee();
         int[] avant = attendue(L, H);
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         attendre("le coût se dit", () -> resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
         attendre("le dessin suivant a commencé", () -> banc.fenetre.enCours() && banc.main.getLancer() != null);
-        assertArrayEquals(avant, BancFenetre.codes(peinte()));
+        assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertEquals(" ", resume.getText(), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
         banc.attendreImage("elle la remplace", avant);
@@ -167,7 +202,7 @@ class FenetreTest extends EssaiFenetre {
         attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
         JProgressBar avancement = chercher("avancement", JProgressBar.class);
         assertTrue(surFilEvenements(avancement::getString).startsWith("arrêté à "));
-        assertEquals(" ", chercher("resume", JLabel.class).getText(), "pas de coût d'une image inachevée");
+        assertEquals(" ", chercher("resume", JTextArea.class).getText(), "pas de coût d'une image inachevée");
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
         assertNull(banc.fenetre.getImageComplete());
         banc.main.lent = false;
@@ -288,7 +323,7 @@ class FenetreTest extends EssaiFenetre {
             banc.robot.mouseMove(coin.x + 160, coin.y + 100);
             return pixel.getText().startsWith(debut);
         });
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         String cout = "320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s, 5 réflexions";
         attendre("le coût se dit", () -> resume.getText().matches(cout));
         banc.frapper(KeyEvent.VK_F5);
@@ -313,8 +348,10 @@ class FenetreTest extends EssaiFenetre {
             }
         }.lent());
         JLabel pixel = chercher("pixel", JLabel.class);
-        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        Point coin = new Point();
         attendre("le haut du brouillon se dit", () -> {
+            coin.setLocation(banc.panneau.getLocationOnScreen());
+            coin.translate((banc.panneau.getWidth() - L) / 2, (banc.panneau.getHeight() - H) / 2);
             banc.robot.mouseMove(coin.x + 11, coin.y + 10);
             banc.robot.mouseMove(coin.x + 10, coin.y + 10);
             return pixel.getText().matches("pixel 10, 10 \\(brouillon\\) : #.*");
@@ -358,7 +395,7 @@ class FenetreTest extends EssaiFenetre {
     void lesReglagesEtLaSectionLaisseeDeCoteSeLisentApresLeurAvis() throws Exception {
         ecrire(ROUGE + "[Brume dense]\n");
         banc = new BancFenetre(lente("--reflets=1"));
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         attendre("le résumé les dit", () -> resume.getText().matches("320 × 240 pixels, .* s, 1 réflexion, \\[Brume dense] ignorée"));
         assertTrue(texte(banc.erreur).startsWith("lancer : " + scene + ", ligne 16, [Brume dense] : "), texte(banc.erreur));
     }

@@ -3,7 +3,7 @@ package lancer.atelier;
 import java.io.IOException;
 import java.util.Random;
 
-/** Voir {@link Generateur#foule}. */
+/** Des boules au hasard qui ne se touchent pas, devant l'œil. */
 final class Foule {
 
     /** La boîte qui contient toutes les boules, tout entière dans l'image. */

@@ -22,7 +22,7 @@ import java.nio.charset.StandardCharsets;
 public final class Generateur {
 
     /** Au-delà, ce n'est plus une scène mais un disque plein. */
-    public static final int N_MAX = 100000000;
+    private static final int N_MAX = 100000000;
 
     private static final String USAGE = "usage : Generateur foule N | tournesol N";
 
@@ -52,9 +52,9 @@ public final class Generateur {
         String scene = args.length == 2 ? args[0] : "";
         try {
             if (scene.equals("foule")) {
-                foule(sortie, entier(args[1]));
+                new Foule(new Plume(sortie), nombre(args[1])).ecrire();
             } else if (scene.equals("tournesol")) {
-                tournesol(sortie, entier(args[1]));
+                new Tournesol(new Plume(sortie), nombre(args[1])).ecrire();
             } else {
                 throw new IllegalArgumentException("une scène, et son nombre de boules");
             }
@@ -65,33 +65,13 @@ public final class Generateur {
         }
     }
 
-    private static long entier(String texte) {
+    private static int nombre(String texte) {
+        long n;
         try {
-            return Long.parseLong(texte);
+            n = Long.parseLong(texte);
         } catch (NumberFormatException e) {
             throw new IllegalArgumentException("« " + texte + " » n'est pas un entier", e);
         }
-    }
-
-    /**
-     * Des boules au hasard qui ne se touchent pas, devant l'œil.
-     *
-     * @param n de 1 à {@link #N_MAX}
-     */
-    public static void foule(Appendable sortie, long n) throws IOException {
-        new Foule(new Plume(sortie), verifie(n)).ecrire();
-    }
-
-    /**
-     * Des boules rangées comme les graines d'un tournesol, sur un sol : n boules, et celle du sol.
-     *
-     * @param n de 1 à {@link #N_MAX}
-     */
-    public static void tournesol(Appendable sortie, long n) throws IOException {
-        new Tournesol(new Plume(sortie), verifie(n)).ecrire();
-    }
-
-    private static int verifie(long n) {
         if (n < 1 || n > N_MAX) {
             throw new IllegalArgumentException("nombre de boules : " + n + ", au lieu de 1 à " + N_MAX);
         }

@@ -1,8 +1,6 @@
 package lancer.atelier;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -11,7 +9,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.imageio.ImageIO;
+import lancer.commande.Echec;
+import lancer.sortie.ImageMemoire;
+import lancer.sortie.LectureImage;
 
 /**
  * Met à jour un dossier d'images PNG : n'y remplace que celles dont un pixel a changé. Les octets d'un PNG, eux, dépendent de
@@ -36,7 +36,7 @@ public final class Images {
             for (String nom : actualiser(Paths.get(args[0]), Paths.get(args[1]))) {
                 System.out.println("changée : " + nom);
             }
-        } catch (IOException | UncheckedIOException e) {
+        } catch (IOException | Echec e) {
             System.err.println("Images : " + e.getMessage());
             System.exit(1);
         }
@@ -57,19 +57,13 @@ public final class Images {
     }
 
     private static boolean memesPixels(Path neuve, Path ancienne) {
+        ImageMemoire a = LectureImage.lire(neuve.toString());
         try {
-            if (!Files.exists(ancienne)) {
-                return false;
-            }
-            BufferedImage a = ImageIO.read(neuve.toFile());
-            BufferedImage b = ImageIO.read(ancienne.toFile());
-            return a != null && b != null && a.getWidth() == b.getWidth() && Arrays.equals(codes(a), codes(b));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            ImageMemoire b = LectureImage.lire(ancienne.toString());
+            return a.getLargeur() == b.getLargeur() && Arrays.equals(a.getCodes(), b.getCodes());
+        } catch (Echec e) {
+            // pas d'ancienne, ou ce n'en est pas une
+            return false;
         }
-    }
-
-    private static int[] codes(BufferedImage image) {
-        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
     }
 }

@@ -57,7 +57,7 @@ public final class Scenes {
     }
 
     private static void ecrire(String famille, int nombre, Appendable sortie) throws IOException {
-        Generateur.foule(sortie, nombre);
+        new Foule(new Plume(sortie), nombre).ecrire();
         SplittableRandom hasard = new SplittableRandom(NOMBRE_ETOILES);
         for (int k = 1; famille.equals(ETOILES) && k <= NOMBRE_ETOILES; k++) {
             sortie.append("\n[Sphere étoile " + k + "]\ncentre=" + LOIN * hasard.nextDouble(-1, 1) + " "

@@ -2,7 +2,7 @@ package lancer.atelier;
 
 import java.io.IOException;
 
-/** Voir {@link Generateur#tournesol}. */
+/** Des boules rangées comme les graines d'un tournesol, sur un sol : n boules, et celle du sol. */
 final class Tournesol {
 
     /** De chaque graine à la suivante : le cercle partagé selon le nombre d'or, comme le fait le tournesol (Vogel, 1979). */

@@ -1,7 +1,6 @@
 package lancer.atelier;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -11,9 +10,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import lancer.Camera;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
@@ -47,22 +47,25 @@ class GenerateurTest {
         return new Scene(lu);
     }
 
-    @ParameterizedTest(name = "foule {0}")
-    @ValueSource(ints = {1, 2, 10, 500, 1331})
-    void lesBoulesDeLaFouleNeSeTouchentPas(int n) throws IOException {
-        Scene scene = lire("foule", Integer.toString(n));
-        assertEquals(n, scene.getObjets().size());
-        verifierSepares(scene, 0);
-        verifierVisible(scene, 0);
-    }
-
-    @ParameterizedTest(name = "tournesol {0}")
-    @ValueSource(ints = {1, 2, 10, 34, 100, 1000, 3000})
-    void lesBoulesDuTournesolNeSeTouchentPas(int n) throws IOException {
-        Scene scene = lire("tournesol", Integer.toString(n));
-        assertEquals(n + 1, scene.getObjets().size(), "les boules, et le sol");
-        verifierSepares(scene, 1);
-        verifierVisible(scene, 1);
+    @ParameterizedTest(name = "{0}")
+    @ValueSource(strings = {"foule 1", "foule 2", "foule 10", "foule 500", "foule 1331", "tournesol 1", "tournesol 2", "tournesol 10",
+        "tournesol 34", "tournesol 100", "tournesol 1000", "tournesol 3000"})
+    void lesBoulesDevantLOeilNeSeTouchentPas(String ligne) throws IOException {
+        String[] args = ligne.split(" ");
+        List<Sphere> spheres = lire(args).getObjets().stream().map(Sphere.class::cast).collect(Collectors.toList());
+        // la première du tournesol est le sol
+        List<Sphere> boules = spheres.subList(args[0].equals("foule") ? 0 : 1, spheres.size());
+        assertEquals(Integer.parseInt(args[1]), boules.size());
+        for (Sphere a : boules) {
+            for (Sphere b : boules) {
+                double ecart = b.getCentre().sub(a.getCentre()).norme() - a.getRayon() - b.getRayon();
+                assertTrue(a == b || ecart > 0, () -> a + " et " + b + " : écart " + ecart);
+            }
+            // devant l'écran, et son centre dans une image de 800 × 600
+            Point c = a.getCentre();
+            double recul = (c.z + Camera.FOCALE) / Camera.FOCALE;
+            assertTrue(c.z - a.getRayon() > 0 && Math.abs(c.x) < recul && Math.abs(c.y) < 0.75 * recul, () -> "boule " + a);
+        }
     }
 
     @Test
@@ -89,7 +92,7 @@ class GenerateurTest {
 
     @ParameterizedTest(name = "« {0} » est refusé")
     @ValueSource(strings = {"", "neige 3", "foule", "foule -1", "foule 1.5", "foule 0",
-        "foule 100000001", "foule 5 1", "tournesol dix", "tournesol 0", "tournesol 5 1", "foule 99999999999999999999"})
+        "foule 100000001", "foule 5 1", "tournesol dix", "tournesol 0", "tournesol -1", "tournesol 5 1", "foule 99999999999999999999"})
     void uneDemandeFautiveTientEnUneLigne(String ligne) throws IOException {
         String[] args = ligne.isEmpty() ? new String[0] : ligne.split(" ");
         StringBuilder texte = new StringBuilder();
@@ -99,42 +102,5 @@ class GenerateurTest {
         String message = erreurs.toString("UTF-8").trim();
         assertTrue(message.startsWith("Generateur : ") && message.contains("usage : "), message);
         assertEquals(1, message.split("\\R").length, message);
-    }
-
-    @Test
-    void appeleDeJavaUnNombreHorsLimitesEstRefuseAvantDEcrire() {
-        StringBuilder texte = new StringBuilder();
-        assertThrows(IllegalArgumentException.class, () -> Generateur.foule(texte, 0));
-        assertThrows(IllegalArgumentException.class, () -> Generateur.tournesol(texte, -1));
-        assertEquals("", texte.toString());
-    }
-
-    private static void verifierSepares(Scene scene, int premiere) {
-        for (int i = premiere; i < scene.getObjets().size(); i++) {
-            for (int j = premiere; j < i; j++) {
-                assertTrue(ecart(scene, i, j) > 0, "boules " + i + " et " + j + " : écart " + ecart(scene, i, j));
-            }
-        }
-    }
-
-    /** Chaque boule est devant l'écran, et son centre dans une image de 800 × 600. */
-    private static void verifierVisible(Scene scene, int premiere) {
-        for (int i = premiere; i < scene.getObjets().size(); i++) {
-            Point c = sphere(scene, i).getCentre();
-            double recul = (c.z + Camera.FOCALE) / Camera.FOCALE;
-            assertTrue(c.z - sphere(scene, i).getRayon() > 0 && Math.abs(c.x) < recul && Math.abs(c.y) < 0.75 * recul, "boule " + i);
-        }
-    }
-
-    /** De surface à surface, négatif si elles se coupent. */
-    private static double ecart(Scene scene, int i, int j) {
-        Sphere a = sphere(scene, i);
-        Sphere b = sphere(scene, j);
-        return b.getCentre().sub(a.getCentre()).norme() - a.getRayon() - b.getRayon();
-    }
-
-    private static Sphere sphere(Scene scene, int i) {
-        Objet3D objet = scene.getObjets().get(i);
-        return (Sphere) objet;
     }
 }

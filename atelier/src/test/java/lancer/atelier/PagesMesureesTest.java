@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.Collections;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,6 +39,10 @@ class PagesMesureesTest {
         Files.write(page, "<!--v:a-->0<!--/v-->\n".getBytes(StandardCharsets.UTF_8));
         PagesMesurees.reecrire(page, Collections.singletonMap("a", "1"));
         assertEquals("<!--v:a-->1<!--/v-->\n", new String(Files.readAllBytes(page), StandardCharsets.UTF_8));
+        FileTime jadis = FileTime.fromMillis(0);
+        Files.setLastModifiedTime(page, jadis);
+        PagesMesurees.reecrire(page, Collections.singletonMap("a", "1"));
+        assertEquals(jadis, Files.getLastModifiedTime(page));
         PagesMesurees.reecrire(dossier.resolve("absente.md"), Collections.emptyMap());
     }
 }

@@ -1,6 +1,5 @@
 package lancer.atelier;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -12,9 +11,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.ToDoubleFunction;
+import java.util.function.ToDoubleBiFunction;
 import java.util.stream.IntStream;
-import javax.imageio.ImageIO;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -27,6 +25,9 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Specularite;
+import lancer.sortie.Ecriture;
+import lancer.sortie.FichierPng;
+import lancer.sortie.ImageMemoire;
 
 /**
  * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme, que {@link ReponsesTest} compare à la page.
@@ -56,8 +57,8 @@ final class Reponses {
         PagesMesurees.reecrire(Paths.get(args[0]), valeurs());
         Files.write(images.resolve("reponses-cosinus.svg"), cosinus().getBytes(StandardCharsets.UTF_8));
         Path neuves = Files.createTempDirectory("reponses");
-        ImageIO.write(etapes(), "png", neuves.resolve("reponses-etapes.png").toFile());
-        ImageIO.write(escaliers(), "png", neuves.resolve("reponses-escaliers.png").toFile());
+        new Ecriture(neuves.resolve("reponses-etapes.png").toString()).ecrire(etapes(), new FichierPng());
+        new Ecriture(neuves.resolve("reponses-escaliers.png").toString()).ecrire(escaliers(), new FichierPng());
         Images.actualiser(neuves, images).forEach(nom -> System.out.println("changée : " + nom));
     }
 
@@ -73,11 +74,11 @@ final class Reponses {
         valeurs.put("bas.800", "(" + nombre(bas.x) + " ; " + nombre(bas.y) + " ; 0)");
         valeurs.put("focale", nombre(Camera.FOCALE));
         Scene scene = new Scene("scenes/scene1.ini");
-        valeurs.put("miroir", String.format(Locale.FRANCE, "%.0e", plusGrand(scene, Reponses::ecartDuMiroir))
+        valeurs.put("miroir", String.format(Locale.FRANCE, "%.0e", rang(1, scene, Reponses::ecartDuMiroir))
                 .replaceFirst("e-0?(\\d+)", " · 10<sup>−$1</sup>"));
         for (String nom : Arrays.asList("diffus", "brume")) {
             Scene vue = new Scene("scenes/" + nom + ".ini");
-            valeurs.put(nom + ".distance", nombre(mediane(vue, c -> c.contact.distance)));
+            valeurs.put(nom + ".distance", nombre(rang(0.5, vue, (rayon, contact) -> contact.distance)));
         }
         for (int n : Arrays.asList(32, 128)) {
             double angle = Math.toDegrees(Math.acos(Math.pow(0.5, 1.0 / n)));
@@ -91,40 +92,22 @@ final class Reponses {
         return String.format(Locale.FRANCE, "%.3f", x).replaceFirst(",?0+$", "").replace('-', '−');
     }
 
-    /** Un rayon et ce qu'il rencontre. */
-    private static final class Vu {
-        private final Rayon rayon;
-        private final PointContact contact;
-
-        Vu(Rayon rayon, PointContact contact) {
-            this.rayon = rayon;
-            this.contact = contact;
-        }
-    }
-
     /** De combien le miroir d'un vecteur de longueur 1 s'en écarte avant qu'on le normalise. */
-    private static double ecartDuMiroir(Vu vu) {
-        Vecteur V = vu.rayon.getV();
-        Vecteur N = vu.contact.objet.getNormale(vu.contact);
+    private static double ecartDuMiroir(Rayon rayon, PointContact contact) {
+        Vecteur V = rayon.getV();
+        Vecteur N = contact.objet.getNormale(contact);
         return Math.abs(V.sub(N.mul(2 * V.dot(N))).norme() - 1);
     }
 
-    private static double plusGrand(Scene scene, ToDoubleFunction<Vu> mesure) {
-        double[] mesures = mesures(scene, mesure);
-        return mesures[mesures.length - 1];
-    }
-
-    private static double mediane(Scene scene, ToDoubleFunction<Vu> mesure) {
-        double[] mesures = mesures(scene, mesure);
-        return mesures[mesures.length / 2];
-    }
-
-    /** Ce que vaut une mesure en chaque contact d'une petite image, du plus petit au plus grand. */
-    private static double[] mesures(Scene scene, ToDoubleFunction<Vu> mesure) {
+    /** Ce que vaut une mesure en chaque contact d'une petite image : le plus petit pour la part 0, la médiane pour 0,5. */
+    private static double rang(double part, Scene scene, ToDoubleBiFunction<Rayon, PointContact> mesure) {
         Camera camera = new Camera(200, 150);
-        return IntStream.range(0, 200 * 150).mapToObj(k -> camera.getRayon(k % 200 + 0.5, k / 200 + 0.5))
-                .map(rayon -> new Vu(rayon, scene.getClosestIntersection(rayon))).filter(vu -> vu.contact != null)
-                .mapToDouble(mesure).sorted().toArray();
+        double[] mesures = IntStream.range(0, 200 * 150).mapToDouble(k -> {
+            Rayon rayon = camera.getRayon(k % 200 + 0.5, k / 200 + 0.5);
+            PointContact contact = scene.getClosestIntersection(rayon);
+            return contact == null ? Double.NaN : mesure.applyAsDouble(rayon, contact);
+        }).filter(x -> !Double.isNaN(x)).sorted().toArray();
+        return mesures[(int) Math.min(part * mesures.length, mesures.length - 1)];
     }
 
     /** Le graphe du cours : l'éclat que donne le programme, selon l'angle entre R et L. */
@@ -193,15 +176,14 @@ final class Reponses {
     }
 
     /** Les cinq étapes, côte à côte. */
-    static BufferedImage etapes() {
-        BufferedImage image = new BufferedImage(5 * LARGEUR + 4 * 4, HAUTEUR, BufferedImage.TYPE_INT_RGB);
-        remplir(image, 0xFFFFFF);
+    static ImageMemoire etapes() {
+        ImageMemoire image = blanche(5 * LARGEUR + 4 * 4, HAUTEUR);
         Camera camera = new Camera(LARGEUR, HAUTEUR);
         for (int etape = 0; etape < 5; etape++) {
             Scene scene = scene(etape > 1);
             for (int p = 0; p < LARGEUR * HAUTEUR; p++) {
-                image.setRGB(etape * (LARGEUR + 4) + p % LARGEUR, p / LARGEUR,
-                        moyenne(etape, scene, camera, p % LARGEUR, p / LARGEUR, FINESSE).getCode());
+                image.drawPixel(moyenne(etape, scene, camera, p % LARGEUR, p / LARGEUR, FINESSE), etape * (LARGEUR + 4) + p % LARGEUR,
+                        p / LARGEUR);
             }
         }
         return image;
@@ -216,27 +198,25 @@ final class Reponses {
     }
 
     /** Le bord d'une boule, à la loupe : un rayon par pixel, puis 3 × 3. */
-    static BufferedImage escaliers() {
+    static ImageMemoire escaliers() {
         int cote = 28;
-        BufferedImage image = new BufferedImage(2 * cote * LOUPE + 8, cote * LOUPE, BufferedImage.TYPE_INT_RGB);
-        remplir(image, 0xFFFFFF);
+        ImageMemoire image = blanche(2 * cote * LOUPE + 8, cote * LOUPE);
         Camera camera = new Camera(100, 75);
         Scene scene = scene(true);
         for (int n = 1; n <= 3; n += 2) {
             for (int p = 0; p < cote * cote; p++) {
-                int code = moyenne(4, scene, camera, 60 + p % cote, 12 + p / cote, n).getCode();
+                Couleur couleur = moyenne(4, scene, camera, 60 + p % cote, 12 + p / cote, n);
                 for (int q = 0; q < LOUPE * LOUPE; q++) {
-                    image.setRGB((n - 1) / 2 * (cote * LOUPE + 8) + p % cote * LOUPE + q % LOUPE, p / cote * LOUPE
-                            + q / LOUPE, code);
+                    image.drawPixel(couleur, (n - 1) / 2 * (cote * LOUPE + 8) + p % cote * LOUPE + q % LOUPE, p / cote * LOUPE + q / LOUPE);
                 }
             }
         }
         return image;
     }
 
-    private static void remplir(BufferedImage image, int code) {
-        for (int k = 0; k < image.getWidth() * image.getHeight(); k++) {
-            image.setRGB(k % image.getWidth(), k / image.getWidth(), code);
-        }
+    private static ImageMemoire blanche(int largeur, int hauteur) {
+        ImageMemoire image = new ImageMemoire(largeur, hauteur, false);
+        Arrays.fill(image.getCodes(), -1);
+        return image;
     }
 }

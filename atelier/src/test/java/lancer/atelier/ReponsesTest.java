@@ -1,14 +1,15 @@
 package lancer.atelier;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Paths;
-import javax.imageio.ImageIO;
+import lancer.sortie.Comparaison;
+import lancer.sortie.ImageMemoire;
+import lancer.sortie.LectureImage;
 import org.junit.jupiter.api.Test;
 
 /** docs/reponses.md et ses figures. */
@@ -32,17 +33,8 @@ class ReponsesTest {
     }
 
     /** À un niveau près : les fonctions de Java n'arrondissent pas de même sur toutes les machines. */
-    private static void memes(BufferedImage attendue, String fichier) throws IOException {
-        BufferedImage image = ImageIO.read(new File("..", fichier));
-        assertEquals(attendue.getWidth() + "x" + attendue.getHeight(), image.getWidth() + "x" + image.getHeight());
-        int differents = 0;
-        for (int k = 0; k < image.getWidth() * image.getHeight(); k++) {
-            int a = attendue.getRGB(k % image.getWidth(), k / image.getWidth());
-            int b = image.getRGB(k % image.getWidth(), k / image.getWidth());
-            for (int d = 0; d < 24; d += 8) {
-                differents += Math.abs((a >> d & 255) - (b >> d & 255)) > 1 ? 1 : 0;
-            }
-        }
-        assertEquals(0, differents, fichier + " n'est plus du programme : make reponses");
+    private static void memes(ImageMemoire attendue, String fichier) {
+        Comparaison comparaison = Comparaison.de(attendue, LectureImage.lire("../" + fichier), 1);
+        assertTrue(comparaison.sontPareilles(), fichier + " n'est plus du programme (make reponses) : " + comparaison);
     }
 }

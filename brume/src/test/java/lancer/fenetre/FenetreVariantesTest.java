@@ -20,10 +20,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
-import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JSlider;
+import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
 import lancer.dessin.ReglagesDessin;
 import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
@@ -79,7 +80,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         int[] sans = sansFenetre(ROUGE, "--sans=brume");
         ouvrir();
         banc.attendreImage("avec la brume", avec);
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         attendre("elle se dit", () -> resume.getText().endsWith(", 5 réflexions, [Brume] debut=0 fin=30"));
         cliquer(article("Brume"));
         banc.attendreImage("sans elle", sans);
@@ -109,7 +110,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("l'image suit", attendue);
         assertArrayEquals(avant.getBytes("UTF-8"), Files.readAllBytes(scene));
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         attendre("le résumé aussi", () -> resume.getText().contains("[Brume du matin] couleur=0.9 0.8 0.7 debut=2 densite=0.095"));
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         attendre("la copie donne la section et la commande", () -> {
@@ -139,7 +140,7 @@ class FenetreVariantesTest extends EssaiFenetre {
             banc.fenetre.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
             return null;
         });
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         attendre("les réglages se disent", () -> resume.getText().contains(dit));
         int[] vue = banc.imageAchevee().getCodes().clone();
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
@@ -209,11 +210,24 @@ class FenetreVariantesTest extends EssaiFenetre {
         banc.frapper();
         banc.robot.keyPress(KeyEvent.VK_SPACE);
         attendre("celle d'avant, au même endroit", () -> BancFenetre.trouver(avec, L) != null);
-        JLabel resume = chercher("resume", JLabel.class);
+        JTextArea resume = chercher("resume", JTextArea.class);
         attendre("ses réglages et son coût", () -> resume.getText().matches(".* rayons, .* s, .*, \\[Brume] .*"));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
         attendre("puis celle de maintenant", () -> BancFenetre.trouver(sans, L) != null);
         attendre("et les siens", () -> !resume.getText().contains("Brume"));
+    }
+
+    @Test
+    void auClavierUneFlecheMeneUneGlissiereAuCranVoisin() throws Exception {
+        ouvrir();
+        JSlider fin = glissiere("Brume.fin");
+        int cran = surFilEvenements(fin::getValue);
+        surFilEvenements(fin::requestFocusInWindow);
+        attendre("le clavier est à la glissière", fin::hasFocus);
+        banc.frapper(SwingUtilities.getWindowAncestor(fin), KeyEvent.VK_LEFT);
+        attendre("elle a bougé d'un cran", () -> fin.getValue() == cran - 1);
+        attendre("et l'image avec elle", () -> banc.fenetre.getReglages().toString().contains("fin=" + cran));
+        banc.imageAchevee();
     }
 
     @Test

@@ -1,6 +1,5 @@
 package lancer.mesures;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import lancer.Couleur;
@@ -64,7 +63,15 @@ public final class Gabarit {
 
     /** Le carré de l'erreur de chaque pixel semé, en niveaux, sans biais, donc parfois négatif. */
     public double[] carres(ImageLineaire image) {
-        return carres(image.getComposantes(), a, b, pixels);
+        double[] x = image.getComposantes();
+        double[] carres = new double[pixels.length];
+        for (int p = 0; p < pixels.length; p++) {
+            for (int k = 3 * pixels[p]; k < 3 * pixels[p] + 3; k++) {
+                double niveau = niveau(x[k]);
+                carres[p] += (niveau - niveau(a[k])) * (niveau - niveau(b[k])) / 3;
+            }
+        }
+        return carres;
     }
 
     /** La vérité, connue de 128 rayons par pixel : pour la montrer. */
@@ -74,17 +81,6 @@ public final class Gabarit {
             moyenne.getComposantes()[k] = (a[k] + b[k]) / 2;
         }
         return moyenne;
-    }
-
-    private static double[] carres(double[] x, double[] a, double[] b, int[] pixels) {
-        double[] carres = new double[pixels.length];
-        for (int p = 0; p < pixels.length; p++) {
-            for (int k = 3 * pixels[p]; k < 3 * pixels[p] + 3; k++) {
-                double niveau = niveau(x[k]);
-                carres[p] += (niveau - niveau(a[k])) * (niveau - niveau(b[k])) / 3;
-            }
-        }
-        return carres;
     }
 
     private static double niveau(double composante) {

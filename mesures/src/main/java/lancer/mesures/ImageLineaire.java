@@ -55,16 +55,6 @@ public final class ImageLineaire implements Toile {
         return new Couleur(composantes[3 * k], composantes[3 * k + 1], composantes[3 * k + 2]);
     }
 
-    /** Mêmes bits en ce pixel : ni la tolérance d'un écran, ni l'égalité de 0 et −0. */
-    public boolean memesBits(ImageLineaire autre, int k) {
-        for (int c = 3 * k; c < 3 * k + 3; c++) {
-            if (Double.doubleToRawLongBits(composantes[c]) != Double.doubleToRawLongBits(autre.composantes[c])) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     /** Pour une autre machine virtuelle : ces nombres, et rien d'autre. */
     public void ecrire(Path fichier) throws IOException {
         ByteBuffer octets = ByteBuffer.allocate(Double.BYTES * composantes.length);

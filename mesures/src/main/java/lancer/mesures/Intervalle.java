@@ -20,7 +20,7 @@ public final class Intervalle {
     }
 
     /** La moyenne de ces nombres, par la loi de Student. D'un seul, on ne sait rien d'autre que lui. */
-    public static Intervalle deLaMoyenne(double... nombres) {
+    private static Intervalle deLaMoyenne(double... nombres) {
         double moyenne = Arrays.stream(nombres).average().orElse(Double.NaN);
         int libertes = nombres.length - 1;
         double carres = Arrays.stream(nombres).map(x -> (x - moyenne) * (x - moyenne)).sum();

@@ -2,6 +2,7 @@ package lancer.fenetre.figures;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -98,25 +99,24 @@ public final class Figure {
         boolean derriere = b.z + Camera.FOCALE < PRES;
         double[] de = projeter(a);
         double[] vers = projeter(derriere ? a.add((PRES - Camera.FOCALE - a.z) / ab.z, ab) : b);
-        double[] parts = couper(de, vers, camera.getLargeur(), camera.getHauteur());
+        double[] parts = couper(de, vers, new Rectangle(camera.getLargeur(), camera.getHauteur()));
         if (parts[0] < parts[1]) {
             traits.add(new Trait(de, vers, parts, couleur, derriere || sansFin || parts[1] < 1));
         }
     }
 
-    /** Les parts du segment entre lesquelles il est dans l'image (Liang et Barsky, 1984). */
-    private static double[] couper(double[] de, double[] vers, double largeur, double hauteur) {
+    /** Les parts du segment entre lesquelles il est dans ce cadre (Liang et Barsky, 1984). */
+    private static double[] couper(double[] de, double[] vers, Rectangle cadre) {
         double debut = 0;
         double fin = 1;
-        double[] tailles = {largeur, hauteur};
+        double[] moins = {cadre.getMinX(), cadre.getMinY()};
+        double[] plus = {cadre.getMaxX(), cadre.getMaxY()};
         for (int axe = 0; axe < 2; axe++) {
             double pas = vers[axe] - de[axe];
-            double entree = (pas > 0 ? -de[axe] : tailles[axe] - de[axe]) / pas;
-            double sortie = (pas > 0 ? tailles[axe] - de[axe] : -de[axe]) / pas;
             if (pas != 0) {
-                debut = Math.max(debut, entree);
-                fin = Math.min(fin, sortie);
-            } else if (de[axe] < 0 || de[axe] > tailles[axe]) {
+                debut = Math.max(debut, ((pas > 0 ? moins : plus)[axe] - de[axe]) / pas);
+                fin = Math.min(fin, ((pas > 0 ? plus : moins)[axe] - de[axe]) / pas);
+            } else if (de[axe] < moins[axe] || de[axe] > plus[axe]) {
                 fin = 0;
             }
         }
@@ -153,7 +153,8 @@ public final class Figure {
             return rayon.getDistance() < DEVANT * (profondeur - Camera.FOCALE) / rayon.getV().z;
         }
 
-        void peindre(Graphics2D g, Rectangle place, double echelle) {
+        void peindre(Graphics2D g, Rectangle place, Rectangle vue) {
+            double echelle = (double) place.width / camera.getLargeur();
             int debut = 0;
             for (int k = 1; k <= MORCEAUX; k++) {
                 if (k == MORCEAUX || derriere[k] != derriere[debut]) {
@@ -169,11 +170,15 @@ public final class Figure {
                     debut = k;
                 }
             }
-            double angle = Math.atan2(y[MORCEAUX] - y[0], x[MORCEAUX] - x[0]);
-            double boutX = place.x + echelle * x[MORCEAUX];
-            double boutY = place.y + echelle * y[MORCEAUX];
+            double[] de = {place.x + echelle * x[0], place.y + echelle * y[0]};
+            double[] vers = {place.x + echelle * x[MORCEAUX], place.y + echelle * y[MORCEAUX]};
+            double[] parts = couper(de, vers, vue);
+            boolean sort = parts[0] < parts[1] && (fleche || parts[1] < 1);
+            double angle = Math.atan2(vers[1] - de[1], vers[0] - de[0]);
+            double boutX = de[0] + parts[1] * (vers[0] - de[0]);
+            double boutY = de[1] + parts[1] * (vers[1] - de[1]);
             double pointe = TAILLE * g.getFont().getSize2D();
-            for (double ecart = -OUVERTURE; fleche && ecart <= OUVERTURE; ecart += 2 * OUVERTURE) {
+            for (double ecart = -OUVERTURE; sort && ecart <= OUVERTURE; ecart += 2 * OUVERTURE) {
                 peindreLisere(g, new Line2D.Double(boutX, boutY, boutX - pointe * Math.cos(angle + ecart),
                         boutY - pointe * Math.sin(angle + ecart)), couleur);
             }
@@ -192,12 +197,13 @@ public final class Figure {
     /**
      * @param g en pixels de l'écran ; sa police dit ce qu'il en faut pour être lu
      * @param place celle de l'image
+     * @param vue ce qui s'en voit : à la loupe, elle déborde
      */
-    public void peindre(Graphics2D g, Rectangle place) {
+    public void peindre(Graphics2D g, Rectangle place, Dimension vue) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         double rayon = TAILLE * g.getFont().getSize2D();
         double echelle = (double) place.width / camera.getLargeur();
-        traits.forEach(trait -> trait.peindre(g, place, echelle));
+        traits.forEach(trait -> trait.peindre(g, place, place.intersection(new Rectangle(vue))));
         for (double[] anneau : anneaux) {
             double x = place.x + echelle * anneau[0];
             double y = place.y + echelle * anneau[1];

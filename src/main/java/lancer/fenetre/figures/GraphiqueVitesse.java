@@ -296,13 +296,14 @@ public final class GraphiqueVitesse extends JComponent {
         g.drawString(texte, (float) (x - cale * g.getFontMetrics().stringWidth(texte)), (float) y);
     }
 
-    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes. */
+    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes ; d'autres aussi si elles sont proches. */
     private static List<Double> graduations(double min, double max) {
         List<Double> graduations = new ArrayList<>();
+        double[] fois = max < 10 * min ? new double[] {1, 2, 3, 4, 5, 7} : new double[] {1, 2, 5};
         for (double dix = Math.pow(10, Math.floor(Math.log10(min))); dix <= max; dix *= 10) {
-            for (double t : new double[] {dix, 2 * dix, 5 * dix}) {
-                if (t >= min && t <= max) {
-                    graduations.add(t);
+            for (double n : fois) {
+                if (n * dix >= min && n * dix <= max) {
+                    graduations.add(n * dix);
                 }
             }
         }

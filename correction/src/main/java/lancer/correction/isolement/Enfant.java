@@ -2,6 +2,7 @@ package lancer.correction.isolement;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.Reader;
@@ -11,6 +12,8 @@ import java.nio.file.Paths;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
@@ -43,22 +46,35 @@ public final class Enfant implements AutoCloseable {
     /** @param prefixe ce par quoi commencent les lignes qui comptent ; les autres sont laissées */
     public Enfant(List<String> commande, String prefixe, Limites limites) {
         this.limites = limites;
-        try {
-            processus = new ProcessBuilder(commande).redirectError(ProcessBuilder.Redirect.DISCARD).start();
-        } catch (IOException e) {
-            throw new Panne(1, "une machine virtuelle n'a pas pu être lancée : " + e.getMessage());
-        }
-        Thread lecteur = new Thread(() -> lire(prefixe), "lecteur");
+        CompletableFuture<Process> lancement = new CompletableFuture<>();
+        Thread lecteur = new Thread(() -> lancer(commande, prefixe, lancement), "lecteur");
         lecteur.setDaemon(true);
         lecteur.start();
+        try {
+            processus = lancement.join();
+        } catch (CompletionException e) {
+            throw new Panne(1, "une machine virtuelle n'a pas pu être lancée : " + e.getCause().getMessage());
+        }
     }
 
-    private void lire(String prefixe) {
+    /** Lance, et lit jusqu'à la fin, dans le même fil : bubblewrap est tué quand finit celui qui l'a lancé. */
+    private void lancer(List<String> commande, String prefixe, CompletableFuture<Process> lancement) {
+        try {
+            Process enfant = new ProcessBuilder(commande).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+            lancement.complete(enfant);
+            lire(enfant.getInputStream(), prefixe);
+        } catch (IOException | RuntimeException e) {
+            // lancé, il est mort : c'est la fin, elle aussi
+            lancement.completeExceptionally(e);
+        }
+        lignes.add(FIN);
+    }
+
+    private void lire(InputStream flux, String prefixe) throws IOException {
         char[] tampon = new char[1 << 16];
         long total = 0;
         StringBuilder ligne = new StringBuilder();
-        try (Reader sortie = new BufferedReader(new InputStreamReader(processus.getInputStream(),
-                StandardCharsets.UTF_8))) {
+        try (Reader sortie = new BufferedReader(new InputStreamReader(flux, StandardCharsets.UTF_8))) {
             for (int n = sortie.read(tampon); n >= 0 && !sortieDemesuree; n = sortie.read(tampon)) {
                 total += n;
                 for (int k = 0; k < n; k++) {
@@ -73,10 +89,7 @@ public final class Enfant implements AutoCloseable {
                 }
                 sortieDemesuree = total > SORTIE_MAX;
             }
-        } catch (IOException e) {
-            // le programme est mort : c'est la fin, elle aussi
         }
-        lignes.add(FIN);
     }
 
     /** Envoie une ligne. */

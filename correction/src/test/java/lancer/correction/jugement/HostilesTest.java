@@ -49,8 +49,14 @@ class HostilesTest extends JuryEssai {
             }
         }
         ecrireCorrige(rendus.resolve("ordinaire"));
+        // remplir la mémoire, ou la sortie, demande du calcul, et plus encore sur une machine chargée
+        Path gourmands = Files.createDirectories(dossier.resolve("gourmands"));
+        for (String nom : List.of("imprime", "memoire", "memoire-native")) {
+            Files.move(rendus.resolve(nom), gourmands.resolve(nom));
+        }
         Map<String, Resultat> resultats = juger(rendus, dossier.resolve("travail"), confinement, COURTES);
         assertEquals(new TreeSet<>(List.of(rendus.toFile().list())), new TreeSet<>(resultats.keySet()), "une ligne chacun");
+        resultats.putAll(juger(gourmands, dossier.resolve("travail"), confinement, PATIENTES));
 
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
         assertTrue(resultats.get("ordinaire").ecart.memeImage());

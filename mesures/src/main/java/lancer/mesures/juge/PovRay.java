@@ -75,7 +75,8 @@ public final class PovRay implements Peintre {
             statut = chronometrer(journal, dessin);
         }
         if (statut != 0 || !Files.exists(image)) {
-            throw new IOException(commande + " n'a pas dessiné " + nom + ", statut " + statut + " : " + derniereLigne(journal));
+            throw new IOException(commande + " n'a pas dessiné " + nom + ", statut " + statut + " : "
+                    + texte(journal).trim().replaceFirst("(?s).*\\n\\s*", ""));
         }
         BufferedImage lue = ImageIO.read(image.toFile());
         if (lue == null || lue.getWidth() != largeur || lue.getHeight() != hauteur || lue.getRaster().getNumBands() < 3
@@ -113,11 +114,6 @@ public final class PovRay implements Peintre {
             // Ctrl+C ne doit pas le laisser dessiner seul
             processus.destroy();
         }
-    }
-
-    private static String derniereLigne(Path journal) throws IOException {
-        String[] lignes = texte(journal).trim().split("\\s*\\n\\s*");
-        return lignes[lignes.length - 1];
     }
 
     private static String texte(Path fichier) throws IOException {

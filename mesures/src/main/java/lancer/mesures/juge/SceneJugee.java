@@ -2,7 +2,6 @@ package lancer.mesures.juge;
 
 import java.awt.image.Raster;
 import java.io.IOException;
-import java.util.Locale;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
@@ -13,6 +12,7 @@ import lancer.temoins.LancerSurveille;
 public final class SceneJugee {
 
     private static final double NIVEAUX_16 = 65535;
+    private static final String[] COMPOSANTES = {"rouge", "verte", "bleue"};
 
     /** De quoi la dessiner nous-mêmes, au seuil que le juge peut tenir. */
     public final Lancer lancer;
@@ -43,7 +43,7 @@ public final class SceneJugee {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
             scene.setSeuil(0);
         }
-        dessins = grise ? 1 : Composante.values().length;
+        dessins = grise ? 1 : COMPOSANTES.length;
         textes = new String[dessins];
         lancer = LancerSurveille.preparer(scene, largeur, hauteur, false);
         traduction = new TraductionPov(scene, reflets, Ecran.traverses(scene, new Camera(largeur, hauteur)));
@@ -56,13 +56,12 @@ public final class SceneJugee {
      */
     public ImageLineaire image(Raster rouge, String... options) throws IOException {
         ImageLineaire image = new ImageLineaire(largeur, hauteur);
-        for (Composante c : Composante.values()) {
-            Raster raster = c == Composante.ROUGE ? rouge : c.ordinal() < dessins ? dessiner(c, options) : null;
-            for (int k = 0; raster != null && k < largeur * hauteur; k++) {
-                for (int b = dessins == 1 ? 0 : c.ordinal(); b < (dessins == 1 ? 3 : c.ordinal() + 1); b++) {
-                    image.getComposantes()[3 * k + b] = raster.getSample(k % largeur, k / largeur, b) / NIVEAUX_16;
-                }
-            }
+        Raster[] rasters = {rouge, rouge, rouge};
+        for (int c = 1; c < dessins; c++) {
+            rasters[c] = dessiner(c, options);
+        }
+        for (int k = 0; k < 3 * largeur * hauteur; k++) {
+            image.getComposantes()[k] = rasters[k % 3].getSample(k / 3 % largeur, k / 3 / largeur, k % 3) / NIVEAUX_16;
         }
         return image;
     }
@@ -73,14 +72,14 @@ public final class SceneJugee {
      * @param options de la commande {@code povray} ; aucune pour un rayon par pixel
      */
     public Raster dessiner(String... options) throws IOException {
-        return dessiner(Composante.ROUGE, options);
+        return dessiner(0, options);
     }
 
-    private Raster dessiner(Composante c, String... options) throws IOException {
-        if (textes[c.ordinal()] == null) {
-            textes[c.ordinal()] = traduction.texte(largeur, hauteur, c);
+    private Raster dessiner(int c, String... options) throws IOException {
+        if (textes[c] == null) {
+            textes[c] = traduction.texte(largeur, hauteur, c);
         }
-        String suffixe = dessins == 1 ? "" : "-" + c.name().toLowerCase(Locale.ROOT);
-        return peintre.dessiner(textes[c.ordinal()], nom + suffixe, largeur, hauteur, options);
+        String suffixe = dessins == 1 ? "" : "-" + COMPOSANTES[c];
+        return peintre.dessiner(textes[c], nom + suffixe, largeur, hauteur, options);
     }
 }

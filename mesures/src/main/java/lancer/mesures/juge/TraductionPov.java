@@ -96,8 +96,8 @@ final class TraductionPov {
         return scene.getObjets().stream().map(Objet3D::getKs).allMatch(Ks -> Ks.r == Ks.v && Ks.v == Ks.b);
     }
 
-    /** @param juste la composante dont les reflets des lampes sont justes ; toutes, si les Ks sont gris */
-    String texte(int largeur, int hauteur, Composante juste) {
+    /** @param juste la composante, de 0 à 2, dont les reflets des lampes sont justes ; toutes, si les Ks sont gris */
+    String texte(int largeur, int hauteur, int juste) {
         StringBuilder s = new StringBuilder("#version 3.7;\n");
         s.append("global_settings { assumed_gamma 1 ambient_light 0 max_trace_level ").append(reflets + 1)
                 .append(" adc_bailout ").append(scene.getSeuil()).append(" }\n");
@@ -115,12 +115,12 @@ final class TraductionPov {
         return s.toString();
     }
 
-    private void sphere(StringBuilder s, Sphere sphere, Composante juste) {
+    private void sphere(StringBuilder s, Sphere sphere, int juste) {
         Couleur Ks = sphere.getKs();
         s.append("sphere { ").append(position(sphere.getCentre())).append(", ").append(sphere.getRayon() * echelle);
         s.append(" pigment { rgb ").append(triplet(sphere.getKd())).append(" } finish { ambient 0 diffuse 1");
         if (!Ks.estNoire()) {
-            s.append(" phong ").append(juste.de(Ks)).append(" phong_size ").append(sphere.getNs())
+            s.append(" phong ").append(new double[] {Ks.r, Ks.v, Ks.b}[juste]).append(" phong_size ").append(sphere.getNs())
                     .append(" reflection { rgb ").append(triplet(Ks)).append(" }");
         }
         s.append(derriere.contains(sphere) ? " } no_image }\n" : " } }\n");

@@ -10,7 +10,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import lancer.atelier.PagesMesurees;
-import lancer.mesures.Intervalle;
 import lancer.mesures.stabilite.Methodes;
 import lancer.mesures.stabilite.Stabilite;
 import org.openjdk.jmh.results.RunResult;
@@ -23,9 +22,10 @@ import org.openjdk.jmh.runner.options.VerboseMode;
 
 /**
  * Mesure par JMH ce que coûte chaque façon de calculer une intersection, et en fait la courbe des méthodes. De chaque machine
- * virtuelle est retenue la plus courte de ses mesures, assez brèves pour que l'une au moins ne soit pas interrompue. Le temps est leur
- * moyenne, et son intervalle dit où elle se trouve 19 fois sur 20 ; s'il est trop large, la machine n'était pas tranquille, et rien
- * n'est écrit.
+ * virtuelle est retenue la plus courte de ses mesures, assez brèves pour que l'une au moins ne soit pas interrompue. Une machine chargée
+ * ne fait que ralentir, parfois d'un tiers pendant une minute : le temps est celui de la deuxième machine virtuelle la plus rapide, et
+ * son intervalle contient la première et la troisième. Sur dix, dont chacune a une chance sur deux d'être dérangée, trois ne le sont pas
+ * 19 fois sur 20. Si l'intervalle est trop large, rien n'est écrit.
  *
  * <pre>
  * java -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux [options de JMH]
@@ -67,7 +67,7 @@ public final class Noyaux {
         mesure.parent(options).shouldFailOnError(true);
         if (!options.verbosity().hasValue()) {
             mesure.verbosity(VerboseMode.SILENT);
-            sortie.println("Mesure des méthodes, sans rien dire pendant trois minutes au plus…");
+            sortie.println("Mesure des méthodes, sans rien dire pendant cinq minutes au plus…");
         }
         Map<String, double[]> temps = new TreeMap<>();
         Collection<RunResult> resultats = new Runner(mesure.build()).run();
@@ -82,12 +82,12 @@ public final class Noyaux {
         return temps;
     }
 
-    /** La moyenne des plus courtes mesures de chaque machine virtuelle, et ce qu'il y a de part et d'autre dans son intervalle. */
+    /** Le temps de la deuxième machine virtuelle la plus rapide, et ce qu'il y a de part et d'autre dans son intervalle. */
     private static double[] temps(RunResult resultat) {
         double[] courtes = resultat.getBenchmarkResults().stream().mapToDouble(machine -> machine.getIterationResults().stream()
-                .mapToDouble(mesure -> mesure.getPrimaryResult().getScore()).min().orElse(Double.NaN)).toArray();
-        Intervalle i = Intervalle.deLaMoyenne(courtes);
-        return new double[] {i.valeur, i.max - i.valeur};
+                .mapToDouble(mesure -> mesure.getPrimaryResult().getScore()).min().orElse(Double.NaN)).sorted().toArray();
+        return courtes.length < 3 ? new double[] {courtes[0], Double.NaN}
+                : new double[] {courtes[1], Math.max(courtes[1] - courtes[0], courtes[2] - courtes[1])};
     }
 
     /**
@@ -102,9 +102,9 @@ public final class Noyaux {
         }
         long larges = temps.values().stream().filter(t -> !(t[1] <= TROP_LARGE * t[0])).count();
         if (larges > 0 || !Files.isDirectory(resultats)) {
-            sortie.println((larges > 0 ? "La machine n'est pas tranquille, " + larges + " intervalles sur " + temps.size()
-                    + " dépassent 15 % du temps" : "À lancer à la racine du projet, " + resultats + " n'existe pas")
-                    + " : rien n'est écrit.");
+            sortie.println((larges > 0 ? "La machine n'est pas tranquille, ou n'a pas lancé trois machines virtuelles : " + larges
+                    + " intervalles sur " + temps.size() + " dépassent 15 % du temps"
+                    : "À lancer à la racine du projet, " + resultats + " n'existe pas") + " : rien n'est écrit.");
             return false;
         }
         Methodes.noter(resultats, temps);

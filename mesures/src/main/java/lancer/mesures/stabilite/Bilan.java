@@ -14,6 +14,9 @@ final class Bilan {
     /** Part des rayons mal classés au-dessus de laquelle une erreur ne veut plus rien dire. */
     private static final double TROP = 0.1;
 
+    /** En rayons de la sphère : plus près, c'est une autre affaire. */
+    static final double DE_LOIN = 10;
+
     private final List<Exactitude> tous;
 
     Bilan(List<Exactitude> tous) {
@@ -34,8 +37,9 @@ final class Bilan {
         return r.part() <= TROP;
     }
 
-    int faux(Aspect methode, String figure) {
-        return de(figure, methode).stream().mapToInt(r -> r.faux).sum();
+    /** Les rayons mal classés, ou les pixels faux, à partir de cette abscisse. */
+    int faux(String figure, Aspect methode, double aPartirDe) {
+        return de(figure, methode).stream().filter(r -> r.x >= aPartirDe).mapToInt(r -> r.faux).sum();
     }
 
     /** La plus grande de ces valeurs, celles du programme. */
@@ -51,11 +55,6 @@ final class Bilan {
     /** Ce que vaut une méthode à la plus grande abscisse, ou à la plus petite. */
     private Exactitude auBout(String figure, Aspect methode, boolean grande) {
         return de(figure, methode).stream().max(Comparator.comparingDouble((Exactitude r) -> grande ? r.x : -r.x)).get();
-    }
-
-    /** Les rayons mal classés de plus loin que dix fois le rayon de la sphère : plus près, c'est une autre affaire. */
-    int fauxDeLoin(Aspect methode) {
-        return de(Mesures.LOIN, methode).stream().filter(r -> r.x >= 10).mapToInt(r -> r.faux).sum();
     }
 
     /** L'exposant de la distance dans l'erreur du manuel, de dix à un million de rayons. */
@@ -85,12 +84,12 @@ final class Bilan {
         Map<String, String> valeurs = new TreeMap<>();
         valeurs.put("stabilite.unites", Style.arrondi(unites(Mesures.LOIN)));
         valeurs.put("stabilite.pente", Style.arrondi(pente()));
-        // d'où, au-delà de dix rayons, le manuel classe mal plus d'un rayon sur dix
-        valeurs.put("stabilite.perdu", Style.puissance(de(Mesures.LOIN, Aspect.MANUEL).stream().filter(r -> r.x >= 10 && !estClasse(r))
+        // d'où, de loin, le manuel classe mal plus d'un rayon sur dix
+        valeurs.put("stabilite.perdu", Style.puissance(de(Mesures.LOIN, Aspect.MANUEL).stream().filter(r -> r.x >= DE_LOIN && !estClasse(r))
                 .mapToDouble(r -> r.x).min().orElse(Double.NaN)));
         valeurs.put("stabilite.bout", Style.puissance(max(Mesures.LOIN, r -> r.x)));
         valeurs.put("stabilite.bout.manuel", Style.arrondi(100 * auBout(Mesures.LOIN, Aspect.MANUEL, true).part()));
-        valeurs.put("stabilite.loin.programme", fois(fauxDeLoin(Aspect.PROGRAMME)));
+        valeurs.put("stabilite.loin.programme", fois(faux(Mesures.LOIN, Aspect.PROGRAMME, DE_LOIN)));
         valeurs.put("stabilite.ras.rapport", Style.arrondi(rapportDesErreurs(Mesures.RAS)));
         valeurs.put("stabilite.ras-loin.rapport", Style.arrondi(rapportDesErreurs(Mesures.RAS_LOIN)));
         valeurs.put("stabilite.ras.unites", Style.arrondi(Math.max(unites(Mesures.RAS), unites(Mesures.RAS_LOIN))));
@@ -102,7 +101,7 @@ final class Bilan {
         }
         List<Exactitude> naifs = defauts();
         valeurs.put("stabilite.defauts", String.valueOf(naifs.size()));
-        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Aspect.PROGRAMME, FigureDefauts.FIGURE)));
+        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(FigureDefauts.FIGURE, Aspect.PROGRAMME, 0)));
         naifs.forEach(r -> valeurs.put("stabilite.defaut." + r.formule, Style.nombre(r.faux)));
         return valeurs;
     }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -17,7 +16,7 @@ final class Exactitude {
     private static final String FIN = ",essais,faux,erreur_relative,erreur_unites";
     static final String STABILITE = "figure,methode,x,y" + FIN;
 
-    /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans son intervalle, 19 fois sur 20. */
+    /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans son intervalle. */
     static final String METHODES = "regime,methode,ns,plus_ou_moins" + FIN;
 
     /** Quelle courbe : voir {@link Mesures}. */
@@ -57,7 +56,7 @@ final class Exactitude {
         return new Intervalle(x, x - y, x + y);
     }
 
-    /** Écrit le fichier d'un coup. @param note ce qu'il faut savoir pour comparer, en dernière ligne ; vide s'il n'y en a pas */
+    /** @param note ce qu'il faut savoir pour comparer, en dernière ligne ; vide s'il n'y en a pas */
     static void ecrire(Path fichier, String enTete, List<Exactitude> exactitudes, String note) throws IOException {
         List<String> lignes = new ArrayList<>();
         lignes.add(enTete);
@@ -66,9 +65,7 @@ final class Exactitude {
         if (!note.isEmpty()) {
             lignes.add(FichierCsv.NOTE + note);
         }
-        Path provisoire = fichier.resolveSibling(fichier.getFileName() + ".tmp");
-        Files.write(provisoire, lignes, StandardCharsets.UTF_8);
-        Files.move(provisoire, fichier, StandardCopyOption.REPLACE_EXISTING);
+        Files.write(fichier, lignes, StandardCharsets.UTF_8);
     }
 
     /** @throws IOException si le fichier n'est pas de ceux qu'écrit {@link #ecrire} */

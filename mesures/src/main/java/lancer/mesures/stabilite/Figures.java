@@ -54,7 +54,7 @@ final class Figures {
 
     /** B : au ras. */
     Planche ras() {
-        return new Planche("Au ras : le programme, " + nombre("ras.unites") + " fois l'effet d'un seul arrondi", note)
+        return new Planche("Au ras : le programme se trompe au plus de " + nombre("ras.unites") + " fois l'effet d'un arrondi", note)
                 .volet(rasant(Mesures.RAS, Mesures.PRES)).volet(rasant(Mesures.RAS_LOIN, Mesures.LOINTAIN));
     }
 
@@ -81,8 +81,8 @@ final class Figures {
         Volet pose = new Volet("À 10⁻¹⁶ r, le manuel se trompe de côté " + nombre("pose.manuel") + ", le programme "
                 + nombre("pose.programme"), "Un départ posé sur une surface", "hauteur du départ / rayon", ERREUR).versZero();
         courbes(pose, Mesures.POSE, r -> r.erreurRelative, true);
-        return new Planche("Près d'une surface : " + nombre("sol.programme") + " chiffres justes, " + nombre("sol.perpendiculaire")
-                + " par la perpendiculaire", note).volet(sol).volet(pose);
+        return new Planche("Près d'une surface : le programme garde " + nombre("sol.programme") + " chiffres justes, la perpendiculaire "
+                + nombre("sol.perpendiculaire"), note).volet(sol).volet(pose);
     }
 
     /** D : les défauts, en images. */

@@ -13,7 +13,7 @@ public final class Serie {
     final FormeDePoint forme;
     final boolean reliee;
     final List<Marque> marques;
-    private Stroke trait = Style.TRAIT;
+    Stroke trait;
 
     /** @param reliee vrai si un trait joint les marques, dans l'ordre donné */
     public Serie(String nom, Color couleur, FormeDePoint forme, boolean reliee, List<Marque> marques) {
@@ -22,15 +22,12 @@ public final class Serie {
         this.forme = forme;
         this.reliee = reliee;
         this.marques = new ArrayList<>(marques);
+        trait = couleur == Style.FRONT ? Style.TRAIT_FRONT : Style.TRAIT;
     }
 
     /** Ce trait-là n'est pas mesuré. */
     public Serie enPointille() {
         trait = Style.POINTILLE;
         return this;
-    }
-
-    Stroke trait() {
-        return couleur == Style.FRONT ? Style.TRAIT_FRONT : trait;
     }
 }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.DoubleStream;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
@@ -80,8 +81,11 @@ public final class Volet implements Contenu {
         return this;
     }
 
+    /** Une série de plus, si elle a quelque chose à montrer. */
     public Volet serie(Serie serie) {
-        (serie.forme == FormeDePoint.AUCUNE ? fonds : series).add(serie);
+        if (!serie.marques.isEmpty()) {
+            (serie.forme == FormeDePoint.AUCUNE ? fonds : series).add(serie);
+        }
         return this;
     }
 
@@ -224,18 +228,18 @@ public final class Volet implements Contenu {
         Points(List<Serie> partie) {
             this.partie = partie;
             setErrorStroke(Style.TRAIT_FIN);
-            setLegendLine(new Line2D.Double(-16, 0, 16, 0));
+            setLegendLine(new Line2D.Double(-26, 0, 26, 0));
             setCapLength(10);
             setUseFillPaint(true);
             for (int s = 0; s < partie.size(); s++) {
                 Serie serie = partie.get(s);
                 boolean points = serie.forme != FormeDePoint.AUCUNE;
                 setSeriesPaint(s, serie.couleur);
-                setSeriesFillPaint(s, serie.couleur);
+                setSeriesFillPaint(s, serie.trait == Style.POINTILLE ? Color.WHITE : serie.couleur);
                 setSeriesLinesVisible(s, Boolean.valueOf(serie.reliee));
                 setSeriesShapesVisible(s, points);
                 setSeriesShape(s, serie.forme.dessin);
-                setSeriesStroke(s, serie.trait());
+                setSeriesStroke(s, serie.trait);
                 setSeriesOutlineStroke(s, Style.TRAIT);
                 setDrawXError(points);
                 setDrawYError(points);
@@ -249,7 +253,7 @@ public final class Volet implements Contenu {
         }
     }
 
-    /** Cercle les réglages par défaut, et nomme les points : les plus importants d'abord, les autres s'il y a de la place tout près. */
+    /** Cercle les réglages par défaut, et nomme les points : les plus importants d'abord. */
     private void annoter(Graphics2D g, Rectangle2D cadre) {
         Etiquettes noms = new Etiquettes(g, cadre);
         for (int s = 0; s < series.size(); s++) {
@@ -272,22 +276,23 @@ public final class Volet implements Contenu {
                 avant = ici;
             }
         }
+        niveaux.forEach((niveau, nom) -> {
+            double y = py(niveau, 0, cadre);
+            noms.reserver(cadre.getMinX(), y, cadre.getMaxX(), y);
+            // à droite s'il y a de la place, sinon un peu moins
+            DoubleStream.iterate(cadre.getMaxX(), x -> x - 20).limit((long) cadre.getWidth() / 20).anyMatch(
+                    x -> noms.ecrire(nom, x, y + (zone == niveau ? 18 : -18), -12, Style.ETIQUETTE, Style.GRIS, false));
+        });
         for (int tour = 0; tour < 3; tour++) {
             for (int s = 0; s < series.size(); s++) {
                 for (Marque m : series.get(s).marques) {
                     if (tour == (m.cerclee ? 0 : m.pleine ? 1 : 2) && !m.etiquette.isEmpty()) {
                         noms.ecrire(m.etiquette, px(m.x, cadre), py(m.y, s, cadre), m.cerclee ? 8 : 0,
-                                m.cerclee ? Style.ETIQUETTE_DEFAUT : Style.ETIQUETTE, Style.ENCRE,
-                                m.pleine || m.cerclee || series.get(s).reliee);
+                                m.cerclee ? Style.ETIQUETTE_DEFAUT : Style.ETIQUETTE, Style.ENCRE, true);
                     }
                 }
             }
         }
-        niveaux.forEach((y, nom) -> {
-            double largeur = g.getFontMetrics(Style.ETIQUETTE).stringWidth(nom);
-            noms.ecrire(nom, cadre.getMaxX() - largeur / 2 - 12, py(y, 0, cadre) + (zone == y ? 18 : -18), -12, Style.ETIQUETTE, Style.GRIS,
-                    false);
-        });
     }
 
     private double px(double x, Rectangle2D cadre) {

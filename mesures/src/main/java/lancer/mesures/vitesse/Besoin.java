@@ -133,7 +133,7 @@ final class Besoin {
         for (Objet3D objet : scene.getObjets()) {
             Sphere neuve = new Sphere(((Sphere) objet).getCentre(), ((Sphere) objet).getRayon());
             neuve.setKd(objet.getKd());
-            neuve.setKs(new Couleur(auMoins(objet.getKs().r), auMoins(objet.getKs().v), auMoins(objet.getKs().b)));
+            neuve.setKs(objet.getKs().add(new Couleur(INVISIBLE)));
             neuve.setNs(objet.getNs());
             brillantes.add(neuve);
         }
@@ -142,9 +142,5 @@ final class Besoin {
         codes(lancer, Constantes.MAX_REFLETS);
         Compteurs c = lancer.getCompteurs();
         return c.primaires + c.reflechis + contacts.sum() * scene.getLampes().size();
-    }
-
-    private static double auMoins(double ks) {
-        return Math.max(ks, INVISIBLE);
     }
 }

@@ -12,6 +12,7 @@ import lancer.antialias.Antialias;
 import lancer.atelier.Scenes;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
+import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.mesures.Gabarit;
 
@@ -62,15 +63,11 @@ final class Catalogue {
         /** Combien de fois chacune, et la référence, se mesurent dans des machines virtuelles neuves : chacune donne un rapport. */
         final int lancements;
 
-        /** Vrai si leurs erreurs se mesurent. */
-        final boolean jugees;
-
-        Groupe(String famille, String scene, List<Methode> methodes, int lancements, boolean jugees) {
+        Groupe(String famille, String scene, List<Methode> methodes, int lancements) {
             this.famille = famille;
             this.scene = scene;
             this.methodes = methodes;
             this.lancements = lancements;
-            this.jugees = jugees;
         }
 
         /** @throws IllegalArgumentException s'il n'y en a pas de ce nom */
@@ -89,14 +86,14 @@ final class Catalogue {
     List<Groupe> groupes() {
         List<Groupe> groupes = new ArrayList<>();
         for (String scene : court ? new String[] {"scene1"} : new String[] {"scene1", "bowling", "miroirs", "tournesol"}) {
-            groupes.add(new Groupe(METHODES, scene, methodes(scene), 1, true));
+            groupes.add(new Groupe(METHODES, scene, methodes(scene), 1));
         }
-        groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5, false));
+        groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5));
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
-            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(true, n <= BOUCLES_MAX), 1, false));
+            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(true, n <= BOUCLES_MAX), 1));
         }
         for (int n : court ? new int[] {100} : new int[] {100, 10000}) {
-            groupes.add(new Groupe(SPHERES, Scenes.ETOILES + "-" + n, spheres(false, false), 1, false));
+            groupes.add(new Groupe(SPHERES, Scenes.ETOILES + "-" + n, spheres(false, false), 1));
         }
         return groupes;
     }
@@ -116,7 +113,8 @@ final class Catalogue {
         boolean cours = scene.equals("scene1");
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(UN_RAYON, ""));
-        m.add(new Methode(BROUILLON, "4 × 4").enBrouillon());
+        m.add(new Methode(BROUILLON, "4 × 4").echantillonnee(Echantillonnage.BROUILLON)
+                .limitee(Constantes.REFLETS_BROUILLON, Constantes.SEUIL));
         for (int n : miroirs ? new int[] {2, 8} : cours ? new int[] {2, 4, 8} : new int[] {2, 4}) {
             m.add(new Methode(GRILLE, n + " × " + n).echantillonnee(Antialias.coins(n, 0)));
         }

@@ -37,8 +37,7 @@ final class Constats {
     }
 
     Releves spheres(String famille, String methode) {
-        return new Releves(releves.de(Catalogue.SPHERES).methode(methode).get().stream().filter(r -> r.scene.startsWith(famille + "-"))
-                .collect(Collectors.toList()));
+        return releves.de(Catalogue.SPHERES).methode(methode).tels(r -> r.scene.startsWith(famille + "-"));
     }
 
     /** Ce que montrent les pages, par leurs noms. */
@@ -129,12 +128,12 @@ final class Constats {
 
     // ---- le nombre de sphères
 
-    private String titreDesSpheres() {
+    String titreDesSpheres() {
         List<Releve> siens = spheres("foule", Catalogue.PROGRAMME).get();
-        Releve petit = siens.get(siens.size() > 1 ? 1 : 0);
+        Releve petit = siens.get(siens.size() > 2 ? 1 : 0);
         Releve grand = siens.get(siens.size() - 1);
         return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, " + (petit.rapport().nettementSous(grand.rapport())
-                ? fois(petit, grand) + " plus de temps" : "aucune différence que la mesure porte");
+                ? "le programme prend " + fois(petit, grand) + " plus de temps" : "aucune différence que la mesure porte");
     }
 
     private String spheresContrePovray() {

@@ -75,6 +75,7 @@ final class Mesureur {
     void mesurer(List<Catalogue.Groupe> groupes) throws IOException {
         for (Catalogue.Groupe groupe : groupes) {
             sortie.println(groupe.famille + ", " + groupe.scene);
+            groupe.methodes.removeIf(m -> povray == null && m.genre == Methode.Genre.POVRAY);
             Path fichier = Scenes.fichier(groupe.scene, dossier);
             if (groupe.enProcessus()) {
                 enProcessus(groupe, fichier);
@@ -101,15 +102,13 @@ final class Mesureur {
 
     private void enDessins(Catalogue.Groupe groupe, Path fichier) throws IOException {
         Scene scene = Scenes.lire(fichier);
-        Gabarit gabarit = groupe.jugees ? new Gabarit(scene, taille.largeur, taille.hauteur, court ? 3 : 5) : null;
+        Gabarit gabarit = groupe.famille.equals(Catalogue.METHODES)
+                ? new Gabarit(scene, taille.largeur, taille.hauteur, court ? 3 : 5) : null;
         int lancements = groupe.lancements;
         Map<Methode, Manches.Temps> temps = new HashMap<>();
         for (int lancement = 1; lancement <= lancements; lancement++) {
             try (Machine reperes = new Machine(groupe, groupe.methodes.get(0), fichier)) {
                 for (Methode methode : groupe.methodes) {
-                    if (methode.genre == Methode.Genre.POVRAY && povray == null) {
-                        continue;
-                    }
                     Map<String, Object> champs = lancement < lancements ? null : new HashMap<>();
                     Manches.Temps pris = methode.genre == Methode.Genre.POVRAY ? parPovRay(groupe, methode, reperes, gabarit, champs)
                             : parNous(groupe, methode, fichier, reperes, gabarit, champs);
@@ -209,10 +208,11 @@ final class Mesureur {
             Programme programme = new Programme(fichier, methode.options);
             Manches.Echantillon echantillon = programme;
             if (methode.genre == Methode.Genre.POVRAY) {
-                if (povray == null) {
-                    continue;
-                }
-                echantillon = povray(groupe, fichier, methode);
+                SceneJugee jugee = jugee(groupe, fichier);
+                echantillon = () -> {
+                    jugee.dessiner(methode.options);
+                    return new double[] {povray.temps()[0], Double.NaN};
+                };
             }
             Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues(groupe, methode, spheres));
             champs.put("lancements", temps.rapports.length);
@@ -260,14 +260,6 @@ final class Mesureur {
                 return new double[] {duree, Double.NaN};
             }
         }
-    }
-
-    private Manches.Echantillon povray(Catalogue.Groupe groupe, Path fichier, Methode methode) throws IOException {
-        SceneJugee jugee = jugee(groupe, fichier);
-        return () -> {
-            jugee.dessiner(methode.options);
-            return new double[] {povray.temps()[0], Double.NaN};
-        };
     }
 
     /** Le moins qui en dise quelque chose quand chacun essaie un million de sphères par rayon. */

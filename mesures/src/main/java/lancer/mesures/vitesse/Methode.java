@@ -37,7 +37,6 @@ final class Methode {
     private int profondeur = Constantes.MAX_REFLETS;
     private double seuil = Constantes.SEUIL;
     private UnaryOperator<Scene> changement = UnaryOperator.identity();
-    private boolean brouillon;
     private double erreurVoulue;
 
     Methode(String nom, String parametres) {
@@ -59,13 +58,6 @@ final class Methode {
     /** Une fois la scène changée ainsi. */
     Methode sur(UnaryOperator<Scene> autre) {
         changement = autre;
-        return this;
-    }
-
-    /** Le brouillon de la fenêtre, au lieu de l'image. */
-    Methode enBrouillon() {
-        brouillon = true;
-        echantillonnage = Echantillonnage.BROUILLON;
         return this;
     }
 
@@ -113,7 +105,7 @@ final class Methode {
                 choix = auto.getChoisi().toString();
             } else {
                 lancer = prepare;
-                reflets = brouillon ? Math.min(profondeur, Constantes.REFLETS_BROUILLON) : profondeur;
+                reflets = profondeur;
                 choix = "";
             }
             choisi = lancer.getScene().getEchantillonnage();

@@ -124,7 +124,7 @@ final class Ouvrier {
         for (int k = 0; k < taille.pixels(); k++) {
             if (!Double.isNaN(juste.getComposantes()[3 * k])) {
                 refaits++;
-                if (!juste.memesBits(image, k)) {
+                if (!juste.getCouleur(k).equals(image.getCouleur(k))) {
                     throw new IllegalStateException("image fausse : le pixel (" + k % taille.largeur + ", " + k / taille.largeur
                             + ") est " + image.getCouleur(k) + " au lieu de " + juste.getCouleur(k));
                 }

@@ -18,8 +18,8 @@ import lancer.mesures.trace.Volet;
 /** Des mesures aux courbes. */
 final class Planches {
 
-    private static final int LARGEUR_VIGNETTE = 1000;
-    private static final int HAUTEUR_VIGNETTE = 640;
+    private static final int LARGEUR_VIGNETTE = 940;
+    private static final int HAUTEUR_VIGNETTE = 620;
 
     /** Ce que montre une barre, au plus : tant de fois plus, et moins. */
     private static final double BARRE = 3;
@@ -65,10 +65,8 @@ final class Planches {
                 m = !vignette || front.contains(r) || estParDefaut(r) ? m.nommee(Noms.etiquette(r)) : m;
                 marques.add(estParDefaut(r) ? m.cerclee() : m);
             }
-            if (!marques.isEmpty()) {
-                volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3],
-                        s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
-            }
+            volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3],
+                    s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
         }
         if (vignette) {
             return new Planche(constats.titre(scene), "").taille(LARGEUR_VIGNETTE, HAUTEUR_VIGNETTE).sansLegende().volet(volet);
@@ -135,37 +133,39 @@ final class Planches {
             {Scenes.FOULE, Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
             {Scenes.ETOILES, Catalogue.PROGRAMME, "le programme, neuf étoiles en plus", Style.POURPRE, FormeDePoint.LOSANGE},
             {Scenes.FOULE, Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
-        Releve derniere = null;
         for (Object[] s : series) {
             List<Marque> marques = new ArrayList<>();
             for (Releve r : constats.spheres((String) s[0], (String) s[1]).get()) {
                 Intervalle t = borne(r.rapport().fois(reference / 1000));
                 if (!Double.isNaN(t.valeur)) {
                     marques.add(Marque.en(r.nombre("spheres"), t.valeur).entreY(t.min, t.max).nommee(Style.nombre(t.valeur)));
-                    derniere = r.methode.equals(Catalogue.BOUCLES) ? r : derniere;
                 }
             }
-            if (!marques.isEmpty()) {
-                volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));
-            }
+            volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));
         }
-        extrapoler(volet, derniere, reference);
+        extrapoler(volet, reference);
         return new Planche(constats.pages().get("spheres.titre"), "Démarrage de Java, lecture, préparation, dessin, écriture, à froid."
                 + " Au-delà de 10 000 sphères, le temps des boucles n'est pas mesuré : leurs examens sont comptés sur quelques pixels. "
                 + note)
                 .volet(volet);
     }
 
-    private void extrapoler(Volet volet, Releve derniere, double reference) {
+    /** Du dernier temps mesuré aux boucles dont seuls les examens sont comptés. */
+    private void extrapoler(Volet volet, double reference) {
         List<Marque> marques = new ArrayList<>();
+        double examen = 0;
         for (Releve r : constats.spheres(Scenes.FOULE, Catalogue.BOUCLES).get()) {
-            if (derniere != null && r.nombre("tests") > derniere.nombre("tests")) {
-                double secondes = derniere.rapport().valeur * reference / 1000 * r.nombre("tests") / derniere.nombre("tests");
+            double secondes = r.rapport().valeur * reference / 1000;
+            if (!Double.isNaN(secondes)) {
+                examen = secondes / r.nombre("tests");
+                marques.clear();
+                marques.add(Marque.en(r.nombre("spheres"), secondes));
+            } else {
+                secondes = examen * r.nombre("tests");
                 marques.add(Marque.en(r.nombre("spheres"), secondes).creuse().nommee("≈ " + Style.arrondi(secondes / 60) + " min"));
             }
         }
-        if (!marques.isEmpty()) {
-            marques.add(0, Marque.en(derniere.nombre("spheres"), derniere.rapport().valeur * reference / 1000));
+        if (marques.size() > 1) {
             volet.serie(new Serie("les boucles, extrapolation", Style.BLEU, FormeDePoint.CARRE, true, marques).enPointille());
         }
     }

@@ -2,16 +2,20 @@ package lancer.mesures.vitesse;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.PagesMesurees;
 import lancer.mesures.stabilite.Stabilite;
 import lancer.mesures.trace.Planche;
+import lancer.mesures.trace.Style;
 
 /** Des mesures d'un dossier aux courbes, aux tableaux et aux pages. */
 final class Rapport {
@@ -19,6 +23,9 @@ final class Rapport {
     /** Ce que « make mesures » réécrit dans le projet. */
     static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
         Paths.get("mesures/resultats/besoins.md")};
+
+    /** Celui de {@code make mesure-auto}. */
+    private static final String AUTO = "auto.csv";
 
     /** Celles que le README montre l'une près de l'autre, sous la courbe de la scène du cours. */
     private static final List<String> VIGNETTES = Arrays.asList("miroirs", "tournesol");
@@ -40,7 +47,36 @@ final class Rapport {
     Map<String, String> valeurs() throws IOException {
         Map<String, String> valeurs = new TreeMap<>(new Constats(releves, besoins).pages());
         valeurs.putAll(Stabilite.pages(dossier));
+        if (Files.exists(dossier.resolve(AUTO))) {
+            valeurs.putAll(promesses(FichierCsv.lire(dossier.resolve(AUTO))));
+        }
         return valeurs;
+    }
+
+    /** Ce que {@code --auto} a tenu de ce qu'il avait promis, sur les scènes livrées puis sur celles tirées au sort. */
+    static Map<String, String> promesses(List<Map<String, String>> toutes) {
+        Map<Boolean, List<Map<String, String>>> auSort = toutes.stream()
+                .collect(Collectors.partitioningBy(p -> p.get("scene").startsWith("sort-")));
+        Map<String, String> valeurs = new TreeMap<>();
+        valeurs.put("auto.livrees", compte(auSort.get(false), p -> p.get("tenue").equals("oui")));
+        valeurs.put("auto.sort", compte(auSort.get(true), p -> p.get("tenue").equals("oui")));
+        valeurs.put("auto.prix", compte(auSort.get(true), p -> Math.abs(quotient(p, "rayons_attendus", "rayons") - 1) <= 0.1));
+        valeurs.put("auto.pire", Style.nombre(toutes.stream().filter(p -> p.get("promise").equals("oui"))
+                .mapToDouble(p -> quotient(p, "erreur", "erreur_voulue")).max().orElse(0)));
+        // à la fois plus de la moitié du dessin et, en 200 × 150, plus de 600 000 rayons
+        double[] chers = toutes.stream().mapToDouble(p -> Math.min(2 * quotient(p, "rayons_des_essais", "rayons"),
+                Constats.nombre(p, "rayons_des_essais") / 20)).filter(fois -> fois > 1).toArray();
+        valeurs.put("auto.chers", Style.nombre(chers.length));
+        valeurs.put("auto.plus_cher", Style.nombre(Arrays.stream(chers).max().orElse(1)));
+        return valeurs;
+    }
+
+    private static String compte(List<Map<String, String>> promesses, Predicate<Map<String, String>> condition) {
+        return promesses.stream().filter(condition).count() + " fois sur " + promesses.size();
+    }
+
+    private static double quotient(Map<String, String> promesse, String colonne, String autre) {
+        return Constats.nombre(promesse, colonne) / Constats.nombre(promesse, autre);
     }
 
     /** @param pages vrai pour réécrire aussi les nombres des pages du projet */

@@ -54,7 +54,7 @@ final class Releves {
         return tels(r -> Arrays.asList(noms).contains(r.methode));
     }
 
-    private Releves tels(Predicate<Releve> condition) {
+    Releves tels(Predicate<Releve> condition) {
         return new Releves(tous.stream().filter(condition).collect(Collectors.toList()));
     }
 

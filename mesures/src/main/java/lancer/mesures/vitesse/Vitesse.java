@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UnsupportedEncodingException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -17,8 +18,8 @@ import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.atelier.Arguments;
 import lancer.commande.Pannes;
-import lancer.lecture.LecteurScene;
 import lancer.mesures.stabilite.Stabilite;
+import lancer.texte.Texte;
 
 /**
  * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux.
@@ -41,7 +42,7 @@ public final class Vitesse {
     /** Où finit une mesure complète, avec ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
 
-    private static final String SCENE = "scenes/scene1.ini";
+    private static final Path SCENES = Paths.get("scenes");
 
     private final Arguments arguments;
     private final boolean rapide;
@@ -72,14 +73,11 @@ public final class Vitesse {
         try {
             new Vitesse(sortie, args).faire();
             return 0;
-        } catch (SceneFautive e) {
-            erreurs.println("Vitesse : " + e.getMessage() + " ; à lancer à la racine du projet");
-            return 2;
-        } catch (IllegalArgumentException e) {
+        } catch (SceneFautive | IllegalArgumentException e) {
             erreurs.println("Vitesse : " + e.getMessage());
             return 2;
         } catch (IOException e) {
-            erreurs.println("Vitesse : " + (e.getMessage() == null ? e : e.getMessage()));
+            erreurs.println("Vitesse : " + e.getMessage() + (e instanceof FileSystemException ? " : " + Texte.panne(e) : ""));
             return 1;
         } catch (RuntimeException | OutOfMemoryError e) {
             erreurs.println("Vitesse : " + Pannes.message(e));
@@ -88,8 +86,9 @@ public final class Vitesse {
     }
 
     private void faire() throws IOException {
-        // avant d'écrire quoi que ce soit : sommes-nous dans le projet ?
-        LecteurScene.trouver(SCENE);
+        if (!Files.isDirectory(SCENES)) {
+            throw new IllegalArgumentException("pas de dossier " + SCENES + " ici ; à lancer à la racine du projet");
+        }
         long debut = System.nanoTime();
         boolean spheres = arguments.a("--spheres");
         boolean tout = !spheres && !arguments.a("--stabilite") && !arguments.a("--dessiner");
@@ -123,7 +122,7 @@ public final class Vitesse {
     /** Toutes les scènes livrées, dans l'ordre de leurs noms. */
     private void compterLesBesoins() throws IOException {
         List<Path> scenes;
-        try (Stream<Path> fichiers = Files.list(LecteurScene.trouver(SCENE).toAbsolutePath().getParent())) {
+        try (Stream<Path> fichiers = Files.list(SCENES)) {
             scenes = fichiers.filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList());
         }
         Taille taille = rapide ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);

@@ -101,13 +101,14 @@ class JugeTest {
         List<String> lignes = Files.readAllLines(csv);
         assertEquals(2, lignes.size());
         assertEquals(lignes.get(0).split(",").length, lignes.get(1).split(",").length);
+        assertEquals(lignes.get(0), Files.readAllLines(Paths.get("resultats/juge.csv")).get(0), "make juge");
         assertTrue(lignes.get(1).startsWith("grise,40,30,2,3,1,0,0,0.00"), lignes.get(1));
         assertTrue(lignes.get(1).endsWith(",oui"), lignes.get(1));
     }
 
     @Test
-    void unKsColoreSeJugeUneComposanteALaFoisEtSansSeuil() {
-        Sosie sosie = new Sosie(coloree, 0);
+    void unKsColoreAPeineSeJugeUneComposanteALaFoisEtSansSeuil() throws IOException {
+        Sosie sosie = new Sosie(ecrire("coloree.ini", "0.5 0.5 0.49"), 0);
         assertEquals(0, juger((c, d) -> sosie, "--taille", TAILLE, "--reflets", "3", coloree.toString()));
         assertEquals(Arrays.asList("coloree-rouge", "coloree-verte", "coloree-bleue"), sosie.dessins);
     }

@@ -28,15 +28,11 @@ class NoyauxTest {
     @TempDir
     Path dossier;
 
-    private static Map<String, double[]> mesurer(PrintStream sortie, String... options) throws Exception {
-        return Noyaux.mesurer(new CommandLineOptions(options), sortie);
-    }
-
     @Test
-    void jmhLesMesureTousChacunAvecSonErreurEtLesTropLargesNeSontPasEcrites() throws Exception {
+    void jmhLesMesureTousEtNiDesTempsTropLargesNiUnePartieDesMethodesNeSontEcrits() throws Exception {
         ByteArrayOutputStream sortie = new ByteArrayOutputStream();
         PrintStream ecran = new PrintStream(sortie, true, "UTF-8");
-        Map<String, double[]> temps = mesurer(ecran, "-f", "0", "-wi", "0", "-i", "2", "-r", "2ms");
+        Map<String, double[]> temps = Noyaux.mesurer(new CommandLineOptions("-f", "0", "-wi", "0", "-i", "2", "-r", "2ms"), ecran);
         assertEquals(Formule.values().length * Regime.values().length, temps.size());
         assertTrue(Methodes.estComplet(temps.keySet()));
         assertTrue(sortie.toString("UTF-8").matches("(?s).*\nPROGRAMME +SOL +[0-9.]+ +± [0-9.?]+ +ns.*"), sortie.toString("UTF-8"));
@@ -47,13 +43,7 @@ class NoyauxTest {
         temps.values().forEach(t -> t[1] = 0);
         assertFalse(Noyaux.noter(temps, dossier.resolve("absent"), ecran));
         assertTrue(sortie.toString("UTF-8").contains("À lancer à la racine"));
-    }
-
-    @Test
-    void unePartieDesMethodesNeRemplacePasLesMesures() throws Exception {
-        ByteArrayOutputStream sortie = new ByteArrayOutputStream();
-        PrintStream ecran = new PrintStream(sortie, true, "UTF-8");
-        Map<String, double[]> temps = mesurer(ecran, "-f", "0", "-wi", "0", "-i", "2", "-r", "2ms", "-p", "formule=MANUEL");
+        temps.remove("sol manuel");
         assertTrue(Noyaux.noter(temps, dossier, ecran), "c'est ce qui était demandé");
         assertTrue(sortie.toString("UTF-8").contains("Toutes les méthodes n'ont pas été mesurées"));
         assertFalse(Files.exists(dossier.resolve(Methodes.CSV)));

@@ -43,9 +43,9 @@ class StabiliteTest {
         // ce que la page promet et raconte, sur ces rayons-ci aussi
         assertTrue(bilan.unites(Mesures.LOIN) <= Cas.K && bilan.unites(Mesures.RAS) <= Cas.K
                 && bilan.unites(Mesures.RAS_LOIN) <= Cas.K);
-        assertEquals(0, bilan.fauxDeLoin(Aspect.PROGRAMME));
-        assertEquals(0, bilan.faux(Aspect.PROGRAMME, FigureDefauts.FIGURE));
-        assertTrue(bilan.fauxDeLoin(Aspect.MANUEL) > 100, "de loin, le manuel ne sait plus qui touche");
+        assertEquals(0, bilan.faux(Mesures.LOIN, Aspect.PROGRAMME, Bilan.DE_LOIN));
+        assertEquals(0, bilan.faux(FigureDefauts.FIGURE, Aspect.PROGRAMME, 0));
+        assertTrue(bilan.faux(Mesures.LOIN, Aspect.MANUEL, Bilan.DE_LOIN) > 100, "de loin, le manuel ne sait plus qui touche");
         assertTrue(bilan.pente() > 0.8 && bilan.pente() < 1.2, "pente " + bilan.pente());
         bilan.defauts().forEach(r -> assertTrue(r.faux > 0, r.formule + " se voit"));
     }

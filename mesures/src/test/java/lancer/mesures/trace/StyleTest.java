@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
@@ -11,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.jfree.chart.LegendItem;
 import org.jfree.chart.axis.AxisState;
 import org.jfree.chart.axis.NumberTick;
 import org.jfree.chart.ui.RectangleEdge;
@@ -53,8 +55,7 @@ class StyleTest {
 
     @Test
     void uneEtiquetteNEstJamaisSurUneAutreNiSurUnPointNiHorsDuCadre() {
-        g.setColor(Color.WHITE);
-        g.fillRect(0, 0, 600, 400);
+        effacer();
         Etiquettes noms = new Etiquettes(g, new Rectangle2D.Double(100, 100, 200, 120));
         noms.reserver(200, 150, FormeDePoint.DEMI_COTE);
         int ecrites = 0;
@@ -68,6 +69,28 @@ class StyleTest {
                 boolean surLePoint = Math.abs(x - 200) < 3 && Math.abs(y - 150) < 3;
                 assertFalse((dehors || surLePoint) && image.getRGB(x, y) != -1, "(" + x + ", " + y + ")");
             }
+        }
+    }
+
+    private void effacer() {
+        g.setColor(Color.WHITE);
+        g.fillRect(0, 0, 600, 400);
+    }
+
+    /** Les pixels gris d'une courbe dont une zone porte ce nom. */
+    private long gris(String zone, Marque... marques) {
+        effacer();
+        new Volet("", "", "", "").serie(new Serie("", Style.VERT, FormeDePoint.CARRE, true, Arrays.asList(marques))).zone(1, zone)
+                .dessiner(g, new Rectangle2D.Double(0, 0, 600, 400), 0);
+        return Arrays.stream(image.getRGB(0, 0, 600, 400, null, 0, 600)).filter(p -> p == Style.GRIS.getRGB()).count();
+    }
+
+    @Test
+    void uneZoneASonNomMemeSiSaDroiteEstPrise() {
+        Marque[] haut = {Marque.en(1, 30), Marque.en(99, 30)};
+        Marque[] descend = {Marque.en(1, 30), Marque.en(60, 30), Marque.en(60, 0.1), Marque.en(99, 30), Marque.en(99, 0.1)};
+        for (Marque[] marques : new Marque[][] {haut, descend}) {
+            assertTrue(gris("le nom", marques) > gris("", marques) + 20);
         }
     }
 
@@ -88,6 +111,10 @@ class StyleTest {
         assertEquals(Style.LARGEUR, planche.getWidth());
         assertEquals(Style.HAUTEUR, planche.getHeight());
         assertEquals(800, new Planche("Un titre", "").volet(volet).taille(800, 500).dessiner().getWidth());
+        LegendItem dite = volet.serie(new Serie("extrapolation", Style.BLEU, FormeDePoint.CARRE, true, serie.marques).enPointille())
+                .legende().get(1);
+        assertEquals("extrapolation", dite.getLabel());
+        assertTrue(((BasicStroke) dite.getLineStroke()).getDashArray().length > 0 && dite.getFillPaint().equals(Color.WHITE));
         int[] pixels = planche.getRGB(0, 0, planche.getWidth(), planche.getHeight(), null, 0, planche.getWidth());
         for (Color couleur : new Color[] {Style.VERMILLON, Style.FRONT, Style.BANDE, Style.NOIR}) {
             assertTrue(Arrays.stream(pixels).filter(p -> p == couleur.getRGB()).count() > 100, couleur.toString());

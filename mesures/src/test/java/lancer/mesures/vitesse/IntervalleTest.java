@@ -5,22 +5,23 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui se sait d'un nombre mesuré. */
 class IntervalleTest {
 
+    private static void assertDedansDixNeufFoisSurVingt(double juste, Supplier<Intervalle> mesure) {
+        assertEquals(0.95, Stream.generate(mesure).limit(2000).filter(i -> i.min <= juste && i.max >= juste).count() / 2000.0, 0.015);
+    }
+
     @Test
     void dixNeufFoisSurVingtLeRapportJusteEstDansLIntervalle() {
         Random hasard = new Random(1);
-        int dedans = 0;
-        for (int essai = 0; essai < 2000; essai++) {
-            double[] rapports = hasard.doubles(7).map(x -> 2 * Math.exp(0.1 * hasard.nextGaussian())).toArray();
-            Intervalle i = Intervalle.desRapports(rapports);
-            dedans += i.min <= 2 && i.max >= 2 ? 1 : 0;
-        }
-        assertEquals(0.95, dedans / 2000.0, 0.015);
+        assertDedansDixNeufFoisSurVingt(2,
+                () -> Intervalle.desRapports(hasard.doubles(7).map(x -> 2 * Math.exp(0.1 * hasard.nextGaussian())).toArray()));
     }
 
     @Test
@@ -41,13 +42,9 @@ class IntervalleTest {
     @Test
     void dixNeufFoisSurVingtLErreurJusteEstDansLIntervalle() {
         Random hasard = new Random(2);
-        int dedans = 0;
-        for (int essai = 0; essai < 1000; essai++) {
-            // un pixel sur dix a une erreur de 10, les autres aucune
-            Intervalle i = Intervalle.deLaRacine(hasard.doubles(2000).map(x -> x < 0.1 ? 100 : 0).toArray());
-            dedans += i.min <= Math.sqrt(10) && i.max >= Math.sqrt(10) ? 1 : 0;
-        }
-        assertEquals(0.95, dedans / 1000.0, 0.02);
+        // un pixel sur dix a une erreur de 10, les autres aucune
+        assertDedansDixNeufFoisSurVingt(Math.sqrt(10),
+                () -> Intervalle.deLaRacine(hasard.doubles(2000).map(x -> x < 0.1 ? 100 : 0).toArray()));
     }
 
     @Test

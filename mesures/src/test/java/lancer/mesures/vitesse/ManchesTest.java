@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
-import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 
 /** Les manches, d'une horloge et d'une machine qui disent ce qu'on veut. */
@@ -27,14 +26,10 @@ class ManchesTest {
         };
     }
 
-    private static Manches manches(BooleanSupplier calme, boolean agitee) {
-        return new Manches(calme, agitee);
-    }
-
     @Test
     void laReferenceEtLaMethodeDessinentATourDeRoleEtSeulsLeursRapportsComptent() throws IOException {
         // une machine deux fois plus lente à la deuxième manche ne change rien
-        Manches.Temps temps = manches(() -> true, false).mesurer(echantillon("A", 2, 10, 20, 10), echantillon("B", 2, 30, 60, 30), 3);
+        Manches.Temps temps = new Manches(() -> true, false).mesurer(echantillon("A", 2, 10, 20, 10), echantillon("B", 2, 30, 60, 30), 3);
         assertEquals(Arrays.asList("A", "B", "A", "B", "A", "B"), ordre);
         assertEquals(3, temps.rapport.valeur, 1e-9);
         assertEquals(0, temps.rapport.max - temps.rapport.min, 1e-9);
@@ -45,7 +40,7 @@ class ManchesTest {
     @Test
     void uneMancheQuEncadreUneMachineTroubleeEstJetee() throws IOException {
         Iterator<Boolean> calmes = Arrays.asList(true, true, false, false, false, true, true, true).iterator();
-        Manches.Temps temps = manches(calmes::next, false).mesurer(echantillon("A", 2, 10, 10, 10, 10, 10),
+        Manches.Temps temps = new Manches(calmes::next, false).mesurer(echantillon("A", 2, 10, 10, 10, 10, 10),
                 echantillon("B", 2, 30, 900, 900, 30, 30), 3);
         assertEquals(3, temps.rapport.valeur, 1e-9);
         assertEquals(2, temps.jetees);
@@ -55,15 +50,15 @@ class ManchesTest {
     @Test
     void unTroubleFiniEntreDeuxManchesNEnFaitJeterQuUne() throws IOException {
         Iterator<Boolean> calmes = Arrays.asList(true, false, true, true).iterator();
-        Manches.Temps temps = manches(calmes::next, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 900, 30), 1);
+        Manches.Temps temps = new Manches(calmes::next, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 900, 30), 1);
         assertEquals(3, temps.rapport.valeur, 1e-9);
         assertEquals(1, temps.jetees);
     }
 
     @Test
     void desMachinesVirtuellesQuiNeVontPasPareilElargissentLIntervalleAutantQueDesManches() throws IOException {
-        Manches.Temps une = manches(() -> true, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 30, 30), 2);
-        Manches.Temps autre = manches(() -> true, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 40, 40), 2);
+        Manches.Temps une = new Manches(() -> true, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 30, 30), 2);
+        Manches.Temps autre = new Manches(() -> true, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 40, 40), 2);
         Manches.Temps deux = une.enUnRapport().plus(autre.enUnRapport());
         assertEquals(2, deux.rapports.length);
         assertEquals(4, deux.manches);
@@ -73,7 +68,7 @@ class ManchesTest {
     @Test
     void unDessinPriveDeProcesseursEstJete() throws IOException {
         Iterator<double[]> b = Arrays.asList(new double[] {30, 60}, new double[] {60, 60}, new double[] {30, 60}).iterator();
-        Manches.Temps temps = manches(() -> true, false).mesurer(echantillon("A", 2, 10, 10, 10), b::next, 2);
+        Manches.Temps temps = new Manches(() -> true, false).mesurer(echantillon("A", 2, 10, 10, 10), b::next, 2);
         assertEquals(3, temps.rapport.valeur, 1e-9);
         assertEquals(1, temps.jetees);
     }
@@ -83,9 +78,9 @@ class ManchesTest {
         double[] dix = new double[100];
         Arrays.fill(dix, 10);
         Manches.Troublee faute = assertThrows(Manches.Troublee.class,
-                () -> manches(() -> false, false).mesurer(echantillon("A", 2, dix), echantillon("B", 2, dix), 3));
+                () -> new Manches(() -> false, false).mesurer(echantillon("A", 2, dix), echantillon("B", 2, dix), 3));
         assertTrue(faute.getMessage().contains("20 manches jetées sur 20 ; aucun résultat n'est changé"), faute.getMessage());
-        Manches agitee = manches(() -> false, true);
+        Manches agitee = new Manches(() -> false, true);
         assertEquals(0, agitee.mesurer(echantillon("A", 2, dix), echantillon("B", 2, dix), 3).jetees);
     }
 

@@ -4,17 +4,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.io.StringReader;
 import java.nio.file.Path;
-import javax.imageio.ImageIO;
 import lancer.Scene;
 import lancer.atelier.Scenes;
 import lancer.mesures.ImageLineaire;
+import lancer.sortie.Ecriture;
+import lancer.sortie.FichierPng;
 import lancer.sortie.ImageMemoire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -52,7 +52,7 @@ class OuvrierTest {
         ImageLineaire lue = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
         lue.lire(image);
         for (int k = 0; k < TAILLE.pixels(); k++) {
-            assertTrue(attendue.memesBits(lue, k));
+            assertEquals(attendue.getCouleur(k), lue.getCouleur(k));
         }
     }
 
@@ -87,15 +87,14 @@ class OuvrierTest {
         assertTrue(compte.startsWith("200 ") && Long.parseLong(compte.substring(4)) >= 200 * 30, compte);
         ImageMemoire image = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);
         methode("un rayon/").new Dessin(scene(), TAILLE.largeur, TAILLE.hauteur).faire(image, 1);
-        assertEquals(compte, Ouvrier.pixels(fichier, TAILLE, 200, ecrire(image.getCodes())));
-        assertThrows(IllegalStateException.class, () -> Ouvrier.pixels(fichier, TAILLE, 200, ecrire(new int[TAILLE.pixels()])));
+        assertEquals(compte, Ouvrier.pixels(fichier, TAILLE, 200, ecrire(image)));
+        ImageMemoire noire = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);
+        assertThrows(IllegalStateException.class, () -> Ouvrier.pixels(fichier, TAILLE, 200, ecrire(noire)));
     }
 
-    private Path ecrire(int[] codes) throws IOException {
-        BufferedImage image = new BufferedImage(TAILLE.largeur, TAILLE.hauteur, BufferedImage.TYPE_INT_RGB);
-        image.setRGB(0, 0, TAILLE.largeur, TAILLE.hauteur, codes, 0, TAILLE.largeur);
+    private Path ecrire(ImageMemoire image) {
         Path png = dossier.resolve("image.png");
-        ImageIO.write(image, "png", png.toFile());
+        new Ecriture(png.toString()).ecrire(image, new FichierPng());
         return png;
     }
 }

@@ -10,11 +10,14 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import lancer.atelier.FichierCsv;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,12 +42,20 @@ class VitesseTest {
     }
 
     @Test
+    void ailleursQuALaRacineDuProjetRienNEstEcrit() {
+        ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
+        assertEquals(2, Vitesse.executer(new String[] {"--dessiner"}, new PrintStream(sortie), new PrintStream(erreurs)));
+        assertTrue(erreurs.toString().contains("à lancer à la racine du projet"), erreurs.toString());
+        assertFalse(Files.exists(Paths.get("mesures")), "le dossier du module n'en a pas d'autre de ce nom");
+    }
+
+    @Test
     void chaqueMethodeEstMesureeVerifieeJugeeEtNotee() throws IOException {
         Catalogue.Groupe tout = new Catalogue(true).groupe(Catalogue.METHODES, "scene1");
         List<Methode> deux = Arrays.asList(tout.methodes.get(0), tout.methode("grille/2 × 2"));
         Path csv = dossier.resolve("vitesse.csv");
         new Mesureur(true, true, csv, new PrintStream(sortie)).mesurer(
-                Collections.singletonList(new Catalogue.Groupe(Catalogue.METHODES, "scene1", deux, 1, true)));
+                Collections.singletonList(new Catalogue.Groupe(Catalogue.METHODES, "scene1", deux, 1)));
         Releves releves = Releves.lire(csv);
         Releve un = releves.le(Catalogue.UN_RAYON, "");
         Releve grille = releves.le(Catalogue.GRILLE, "2 × 2");
@@ -67,9 +78,12 @@ class VitesseTest {
                 .map(c -> champs.indexOf(c) < 0 ? "" : champs.get(champs.indexOf(c) + 1)).toArray()));
     }
 
+    private Releves notes() throws IOException {
+        return Releves.lire(Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8));
+    }
+
     private String titre() throws IOException {
-        Path csv = Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8);
-        return new Constats(Releves.lire(csv), Collections.emptyList()).titre("scene1");
+        return new Constats(notes(), Collections.emptyList()).titre("scene1");
     }
 
     @Test
@@ -79,6 +93,16 @@ class VitesseTest {
         assertTrue(titre().contains("aucune différence"), titre());
         noter(Catalogue.PARTAGE, "n=4 seuil=0.06", 2, 1.2);
         assertEquals("Scène du cours : « partage » (4 ; 0,06) bat « coins » (3 ; 0,05), de 1,8 à 2,2 fois moins de temps", titre());
+    }
+
+    @Test
+    void leTempsDUneFouleEstCompareACeluiDUnePlusPetite() throws IOException {
+        for (int n : new int[] {1, 100}) {
+            noter(Catalogue.PROGRAMME, "", n == 1 ? 1 : 3, 0);
+            lignes.add(lignes.remove(lignes.size() - 1).replace("methodes,scene1,,", "spheres,foule-" + n + "," + n + ","));
+        }
+        assertEquals("De 1 à 100 sphères, tout compris, le programme prend de 2,7 à 3,4 fois plus de temps",
+                new Constats(notes(), Collections.emptyList()).titreDesSpheres());
     }
 
     @Test
@@ -92,6 +116,17 @@ class VitesseTest {
     }
 
     @Test
+    void lesPromessesDAutoSontComptees() {
+        String[] colonnes = {"scene", "promise", "tenue", "erreur", "erreur_voulue", "rayons_attendus", "rayons", "rayons_des_essais"};
+        List<Map<String, String>> lues = new ArrayList<>();
+        for (String ligne : new String[] {"diffus oui oui 1 2 10 10 1", "sort-1 oui non 3 2 9 10 30", "sort-2 non non 9 2 5 10 19"}) {
+            lues.add(IntStream.range(0, colonnes.length).boxed().collect(Collectors.toMap(k -> colonnes[k], k -> ligne.split(" ")[k])));
+        }
+        assertEquals("{auto.chers=1, auto.livrees=1 fois sur 1, auto.pire=1,5, auto.plus_cher=1,5, auto.prix=1 fois sur 2, "
+                + "auto.sort=0 fois sur 2}", Rapport.promesses(lues).toString());
+    }
+
+    @Test
     void plusieursMachinesVirtuellesNePrennentPasLaMargeDUneSeule() throws IOException {
         noter(Catalogue.UN_RAYON, "", 1.25, 6);
         noter(Catalogue.COINS, "d'une machine", 2, 1);
@@ -100,9 +135,8 @@ class VitesseTest {
         List<String> champs = new ArrayList<>(Arrays.asList(lignes.get(3).split(",", -1)));
         champs.set(colonne, "5");
         lignes.set(3, String.join(",", champs));
-        Releves releves = Releves.lire(Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8));
-        assertEquals(2 * 1.05 * 1.25, releves.le(Catalogue.COINS, "d'une machine").rapport().max, 1e-9);
-        assertEquals(2 * 1.05, releves.le(Catalogue.COINS, "de cinq").rapport().max, 1e-9);
+        assertEquals(2 * 1.05 * 1.25, notes().le(Catalogue.COINS, "d'une machine").rapport().max, 1e-9);
+        assertEquals(2 * 1.05, notes().le(Catalogue.COINS, "de cinq").rapport().max, 1e-9);
     }
 
     @Test
@@ -112,9 +146,8 @@ class VitesseTest {
         noter(Catalogue.GRILLE, "2 × 2", 4, 1.5);
         noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 3, 1.5);
         noter(Catalogue.PROFONDEUR, "p=0", 0.5, 40);
-        Path csv = Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8);
         assertEquals(Arrays.asList(Catalogue.BROUILLON, Catalogue.UN_RAYON, Catalogue.PARTAGE),
-                Releves.lire(csv).front().stream().map(r -> r.methode).collect(Collectors.toList()));
+                notes().front().stream().map(r -> r.methode).collect(Collectors.toList()));
     }
 
     @Test
