@@ -20,7 +20,7 @@ import lancer.contrat.Variante;
  */
 public final class Auto {
 
-    /** Rayons permis aux essais d'un petit dessin : moins de 0,2 s, même si rien n'est encore compilé. */
+    /** Rayons permis aux essais d'un petit dessin : 0,2 s, à trois millions par seconde. */
     private static final double PLANCHER = 570_000;
 
     /** Part du dessin que coûtent ceux d'un autre : un rayon d'essai coûte un peu plus que celui d'une image. */
@@ -31,6 +31,9 @@ public final class Auto {
     private static final double PART_DES_TIRAGES = 0.35;
     private static final double PART_DU_CHEMIN = 0.78;
     private static final double PART_DU_CHOIX = 0.88;
+
+    /** Combien de fois le prix du plus juste trouvé peut coûter le suivant : essayé, c'est lui qui sera choisi. */
+    private static final double RENCHERI = 2.5;
 
     /** Le temps d'un dessin, rapporté à celui de ses rayons dans le meilleur essai : une machine n'est jamais seule. */
     private static final double PRUDENCE = 1.2;
@@ -106,8 +109,8 @@ public final class Auto {
         essai = new EssaiFinesses(essais, limites.blocs, limites.exactes, PART_DES_TIRAGES * permis(1));
         int profondeur = 0;
         Finesse suivante = finesses.remove();
-        double reste = (PART_DES_BLOCS + PART_DES_TIRAGES) * permis(1) - depense();
-        essai.essayer(suivante, Double.POSITIVE_INFINITY, reste);
+        essai.essayer(suivante, Double.POSITIVE_INFINITY,
+                finesse -> (PART_DES_BLOCS + PART_DES_TIRAGES) * permis(1) - depense());
         Reglage ici = noter(suivante, profondeur);
         while (true) {
             Reglage mieux = front.isEmpty() ? null : front.get(front.size() - 1);
@@ -126,8 +129,10 @@ public final class Auto {
                 ici = noter(ici.finesse, profondeur);
             } else if (!finesses.isEmpty()) {
                 suivante = finesses.remove();
-                reste = PART_DU_CHEMIN * permis(moindrePrix(mieux)) - depense();
-                if (essai.essayer(suivante, reste, reste)) {
+                double prix = mieux.prix;
+                double profonds = ici.limites.rayons;
+                if (essai.essayer(suivante, reste(souhait.temps > 0 ? prix : RENCHERI * prix),
+                        finesse -> reste(Math.max(prix, finesse.prix * profonds)))) {
                     Reglage autre = noter(suivante, profondeur);
                     ici = autre.erreur < ici.erreur ? autre : ici;
                 } else {
@@ -139,11 +144,9 @@ public final class Auto {
         }
     }
 
-    /** Le moindre prix de ce qui peut encore être choisi : ce qui tient l'erreur voulue suit au moins ces reflets. */
-    private double moindrePrix(Reglage mieux) {
-        return Math.max(mieux.prix, limites.permises.stream()
-                .filter(l -> souhait.temps == 0 && l.erreur.erreur() <= souhait.erreur)
-                .mapToDouble(l -> l.rayons).findFirst().orElse(0));
+    /** Ce qui reste au chemin, si le choix est à ce prix par pixel. */
+    private double reste(double prix) {
+        return PART_DU_CHEMIN * permis(prix) - depense();
     }
 
     private Reglage noter(Finesse finesse, int profondeur) {
@@ -223,7 +226,7 @@ public final class Auto {
     /** Ce qui est attendu de la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */
     public Reglage evaluer(int reflets, double seuil) {
         Finesse presente = Finesse.de(essais.prepare.getScene());
-        essai.essayer(presente, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+        essai.essayer(presente, Double.POSITIVE_INFINITY, finesse -> Double.POSITIVE_INFINITY);
         return new Reglage(presente, limites.essayer(reflets, seuil));
     }
 

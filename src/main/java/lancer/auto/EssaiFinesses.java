@@ -1,6 +1,7 @@
 package lancer.auto;
 
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import lancer.Couleur;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
@@ -41,19 +42,19 @@ final class EssaiFinesses {
     /**
      * Donne à celle-ci son erreur et son prix.
      *
-     * @param rayons permis à son dessin ; {@code enTout}, à lui et à ce qui manque aux références
-     * @return faux s'ils n'y suffisent pas, ce qui est dit d'elle ne vaut alors rien, ou pas assez
+     * @param rayons permis à son dessin
+     * @param reste ceux qui le sont ensuite à ce qui manque aux références, son prix étant connu
+     * @return faux si les premiers ne suffisent pas ; ce qui est dit d'elle ne vaut alors rien
      */
-    boolean essayer(Finesse finesse, double rayons, double enTout) {
-        double fin = essais.rayons() + enTout;
+    boolean essayer(Finesse finesse, double rayons, ToDoubleFunction<Finesse> reste) {
         Niveaux[] dessines = essais.borner(rayons, () -> dessiner(finesse, tirage, limites));
         if (dessines == null) {
             return false;
         }
         do {
             finesse.erreur = tirage.estimer(references.ecarts(dessines));
-        } while (references.affiner(finesse.erreur.erreur(), fin - essais.rayons()));
-        return references.suffisent(finesse.erreur.erreur());
+        } while (references.affiner(finesse.erreur.erreur(), reste.applyAsDouble(finesse)));
+        return true;
     }
 
     /** Lui donne un prix plus sûr, sur autant de blocs que ces rayons le permettent, sous ces limites. */

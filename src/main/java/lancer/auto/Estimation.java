@@ -55,8 +55,9 @@ final class Estimation {
     }
 
     /**
-     * Où tomberait une mesure aussi incertaine qu'elle : à trois écarts types, ce qui fait dix-neuf fois sur vingt quelle
-     * que soit la loi, pourvu qu'elle n'ait qu'un sommet (Vysochanskij et Petunin, 1980) ; quelques blocs font parfois tout.
+     * Où tomberait une mesure aussi incertaine qu'elle : à trois écarts types, ce qui fait dix-neuf fois sur vingt
+     * quelle que soit la loi si elle n'a qu'un sommet (Vysochanskij et Petunin, 1980) ;
+     * peu de blocs font parfois tout.
      */
     Estimation mesuree() {
         return new Estimation(carre, 4.5 * variance);

@@ -67,10 +67,6 @@ final class References {
         return true;
     }
 
-    boolean suffisent(double erreur) {
-        return pointsPour(erreur) <= points;
-    }
-
     /** Combien de points pour une erreur de cet ordre : le double produit s'y annule assez. */
     static int pointsPour(double erreur) {
         return (int) Math.max(POINTS_MIN, Math.min(POINTS_MAX, POINTS_POUR_UN_NIVEAU * Math.pow(erreur, -4.0 / 3)));

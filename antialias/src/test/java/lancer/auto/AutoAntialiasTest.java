@@ -87,7 +87,7 @@ class AutoAntialiasTest {
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
         EssaiFinesses essai = new EssaiFinesses(essais, essais.semer(4000, false), limites(), 1e7);
         for (Finesse finesse : finesses) {
-            assertTrue(essai.essayer(finesse, 1e7, 1e7));
+            assertTrue(essai.essayer(finesse, 1e7, dessinee -> 1e7));
             Lancer lancer = prepare.avec(finesse.echantillonnage, 1.0 / 1024);
             lancer.TracerPixels((couleur, xe, ye) -> { }, 5, 2);
             double rayons = lancer.getCompteurs().primaires / (80.0 * 60);

@@ -63,11 +63,9 @@ final class Rapport {
         valeurs.put("auto.prix", compte(auSort.get(true), p -> Math.abs(quotient(p, "rayons_attendus", "rayons") - 1) <= 0.1));
         valeurs.put("auto.pire", Style.nombre(toutes.stream().filter(p -> p.get("promise").equals("oui"))
                 .mapToDouble(p -> quotient(p, "erreur", "erreur_voulue")).max().orElse(0)));
-        // à la fois plus de la moitié du dessin et, en 200 × 150, plus de 600 000 rayons
-        double[] chers = toutes.stream().mapToDouble(p -> Math.min(2 * quotient(p, "rayons_des_essais", "rayons"),
-                Constats.nombre(p, "rayons_des_essais") / 20)).filter(fois -> fois > 1).toArray();
-        valeurs.put("auto.chers", Style.nombre(chers.length));
-        valeurs.put("auto.plus_cher", Style.nombre(Arrays.stream(chers).max().orElse(1)));
+        // permis : la moitié du dessin ou, en 200 × 150, 600 000 rayons
+        valeurs.put("auto.plus_cher", Style.nombre(toutes.stream().mapToDouble(p -> Math.min(
+                2 * quotient(p, "rayons_des_essais", "rayons"), Constats.nombre(p, "rayons_des_essais") / 20)).max().orElse(0)));
         return valeurs;
     }
 
