@@ -72,7 +72,7 @@ public final class EssaiRecit {
         double xe = x + 0.5;
         double ye = y + 0.5;
         double[] moyenne = null;
-        if (actuelle().matches("\\d+ échantillons.*")) {
+        if (actuelle().matches("\\d+ échantillons?.*")) {
             moyenne = moyenne();
             double[] point = nombres(lignes.get(suivante++).replace(",", ""));
             xe = point[0];
