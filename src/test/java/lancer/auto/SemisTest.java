@@ -155,8 +155,8 @@ class SemisTest {
         // rien n'en reste
         passes.get();
         assertEquals(2999, essais.rayons());
-        Thread.currentThread().interrupt();
-        assertThrows(CancellationException.class, () -> essais.borner(1000, passes));
-        assertTrue(Thread.interrupted());
+        assertThrows(CancellationException.class, () -> essais.borner(1000, () -> {
+            throw new CancellationException("par un autre");
+        }));
     }
 }

@@ -90,7 +90,8 @@ class FenetreTest extends EssaiFenetre {
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(L / 4, H / 8));
         Color milieu = new Color(image.getCodes()[H / 2 * L + L / 2]);
         assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
-        assertTrue(chercher("resume", JTextArea.class).getText().startsWith("320 × 240 pixels montrés à 50 %, "));
+        JTextArea resume = chercher("resume", JTextArea.class);
+        attendre("la réduction se dit", () -> resume.getText().startsWith("320 × 240 pixels montrés à 50 %, "));
         assertSame(image, banc.fenetre.getImageComplete(), "rien n'est redessiné");
     }
 
@@ -189,7 +190,7 @@ class FenetreTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F5);
         attendre("le dessin suivant a commencé", () -> banc.fenetre.enCours() && banc.main.getLancer() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
-        assertEquals(" ", resume.getText(), "le coût n'est plus celui de l'image qui vient");
+        assertEquals(" ", surFilEvenements(resume::getText), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
         banc.attendreImage("elle la remplace", avant);
     }
@@ -202,7 +203,7 @@ class FenetreTest extends EssaiFenetre {
         attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
         JProgressBar avancement = chercher("avancement", JProgressBar.class);
         assertTrue(surFilEvenements(avancement::getString).startsWith("arrêté à "));
-        assertEquals(" ", chercher("resume", JTextArea.class).getText(), "pas de coût d'une image inachevée");
+        assertEquals(" ", surFilEvenements(chercher("resume", JTextArea.class)::getText), "pas de coût d'une image inachevée");
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
         assertNull(banc.fenetre.getImageComplete());
         banc.main.lent = false;

@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -74,9 +75,10 @@ class FenetreVitesseTest extends EssaiFenetre {
         // le moins cher des réglages : un rayon par pixel, sans réflexion
         assertEquals(0, banc.fenetre.getReglages().getReflets());
         assertArrayEquals(sansReflexion(), banc.imageAchevee().getCodes());
-        Matcher m = Pattern.compile("Mesuré : (\\d+),\\d+ ± .*").matcher(etat.getText());
-        assertTrue(m.matches(), etat.getText());
-        assertTrue(Integer.parseInt(m.group(1)) > 0, "sans réflexions ni anticrénelage, l'erreur se voit : " + etat.getText());
+        String dit = surFilEvenements(etat::getText);
+        Matcher m = Pattern.compile("Mesuré : (\\d+),\\d+ ± .*").matcher(dit);
+        assertTrue(m.matches(), dit);
+        assertTrue(Integer.parseInt(m.group(1)) > 0, "sans réflexions ni anticrénelage, l'erreur se voit : " + dit);
     }
 
     @Test

@@ -124,7 +124,7 @@ class ComptesTest {
             int n = e.getValue().getObjets().size();
             long references = 0;
             long cases = 0;
-            List<Object> toutes = new ArrayList<>(Arrays.<Object>asList(s.ombres));
+            List<Object> toutes = new ArrayList<>(Arrays.<Object>asList((Object[]) s.ombres));
             toutes.addAll(Arrays.<Object>asList(s.premiers, s.suivants, s.arbre.noeuds()));
             for (Object structure : toutes) {
                 Carte carte = structure instanceof CarteLampe ? ((CarteLampe) structure).carte

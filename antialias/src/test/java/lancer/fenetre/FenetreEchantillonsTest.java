@@ -3,7 +3,6 @@ package lancer.fenetre;
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
@@ -45,7 +44,7 @@ class FenetreEchantillonsTest extends EssaiFenetre {
             return null;
         });
         attendre("le deuxième", () -> recit.getText().contains("\nchaîne de l'échantillon 150.50, 100.17\n"));
-        assertTrue(recit.getText().endsWith(somme), recit.getText());
+        attendre("la même somme", () -> recit.getText().endsWith(somme));
         JLabel verdict = composant("verdict", JLabel.class);
         attendre("la comparaison", () -> verdict.getText().startsWith("Au bit près"));
     }
