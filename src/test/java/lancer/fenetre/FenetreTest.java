@@ -20,6 +20,7 @@ import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -349,20 +350,24 @@ class FenetreTest extends EssaiFenetre {
             }
         }.lent());
         JLabel pixel = chercher("pixel", JLabel.class);
-        Point coin = new Point();
         attendre("le haut du brouillon se dit", () -> {
-            coin.setLocation(banc.panneau.getLocationOnScreen());
-            coin.translate((banc.panneau.getWidth() - L) / 2, (banc.panneau.getHeight() - H) / 2);
-            banc.robot.mouseMove(coin.x + 11, coin.y + 10);
-            banc.robot.mouseMove(coin.x + 10, coin.y + 10);
+            survoler(10, 10);
             return pixel.getText().matches("pixel 10, 10 \\(brouillon\\) : #.*");
         });
-        banc.robot.mouseMove(coin.x + 10, coin.y + H - 10);
-        attendre("le bas n'a pas encore de couleur", () -> pixel.getText().equals(" "));
+        attendre("le bas n'a pas encore de couleur", () -> {
+            survoler(10, H - 10);
+            return pixel.getText().equals(" ");
+        });
         bas.countDown();
         attendre("le bas du brouillon se dit", () -> pixel.getText().matches("pixel 10, " + (H - 10) + " \\(brouillon\\) : #.*"));
         banc.main.lent = false;
         attendre("puis sa dernière couleur", () -> pixel.getText().startsWith("pixel 10, " + (H - 10) + " : #"));
+    }
+
+    /** La souris est sur ce pixel de l'image, sans que l'écran ait à le dire. */
+    private void survoler(int x, int y) {
+        banc.panneau.dispatchEvent(new MouseEvent(banc.panneau, MouseEvent.MOUSE_MOVED, 0, 0, (banc.panneau.getWidth() - L) / 2 + x,
+                (banc.panneau.getHeight() - H) / 2 + y, 0, false));
     }
 
     @Test
