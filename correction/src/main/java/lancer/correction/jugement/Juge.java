@@ -31,9 +31,6 @@ final class Juge implements AutoCloseable {
     /** Combien de fois le temps d'une vérification est permis à un dessin. */
     private static final double TEMPS_IMAGE = 4;
 
-    /** Pixels où l'on cherche d'où vient la faute. */
-    private static final int PIXELS_ESSAYES = 200;
-
     private static final String ENSEMBLE = "ensemble";
 
     /** Le début de ce que dit une méthode qui ne se compile pas. */
@@ -50,7 +47,7 @@ final class Juge implements AutoCloseable {
     private Assemblage ensemble;
     /** Pourquoi les dernières vérifications n'ont pas toutes été lancées, vide si elles l'ont été. */
     private String coupe = "";
-    /** Où une vérification n'a pas fini : on n'y dessine pas. */
+    /** Où une vérification n'a pas fini. */
     private final Set<Assemblage> arretes = new HashSet<>();
     private final Map<String, Assemblage> seules = new HashMap<>();
     /** De quoi dépend une classe qui ne se compile pas seule dans le corrigé. */
@@ -120,7 +117,7 @@ final class Juge implements AutoCloseable {
         } else {
             // une machine neuve : ce que les vérifications ont pu y laisser ne gâte pas l'image
             close();
-            dessiner();
+            new JugeImage(this, reference, projet, resultat).juger();
         }
         variantes();
         return resultat;
@@ -154,7 +151,8 @@ final class Juge implements AutoCloseable {
         }
     }
 
-    private boolean intacte(String classe) {
+    /** Vrai si la classe de l'étudiant est celle du projet à compléter. */
+    boolean intacte(String classe) {
         return Source.memeCode(projet.texte(classe), Modele.squelette(classe));
     }
 
@@ -256,81 +254,19 @@ final class Juge implements AutoCloseable {
         return fautes.isEmpty() ? "" : " ; " + fautes.get(0);
     }
 
-    private void dessiner() {
-        try {
-            Image image = image(ensemble, 0);
-            resultat.image = image;
-            // là où le rendu a raison, au ciel au moins, il l'a à un demi-pixel près : c'est là qu'on voit lequel
-            resultat.centre = image.pareils(reference.getImage(true)) > image.pareils(reference.getImage(false));
-            resultat.ecart = new Ecart(reference.getImage(resultat.centre), image);
-            boolean meme = resultat.ecart.memeImage();
-            resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "")
-                    : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
-                    resultat.ecart.combien() + " sur " + resultat.ecart.pixels));
-            if (!meme && commencee(image)) {
-                chercherLaFaute(image);
-            }
-        } catch (Arret | Dialogue.Echec e) {
-            if (resultat.image == null) {
-                resultat.sansImage = e.getMessage();
-                resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, e.getMessage()));
-            } else {
-                resultat.remarques.add("la recherche de la faute dans l'image s'est arrêtée : " + e.getMessage());
-            }
-        }
+    /** Toutes les classes de l'étudiant. */
+    Assemblage ensemble() {
+        return ensemble;
     }
 
-    /** Faux pour l'image d'une seule couleur du projet à compléter. */
-    private static boolean commencee(Image image) {
-        for (int p = 1; p < image.pixels(); p++) {
-            if (image.code(p % image.largeur, p / image.largeur) != image.code(0, 0)) {
-                return true;
-            }
-        }
-        return false;
+    /** Plusieurs classes de l'étudiant parmi celles du corrigé. */
+    Assemblage parmiLeCorrige(String nom, List<String> classes) throws Arret {
+        return chantier.assembler(nom, corrigeAvec(classes));
     }
 
-    private void chercherLaFaute(Image image) throws Arret {
-        Image attendue = reference.getImage(resultat.centre);
-        resultat.chemin = chemin(resultat.ecart.pireX, resultat.ecart.pireY);
-        // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où vient la
-        // faute
-        int pas = Math.max(1, image.pixels() / PIXELS_ESSAYES);
-        for (int p = pas / 2; p < image.pixels(); p += pas) {
-            if (Ecart.ecart(attendue, image, p) > 1) {
-                Chemin autre = chemin(p % LARGEUR, p / LARGEUR);
-                if (autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart()
-                        && (resultat.cheminPlusTot == null
-                        || autre.rangDuPremierEcart() < resultat.cheminPlusTot.rangDuPremierEcart())) {
-                    resultat.cheminPlusTot = autre;
-                }
-            }
-        }
-        List<String> suspectes = new ArrayList<>(Modele.A_COMPLETER);
-        suspectes.removeIf(classe -> projet.texte(classe) == null || intacte(classe));
-        List<String> justes = new ArrayList<>(suspectes);
-        justes.removeIf(classe -> reference.getVerifications().stream()
-                .anyMatch(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()));
-        // celles dont tout réussit d'abord, d'un seul coup : elles sont rarement en cause
-        if (justes.size() > 1 && !changentLImage(chantier.assembler("justes", corrigeAvec(justes)))) {
-            suspectes.removeAll(justes);
-        }
-        for (String classe : suspectes) {
-            if (changentLImage(seule(classe))) {
-                resultat.classesFautives.add(classe);
-            }
-        }
-    }
-
-    /** Vrai si cet assemblage ne dessine pas l'image du corrigé. */
-    private boolean changentLImage(Assemblage assemblage) {
-        try {
-            Image image = arretes.contains(assemblage) ? null : image(assemblage, 0);
-            return image == null || !new Ecart(reference.getImage(false), image).memeImage()
-                    && !new Ecart(reference.getImage(true), image).memeImage();
-        } catch (Arret | Dialogue.Echec e) {
-            return true;
-        }
+    /** Vrai si une vérification n'y a pas fini : on n'y dessine pas. */
+    boolean estArrete(Assemblage assemblage) {
+        return arretes.contains(assemblage);
     }
 
     /** Le corrigé, avec ces classes de l'étudiant, et celles qu'il a ajoutées. */
@@ -343,13 +279,6 @@ final class Juge implements AutoCloseable {
             }
         });
         return sources;
-    }
-
-    private Chemin chemin(int x, int y) throws Arret {
-        double decalage = resultat.centre ? 0.5 : 0;
-        String siens = sonde(ensemble, "SondeChemin", "decrire", scene(), "" + LARGEUR, "" + HAUTEUR, "" + x, "" + y,
-                "" + PROFONDEUR);
-        return new Chemin(x, y, reference.chemin(x + decalage, y + decalage), siens);
     }
 
     String scene() {
