@@ -37,7 +37,7 @@ public final class Scene {
     /**
      * Lit une scène dans un fichier, et y installe les variantes présentes.
      *
-     * @param nomFichier voir {@link LecteurScene#trouver}
+     * @param nomFichier voir {@link lancer.lecture.FichierScene#trouver}
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {

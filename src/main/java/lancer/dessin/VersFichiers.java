@@ -11,7 +11,7 @@ import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Toile;
-import lancer.lecture.LecteurScene;
+import lancer.lecture.FichierScene;
 import lancer.sortie.BarreProgression;
 import lancer.sortie.Comparaison;
 import lancer.sortie.Ecriture;
@@ -35,7 +35,7 @@ public final class VersFichiers {
         this.sortie = sortie;
         this.erreur = erreur;
         boolean deuxImages = options.comparer != null && Options.estImage(options.scene);
-        Path scene = deuxImages ? Paths.get(options.scene) : LecteurScene.trouver(options.scene);
+        Path scene = deuxImages ? Paths.get(options.scene) : FichierScene.trouver(options.scene);
         png = options.image == null ? null : new Ecriture(options.image);
         pfm = options.lineaire == null ? null : new Ecriture(options.lineaire);
         epargner(scene, deuxImages ? "une des images comparées" : "la scène elle-même");

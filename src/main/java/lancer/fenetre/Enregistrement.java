@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import lancer.SceneFautive;
-import lancer.lecture.LecteurScene;
+import lancer.lecture.FichierScene;
 import lancer.sortie.Ecriture;
 import lancer.sortie.FichierPng;
 import lancer.sortie.ImageMemoire;
@@ -79,7 +79,7 @@ final class Enregistrement {
     private void verifier(ImageMemoire image, File cible, String scene) {
         Ecriture ecriture = new Ecriture(cible.getPath());
         try {
-            ecriture.epargner(LecteurScene.trouver(scene),
+            ecriture.epargner(FichierScene.trouver(scene),
                     "la sortie est la scène elle-même : " + Texte.echappe(cible.getPath())
                             + " ; attendu : un autre fichier");
         } catch (SceneFautive e) {

@@ -23,7 +23,7 @@ import javax.swing.ButtonGroup;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import lancer.SceneFautive;
-import lancer.lecture.LecteurScene;
+import lancer.lecture.FichierScene;
 import lancer.texte.Texte;
 
 /** Le menu des scènes : celles du dossier de la scène montrée, et les dernières ouvertes, d'une fois à l'autre. */
@@ -71,7 +71,7 @@ final class MenuScenes {
 
     private static List<File> voisines(String fichier) {
         try {
-            Path scene = LecteurScene.trouver(fichier);
+            Path scene = FichierScene.trouver(fichier);
             File dossier = scene.toAbsolutePath().getParent().toFile();
             String[] noms = dossier.list((d, nom) ->
                     nom.toLowerCase(Locale.ROOT).endsWith(".ini") && !new File(d, nom).isDirectory());

@@ -6,7 +6,7 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Timer;
 import java.util.TimerTask;
 import lancer.SceneFautive;
-import lancer.lecture.LecteurScene;
+import lancer.lecture.FichierScene;
 
 /**
  * Veille sur le fichier de la scène, dans un fil à elle. Elle regarde l'heure et la taille, car un éditeur qui
@@ -60,7 +60,7 @@ final class Surveillance extends TimerTask {
     /** L'heure, la taille et l'identité du fichier ; {@code null} s'il n'existe pas. */
     static String version(String fichier) {
         try {
-            BasicFileAttributes a = Files.readAttributes(LecteurScene.trouver(fichier), BasicFileAttributes.class);
+            BasicFileAttributes a = Files.readAttributes(FichierScene.trouver(fichier), BasicFileAttributes.class);
             return a.lastModifiedTime() + " " + a.size() + " " + a.fileKey();
         } catch (IOException | SceneFautive e) {
             return null;

@@ -1,14 +1,8 @@
 package lancer.lecture;
 
-import java.io.FileInputStream;
-import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
@@ -45,10 +39,6 @@ public final class LecteurScene {
 
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
-
-    /** Nombre de dossiers au-dessus de celui d'où l'on part où une scène est cherchée aussi. */
-    private static final int DOSSIERS_AU_DESSUS = 4;
-    private static final String INTROUVABLE = "fichier introuvable";
 
     /** Nombre de couleurs retenues à la fois : au-delà, elles ne se répètent pas. */
     private static final int PALETTE_MAX = 256;
@@ -99,11 +89,11 @@ public final class LecteurScene {
     }
 
     private void lire(DoubleConsumer suivi) {
-        Path chemin = trouver(fichier);
+        Path chemin = FichierScene.trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
         }
-        try (InputStream entree = ouvrir(chemin)) {
+        try (InputStream entree = FichierScene.ouvrir(chemin)) {
             lignes = new Lignes(entree, chemin.toFile().length(), suivi);
             new Decoupeur().parse(lignes, new Sections());
         } catch (InvalidFileFormatException e) {
@@ -115,16 +105,8 @@ public final class LecteurScene {
             throw new SceneFautive(Section.message(fichier, lignes.getNumero(), null, null, "ligne trop longue",
                     "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne"), e);
         } catch (IOException e) {
-            throw inutilisable(fichier, pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), e);
-        }
-    }
-
-    /** Par {@code java.io}, déjà chargé ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
-    private static InputStream ouvrir(Path chemin) throws IOException {
-        try {
-            return new FileInputStream(chemin.toFile());
-        } catch (FileNotFoundException e) {
-            return Files.newInputStream(chemin);
+            throw FichierScene.inutilisable(fichier,
+                    FichierScene.pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), e);
         }
     }
 
@@ -139,59 +121,6 @@ public final class LecteurScene {
             variante.installer(section, modele);
             section.verifierCles();
         }
-    }
-
-    /**
-     * Le chemin de la scène : tel quel, ou s'il est relatif et n'existe pas ici, depuis le plus proche des quatre
-     * dossiers au-dessus d'où il mène à quelque chose.
-     *
-     * @throws SceneFautive s'il n'existe pas, ou n'est pas un fichier
-     */
-    public static Path trouver(String fichier) {
-        Path chemin;
-        try {
-            chemin = Paths.get(fichier);
-        } catch (InvalidPathException e) {
-            throw inutilisable(fichier, "nom de fichier impossible" + Texte.horsLangue(fichier), e);
-        }
-        Path trouve = chemin;
-        for (int k = 0; k < DOSSIERS_AU_DESSUS && !chemin.isAbsolute() && !Files.exists(trouve); k++) {
-            trouve = Paths.get("..").resolve(trouve);
-        }
-        if (!Files.exists(trouve)) {
-            throw inutilisable(fichier, absente(chemin), null);
-        }
-        if (Files.isDirectory(trouve)) {
-            throw inutilisable(trouve.equals(chemin) ? fichier : trouve.toString(), "c'est un dossier", null);
-        }
-        return trouve;
-    }
-
-    private static SceneFautive inutilisable(String fichier, String faute, Exception cause) {
-        return new SceneFautive(Section.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
-    }
-
-    /** Pourquoi ce chemin ne mène à rien, et d'où il a été suivi. */
-    private static String absente(Path chemin) {
-        String faute = INTROUVABLE;
-        try {
-            chemin.toRealPath();
-        } catch (IOException e) {
-            faute = pourquoi(e, Texte.panne(e));
-        }
-        if (chemin.isAbsolute() || !faute.equals(INTROUVABLE)) {
-            return faute;
-        }
-        Path ici = Paths.get("").toAbsolutePath();
-        int plusHaut = Math.min(DOSSIERS_AU_DESSUS, ici.getNameCount());
-        return faute + " dans " + Texte.echappe(ici.toString()) + (plusHaut == 0 ? ""
-                : plusHaut == 1 ? " et le dossier au-dessus" : " et les " + plusHaut + " dossiers au-dessus")
-                + Texte.horsLangue(ici.toString());
-    }
-
-    private static String pourquoi(IOException e, String sinon) {
-        return e instanceof NoSuchFileException ? INTROUVABLE
-                : e instanceof AccessDeniedException ? "lecture interdite" : sinon;
     }
 
     public List<Objet3D> getObjets() {

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.SplittableRandom;
 import lancer.Scene;
+import lancer.lecture.FichierScene;
 import lancer.lecture.LecteurScene;
 
 /**
@@ -45,7 +46,7 @@ public final class Scenes {
     public static Path fichier(String nom, Path dossier) throws IOException {
         int tiret = nom.indexOf('-');
         if (tiret < 0) {
-            return LecteurScene.trouver("scenes/" + nom + ".ini");
+            return FichierScene.trouver("scenes/" + nom + ".ini");
         }
         Path fichier = dossier.resolve(nom + ".ini");
         // cent millions d'octets peut-être, que Ctrl+C ne doit pas laisser

@@ -7,7 +7,7 @@ import java.nio.file.Paths;
 import java.util.Arrays;
 import lancer.Scene;
 import lancer.atelier.Scenes;
-import lancer.lecture.LecteurScene;
+import lancer.lecture.FichierScene;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
@@ -34,7 +34,7 @@ class GabaritTest {
 
     @Test
     void laVeriteNAPasDeLimiteDeReflexions() {
-        Scene miroirs = Scenes.lire(LecteurScene.trouver(Paths.get("scenes", "miroirs.ini").toString()));
+        Scene miroirs = Scenes.lire(FichierScene.trouver(Paths.get("scenes", "miroirs.ini").toString()));
         Gabarit gabarit = new Gabarit(miroirs, LARGEUR, HAUTEUR, 4);
         double cinq = Arrays.stream(gabarit.carres(image(miroirs, 5))).average().getAsDouble();
         double cent = Arrays.stream(gabarit.carres(image(miroirs, 100))).average().getAsDouble();

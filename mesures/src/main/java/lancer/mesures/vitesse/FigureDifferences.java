@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.function.IntUnaryOperator;
 import lancer.Scene;
 import lancer.atelier.Scenes;
-import lancer.lecture.LecteurScene;
+import lancer.lecture.FichierScene;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
@@ -34,7 +34,7 @@ final class FigureDifferences {
     }
 
     void ecrire(Path dossier) throws IOException {
-        Scene scene = Scenes.lire(LecteurScene.trouver("scenes/" + SCENE + ".ini"));
+        Scene scene = Scenes.lire(FichierScene.trouver("scenes/" + SCENE + ".ini"));
         Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, 1);
         ImageLineaire juste = gabarit.moyenne(taille.largeur, taille.hauteur);
         Vignettes vignettes = new Vignettes(3).image(image(k -> juste.getCouleur(k).getCode()), "la vérité", "128 rayons par pixel");

@@ -19,7 +19,7 @@ import lancer.atelier.FichierCsv;
 import lancer.atelier.PagesMesurees;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
-import lancer.lecture.LecteurScene;
+import lancer.lecture.FichierScene;
 import lancer.mesures.ImageLineaire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -65,7 +65,7 @@ class ResultatsTest {
         for (Releve r : auSort(tous, LIGNES)) {
             Methode methode = new Catalogue(false).groupe(r.famille, r.scene).methode(r.methode + "/" + r.parametres);
             Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
-            Methode.Dessin dessin = methode.new Dessin(Scenes.lire(LecteurScene.trouver("scenes/" + r.scene + ".ini")),
+            Methode.Dessin dessin = methode.new Dessin(Scenes.lire(FichierScene.trouver("scenes/" + r.scene + ".ini")),
                     taille.largeur, taille.hauteur);
             dessin.faire(new ImageLineaire(taille.largeur, taille.hauteur), taille.fils);
             assertEquals(r.texte("choix"), dessin.choix, r.scene + " " + r.parametres);
@@ -89,7 +89,7 @@ class ResultatsTest {
     void lesBesoinsSontEncoreCeuxQueCompteLeProgramme() throws IOException {
         Map<String, String> diffus = FichierCsv.lire(RESULTATS.resolve(Vitesse.BESOINS)).stream()
                 .filter(b -> b.get("scene").equals("diffus")).findFirst().get();
-        assertEquals(String.join(",", diffus.values()), new Besoin(LecteurScene.trouver("scenes/diffus.ini"),
+        assertEquals(String.join(",", diffus.values()), new Besoin(FichierScene.trouver("scenes/diffus.ini"),
                 new Taille(Integer.parseInt(diffus.get("largeur")), Integer.parseInt(diffus.get("hauteur")))).ligne());
     }
 
