@@ -96,7 +96,7 @@ juge: mesures/target/mesures.jar
 
 # --auto tient-il parole ? AUTO="1000 20" pour vingt scènes au sort, de graine 1000 et suivantes.
 mesure-auto: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar:mesures/target/test-classes lancer.mesures.MesureAuto mesures/resultats/auto.csv $(AUTO)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto mesures/resultats/auto.csv $(AUTO)
 
 # Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; docs/mutations.md dit ce qui leur échappe, et pourquoi.
 mutations: mesures/target/mesures.jar
@@ -115,7 +115,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 
 # Les figures et les nombres de docs/reponses.md.
 reponses: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar:atelier/target/test-classes lancer.atelier.Reponses docs/reponses.md images
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
 
 # Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
 comparer: $(BASE)

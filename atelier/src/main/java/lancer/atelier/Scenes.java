@@ -5,7 +5,11 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.lecture.FichierScene;
 import lancer.lecture.LecteurScene;
@@ -25,6 +29,13 @@ public final class Scenes {
     private static final double LOIN = 1e12;
 
     private Scenes() {
+    }
+
+    /** Les fichiers des scènes livrées, dans l'ordre de leurs noms. */
+    public static List<Path> livrees() throws IOException {
+        try (Stream<Path> fichiers = Files.list(Paths.get("scenes"))) {
+            return fichiers.filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList());
+        }
     }
 
     /**

@@ -1,6 +1,7 @@
 package lancer.atelier;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -102,5 +103,11 @@ class GenerateurTest {
         String message = erreurs.toString("UTF-8").trim();
         assertTrue(message.startsWith("Generateur : ") && message.contains("usage : "), message);
         assertEquals(1, message.split("\\R").length, message);
+    }
+
+    @Test
+    void uneSceneAuHasardNeDependQueDeSaGraine() {
+        assertEquals(SceneAuHasard.de(7).getObjets().toString(), SceneAuHasard.de(7).getObjets().toString());
+        assertNotEquals(SceneAuHasard.de(7).getObjets().toString(), SceneAuHasard.de(8).getObjets().toString());
     }
 }

@@ -30,13 +30,13 @@ import lancer.sortie.FichierPng;
 import lancer.sortie.ImageMemoire;
 
 /**
- * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme, que {@link ReponsesTest} compare à la page.
+ * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme, qu'un test compare à la page.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar:atelier/target/test-classes lancer.atelier.Reponses docs/reponses.md images
+ * java -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
  * </pre>
  */
-final class Reponses {
+public final class Reponses {
 
     private static final int[] EXPOSANTS = {1, 8, 32, 128, 1024};
     private static final String[] COULEURS = {"#000000", "#0072B2", "#009E73", "#E69F00", "#D55E00"};

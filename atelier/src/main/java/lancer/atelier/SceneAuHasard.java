@@ -1,4 +1,4 @@
-package lancer.mesures;
+package lancer.atelier;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +13,7 @@ import lancer.Sphere;
  * Une scène tirée au sort, d'une à mille boules : mates, cirées ou miroirs, grosses ou minuscules, éparses ou serrées, avec ou sans
  * sol, sous une à trois lampes. La même graine donne la même scène.
  */
-final class SceneAuHasard {
+public final class SceneAuHasard {
 
     private static final int BOULES_MAX = 1000;
     private static final double RAYON_DU_SOL = 1000;
@@ -25,7 +25,7 @@ final class SceneAuHasard {
         hasard = new SplittableRandom(graine);
     }
 
-    static Scene de(long graine) {
+    public static Scene de(long graine) {
         return new SceneAuHasard(graine).scene();
     }
 
