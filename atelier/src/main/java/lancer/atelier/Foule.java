@@ -42,7 +42,6 @@ final class Foule {
         semer(cote, materiaux);
         plume.lampe("principale", -40, 60, -50, 1, 0.95, 0.86);
         plume.lampe("appoint", 50, 20, -20, 0.35, 0.4, 0.5);
-        plume.vider();
     }
 
     /** Une boule au plus par case : deux boules ne peuvent se toucher, et rien n'est gardé en mémoire. */

@@ -54,7 +54,7 @@ public final class Generateur {
             if (scene.equals("foule")) {
                 new Foule(new Plume(sortie), nombre(args[1])).ecrire();
             } else if (scene.equals("tournesol")) {
-                new Tournesol(new Plume(sortie), nombre(args[1])).ecrire();
+                Tournesol.ecrire(new Plume(sortie), nombre(args[1]));
             } else {
                 throw new IllegalArgumentException("une scène, et son nombre de boules");
             }

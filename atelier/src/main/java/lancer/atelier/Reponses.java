@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Formatter;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -112,34 +113,29 @@ public final class Reponses {
 
     /** Le graphe du cours : l'éclat que donne le programme, selon l'angle entre R et L. */
     static String cosinus() {
-        StringBuilder svg = new StringBuilder("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" "
-                + "height=\"360\" font-family=\"sans-serif\" font-size=\"14\">\n"
+        Formatter svg = new Formatter(Locale.ROOT);
+        svg.format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"360\" font-family=\"sans-serif\" font-size=\"14\">\n"
                 + "<rect width=\"640\" height=\"360\" fill=\"white\"/>\n");
         for (int k = 0; k <= 4; k++) {
-            double y = 320 - 75 * k;
-            svg.append(String.format(Locale.ROOT,
-                    "<path d=\"M60 %.0fH540\" stroke=\"#ddd\"/><text x=\"52\" y=\"%.0f\" "
-                    + "text-anchor=\"end\">%s</text>%n", y, y + 5,
-                    nombre(k / 4.0)));
+            svg.format("<path d=\"M60 %dH540\" stroke=\"#ddd\"/><text x=\"52\" y=\"%d\" text-anchor=\"end\">%s</text>\n",
+                    320 - 75 * k, 325 - 75 * k, nombre(k / 4.0));
         }
         for (int k = 0; k <= 6; k++) {
-            svg.append(String.format(Locale.ROOT, "<text x=\"%d\" y=\"340\" text-anchor=\"middle\">%s</text>%n", 60
-                    + 80 * k, nombre(k / 4.0)));
+            svg.format("<text x=\"%d\" y=\"340\" text-anchor=\"middle\">%s</text>\n", 60 + 80 * k, nombre(k / 4.0));
         }
-        svg.append("<text x=\"300\" y=\"357\" text-anchor=\"middle\">angle entre −V et R, en radians</text>\n");
+        svg.format("<text x=\"300\" y=\"357\" text-anchor=\"middle\">angle entre −V et R, en radians</text>\n");
         Vecteur N = new Vecteur(0, 0, -1);
         for (int e = 0; e < EXPOSANTS.length; e++) {
-            svg.append("<path fill=\"none\" stroke-width=\"2\" stroke=\"" + COULEURS[e] + "\" d=\"");
+            svg.format("<path fill=\"none\" stroke-width=\"2\" stroke=\"%s\" d=\"", COULEURS[e]);
             for (int k = 0; k <= 240; k++) {
                 double angle = k / 160.0;
                 Vecteur L = new Vecteur(Math.sin(angle), 0, -Math.cos(angle));
                 double eclat = Specularite.PHONG.eclat(N.neg(), N, L, N, EXPOSANTS[e]);
-                svg.append(String.format(Locale.ROOT, "%s%d %.1f", k == 0 ? "M" : "L", 60 + 2 * k, 320 - 300 * eclat));
+                svg.format("%s%d %.1f", k == 0 ? "M" : "L", 60 + 2 * k, 320 - 300 * eclat);
             }
-            svg.append(String.format(Locale.ROOT, "\"/>%n<text x=\"548\" y=\"%d\" fill=\"%s\">n = %d</text>%n", 40
-                    + 22 * e, COULEURS[e], EXPOSANTS[e]));
+            svg.format("\"/>\n<text x=\"548\" y=\"%d\" fill=\"%s\">n = %d</text>\n", 40 + 22 * e, COULEURS[e], EXPOSANTS[e]);
         }
-        return svg.append("</svg>\n").toString().replace(System.lineSeparator(), "\n");
+        return svg.format("</svg>\n").toString();
     }
 
     /** La scène des étapes : une boule, une autre qui lui fait de l'ombre et s'y reflète, un sol. */
@@ -157,10 +153,7 @@ public final class Reponses {
                 new Lampe(new Point(4, 3, -3), new Couleur(0.25))));
     }
 
-    /**
-     * Ce que voit un rayon à une étape du TP : 0, le jaune vif ; 1, Lambert ; 2, Phong ; 3, les ombres ; 4, les
-     * reflets.
-     */
+    /** Ce que voit un rayon à une étape du TP : 0, le jaune vif ; 1, Lambert ; 2, Phong ; 3, les ombres ; 4, les reflets. */
     private static Couleur couleur(int etape, Scene scene, Rayon rayon) {
         PointContact contact = scene.getClosestIntersection(rayon);
         if (contact == null) {

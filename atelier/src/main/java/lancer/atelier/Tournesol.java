@@ -27,15 +27,10 @@ final class Tournesol {
 
     private static final int TEINTES = 64;
 
-    private final Plume plume;
-    private final int n;
-
-    Tournesol(Plume plume, int n) {
-        this.plume = plume;
-        this.n = n;
+    private Tournesol() {
     }
 
-    void ecrire() throws IOException {
+    static void ecrire(Plume plume, int n) throws IOException {
         plume.commentaires("Un tournesol de " + n + " boules, rangées comme ses graines, sur un sol sombre et poli.", "",
                 "À regarder :",
                 "- les spirales : personne ne les a tracées, chaque boule est seulement tournée de 137,5 degrés après la",
@@ -65,7 +60,6 @@ final class Tournesol {
         }
         plume.lampe("soleil", -300, 330, -230, 1.15, 1.06, 0.94);
         plume.lampe("appoint", 380, 160, -160, 0.34, 0.36, 0.42);
-        plume.vider();
     }
 
     /** Le profil de la fleur : un dôme qui retombe jusqu'au sol, creusé au cœur. */
