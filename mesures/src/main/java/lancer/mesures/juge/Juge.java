@@ -3,15 +3,14 @@ package lancer.mesures.juge;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.atelier.Arguments;
@@ -25,18 +24,20 @@ import lancer.texte.Texte;
 
 /**
  * Le juge : POV-Ray, qui ne doit rien à ce programme, dessine les mêmes scènes, et les deux images sont comparées pixel par pixel.
+ * Ce qu'il a lu et dessiné reste dans {@code target/juge}.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.juge.Juge [--reflets N] [--taille LxH] [--povray COMMANDE] [--garder DOSSIER]
- *      [--csv FICHIER] [SCENE.ini ...]
+ * java -cp mesures/target/mesures.jar lancer.mesures.juge.Juge [--reflets N] [--taille LxH] [--povray COMMANDE] [--csv FICHIER]
+ *      [SCENE.ini ...]
  * </pre>
  *
  * Statut de sortie : 0 les images sont d'accord ; 1 il y a désaccord, ou le juge n'a pu dessiner ; 2 la demande était fausse.
  */
 public final class Juge {
 
-    private static final String USAGE =
-            "[--reflets N] [--taille LxH] [--povray COMMANDE] [--garder DOSSIER] [--csv FICHIER] [SCENE.ini]...";
+    private static final String USAGE = "[--reflets N] [--taille LxH] [--povray COMMANDE] [--csv FICHIER] [SCENE.ini]...";
+
+    private static final Path DOSSIER = Paths.get("target", "juge");
 
     /**
      * Toutes les scènes livrées, et leur nombre de reflets : dans le tunnel de {@code miroirs}, quarante aussi, ce qu'elle conseille. Puis
@@ -52,11 +53,6 @@ public final class Juge {
     private final PrintStream sortie;
     private final List<String> csv = new ArrayList<>();
     private boolean accord = true;
-
-    /** De quoi trouver un juge, qui écrira dans ce dossier. */
-    interface Convocation {
-        Peintre convoquer(String commande, Path dossier) throws IOException;
-    }
 
     private Juge(PrintStream sortie, String... args) {
         this.sortie = sortie;
@@ -79,49 +75,38 @@ public final class Juge {
 
     /** @param args voir la description de la classe */
     public static void main(String[] args) {
-        System.exit(executer(args, System.out, System.err, PovRay::new));
+        System.exit(executer(args, System.out, System.err));
     }
 
-    /**
-     * Ce que fait {@link #main}, sans quitter Java.
-     *
-     * @return le statut de sortie
-     */
-    static int executer(String[] args, PrintStream sortie, PrintStream erreurs, Convocation convocation) {
+    /** Ce que fait {@link #main}, sans quitter Java. @return le statut de sortie */
+    static int executer(String[] args, PrintStream sortie, PrintStream erreurs) {
         try {
-            return new Juge(sortie, args).juger(convocation);
+            return new Juge(sortie, args).juger();
         } catch (IllegalArgumentException | SceneFautive e) {
             erreurs.println("Juge : " + e.getMessage());
             return 2;
         } catch (IOException | RuntimeException e) {
-            erreurs.println("Juge : " + Texte.echappe(e instanceof IOException ? e.getMessage() : Pannes.message(e)));
+            String panne = e instanceof FileSystemException ? e.getMessage() + " : " + Texte.panne((FileSystemException) e)
+                    : e instanceof IOException ? e.getMessage() : Pannes.message(e);
+            erreurs.println("Juge : " + Texte.echappe(panne));
             return 1;
         }
     }
 
-    private int juger(Convocation convocation) throws IOException {
-        boolean garde = arguments.a("--garder");
-        Path dossier = garde ? Files.createDirectories(Paths.get(arguments.valeur("--garder", "")))
-                : Files.createTempDirectory("juge");
-        try {
-            Peintre juge = convocation.convoquer(arguments.valeur("--povray", PovRay.COMMANDE), dossier);
-            sortie.println("Le juge est " + juge.nom() + " ; " + dessin.largeur + " × " + dessin.hauteur
-                    + " ; écarts en pas de 8 bits (1/255)");
-            sortie.println();
-            sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
-            csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
-            for (String fichier : arguments.restes) {
-                String nom = Paths.get(fichier).getFileName().toString().replaceFirst("\\.ini$", "");
-                juger(nom, Scenes.lire(Paths.get(fichier)), dessin.reflets, juge);
-            }
-            for (String nomEtReflets : arguments.restes.isEmpty() ? TOUTES : new String[0]) {
-                String[] mots = nomEtReflets.split(" ");
-                juger(mots[0], Scenes.lire(Scenes.fichier(mots[0], dossier)), Integer.parseInt(mots[1]), juge);
-            }
-        } finally {
-            if (!garde) {
-                effacer(dossier);
-            }
+    private int juger() throws IOException {
+        PovRay juge = new PovRay(arguments.valeur("--povray", PovRay.COMMANDE), Files.createDirectories(DOSSIER));
+        sortie.println("Le juge est " + juge.nom() + " ; " + dessin.largeur + " × " + dessin.hauteur
+                + " ; écarts en pas de 8 bits (1/255)");
+        sortie.println();
+        sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
+        csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
+        for (String fichier : arguments.restes) {
+            String nom = Paths.get(fichier).getFileName().toString().replaceFirst("\\.ini$", "");
+            juger(nom, Scenes.lire(Paths.get(fichier)), dessin.reflets, juge);
+        }
+        for (String nomEtReflets : arguments.restes.isEmpty() ? TOUTES : new String[0]) {
+            String[] mots = nomEtReflets.split(" ");
+            juger(mots[0], Scenes.lire(Scenes.fichier(mots[0], DOSSIER)), Integer.parseInt(mots[1]), juge);
         }
         if (arguments.a("--csv")) {
             Path fichier = Paths.get(arguments.valeur("--csv", ""));
@@ -131,7 +116,7 @@ public final class Juge {
         return accord ? 0 : 1;
     }
 
-    private void juger(String nom, Scene scene, int reflets, Peintre juge) throws IOException {
+    private void juger(String nom, Scene scene, int reflets, PovRay juge) throws IOException {
         try {
             SceneJugee jugee = new SceneJugee(juge, nom, scene, reflets, dessin.largeur, dessin.hauteur);
             ImageLineaire nous = ImageLineaire.de(jugee.lancer, reflets, Runtime.getRuntime().availableProcessors());
@@ -151,13 +136,5 @@ public final class Juge {
 
     private static String ecart(double pas) {
         return String.format(Locale.ROOT, "%.4f", pas);
-    }
-
-    private static void effacer(Path dossier) throws IOException {
-        try (Stream<Path> fichiers = Files.walk(dossier)) {
-            for (Path fichier : (Iterable<Path>) fichiers.sorted(Comparator.reverseOrder())::iterator) {
-                Files.delete(fichier);
-            }
-        }
     }
 }

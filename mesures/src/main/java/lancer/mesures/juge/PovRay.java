@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 
 /** La commande {@code povray}. Elle écrit un PNG de 16 bits par composante, proportionnel à la lumière. */
-public final class PovRay implements Peintre {
+public final class PovRay {
 
     /** Le nom sous lequel la chercher. */
     public static final String COMMANDE = "povray";
@@ -49,13 +49,18 @@ public final class PovRay implements Peintre {
         Files.delete(journal);
     }
 
-    @Override
-    public String nom() {
+    String nom() {
         return "POV-Ray " + version;
     }
 
-    @Override
-    public Raster dessiner(String texte, String nom, int largeur, int hauteur, String... options) throws IOException {
+    /**
+     * @param texte la scène, telle que l'écrit {@link TraductionPov}
+     * @param nom celui des fichiers à écrire, sans extension
+     * @param options d'anticrénelage, dans la langue de sa commande ; aucune pour un rayon par pixel
+     * @return l'image linéaire : trois composantes de 16 bits, la ligne du haut d'abord
+     * @throws IOException s'il n'y arrive pas ; le message dit pourquoi
+     */
+    Raster dessiner(String texte, String nom, int largeur, int hauteur, String... options) throws IOException {
         Path scene = dossier.resolve(nom + ".pov");
         Path image = dossier.resolve(nom + ".png");
         Path journal = dossier.resolve(nom + ".txt");

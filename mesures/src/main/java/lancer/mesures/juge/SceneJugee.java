@@ -20,11 +20,10 @@ public final class SceneJugee {
     /** 1, ou 3 si un Ks est coloré : l'éclat d'une lampe est pour POV-Ray d'une seule couleur. */
     final int dessins;
 
-    private final Peintre peintre;
+    private final PovRay povray;
     private final String nom;
     private final TraductionPov traduction;
-    private final int largeur;
-    private final int hauteur;
+    private final Camera camera;
     private final String[] textes;
 
     /**
@@ -33,11 +32,9 @@ public final class SceneJugee {
      * @param reflets nombre de réflexions permises
      * @throws Intraduisible si le juge ne peut faire le même calcul
      */
-    public SceneJugee(Peintre peintre, String nom, Scene scene, int reflets, int largeur, int hauteur) throws Intraduisible {
-        this.peintre = peintre;
+    public SceneJugee(PovRay povray, String nom, Scene scene, int reflets, int largeur, int hauteur) throws Intraduisible {
+        this.povray = povray;
         this.nom = nom;
-        this.largeur = largeur;
-        this.hauteur = hauteur;
         boolean grise = TraductionPov.estGrise(scene);
         if (!grise) {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
@@ -46,7 +43,8 @@ public final class SceneJugee {
         dessins = grise ? 1 : COMPOSANTES.length;
         textes = new String[dessins];
         lancer = LancerSurveille.preparer(scene, largeur, hauteur, false);
-        traduction = new TraductionPov(scene, reflets, Ecran.traverses(scene, new Camera(largeur, hauteur)));
+        camera = lancer.getCamera();
+        traduction = new TraductionPov(scene, reflets, camera);
     }
 
     /**
@@ -55,12 +53,13 @@ public final class SceneJugee {
      * @param rouge ce que {@link #dessiner} en a rendu, avec ces options
      */
     public ImageLineaire image(Raster rouge, String... options) throws IOException {
-        ImageLineaire image = new ImageLineaire(largeur, hauteur);
+        int largeur = camera.getLargeur();
+        ImageLineaire image = new ImageLineaire(largeur, camera.getHauteur());
         Raster[] rasters = {rouge, rouge, rouge};
         for (int c = 1; c < dessins; c++) {
             rasters[c] = dessiner(c, options);
         }
-        for (int k = 0; k < 3 * largeur * hauteur; k++) {
+        for (int k = 0; k < image.getComposantes().length; k++) {
             image.getComposantes()[k] = rasters[k % 3].getSample(k / 3 % largeur, k / 3 / largeur, k % 3) / NIVEAUX_16;
         }
         return image;
@@ -77,9 +76,9 @@ public final class SceneJugee {
 
     private Raster dessiner(int c, String... options) throws IOException {
         if (textes[c] == null) {
-            textes[c] = traduction.texte(largeur, hauteur, c);
+            textes[c] = traduction.texte(c);
         }
         String suffixe = dessins == 1 ? "" : "-" + COMPOSANTES[c];
-        return peintre.dessiner(textes[c], nom + suffixe, largeur, hauteur, options);
+        return povray.dessiner(textes[c], nom + suffixe, camera.getLargeur(), camera.getHauteur(), options);
     }
 }

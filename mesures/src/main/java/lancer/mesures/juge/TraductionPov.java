@@ -1,13 +1,18 @@
 package lancer.mesures.juge;
 
+import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
@@ -50,18 +55,19 @@ final class TraductionPov {
 
     private final Scene scene;
     private final int reflets;
+    private final Camera camera;
     private final Set<Objet3D> derriere;
     private final double echelle;
 
     /**
+     * @param scene préparée pour cette caméra
      * @param reflets nombre de réflexions permises
-     * @param derriere les objets à cacher aux premiers rayons de POV-Ray, qui partent de l'œil et non de l'écran
      * @throws Intraduisible si POV-Ray ne peut faire le même calcul
      */
-    TraductionPov(Scene scene, int reflets, Set<Objet3D> derriere) throws Intraduisible {
+    TraductionPov(Scene scene, int reflets, Camera camera) throws Intraduisible {
         this.scene = scene;
         this.reflets = reflets;
-        this.derriere = derriere;
+        this.camera = camera;
         if (reflets + 1 > NIVEAUX_MAX) {
             throw new Intraduisible("POV-Ray ne suit pas plus de " + (NIVEAUX_MAX - 1) + " reflets");
         }
@@ -73,7 +79,39 @@ final class TraductionPov {
                 throw new Intraduisible("ns=0 : pour POV-Ray, 0^0 vaut 0");
             }
         }
-        this.echelle = echelle(scene);
+        derriere = derriere();
+        echelle = echelle(scene);
+    }
+
+    /**
+     * Les objets qu'un rayon de l'œil au centre d'un pixel rencontre avant l'écran. Nos premiers rayons partent de l'écran, ceux de
+     * POV-Ray de l'œil : ce qui est entre les deux, nous ne le voyons que dans les reflets. POV-Ray en fait autant d'un objet marqué
+     * {@code no_image}, pourvu que personne ne le voie directement.
+     */
+    private Set<Objet3D> derriere() throws Intraduisible {
+        Set<Objet3D> derriere = scene.getObjets().stream().map(Sphere.class::cast)
+                .filter(s -> s.getCentre().z - s.getRayon() < 0 && rayons().anyMatch(rayon -> estAvant(s, rayon)))
+                .collect(Collectors.toSet());
+        Optional<Objet3D> vu = derriere.isEmpty() ? Optional.empty() : rayons().map(rayon -> {
+            scene.getClosestIntersection(rayon);
+            return rayon.getObjet();
+        }).filter(derriere::contains).findFirst();
+        if (vu.isPresent()) {
+            throw new Intraduisible(vu.get() + " traverse l'écran, et se voit derrière lui");
+        }
+        return derriere;
+    }
+
+    /** Nos premiers rayons. */
+    private Stream<Rayon> rayons() {
+        int largeur = camera.getLargeur();
+        return IntStream.range(0, largeur * camera.getHauteur()).mapToObj(k -> camera.getRayon(k % largeur + 0.5, k / largeur + 0.5));
+    }
+
+    /** Vrai si un rayon de l'œil rencontre cette sphère avant l'écran, d'où part celui-ci. */
+    private static boolean estAvant(Sphere sphere, Rayon rayon) {
+        Vecteur jusqua = new Vecteur(Camera.OEIL, rayon.getP());
+        return sphere.getIntersectionDistance(new Rayon(Camera.OEIL, jusqua)) <= jusqua.norme();
     }
 
     private static double echelle(Scene scene) {
@@ -97,13 +135,13 @@ final class TraductionPov {
     }
 
     /** @param juste la composante, de 0 à 2, dont les reflets des lampes sont justes ; toutes, si les Ks sont gris */
-    String texte(int largeur, int hauteur, int juste) {
+    String texte(int juste) {
         StringBuilder s = new StringBuilder("#version 3.7;\n");
         s.append("global_settings { assumed_gamma 1 ambient_light 0 max_trace_level ").append(reflets + 1)
                 .append(" adc_bailout ").append(scene.getSeuil()).append(" }\n");
         s.append("camera { perspective location ").append(position(Camera.OEIL)).append(" direction <0, 0, ").append(Camera.FOCALE)
                 .append("> right <").append(Constantes.ECHELLE).append(", 0, 0> up <0, ")
-                .append(Constantes.ECHELLE * hauteur / largeur).append(", 0> }\n");
+                .append(Constantes.ECHELLE * camera.getHauteur() / camera.getLargeur()).append(", 0> }\n");
         s.append(CIEL);
         for (Lampe lampe : scene.getLampes()) {
             s.append("light_source { ").append(position(lampe.getPosition())).append(" rgb ").append(triplet(lampe.getCouleur()))

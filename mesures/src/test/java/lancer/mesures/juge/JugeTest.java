@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -17,6 +16,8 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
+import lancer.Constantes;
 import lancer.Scene;
 import lancer.atelier.Scenes;
 import org.junit.jupiter.api.BeforeEach;
@@ -38,38 +39,28 @@ class JugeTest {
     private Path grise;
     private Path coloree;
 
-    /** Un juge qui dessine comme nous, sans rien devoir au texte, mais ajoute {@code ecart} niveaux au rouge d'un pixel. */
-    private final class Sosie implements Peintre {
-
-        private final Path scene;
-        private final int ecart;
-        private final List<String> dessins = new ArrayList<>();
-
-        Sosie(Path scene, int ecart) {
-            this.scene = scene;
-            this.ecart = ecart;
-        }
-
-        @Override
-        public String nom() {
-            return "le sosie";
-        }
-
-        @Override
-        public Raster dessiner(String texte, String nom, int largeur, int hauteur, String... options) {
-            dessins.add(nom);
-            Scene lue = Scenes.lire(scene);
-            lue.setSeuil(texte.contains("adc_bailout 0.0") ? 0 : lue.getSeuil());
-            WritableRaster image = ScenesJugees.image(ScenesJugees.couleurs(lue));
-            image.setSample(5, 5, 0, image.getSample(5, 5, 0) + ecart);
-            return image;
-        }
-    }
-
     @BeforeEach
     void ecrireLesScenes() throws IOException {
         grise = ecrire("grise.ini", "0.5 0.5 0.5");
         coloree = ecrire("coloree.ini", "0.5 0.4 0.3");
+    }
+
+    /** Juge ces scènes par une commande qui dessine toujours {@code dessinee}, comme nous, plus {@code ecart} niveaux au rouge d'un pixel. */
+    private int comparer(Path dessinee, double seuil, int ecart, String... args) throws IOException {
+        Scene scene = Scenes.lire(dessinee);
+        scene.setSeuil(seuil);
+        WritableRaster image = ScenesJugees.image(ScenesJugees.couleurs(scene));
+        image.setSample(5, 5, 0, image.getSample(5, 5, 0) + ecart);
+        ScenesJugees.preparer(dossier, 0, image);
+        List<String> tous = new ArrayList<>(Arrays.asList("--povray", ScenesJugees.commande(dossier), "--taille", TAILLE));
+        tous.addAll(Arrays.asList(args));
+        return juger(tous.toArray(new String[0]));
+    }
+
+    /** Les noms des dessins demandés. */
+    private List<String> dessins() throws IOException {
+        return Files.readAllLines(dossier.resolve("demandes")).stream().map(d -> d.replaceFirst(".* \\+O\\S*/(\\S+)\\.png .*", "$1"))
+                .collect(Collectors.toList());
     }
 
     private Path ecrire(String nom, String Ks) throws IOException {
@@ -78,9 +69,9 @@ class JugeTest {
                 "[Lampe]", "position=-4 6 -3", "couleur=0.8 0.8 0.75"), StandardCharsets.UTF_8);
     }
 
-    private int juger(Juge.Convocation convocation, String... args) {
+    private int juger(String... args) {
         try {
-            return Juge.executer(args, new PrintStream(sortie, true, "UTF-8"), new PrintStream(erreurs, true, "UTF-8"), convocation);
+            return Juge.executer(args, new PrintStream(sortie, true, "UTF-8"), new PrintStream(erreurs, true, "UTF-8"));
         } catch (UnsupportedEncodingException e) {
             throw new AssertionError(e);
         }
@@ -93,11 +84,10 @@ class JugeTest {
     @Test
     void deuxImagesDAccordSontNotees() throws IOException {
         Path csv = dossier.resolve("nouveau/juge.csv");
-        Sosie sosie = new Sosie(grise, 0);
-        assertEquals(0, juger((c, d) -> sosie, "--taille", TAILLE, "--reflets", "3", "--csv", csv.toString(), grise.toString()));
+        assertEquals(0, comparer(grise, Constantes.SEUIL, 0, "--reflets", "3", "--csv", csv.toString(), grise.toString()));
         assertEquals("", texte(erreurs));
         assertTrue(texte(sortie).contains("d'accord"), texte(sortie));
-        assertEquals(Arrays.asList("grise"), sosie.dessins);
+        assertEquals(Arrays.asList("grise"), dessins());
         List<String> lignes = Files.readAllLines(csv);
         assertEquals(2, lignes.size());
         assertEquals(lignes.get(0).split(",").length, lignes.get(1).split(",").length);
@@ -108,27 +98,27 @@ class JugeTest {
 
     @Test
     void unKsColoreAPeineSeJugeUneComposanteALaFoisEtSansSeuil() throws IOException {
-        Sosie sosie = new Sosie(ecrire("coloree.ini", "0.5 0.5 0.49"), 0);
-        assertEquals(0, juger((c, d) -> sosie, "--taille", TAILLE, "--reflets", "3", coloree.toString()));
-        assertEquals(Arrays.asList("coloree-rouge", "coloree-verte", "coloree-bleue"), sosie.dessins);
+        ecrire("coloree.ini", "0.5 0.5 0.49");
+        assertEquals(0, comparer(coloree, 0, 0, "--reflets", "3", coloree.toString()));
+        assertEquals(Arrays.asList("coloree-rouge", "coloree-verte", "coloree-bleue"), dessins());
     }
 
     @Test
-    void unPixelFauxDUnNiveauDEcranEstDenonce() {
-        assertEquals(1, juger((c, d) -> new Sosie(grise, 300), "--taille", TAILLE, "--reflets", "3", grise.toString()));
+    void unPixelFauxDUnNiveauDEcranEstDenonce() throws IOException {
+        assertEquals(1, comparer(grise, Constantes.SEUIL, 300, "--reflets", "3", grise.toString()));
         assertTrue(texte(sortie).contains("DÉSACCORD, le pire au pixel (5, 5) : lancer "), texte(sortie));
     }
 
     @Test
-    void unReglageDeTropSeVoit() {
+    void unReglageDeTropSeVoit() throws IOException {
         // le juge a 3 reflets, nous 0
-        assertEquals(1, juger((c, d) -> new Sosie(grise, 0), "--taille", TAILLE, "--reflets", "0", grise.toString()));
+        assertEquals(1, comparer(grise, Constantes.SEUIL, 0, "--reflets", "0", grise.toString()));
         assertTrue(texte(sortie).contains("DÉSACCORD"), texte(sortie));
     }
 
     @Test
     void sansPovRayUneLigneDitCommentLAvoir() {
-        assertEquals(1, juger(PovRay::new, "--povray", dossier.resolve("absent").toString(), grise.toString()));
+        assertEquals(1, juger("--povray", dossier.resolve("absent").toString(), grise.toString()));
         assertEquals("", texte(sortie));
         String ligne = texte(erreurs);
         assertTrue(ligne.contains("sudo apt-get install povray"), ligne);
@@ -139,22 +129,22 @@ class JugeTest {
     void uneCommandeQuiNeDessinePasEstUnePanne() {
         // elle se lance, rend un autre statut que 0, et ne dit rien
         assumeTrue(Files.isExecutable(Paths.get("/bin/false")));
-        assertEquals(1, juger(PovRay::new, "--povray", "/bin/false", "--taille", TAILLE, grise.toString()));
+        assertEquals(1, juger("--povray", "/bin/false", "--taille", TAILLE, grise.toString()));
         assertTrue(texte(erreurs).contains("n'a pas dessiné grise, statut 1"), texte(erreurs));
     }
 
     @Test
     void uneSceneQueLeJugeNePeutFaireEstSauteeEtDite() throws IOException {
         Path dedans = Files.write(dossier.resolve("dedans.ini"), Arrays.asList("[Sphere]", "centre=0 0 0", "rayon=1"));
-        assertEquals(0, juger((c, d) -> new Sosie(grise, 0), "--taille", TAILLE, "--reflets", "3", dedans.toString(), grise.toString()));
+        assertEquals(0, comparer(grise, Constantes.SEUIL, 0, "--reflets", "3", dedans.toString(), grise.toString()));
         assertTrue(texte(sortie).contains("non jugée : Sphere("), texte(sortie));
         assertTrue(texte(sortie).contains("d'accord"), texte(sortie));
     }
 
     @ParameterizedTest(name = "« {0} »")
     @ValueSource(strings = {"--inconnue 3", "--csv", "--reflets -1 x.ini", "--reflets 3", "--taille 0x0 x.ini", "absente.ini"})
-    void uneDemandeFausseTientEnUneLigneEtLeStatut2(String args) {
-        assertEquals(2, juger((c, d) -> new Sosie(grise, 0), args.split(" ")));
+    void uneDemandeFausseTientEnUneLigneEtLeStatut2(String args) throws IOException {
+        assertEquals(2, juger(("--povray " + ScenesJugees.commande(dossier) + " " + args).split(" ")));
         assertEquals("", texte(sortie).replaceAll("(?s)Le juge est.*verdict\\s*", ""));
         assertEquals(1, texte(erreurs).split("\n").length, texte(erreurs));
         assertTrue(texte(erreurs).startsWith("Juge : "), texte(erreurs));
@@ -177,10 +167,8 @@ class JugeTest {
         } catch (IOException e) {
             assumeTrue(false, "povray n'est pas là");
         }
-        Path garde = dossier.resolve("garde");
-        assertEquals(0, juger(PovRay::new, "--taille", TAILLE, "--garder", garde.toString(), grise.toString(), coloree.toString()),
-                texte(sortie) + texte(erreurs));
+        assertEquals(0, juger("--taille", TAILLE, grise.toString(), coloree.toString()), texte(sortie) + texte(erreurs));
         assertEquals(2, texte(sortie).split("  d'accord", -1).length - 1, texte(sortie));
-        assertTrue(Files.exists(garde.resolve("grise.pov")) && Files.exists(garde.resolve("coloree-verte.png")));
+        assertTrue(Files.exists(Paths.get("target/juge/grise.pov")) && Files.exists(Paths.get("target/juge/coloree-verte.png")));
     }
 }

@@ -4,11 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.color.ColorSpace;
-import java.awt.image.BufferedImage;
-import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
@@ -16,9 +12,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Arrays;
-import javax.imageio.ImageIO;
 import lancer.Couleur;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -30,30 +24,19 @@ class PovRayTest {
     @TempDir
     Path dossier;
 
-    private Path commande;
+    private String commande;
 
     @BeforeEach
     void ecrireLaCommande() throws IOException {
-        assumeTrue(Files.isExecutable(Paths.get("/bin/sh")));
-        commande = dossier.resolve("povray");
-        Files.write(commande, Arrays.asList("#!/bin/sh", "cd '" + dossier + "'",
-                "[ \"$1\" = --version ] && { echo 'POV-Ray 3.9.1.unofficial'; exit; }",
-                "echo \"$@\" >> demandes",
-                "[ $(wc -l < demandes) -gt $(cat echecs) ] || { echo; echo 'Fatal error: en retard'; exit 3; }",
-                "echo 'Trace Time:       0 hours  0 minutes  1 seconds (1.250 seconds)'",
-                "echo '              using 2 thread(s) with 2.500 CPU-seconds total'", "cp image.png \"${2#+O}\""), StandardCharsets.UTF_8);
-        assertTrue(commande.toFile().setExecutable(true));
+        commande = ScenesJugees.commande(dossier);
     }
 
     private void preparer(int echecs, WritableRaster image) throws IOException {
-        Files.write(dossier.resolve("echecs"), String.valueOf(echecs).getBytes(StandardCharsets.US_ASCII));
-        int type = image.getDataBuffer().getDataType();
-        ComponentColorModel couleurs = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, 1, type);
-        ImageIO.write(new BufferedImage(couleurs, image, false, null), "png", dossier.resolve("image.png").toFile());
+        ScenesJugees.preparer(dossier, echecs, image);
     }
 
     private Raster dessiner() throws IOException {
-        return new PovRay(commande.toString(), dossier).dessiner("la scène", "essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR);
+        return new PovRay(commande, dossier).dessiner("la scène", "essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR);
     }
 
     private static WritableRaster image() {
@@ -69,13 +52,13 @@ class PovRayTest {
         assertEquals("la scène", new String(Files.readAllBytes(dossier.resolve("essai.pov")), StandardCharsets.UTF_8));
         assertEquals(Arrays.asList("+I" + dossier.resolve("essai.pov") + " +O" + dossier.resolve("essai.png")
                 + " +FN16 File_Gamma=1 +W40 +H30 -D -P -V -J -A"), Files.readAllLines(dossier.resolve("demandes")));
-        assertEquals("POV-Ray 3.9.1", new PovRay(commande.toString(), dossier).nom());
+        assertEquals("POV-Ray 3.9.1", new PovRay(commande, dossier).nom());
     }
 
     @Test
     void sonTempsEstCeluiQuIlDitAvoirPasseATracer() throws IOException {
         preparer(0, image());
-        PovRay povray = new PovRay(commande.toString(), dossier);
+        PovRay povray = new PovRay(commande, dossier);
         povray.dessiner("la scène", "essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, "+A0.1", "+R3");
         assertArrayEquals(new double[] {1.25e9, 2.5e9}, Arrays.copyOfRange(povray.temps(), 1, 3));
         assertTrue(Files.readAllLines(dossier.resolve("demandes")).get(0).endsWith(" -J +A0.1 +R3"));

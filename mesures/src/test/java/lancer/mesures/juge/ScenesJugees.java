@@ -1,10 +1,22 @@
 package lancer.mesures.juge;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
+import javax.imageio.ImageIO;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -15,7 +27,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.mesures.ImageLineaire;
 
-/** De petites scènes, et des images de 16 bits faites de nos couleurs. */
+/** De petites scènes, des images de 16 bits faites de nos couleurs, et une fausse commande povray qui les rend. */
 final class ScenesJugees {
 
     static final int LARGEUR = 40;
@@ -23,6 +35,29 @@ final class ScenesJugees {
     static final int REFLETS = 3;
 
     private ScenesJugees() {
+    }
+
+    /** Une commande qui note dans « demandes » ce qu'on lui demande, et rend « image.png » après les échecs que dit « echecs ». */
+    static String commande(Path dossier) throws IOException {
+        assumeTrue(Files.isExecutable(Paths.get("/bin/sh")));
+        Path commande = dossier.resolve("povray");
+        Files.write(commande, Arrays.asList("#!/bin/sh", "d='" + dossier + "'",
+                "[ \"$1\" = --version ] && { echo 'POV-Ray 3.9.1.unofficial'; exit; }",
+                "echo \"$@\" >> $d/demandes",
+                "[ $(wc -l < $d/demandes) -gt $(cat $d/echecs) ] || { echo; echo 'Fatal error: en retard'; exit 3; }",
+                "echo 'Trace Time:       0 hours  0 minutes  1 seconds (1.250 seconds)'",
+                "echo '              using 2 thread(s) with 2.500 CPU-seconds total'", "cp $d/image.png \"${2#+O}\""),
+                StandardCharsets.UTF_8);
+        assertTrue(commande.toFile().setExecutable(true));
+        return commande.toString();
+    }
+
+    /** Ce que rendra {@link #commande}. */
+    static void preparer(Path dossier, int echecs, WritableRaster image) throws IOException {
+        Files.write(dossier.resolve("echecs"), String.valueOf(echecs).getBytes(StandardCharsets.US_ASCII));
+        int type = image.getDataBuffer().getDataType();
+        ComponentColorModel couleurs = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, 1, type);
+        ImageIO.write(new BufferedImage(couleurs, image, false, null), "png", dossier.resolve("image.png").toFile());
     }
 
     static Sphere boule(double x, double y, double z, double rayon, Couleur Kd, Couleur Ks) {

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Set;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Objet3D;
@@ -21,8 +20,7 @@ import org.junit.jupiter.api.Test;
 class TraductionPovTest {
 
     private static String texte(Scene scene, int reflets, int juste) throws Intraduisible {
-        Set<Objet3D> derriere = Ecran.traverses(scene, new Camera(ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR));
-        return new TraductionPov(scene, reflets, derriere).texte(ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, juste);
+        return new TraductionPov(scene, reflets, new Camera(ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR)).texte(juste);
     }
 
     private static void refuse(String raison, Scene scene, int reflets) {
