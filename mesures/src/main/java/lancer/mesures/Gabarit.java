@@ -6,8 +6,6 @@ import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Pave;
-import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.temoins.LancerSurveille;
 
@@ -56,9 +54,29 @@ public final class Gabarit {
         return semes;
     }
 
+    /** Un rayon en un point au hasard de chaque sous-pixel des pixels semés ; toujours le même pour une graine. */
     private static ImageLineaire image(Scene scene, int largeur, int hauteur, boolean[] semes, long graine) {
-        Lancer lancer = LancerSurveille.preparer(scene.avec(new AuHasard(graine, largeur, semes), 0), largeur, hauteur, false);
+        Echantillonnage auHasard = (pave, vue, toile) -> {
+            for (int j = pave.j0; j < pave.j1; j++) {
+                for (int i = pave.i0; i < pave.i1; i++) {
+                    if (semes[j * largeur + i]) {
+                        toile.drawPixel(couleur(vue, i, j, new SplittableRandom(graine << 2 * Short.SIZE | j << Short.SIZE | i)), i, j);
+                    }
+                }
+            }
+            return 0;
+        };
+        Lancer lancer = LancerSurveille.preparer(scene.avec(auHasard, 0), largeur, hauteur, false);
         return ImageLineaire.de(lancer, PROFONDEUR, Runtime.getRuntime().availableProcessors());
+    }
+
+    private static Couleur couleur(Vue vue, int i, int j, SplittableRandom hasard) {
+        Couleur somme = new Couleur();
+        for (int k = 0; k < COTE * COTE; k++) {
+            somme = somme.add(vue.couleur(i + (k % COTE + hasard.nextDouble()) / COTE,
+                    j + (k / COTE + hasard.nextDouble()) / COTE));
+        }
+        return somme.div(COTE * COTE);
     }
 
     /** Le carré de l'erreur de chaque pixel semé, en niveaux, sans biais, donc parfois négatif. */
@@ -85,41 +103,5 @@ public final class Gabarit {
 
     private static double niveau(double composante) {
         return NIVEAUX * Math.max(0, Math.min(1, composante));
-    }
-
-    /** Un rayon en un point au hasard de chaque sous-pixel des pixels semés ; toujours le même pour une graine. Immuable. */
-    private static final class AuHasard implements Echantillonnage {
-
-        private final long graine;
-        private final int largeur;
-        private final boolean[] semes;
-
-        AuHasard(long graine, int largeur, boolean[] semes) {
-            this.graine = graine;
-            this.largeur = largeur;
-            this.semes = semes;
-        }
-
-        @Override
-        public int tracer(Pave pave, Vue vue, Toile toile) {
-            for (int j = pave.j0; j < pave.j1; j++) {
-                for (int i = pave.i0; i < pave.i1; i++) {
-                    if (semes[j * largeur + i]) {
-                        toile.drawPixel(couleur(vue, i, j), i, j);
-                    }
-                }
-            }
-            return 0;
-        }
-
-        private Couleur couleur(Vue vue, int i, int j) {
-            SplittableRandom hasard = new SplittableRandom(graine << 2 * Short.SIZE | j << Short.SIZE | i);
-            Couleur somme = new Couleur();
-            for (int k = 0; k < COTE * COTE; k++) {
-                somme = somme.add(vue.couleur(i + (k % COTE + hasard.nextDouble()) / COTE,
-                        j + (k / COTE + hasard.nextDouble()) / COTE));
-            }
-            return somme.div(COTE * COTE);
-        }
     }
 }

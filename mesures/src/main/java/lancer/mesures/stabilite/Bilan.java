@@ -29,7 +29,7 @@ final class Bilan {
 
     /** Les défauts, du plus voyant au moins voyant. */
     List<Exactitude> defauts() {
-        return tous.stream().filter(r -> r.figure.equals(FigureDefauts.FIGURE) && !r.formule.equals(FigureDefauts.PROGRAMME))
+        return tous.stream().filter(r -> r.figure.equals(Mesures.DEFAUTS) && !r.formule.equals(Aspect.PROGRAMME.cle()))
                 .sorted(Comparator.comparingInt(r -> -r.faux)).collect(Collectors.toList());
     }
 
@@ -101,7 +101,7 @@ final class Bilan {
         }
         List<Exactitude> naifs = defauts();
         valeurs.put("stabilite.defauts", String.valueOf(naifs.size()));
-        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(FigureDefauts.FIGURE, Aspect.PROGRAMME, 0)));
+        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Mesures.DEFAUTS, Aspect.PROGRAMME, 0)));
         naifs.forEach(r -> valeurs.put("stabilite.defaut." + r.formule, Style.nombre(r.faux)));
         return valeurs;
     }

@@ -70,7 +70,7 @@ public final class Cas {
 
     /** Faux si l'arrondi de la direction suffit à faire toucher ou manquer la sphère : les deux réponses se valent. */
     boolean seJuge() {
-        return Math.abs(exacte.enfoncement) >= K * U * (distanceAuCentre() + r);
+        return Math.abs(exacte.enfoncement) >= K * U * (new Vecteur(P, C).norme() + r);
     }
 
     /** Vrai si une méthode touche ce qu'il faut manquer, ou l'inverse, ou prend une racine pour l'autre. */
@@ -96,10 +96,6 @@ public final class Cas {
     public void copier(double[] nombres, int k) {
         double[] siens = {P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r};
         System.arraycopy(siens, 0, nombres, k, siens.length);
-    }
-
-    private double distanceAuCentre() {
-        return new Vecteur(P, C).norme();
     }
 
     private static Vecteur gauss(Random hasard) {

@@ -1,10 +1,13 @@
 package lancer.mesures.stabilite;
 
 import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import lancer.antialias.Antialias;
 import lancer.essai.Defauts;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
@@ -22,6 +25,9 @@ final class Figures {
 
     /** Où dessiner une part nulle, en %, sur un axe qui ne saurait l'atteindre. */
     private static final double AUCUN = 0.05;
+
+    /** Nombre de pixels faux au-dessous duquel chacun est grossi. */
+    private static final int RARES = 10;
 
     private final Bilan bilan;
     private final Map<String, String> nombres;
@@ -87,18 +93,37 @@ final class Figures {
 
     /** D : les défauts, en images. */
     Planche defauts() {
-        List<Defauts.Defaut> images = FigureDefauts.tous();
+        List<Defauts.Defaut> images = new Defauts(Antialias.coins(3, 0)).tous();
         List<Exactitude> naifs = bilan.defauts();
         Vignettes vignettes = new Vignettes(3);
         for (Exactitude r : naifs) {
             Defauts.Defaut defaut = images.stream().filter(d -> d.cle.equals(r.formule)).findFirst().get();
-            vignettes.image(FigureDefauts.image(defaut), defaut.nom, Style.nombre(r.faux) + (r.faux > 1 ? " pixels faux" : " pixel faux"));
+            vignettes.image(image(defaut), defaut.nom, Style.nombre(r.faux) + (r.faux > 1 ? " pixels faux" : " pixel faux"));
         }
         return new Planche(naifs.size() + " défauts courants : de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à "
                 + Style.nombre(naifs.get(0).faux) + " pixels faux ; le programme : " + nombre("defauts.programme"),
                 "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-pas de "
                 + "l'écran d'écart à ce que donne la géométrie. Images de " + Style.nombre(naifs.get(0).essais) + " pixels. make mesures")
                 .taille(Style.LARGEUR, 1480).volet(vignettes);
+    }
+
+    /** L'image juste, celle du défaut, et où celle-ci est fausse ; de rares pixels sont grossis. */
+    private static BufferedImage image(Defauts.Defaut d) {
+        int cote = d.cote;
+        BufferedImage image = new BufferedImage(3 * cote + 4, cote, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setColor(Style.BANDE);
+        g.fillRect(2 * cote + 4, 0, cote, cote);
+        g.setColor(Style.VERMILLON);
+        int bord = d.faux(d.naive) < RARES ? 2 : 0;
+        for (int k = 0; k < cote * cote; k++) {
+            image.setRGB(k % cote, k / cote, d.programme[k].getCode());
+            image.setRGB(k % cote + cote + 2, k / cote, d.naive[k].getCode());
+            if (d.estFaux(k, d.naive)) {
+                g.fillRect(k % cote + 2 * cote + 4 - bord, k / cote - bord, 2 * bord + 1, 2 * bord + 1);
+            }
+        }
+        return image;
     }
 
     /** Chaque méthode. @param juste vrai pour ne tracer que là où elle touche et manque encore comme il faut */

@@ -7,8 +7,10 @@ import java.util.Random;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import lancer.antialias.Antialias;
+import lancer.essai.Defauts;
 
-/** Tire les rayons et juge chaque méthode. Aucun temps n'est mesuré : les mêmes graines donnent le même fichier, partout. */
+/** Tire les rayons et juge chaque méthode, puis chaque défaut. Aucun temps n'est mesuré : les mêmes graines donnent le même fichier, partout. */
 final class Mesures {
 
     /** De loin : x = |P − C|/r. */
@@ -23,6 +25,9 @@ final class Mesures {
 
     /** Posé sur une surface : x = hauteur/rayon. */
     static final String POSE = "pose";
+
+    /** Les défauts courants, en images : x = rang du défaut. */
+    static final String DEFAUTS = "defauts";
 
     /** De combien de rayons {@link #RAS} et {@link #RAS_LOIN} regardent la sphère. */
     static final double PRES = 3;
@@ -44,15 +49,27 @@ final class Mesures {
         pas = rapide ? 2 : 1;
     }
 
-    /** Toutes, dans un ordre fixe ; les images fausses viennent de {@link FigureDefauts}. */
-    List<Exactitude> intersections() {
+    /** Toutes, dans un ordre fixe. */
+    List<Exactitude> toutes() {
         List<Exactitude> tous = new ArrayList<>();
         tous.addAll(courbe(LOIN, 1, 0, 12, 2, d -> h -> Cas.deLoin(h, d)));
         tous.addAll(courbe(RAS, 2, -14, -1, 1, m -> h -> Cas.rasant(h, PRES, m)));
         tous.addAll(courbe(RAS_LOIN, 3, -12, -1, 1, m -> h -> Cas.rasant(h, LOINTAIN, m)));
         tous.addAll(sol());
         tous.addAll(courbe(POSE, 5, -16, -1, 1, e -> h -> Cas.pose(h, e)));
+        tous.addAll(defauts());
         return tous;
+    }
+
+    /** De chaque défaut, les pixels faux, puis ceux du programme. */
+    static List<Exactitude> defauts() {
+        List<Exactitude> exactitudes = new ArrayList<>();
+        for (Defauts.Defaut d : new Defauts(Antialias.coins(3, 0)).tous()) {
+            int rang = exactitudes.size() / 2;
+            exactitudes.add(new Exactitude(DEFAUTS, d.cle, rang, 0, d.juges(), d.faux(d.naive), 0, 0));
+            exactitudes.add(new Exactitude(DEFAUTS, Aspect.PROGRAMME.cle(), rang, 0, d.juges(), d.faux(d.programme), 0, 0));
+        }
+        return exactitudes;
     }
 
     List<Exactitude> sol() {

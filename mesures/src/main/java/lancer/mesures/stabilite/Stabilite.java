@@ -3,8 +3,6 @@ package lancer.mesures.stabilite;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 
 /**
@@ -24,9 +22,7 @@ public final class Stabilite {
      * @param rapide vrai pour dix fois moins de rayons, à une abscisse sur deux
      */
     public static void mesurer(Path dossier, boolean rapide) throws IOException {
-        List<Exactitude> tous = new ArrayList<>(new Mesures(rapide).intersections());
-        tous.addAll(FigureDefauts.compter());
-        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.STABILITE, tous, "");
+        Exactitude.ecrire(dossier.resolve(CSV), Exactitude.STABILITE, new Mesures(rapide).toutes(), "");
     }
 
     private static Bilan lire(Path dossier) throws IOException {

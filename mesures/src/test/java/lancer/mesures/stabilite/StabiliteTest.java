@@ -44,7 +44,7 @@ class StabiliteTest {
         assertTrue(bilan.unites(Mesures.LOIN) <= Cas.K && bilan.unites(Mesures.RAS) <= Cas.K
                 && bilan.unites(Mesures.RAS_LOIN) <= Cas.K);
         assertEquals(0, bilan.faux(Mesures.LOIN, Aspect.PROGRAMME, Bilan.DE_LOIN));
-        assertEquals(0, bilan.faux(FigureDefauts.FIGURE, Aspect.PROGRAMME, 0));
+        assertEquals(0, bilan.faux(Mesures.DEFAUTS, Aspect.PROGRAMME, 0));
         assertTrue(bilan.faux(Mesures.LOIN, Aspect.MANUEL, Bilan.DE_LOIN) > 100, "de loin, le manuel ne sait plus qui touche");
         assertTrue(bilan.pente() > 0.8 && bilan.pente() < 1.2, "pente " + bilan.pente());
         bilan.defauts().forEach(r -> assertTrue(r.faux > 0, r.formule + " se voit"));
@@ -62,8 +62,8 @@ class StabiliteTest {
     @Test
     void lesComptesNotesSontCeuxDuProgrammeDeCeCommit() throws IOException {
         List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Stabilite.CSV), Exactitude.STABILITE);
-        assertEquals(comptes(FigureDefauts.compter()),
-                comptes(notees.stream().filter(r -> r.figure.equals(FigureDefauts.FIGURE)).collect(Collectors.toList())));
+        assertEquals(comptes(Mesures.defauts()),
+                comptes(notees.stream().filter(r -> r.figure.equals(Mesures.DEFAUTS)).collect(Collectors.toList())));
         List<String> sol = comptes(notees.stream().filter(r -> r.figure.equals(Mesures.SOL)).collect(Collectors.toList()));
         assertEquals(comptes(new Mesures(false).sol()), sol, "make mesures MESURES=--stabilite");
     }
