@@ -2,9 +2,7 @@ package lancer.mesures.trace;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
-import java.util.Collections;
-import java.util.List;
-import org.jfree.chart.LegendItem;
+import org.jfree.chart.LegendItemCollection;
 
 /** Une partie d'une {@link Planche} : une courbe, des images… */
 public interface Contenu {
@@ -22,7 +20,7 @@ public interface Contenu {
     void dessiner(Graphics2D g, Rectangle2D place, double enTete);
 
     /** Ce qui se nomme dans la légende, une fois pour toute la planche. */
-    default List<LegendItem> legende() {
-        return Collections.emptyList();
+    default LegendItemCollection legende() {
+        return new LegendItemCollection();
     }
 }

@@ -10,11 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
-import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.block.FlowArrangement;
 import org.jfree.chart.block.RectangleConstraint;
@@ -113,10 +113,11 @@ public final class Planche {
 
     /** La légende de tous les volets, chaque nom une fois, au-dessus de {@code bas}. @return sa hauteur */
     private double legender(Graphics2D g, double bas, double utile) {
-        Map<String, LegendItem> signes = new LinkedHashMap<>();
-        contenus.stream().filter(c -> legende).forEach(c -> c.legende().forEach(s -> signes.putIfAbsent(s.getLabel(), s)));
+        LegendItemCollection tous = new LegendItemCollection();
+        contenus.stream().filter(c -> legende).forEach(c -> tous.addAll(c.legende()));
         LegendItemCollection items = new LegendItemCollection();
-        signes.values().forEach(items::add);
+        Set<String> noms = new HashSet<>();
+        IntStream.range(0, tous.getItemCount()).mapToObj(tous::get).filter(s -> noms.add(s.getLabel())).forEach(items::add);
         LegendTitle legende = new LegendTitle(() -> items,
                 new FlowArrangement(HorizontalAlignment.LEFT, VerticalAlignment.CENTER, 24, 2), new FlowArrangement());
         legende.setItemFont(Style.TEXTE);

@@ -24,6 +24,8 @@ import org.jfree.chart.renderer.xy.XYErrorRenderer;
 import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.data.Range;
+import org.jfree.data.general.DatasetUtils;
 import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 
@@ -107,12 +109,10 @@ public final class Volet implements Contenu {
     }
 
     @Override
-    public List<LegendItem> legende() {
-        List<LegendItem> signes = new ArrayList<>();
-        LegendItemCollection siens = plot().getLegendItems();
-        for (int k = 0; k < siens.getItemCount(); k++) {
-            signes.add(siens.get((k + fonds.size()) % siens.getItemCount()));
-        }
+    public LegendItemCollection legende() {
+        XYPlot plot = plot();
+        LegendItemCollection signes = plot.getRenderer(1).getLegendItems();
+        signes.addAll(plot.getRenderer(0).getLegendItems());
         if (series.stream().anyMatch(s -> s.marques.stream().anyMatch(m -> m.cerclee))) {
             signes.add(new LegendItem("défaut", null, null, null, FormeDePoint.ANNEAU, Style.TRAIT, Style.NOIR));
         }
@@ -141,9 +141,10 @@ public final class Volet implements Contenu {
     }
 
     private XYPlot plot() {
-        axes();
+        XYIntervalSeriesCollection montrees = donnees(series);
+        axes(montrees);
         XYPlot plot = new XYPlot(donnees(fonds), axeX, axeY, new Points(fonds));
-        plot.setDataset(1, donnees(series));
+        plot.setDataset(1, montrees);
         plot.setRenderer(1, new Points(series));
         plot.setBackgroundPaint(null);
         plot.setOutlinePaint(Style.GRIS);
@@ -162,23 +163,13 @@ public final class Volet implements Contenu {
         return plot;
     }
 
-    private void axes() {
-        double minX = repereX > 0 ? repereX : Double.POSITIVE_INFINITY;
-        double maxX = repereX;
-        double minY = zone > 0 ? zone / 2 : Double.POSITIVE_INFINITY;
-        double maxY = zone;
-        for (Serie serie : series) {
-            for (Marque m : serie.marques) {
-                minX = Math.min(minX, m.xMin);
-                maxX = Math.max(maxX, m.xMax);
-                maxY = Math.max(maxY, m.yMax);
-                minY = Math.min(minY, m.yMin);
-            }
-        }
-        axeX = new Axe(nomX, minX / jeu(minX, maxX), maxX * jeu(minX, maxX));
+    private void axes(XYIntervalSeriesCollection montrees) {
+        Range x = DatasetUtils.iterateDomainBounds(montrees, true);
+        axeX = axe(nomX, repereX > 0 ? Range.expandToInclude(x, repereX) : x);
         axeX.setInverted(versZero);
         if (rangees == null) {
-            axeY = new Axe(nomY, minY / jeu(minY, maxY), maxY * jeu(minY, maxY));
+            Range y = DatasetUtils.iterateRangeBounds(montrees, true);
+            axeY = axe(nomY, zone > 0 ? Range.expandToInclude(Range.expandToInclude(y, zone), zone / 2) : y);
         } else {
             SymbolAxis noms = new SymbolAxis(null, rangees);
             noms.setGridBandsVisible(false);
@@ -196,9 +187,12 @@ public final class Volet implements Contenu {
         }
     }
 
-    /** De combien l'axe dépasse ce qui s'y montre : une marque au bord doit y tenir. */
-    private static double jeu(double min, double max) {
-        return Math.max(1 + 0.2 * Math.min(1, max / min - 1), Math.pow(max / min, 0.04));
+    /** Il dépasse ce qui s'y montre : une marque au bord doit y tenir. */
+    private static Axe axe(String nom, Range montre) {
+        double min = montre.getLowerBound();
+        double max = montre.getUpperBound();
+        double jeu = Math.max(1 + 0.2 * Math.min(1, max / min - 1), Math.pow(max / min, 0.04));
+        return new Axe(nom, min / jeu, max * jeu);
     }
 
     private XYIntervalSeriesCollection donnees(List<Serie> partie) {
