@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Paths;
-import java.util.Arrays;
 import java.util.stream.IntStream;
 import lancer.Scene;
 import lancer.antialias.Antialias;
@@ -24,34 +23,30 @@ class GabaritTest {
     private static final int L = 56;
     private static final int H = 42;
 
-    private static ImageLineaire image(Scene scene, int reflets) {
-        return ImageLineaire.de(LancerSurveille.preparer(scene, LARGEUR, HAUTEUR, false), reflets, 2);
+    private static ImageLineaire image(Scene scene, int largeur, int hauteur, int reflets) {
+        return ImageLineaire.de(LancerSurveille.preparer(scene, largeur, hauteur, false), reflets, 2);
+    }
+
+    private static double erreur(Gabarit gabarit, ImageLineaire image) {
+        return Intervalle.deLaRacine(gabarit.carres(image)).valeur;
     }
 
     @Test
     void lesPixelsSemesDonnentLErreurDeTouteLImage() {
         Scene scene = SceneAuHasard.de(2);
-        Gabarit entier = new Gabarit(scene, LARGEUR, HAUTEUR, 1);
+        ImageLineaire image = image(scene, LARGEUR, HAUTEUR, 5);
         Gabarit seme = new Gabarit(scene, LARGEUR, HAUTEUR, 3);
-        double[] carres = seme.carres(image(scene, 5));
-        assertEquals(54 * 40, carres.length, "un par carré");
-        double attendue = Intervalle.deLaRacine(entier.carres(image(scene, 5))).valeur;
-        assertEquals(1, Intervalle.deLaRacine(carres).valeur / attendue, 0.15);
+        assertEquals(54 * 40, seme.carres(image).length, "un par carré");
+        assertEquals(1, erreur(seme, image) / erreur(new Gabarit(scene, LARGEUR, HAUTEUR, 1), image), 0.15);
     }
 
     @Test
     void laVeriteNAPasDeLimiteDeReflexions() {
         Scene miroirs = Scenes.lire(FichierScene.trouver(Paths.get("scenes", "miroirs.ini").toString()));
         Gabarit gabarit = new Gabarit(miroirs, LARGEUR, HAUTEUR, 4);
-        double cinq = Arrays.stream(gabarit.carres(image(miroirs, 5))).average().getAsDouble();
-        double cent = Arrays.stream(gabarit.carres(image(miroirs, 100))).average().getAsDouble();
-        assertTrue(cent < cinq / 4, cent + " contre " + cinq);
-    }
-
-    /** La moyenne de 1024 rayons réguliers par pixel, sans limite. */
-    private static ImageLineaire verite(Scene scene) {
-        Scene fine = scene.avec(Antialias.coins(32, 0), 0);
-        return ImageLineaire.de(LancerSurveille.preparer(fine, L, H, false), Gabarit.PROFONDEUR, 2);
+        double cinq = erreur(gabarit, image(miroirs, LARGEUR, HAUTEUR, 5));
+        double cent = erreur(gabarit, image(miroirs, LARGEUR, HAUTEUR, 100));
+        assertTrue(cent < cinq / 2, cent + " contre " + cinq);
     }
 
     /** En niveaux, de couleurs limitées à [0, 1]. */
@@ -63,25 +58,18 @@ class GabaritTest {
     }
 
     @Test
-    void leGabaritMesureLErreurContreLaVerite() {
+    void leGabaritMesureLErreurContreLaVeriteEtLaVeriteNEnAPas() {
         for (long graine : new long[] {1, 2}) {
             Scene scene = SceneAuHasard.de(graine);
-            ImageLineaire verite = verite(scene);
+            ImageLineaire verite = image(scene.avec(Antialias.coins(32, 0), 0), L, H, Gabarit.PROFONDEUR);
             Gabarit gabarit = new Gabarit(scene, L, H, 1);
             for (int reflets : new int[] {0, 5}) {
-                ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene, L, H, false), reflets, 2);
+                ImageLineaire image = image(scene, L, H, reflets);
                 double attendue = erreur(image, verite);
-                assertEquals(1, Intervalle.deLaRacine(gabarit.carres(image)).valeur / attendue, 0.05,
-                        "graine " + graine + ", " + attendue + " niveaux");
+                assertEquals(1, erreur(gabarit, image) / attendue, 0.05, "graine " + graine + ", " + attendue + " niveaux");
             }
+            // ce qui reste est le hasard des deux images, qui ne fait que s'annuler à peu près
+            assertTrue(erreur(gabarit, verite) < 0.5);
         }
-    }
-
-    @Test
-    void uneImageJusteNAPasDErreur() {
-        Scene scene = SceneAuHasard.de(1);
-        ImageLineaire verite = verite(scene);
-        // ce qui reste est le hasard des deux images, qui ne fait que s'annuler à peu près
-        assertTrue(Intervalle.deLaRacine(new Gabarit(scene, L, H, 1).carres(verite)).valeur < 0.5);
     }
 }

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
 import lancer.antialias.Antialias;
 import lancer.essai.Defauts;
 
-/** Tire les rayons et juge chaque méthode, puis chaque défaut. Aucun temps n'est mesuré : les mêmes graines donnent le même fichier, partout. */
+/** Juge chaque méthode sur des rayons tirés au sort, et chaque défaut. Rien n'est chronométré : le fichier est partout le même. */
 final class Mesures {
 
     /** De loin : x = |P − C|/r. */

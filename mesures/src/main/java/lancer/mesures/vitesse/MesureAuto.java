@@ -87,8 +87,8 @@ public final class MesureAuto {
         double rayons = (double) lancer.getCompteurs().rayons() / taille.pixels();
         double essais = (double) auto.getRayonsDesEssais() / taille.pixels();
         double erreur = Intervalle.deLaRacine(gabarit.carres(image)).valeur;
-        return FichierCsv.ligne(nom, voulue, choisi, ouiNon(auto.estTenable()), nombre(choisi.erreur), nombre(choisi.erreurAuPlus), nombre(erreur),
-                ouiNon(erreur <= voulue), nombre(choisi.prix), nombre(rayons), nombre(essais), nombre(essais / rayons));
+        return FichierCsv.ligne(nom, voulue, choisi, ouiNon(auto.estTenable()), nombre(choisi.erreur), nombre(choisi.erreurAuPlus),
+                nombre(erreur), ouiNon(erreur <= voulue), nombre(choisi.prix), nombre(rayons), nombre(essais), nombre(essais / rayons));
     }
 
     private static String ouiNon(boolean vrai) {

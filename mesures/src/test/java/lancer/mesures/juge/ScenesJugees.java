@@ -79,12 +79,8 @@ final class ScenesJugees {
         return scene(boule(-0.5, 0, 6, 0.8, new Couleur(0.75, 0.25, 0.125), Ks), boule(0.75, 0.25, 5, 0.5, new Couleur(0.5), Ks));
     }
 
-    static Lancer lancer(Scene scene) {
-        return new Lancer(scene, new Camera(LARGEUR, HAUTEUR));
-    }
-
     static ImageLineaire couleurs(Scene scene) {
-        return ImageLineaire.de(lancer(scene), REFLETS, 1);
+        return ImageLineaire.de(new Lancer(scene, new Camera(LARGEUR, HAUTEUR)), REFLETS, 1);
     }
 
     /** Ces couleurs, limitées et arrondies comme dans un PNG de 16 bits. */
