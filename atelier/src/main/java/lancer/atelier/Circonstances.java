@@ -25,7 +25,7 @@ public final class Circonstances {
         for (String[] commande : new String[][] {{"sed", "-n", "s/^model name[^:]*: //p", "/proc/cpuinfo"},
             {"sysctl", "-n", "machdep.cpu.brand_string"}}) {
             String nom = premiereLigne(commande);
-            if (nom != null && !nom.isEmpty()) {
+            if (!nom.isEmpty()) {
                 return nom.trim();
             }
         }
@@ -34,15 +34,15 @@ public final class Circonstances {
 
     private static String commit() {
         String commit = premiereLigne("git", "rev-parse", "--short", "HEAD");
-        if (commit == null || commit.isEmpty()) {
+        if (commit.isEmpty()) {
             return INCONNU;
         }
         // le banc lui-même écrit dans resultats : ce n'est pas une source
         String change = premiereLigne("git", "status", "--porcelain", "--", ":/", ":(top,exclude)mesures/resultats");
-        return change == null || !change.isEmpty() ? commit + "+" : commit;
+        return change.isEmpty() ? commit : commit + "+";
     }
 
-    /** La première ligne qu'écrit cette commande, vide si elle n'écrit rien, {@code null} si elle ne peut être lancée. */
+    /** La première ligne qu'écrit cette commande, vide si elle n'écrit rien ou ne peut être lancée. */
     private static String premiereLigne(String... commande) {
         try {
             Process processus = new ProcessBuilder(commande).start();
@@ -52,7 +52,7 @@ public final class Circonstances {
                 return ligne == null ? "" : ligne;
             }
         } catch (IOException e) {
-            return null;
+            return "";
         }
     }
 }

@@ -66,15 +66,10 @@ public final class Generateur {
     }
 
     private static int nombre(String texte) {
-        long n;
-        try {
-            n = Long.parseLong(texte);
-        } catch (NumberFormatException e) {
-            throw new IllegalArgumentException("« " + texte + " » n'est pas un entier", e);
-        }
+        int n = texte.matches("[0-9]{1,9}") ? Integer.parseInt(texte) : 0;
         if (n < 1 || n > N_MAX) {
-            throw new IllegalArgumentException("nombre de boules : " + n + ", au lieu de 1 à " + N_MAX);
+            throw new IllegalArgumentException("nombre de boules : « " + texte + " », au lieu d'un entier de 1 à " + N_MAX);
         }
-        return (int) n;
+        return n;
     }
 }

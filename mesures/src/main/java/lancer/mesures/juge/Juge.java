@@ -8,9 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.atelier.Arguments;
@@ -57,17 +57,8 @@ public final class Juge {
     private Juge(PrintStream sortie, String... args) {
         this.sortie = sortie;
         arguments = new Arguments(USAGE, true, args);
-        List<String> duProgramme = new ArrayList<>();
-        for (String option : Arrays.asList("--reflets", "--taille")) {
-            if (arguments.a(option)) {
-                duProgramme.addAll(Arrays.asList(option, arguments.valeur(option, "")));
-            }
-        }
-        try {
-            dessin = Options.lire(duProgramme.toArray(new String[0]));
-        } catch (Echec e) {
-            throw new IllegalArgumentException(e.getMessage(), e);
-        }
+        dessin = Options.lire(Stream.of("--reflets", "--taille").filter(arguments::a).map(o -> o + "=" + arguments.valeur(o, ""))
+                .toArray(String[]::new));
         if (arguments.restes.isEmpty() && arguments.a("--reflets")) {
             throw new IllegalArgumentException("--reflets va avec une scène ; usage : " + USAGE);
         }
@@ -82,7 +73,7 @@ public final class Juge {
     static int executer(String[] args, PrintStream sortie, PrintStream erreurs) {
         try {
             return new Juge(sortie, args).juger();
-        } catch (IllegalArgumentException | SceneFautive e) {
+        } catch (IllegalArgumentException | Echec | SceneFautive e) {
             erreurs.println("Juge : " + e.getMessage());
             return 2;
         } catch (IOException | RuntimeException e) {

@@ -69,19 +69,14 @@ class StabiliteTest {
     }
 
     @Test
-    void lesErreursNoteesDesMethodesSontCellesDuProgrammeDeCeCommit() throws IOException {
+    void lesErreursDesMethodesSontCellesNoteesEtLeProgrammeEstLeSeulDesRapidesQuiTienneSaBorne() throws IOException {
         List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Methodes.CSV), Exactitude.METHODES);
-        for (Regime regime : new Regime[] {Regime.ORDINAIRE, Regime.SOL}) {
-            assertEquals(comptes(regime.juger()), comptes(notees.stream()
-                    .filter(r -> r.figure.equalsIgnoreCase(regime.name())).collect(Collectors.toList())), "make noyaux");
-        }
-    }
-
-    @Test
-    void leProgrammeTientSaBorneDansChaqueRegimeEtEstLeSeulDesRapides() throws IOException {
         Map<String, Exactitude> juges = new TreeMap<>();
         for (Regime regime : Regime.values()) {
-            regime.juger().forEach(r -> juges.put(Methodes.cle(r.figure, r.formule), r));
+            List<Exactitude> siennes = regime.juger();
+            assertEquals(comptes(siennes), comptes(notees.stream().filter(r -> r.figure.equals(regime.cle())).collect(Collectors.toList())),
+                    "make noyaux");
+            siennes.forEach(r -> juges.put(Methodes.cle(r.figure, r.formule), r));
             Exactitude programme = juges.get(Methodes.cle(regime.name(), "programme"));
             assertEquals(0, programme.faux, regime.name());
             assertTrue(programme.erreurEnUnites <= Cas.K, regime + " : " + programme.erreurEnUnites);
