@@ -133,7 +133,7 @@ final class Mesureur {
     private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Gabarit gabarit,
             Map<String, Object> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
-            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.mancheNs() + machine.mancheNs()));
+            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs() + machine.dureeNs()));
             if (champs == null) {
                 return temps;
             }
@@ -191,7 +191,7 @@ final class Mesureur {
         }
 
         /** Ce que dure un échantillon, à peu près. */
-        double mancheNs() {
+        double dureeNs() {
             return fois * dessinNs;
         }
 
