@@ -5,11 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.commande.Echec;
+import lancer.sortie.Comparaison;
 import lancer.sortie.ImageMemoire;
 import lancer.sortie.LectureImage;
 
@@ -57,12 +57,11 @@ public final class Images {
     }
 
     private static boolean memesPixels(Path neuve, Path ancienne) {
-        ImageMemoire a = LectureImage.lire(neuve.toString());
+        ImageMemoire image = LectureImage.lire(neuve.toString());
         try {
-            ImageMemoire b = LectureImage.lire(ancienne.toString());
-            return a.getLargeur() == b.getLargeur() && Arrays.equals(a.getCodes(), b.getCodes());
+            return Comparaison.de(image, LectureImage.lire(ancienne.toString()), 0).sontPareilles();
         } catch (Echec e) {
-            // pas d'ancienne, ou ce n'en est pas une
+            // pas d'ancienne, ou ce n'en est pas une, ou elle n'a pas cette taille
             return false;
         }
     }

@@ -48,12 +48,12 @@ public final class Style {
     public static final Color FRONT = new Color(0xBDBDBD);
     public static final Color BANDE = new Color(0xF3F3F3);
 
-    static final Font TITRE = police(Font.BOLD, 36);
-    static final Font CONSTAT = police(Font.BOLD, 25);
-    static final Font TEXTE = police(Font.PLAIN, 24);
-    static final Font ETIQUETTE = police(Font.PLAIN, 22);
-    static final Font ETIQUETTE_DEFAUT = police(Font.BOLD, 22);
-    static final Font NOTE = police(Font.PLAIN, 18);
+    static final Font TITRE = new Font(Font.SANS_SERIF, Font.BOLD, 36);
+    static final Font CONSTAT = new Font(Font.SANS_SERIF, Font.BOLD, 25);
+    static final Font TEXTE = new Font(Font.SANS_SERIF, Font.PLAIN, 24);
+    static final Font ETIQUETTE = new Font(Font.SANS_SERIF, Font.PLAIN, 22);
+    static final Font ETIQUETTE_DEFAUT = new Font(Font.SANS_SERIF, Font.BOLD, 22);
+    static final Font NOTE = new Font(Font.SANS_SERIF, Font.PLAIN, 18);
 
     static final Stroke TRAIT = trait(3f);
     static final Stroke TRAIT_FIN = trait(2f);
@@ -64,10 +64,6 @@ public final class Style {
     static final int MARGE = 28;
 
     private Style() {
-    }
-
-    private static Font police(int graisse, int taille) {
-        return new Font(Font.SANS_SERIF, graisse, taille);
     }
 
     /**
