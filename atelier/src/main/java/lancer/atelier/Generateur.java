@@ -42,12 +42,7 @@ public final class Generateur {
         System.exit(statut);
     }
 
-    /**
-     * Ce que fait {@link #main}, sans quitter Java.
-     *
-     * @return 0, ou 2 après une ligne sur {@code erreurs} si la demande ne va pas
-     * @throws IOException si la sortie ne peut être écrite
-     */
+    /** Ce que fait {@link #main}, sans quitter Java. @return 0, ou 2 après une ligne sur {@code erreurs} si la demande ne va pas */
     static int executer(String[] args, Appendable sortie, PrintStream erreurs) throws IOException {
         String scene = args.length == 2 ? args[0] : "";
         try {

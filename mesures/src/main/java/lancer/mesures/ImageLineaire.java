@@ -16,21 +16,12 @@ public final class ImageLineaire implements Toile {
     /** Rouge, vert, bleu de chaque pixel, ligne par ligne depuis le haut. */
     private final double[] composantes;
 
-    /**
-     * @param largeur en pixels, au moins 1
-     * @param hauteur en pixels, au moins 1
-     */
     public ImageLineaire(int largeur, int hauteur) {
         this.largeur = largeur;
         composantes = new double[3 * largeur * hauteur];
     }
 
-    /**
-     * Tous les pixels de ce que dessine {@code lancer}.
-     *
-     * @param profondeur nombre de réflexions permises
-     * @param fils nombre de fils ; l'image n'en dépend pas
-     */
+    /** Tous les pixels de ce que dessine {@code lancer} ; ils ne dépendent pas du nombre de fils. */
     public static ImageLineaire de(Lancer lancer, int profondeur, int fils) {
         ImageLineaire image = new ImageLineaire(lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur());
         lancer.TracerPixels(image, profondeur, fils);

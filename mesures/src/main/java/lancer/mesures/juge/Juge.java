@@ -39,13 +39,6 @@ public final class Juge {
 
     private static final Path DOSSIER = Paths.get("target", "juge");
 
-    /**
-     * Toutes les scènes livrées, et leur nombre de reflets : dans le tunnel de {@code miroirs}, quarante aussi, ce qu'elle conseille. Puis
-     * une grande foule engendrée, où quelques pixels sont sur un bord.
-     */
-    static final String[] TOUTES = {"scene1 5", "diffus 5", "ombres 5", "miroirs 5", "bowling 5", "tournesol 5", "brume 5", "miroirs 40",
-        "foule-10000 5"};
-
     private static final String LIGNE = "%-12s %8s %8s %8s %8s %8s %9s %9s  %s%n";
 
     private final Arguments arguments;
@@ -92,12 +85,15 @@ public final class Juge {
         sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
         csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
         for (String fichier : arguments.restes) {
-            String nom = Paths.get(fichier).getFileName().toString().replaceFirst("\\.ini$", "");
-            juger(nom, Scenes.lire(Paths.get(fichier)), dessin.reflets, juge);
+            juger(Paths.get(fichier), dessin.reflets, juge);
         }
-        for (String nomEtReflets : arguments.restes.isEmpty() ? TOUTES : new String[0]) {
-            String[] mots = nomEtReflets.split(" ");
-            juger(mots[0], Scenes.lire(Scenes.fichier(mots[0], DOSSIER)), Integer.parseInt(mots[1]), juge);
+        if (arguments.restes.isEmpty()) {
+            for (Path livree : Scenes.livrees()) {
+                juger(livree, dessin.reflets, juge);
+            }
+            // ce qu'elle conseille, dans son tunnel ; puis une grande foule, où quelques pixels sont sur un bord
+            juger(Scenes.fichier("miroirs", DOSSIER), 40, juge);
+            juger(Scenes.fichier("foule-10000", DOSSIER), dessin.reflets, juge);
         }
         if (arguments.a("--csv")) {
             Path fichier = Paths.get(arguments.valeur("--csv", ""));
@@ -107,7 +103,9 @@ public final class Juge {
         return accord ? 0 : 1;
     }
 
-    private void juger(String nom, Scene scene, int reflets, PovRay juge) throws IOException {
+    private void juger(Path fichier, int reflets, PovRay juge) throws IOException {
+        String nom = fichier.getFileName().toString().replaceFirst("\\.ini$", "");
+        Scene scene = Scenes.lire(fichier);
         try {
             SceneJugee jugee = new SceneJugee(juge, nom, scene, reflets, dessin.largeur, dessin.hauteur);
             ImageLineaire nous = ImageLineaire.de(jugee.lancer, reflets, Runtime.getRuntime().availableProcessors());

@@ -29,7 +29,6 @@ public final class SceneJugee {
     /**
      * @param nom celui des fichiers du juge
      * @param scene avec le seuil voulu ; si un Ks est coloré, il est mis à 0
-     * @param reflets nombre de réflexions permises
      * @throws Intraduisible si le juge ne peut faire le même calcul
      */
     public SceneJugee(PovRay povray, String nom, Scene scene, int reflets, int largeur, int hauteur) throws Intraduisible {

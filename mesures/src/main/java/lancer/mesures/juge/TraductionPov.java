@@ -61,7 +61,6 @@ final class TraductionPov {
 
     /**
      * @param scene préparée pour cette caméra
-     * @param reflets nombre de réflexions permises
      * @throws Intraduisible si POV-Ray ne peut faire le même calcul
      */
     TraductionPov(Scene scene, int reflets, Camera camera) throws Intraduisible {

@@ -54,8 +54,6 @@ public final class Volet implements Contenu {
     /**
      * @param constat ce que l'on y voit, en une phrase
      * @param sujet de quoi il s'agit, vide si le titre de la planche le dit
-     * @param nomX et son unité
-     * @param nomY et son unité
      */
     public Volet(String constat, String sujet, String nomX, String nomY) {
         this.constat = constat;

@@ -136,16 +136,6 @@ class JugeTest {
     }
 
     @Test
-    void sansSceneToutesLesScenesLivreesSontJugees() {
-        List<String> noms = Arrays.asList(Juge.TOUTES);
-        Path scenes = Paths.get("..", "scenes");
-        String[] livrees = scenes.toFile().list((d, nom) -> nom.endsWith(".ini"));
-        for (String livree : livrees) {
-            assertTrue(noms.contains(livree.replace(".ini", "") + " 5"), livree + " n'est pas jugée");
-        }
-    }
-
-    @Test
     void povRayDessineLaMemeImage() throws IOException {
         try {
             new PovRay("povray", dossier);
