@@ -8,7 +8,6 @@ import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.io.UnsupportedEncodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -69,12 +68,8 @@ class JugeTest {
                 "[Lampe]", "position=-4 6 -3", "couleur=0.8 0.8 0.75"), StandardCharsets.UTF_8);
     }
 
-    private int juger(String... args) {
-        try {
-            return Juge.executer(args, new PrintStream(sortie, true, "UTF-8"), new PrintStream(erreurs, true, "UTF-8"));
-        } catch (UnsupportedEncodingException e) {
-            throw new AssertionError(e);
-        }
+    private int juger(String... args) throws IOException {
+        return Juge.executer(args, new PrintStream(sortie, true, "UTF-8"), new PrintStream(erreurs, true, "UTF-8"));
     }
 
     private static String texte(ByteArrayOutputStream flux) {
@@ -110,7 +105,7 @@ class JugeTest {
     }
 
     @Test
-    void sansPovRayUneLigneDitCommentLAvoir() {
+    void sansPovRayUneLigneDitCommentLAvoir() throws IOException {
         assertEquals(1, juger("--povray", dossier.resolve("absent").toString(), grise.toString()));
         assertEquals("", texte(sortie));
         String ligne = texte(erreurs);

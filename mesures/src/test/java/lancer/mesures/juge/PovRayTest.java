@@ -14,7 +14,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import lancer.Couleur;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -24,19 +23,16 @@ class PovRayTest {
     @TempDir
     Path dossier;
 
-    private String commande;
+    private PovRay povray;
 
-    @BeforeEach
-    void ecrireLaCommande() throws IOException {
-        commande = ScenesJugees.commande(dossier);
+    private Raster dessiner(int echecs, WritableRaster rendue, String... options) throws IOException {
+        ScenesJugees.preparer(dossier, echecs, rendue);
+        povray = new PovRay(ScenesJugees.commande(dossier), dossier);
+        return povray.dessiner("la scène", "essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, options);
     }
 
-    private void preparer(int echecs, WritableRaster image) throws IOException {
-        ScenesJugees.preparer(dossier, echecs, image);
-    }
-
-    private Raster dessiner() throws IOException {
-        return new PovRay(commande, dossier).dessiner("la scène", "essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR);
+    private String panne(int echecs, WritableRaster rendue) {
+        return assertThrows(IOException.class, () -> dessiner(echecs, rendue)).getMessage();
     }
 
     private static WritableRaster image() {
@@ -45,43 +41,36 @@ class PovRayTest {
 
     @Test
     void lImageDe16BitsSeLitTelleQuElleEstEcrite() throws IOException {
-        preparer(0, image());
-        Raster lue = dessiner();
+        Raster lue = dessiner(0, image());
         assertArrayEquals(image().getPixels(0, 0, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, (int[]) null),
                 lue.getPixels(0, 0, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, (int[]) null));
         assertEquals("la scène", new String(Files.readAllBytes(dossier.resolve("essai.pov")), StandardCharsets.UTF_8));
         assertEquals(Arrays.asList("+I" + dossier.resolve("essai.pov") + " +O" + dossier.resolve("essai.png")
                 + " +FN16 File_Gamma=1 +W40 +H30 -D -P -V -J -A"), Files.readAllLines(dossier.resolve("demandes")));
-        assertEquals("POV-Ray 3.9.1", new PovRay(commande, dossier).nom());
+        assertEquals("POV-Ray 3.9.1", povray.nom());
     }
 
     @Test
     void sonTempsEstCeluiQuIlDitAvoirPasseATracer() throws IOException {
-        preparer(0, image());
-        PovRay povray = new PovRay(commande, dossier);
-        povray.dessiner("la scène", "essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, "+A0.1", "+R3");
+        dessiner(0, image(), "+A0.1", "+R3");
         assertArrayEquals(new double[] {1.25e9, 2.5e9}, Arrays.copyOfRange(povray.temps(), 1, 3));
         assertTrue(Files.readAllLines(dossier.resolve("demandes")).get(0).endsWith(" -J +A0.1 +R3"));
     }
 
     @Test
     void unDessinManqueEstRedemandeUneFois() throws IOException {
-        preparer(1, image());
-        assertEquals(ScenesJugees.LARGEUR, dessiner().getWidth());
+        assertEquals(ScenesJugees.LARGEUR, dessiner(1, image()).getWidth());
         assertEquals(2, Files.readAllLines(dossier.resolve("demandes")).size());
     }
 
     @Test
     void deuxDessinsManquesSontUnePanneQuiSeDit() throws IOException {
-        preparer(9, image());
-        String message = assertThrows(IOException.class, this::dessiner).getMessage();
-        assertEquals(commande + " n'a pas dessiné essai, statut 3 : Fatal error: en retard", message);
+        assertEquals(dossier.resolve("povray") + " n'a pas dessiné essai, statut 3 : Fatal error: en retard", panne(9, image()));
     }
 
     @Test
     void uneImageDe8BitsEstRefusee() throws IOException {
-        preparer(0, Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, 3, null));
-        String message = assertThrows(IOException.class, this::dessiner).getMessage();
-        assertTrue(message.contains("image inattendue"), message);
+        String panne = panne(0, Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, 3, null));
+        assertTrue(panne.contains("image inattendue"), panne);
     }
 }
