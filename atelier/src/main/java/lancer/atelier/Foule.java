@@ -32,8 +32,8 @@ final class Foule {
                 "Écrite par lancer.atelier.Generateur foule " + n);
         String[] materiaux = new String[MATERIAUX];
         for (int i = 0; i < MATERIAUX; i++) {
-            double[] kd = Teinte.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);
-            materiaux[i] = Plume.materiau(kd, Teinte.gris(0.2 + 0.1 * (i % 3)), 40 + 40 * (i % 3));
+            double[] kd = Plume.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);
+            materiaux[i] = Plume.materiau(kd, Plume.couleur(0, 0, 0.2 + 0.1 * (i % 3)), 40 + 40 * (i % 3));
         }
         double cote = StrictMath.cbrt(LARGEUR * HAUTEUR * FOND * REMPLISSAGE / n);
         while (cases(cote) < n) {

@@ -69,7 +69,7 @@ final class Tournesol {
 
     /** Du jaune du cœur au turquoise du bord, par le rouge, le rose, le violet et le bleu. */
     private static String materiau(double rho) {
-        double[] kd = Teinte.couleur(0.14 - 0.64 * rho, 0.86 - 0.14 * rho, 0.78);
-        return Plume.materiau(kd, Teinte.gris(0.2), 80);
+        double[] kd = Plume.couleur(0.14 - 0.64 * rho, 0.86 - 0.14 * rho, 0.78);
+        return Plume.materiau(kd, Plume.couleur(0, 0, 0.2), 80);
     }
 }

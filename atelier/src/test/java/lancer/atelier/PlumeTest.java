@@ -24,10 +24,10 @@ class PlumeTest {
 
     @Test
     void lesTeintesFontLeTourDesCouleurs() {
-        assertArrayEquals(new double[] {1, 0, 0}, Teinte.couleur(0, 1, 1));
-        assertArrayEquals(new double[] {1, 1, 0}, Teinte.couleur(1 / 6.0, 1, 1));
-        assertArrayEquals(new double[] {0, 0.5, 0}, Teinte.couleur(1 / 3.0, 1, 0.5));
-        assertArrayEquals(new double[] {0, 0, 1}, Teinte.couleur(-1 / 3.0, 1, 1));
-        assertArrayEquals(new double[] {0.8, 0.4, 0.4}, Teinte.couleur(1, 0.5, 0.8));
+        assertArrayEquals(new double[] {1, 0, 0}, Plume.couleur(0, 1, 1));
+        assertArrayEquals(new double[] {1, 1, 0}, Plume.couleur(1 / 6.0, 1, 1));
+        assertArrayEquals(new double[] {0, 0.5, 0}, Plume.couleur(1 / 3.0, 1, 0.5));
+        assertArrayEquals(new double[] {0, 0, 1}, Plume.couleur(-1 / 3.0, 1, 1));
+        assertArrayEquals(new double[] {0.8, 0.4, 0.4}, Plume.couleur(1, 0.5, 0.8));
     }
 }

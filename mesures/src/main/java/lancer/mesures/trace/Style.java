@@ -95,12 +95,12 @@ public final class Style {
 
     /** Un nombre à la française : virgule, espace entre les milliers, trois chiffres significatifs au plus sous mille. */
     public static String nombre(double valeur) {
-        double absolue = Math.abs(valeur);
-        if (absolue != 0 && absolue < 1e-4) {
-            return puissance(valeur);
-        }
-        int entiers = absolue < 1e-12 ? 1 : (int) Math.floor(Math.log10(absolue) + 1e-9) + 1;
-        return decimales(valeur, Math.max(0, 3 - entiers));
+        return valeur != 0 && Math.abs(valeur) < 1e-4 ? puissance(valeur) : chiffres(valeur, 3);
+    }
+
+    /** Un nombre à la française, à deux chiffres significatifs : ce qui se lit dans un titre. */
+    public static String arrondi(double valeur) {
+        return chiffres(valeur, 2);
     }
 
     /** « 10⁵ », « 2,5 × 10⁻⁷ ». */
@@ -111,17 +111,13 @@ public final class Style {
         return devant + "10" + enExposant(exposant);
     }
 
-    /** Un nombre à la française, à deux chiffres significatifs : ce qui se lit dans un titre. */
-    public static String arrondi(double valeur) {
-        double absolue = Math.abs(valeur);
-        if (absolue == 0 || absolue >= 10) {
-            return decimales(valeur, 0);
-        }
-        int decimales = absolue >= 1 ? 1 : 1 - (int) Math.floor(Math.log10(absolue));
-        return decimales(valeur, decimales);
+    /** Avec tant de chiffres significatifs au plus, et toujours ceux d'avant la virgule. */
+    private static String chiffres(double valeur, int combien) {
+        int entiers = valeur == 0 ? 1 : (int) Math.floor(Math.log10(Math.abs(valeur)) + 1e-9) + 1;
+        return decimales(valeur, Math.max(0, combien - entiers));
     }
 
-    /** Un nombre à la française, avec tant de décimales au plus. */
+    /** Avec tant de décimales au plus. */
     private static String decimales(double valeur, int decimales) {
         DecimalFormatSymbols symboles = new DecimalFormatSymbols(Locale.ROOT);
         symboles.setDecimalSeparator(',');
