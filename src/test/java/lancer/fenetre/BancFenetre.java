@@ -70,7 +70,7 @@ final class BancFenetre {
     final CountDownLatch fin = new CountDownLatch(1);
     final Robot robot;
     final MainLent main;
-    final Fenetre fenetre;
+    final Atelier atelier;
     final JFrame cadre;
     final JComponent panneau;
 
@@ -86,8 +86,9 @@ final class BancFenetre {
         robot = new Robot();
         // ce qu'a copié l'essai d'avant n'est pas ce qu'on attend
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
-        fenetre = Ouverture.ouvrir(main, main.options, flux(erreur), fin::countDown);
-        cadre = fenetre.getCadre();
+        Fenetre fenetre = Ouverture.ouvrir(main, main.options, flux(erreur), fin::countDown);
+        atelier = fenetre.atelier;
+        cadre = fenetre.cadre;
         panneau = composant("image", JComponent.class);
     }
 
@@ -238,14 +239,14 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> fenetre.getImageComplete() != null);
-        return surFilEvenements(fenetre::getImageComplete);
+        attendre("l'image est achevée", () -> atelier.getImageComplete() != null);
+        return surFilEvenements(atelier::getImageComplete);
     }
 
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> fenetre.getImageComplete() != null && Arrays.equals(fenetre.getImageComplete().getCodes(), codes));
-        attendre(quoi + ", à l'écran", () -> trouver(codes, fenetre.getImageComplete().getLargeur()) != null);
+        attendre(quoi, () -> atelier.getImageComplete() != null && Arrays.equals(atelier.getImageComplete().getCodes(), codes));
+        attendre(quoi + ", à l'écran", () -> trouver(codes, atelier.getImageComplete().getLargeur()) != null);
     }
 
     static int[] codes(BufferedImage image) {

@@ -45,7 +45,7 @@ class FenetreAffichageTest extends EssaiFenetre {
 
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
-            ImageMemoire image = banc.fenetre.getImageComplete();
+            ImageMemoire image = banc.atelier.getImageComplete();
             return image != null && image.getLargeur() == largeur && image.getHauteur() == hauteur;
         });
     }
@@ -78,15 +78,15 @@ class FenetreAffichageTest extends EssaiFenetre {
         BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(ECRAN));
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(5, 5), "du gris autour");
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("les touches répondent", () -> banc.fenetre.getReglages().getReflets() == 2);
+        attendre("les touches répondent", () -> banc.atelier.getReglages().getReflets() == 2);
         ecrire(FAUTIVE);
         banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
-        attendre("rien ne se dessine plus", () -> !banc.fenetre.enCours());
+        attendre("rien ne se dessine plus", () -> !banc.atelier.enCours());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap en sort", () -> banc.cadre.getSize().equals(avant));
         // la faute en couvre le bas
-        attendre("l'image revient à sa taille", () -> banc.fenetre.getImageComplete() != null
-                && Arrays.equals(banc.fenetre.getImageComplete().getCodes(), deuxReflets));
+        attendre("l'image revient à sa taille", () -> banc.atelier.getImageComplete() != null
+                && Arrays.equals(banc.atelier.getImageComplete().getCodes(), deuxReflets));
     }
 
     @Test
@@ -119,7 +119,7 @@ class FenetreAffichageTest extends EssaiFenetre {
             banc.robot.mouseWheel(1);
         }
         banc.attendreImage("et on en revient", image.getCodes());
-        assertSame(image, banc.fenetre.getImageComplete());
+        assertSame(image, banc.atelier.getImageComplete());
     }
 
     @Test

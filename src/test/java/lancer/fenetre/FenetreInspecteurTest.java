@@ -145,8 +145,8 @@ class FenetreInspecteurTest extends EssaiFenetre {
         attendreRecit(couleur(rouge[110 * L + 150]));
         ecrire(BLEUE);
         int[] bleue = attendue(L, H);
-        attendre("la nouvelle image", () -> banc.fenetre.getImageComplete() != null
-                && Arrays.equals(banc.fenetre.getImageComplete().getCodes(), bleue));
+        attendre("la nouvelle image", () -> banc.atelier.getImageComplete() != null
+                && Arrays.equals(banc.atelier.getImageComplete().getCodes(), bleue));
         String recit = attendreRecit(couleur(bleue[110 * L + 150]));
         attendreVerdict("Au bit près");
         JTextArea texte = composant("recit", JTextArea.class);
@@ -163,13 +163,13 @@ class FenetreInspecteurTest extends EssaiFenetre {
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.fenetre.getImageComplete().getCodes(), "et pas dans l'image");
-        ImageMemoire avant = banc.fenetre.getImageComplete();
+        assertArrayEquals(codes, banc.atelier.getImageComplete().getCodes(), "et pas dans l'image");
+        ImageMemoire avant = banc.atelier.getImageComplete();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.fenetre.enCours() && ((PanneauImage) banc.panneau).getImage() != avant);
+        attendre("le dessin recommence", () -> banc.atelier.enCours() && ((PanneauImage) banc.panneau).getImage() != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
+        attendre("le dessin est arrêté", () -> !banc.atelier.enCours());
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
@@ -186,8 +186,8 @@ class FenetreInspecteurTest extends EssaiFenetre {
         ouvrirAuMilieu();
         presser(KeyEvent.VK_SUBTRACT);
         int[] deux = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=2");
-        attendre("moins de réflexions", () -> banc.fenetre.getImageComplete() != null
-                && Arrays.equals(deux, banc.fenetre.getImageComplete().getCodes()));
+        attendre("moins de réflexions", () -> banc.atelier.getImageComplete() != null
+                && Arrays.equals(deux, banc.atelier.getImageComplete().getCodes()));
         attendreVerdict("Au bit près");
     }
 
@@ -202,7 +202,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
         for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.fenetre.getImageComplete()) == 16);
+        attendre("la loupe est au plus fort", () -> image.getReduction(banc.atelier.getImageComplete()) == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
@@ -290,7 +290,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
         attendreVerdict("L'image n'est pas achevée");
         JTextArea recit = composant("recit", JTextArea.class);
         attendre("la chaîne", () -> recit.getText().contains("\nsomme "));
-        assertTrue(banc.fenetre.enCours());
+        assertTrue(banc.atelier.enCours());
     }
 
     @Test

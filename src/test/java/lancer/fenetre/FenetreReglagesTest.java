@@ -36,7 +36,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("une", attendue("--reflets=1"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la relecture s'achève", () -> !banc.fenetre.enCours());
+        attendre("la relecture s'achève", () -> !banc.atelier.enCours());
         banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
         assertArrayEquals(avant, Files.readAllBytes(scene));
     }
@@ -75,7 +75,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc = new BancFenetre(lente());
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.fenetre.getReglages().getReflets() == 10 && !banc.fenetre.enCours());
+        attendre("dix réflexions", () -> banc.atelier.getReglages().getReflets() == 10 && !banc.atelier.enCours());
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

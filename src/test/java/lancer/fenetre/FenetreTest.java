@@ -61,8 +61,8 @@ class FenetreTest extends EssaiFenetre {
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.getCodes(), (H - 16) * L, H * L);
         attendre("le brouillon est à l'écran", () -> BancFenetre.trouver(bas, L) != null);
-        assertTrue(banc.fenetre.enCours());
-        assertNull(banc.fenetre.getImageComplete());
+        assertTrue(banc.atelier.enCours());
+        assertNull(banc.atelier.getImageComplete());
         banc.main.lent = false;
         banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
     }
@@ -93,7 +93,7 @@ class FenetreTest extends EssaiFenetre {
         assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
         JTextArea resume = chercher("resume", JTextArea.class);
         attendre("la réduction se dit", () -> resume.getText().startsWith("320 × 240 pixels montrés à 50 %, "));
-        assertSame(image, banc.fenetre.getImageComplete(), "rien n'est redessiné");
+        assertSame(image, banc.atelier.getImageComplete(), "rien n'est redessiné");
     }
 
     @Test
@@ -189,7 +189,7 @@ class FenetreTest extends EssaiFenetre {
         JTextArea resume = chercher("resume", JTextArea.class);
         attendre("le coût se dit", () -> resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.fenetre.enCours() && banc.main.getLancer() != null);
+        attendre("le dessin suivant a commencé", () -> banc.atelier.enCours() && banc.main.getLancer() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertEquals(" ", surFilEvenements(resume::getText), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
@@ -201,12 +201,12 @@ class FenetreTest extends EssaiFenetre {
         banc = new BancFenetre(lente().lent());
         attendre("le brouillon est fait", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
+        attendre("le dessin est arrêté", () -> !banc.atelier.enCours());
         JProgressBar avancement = chercher("avancement", JProgressBar.class);
         assertTrue(surFilEvenements(avancement::getString).startsWith("arrêté à "));
         assertEquals(" ", surFilEvenements(chercher("resume", JTextArea.class)::getText), "pas de coût d'une image inachevée");
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertNull(banc.fenetre.getImageComplete());
+        assertNull(banc.atelier.getImageComplete());
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 recommence", attendue(L, H));
@@ -222,7 +222,7 @@ class FenetreTest extends EssaiFenetre {
             bouton.doClick();
             return null;
         });
-        attendre("il propose de redessiner", () -> bouton.getText().equals("Redessiner") && !banc.fenetre.enCours());
+        attendre("il propose de redessiner", () -> bouton.getText().equals("Redessiner") && !banc.atelier.enCours());
         banc.main.lent = false;
         surFilEvenements(() -> {
             bouton.doClick();
@@ -279,13 +279,13 @@ class FenetreTest extends EssaiFenetre {
         }.lent());
         attendre("le dessin a commencé", () -> banc.main.getLancer() != null);
         repondA(50);
-        assertTrue(banc.fenetre.enCours(), "le dessin n'a pas eu à finir pour cela");
+        assertTrue(banc.atelier.enCours(), "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
         JProgressBar avancement = chercher("avancement", JProgressBar.class);
         attendre("la lecture se dit", () -> avancement.getString().startsWith("lecture "));
         banc.frapper(KeyEvent.VK_F5);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("arrêté", () -> !banc.fenetre.enCours());
+        attendre("arrêté", () -> !banc.atelier.enCours());
         repondA(50);
         assertEquals(1, lecture.getCount(), "la lecture n'a pas eu à finir pour cela");
         lecture.countDown();

@@ -136,8 +136,8 @@ class FenetreVariantesTest extends EssaiFenetre {
     /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         surFilEvenements(() -> {
-            ReglagesDessin reglages = banc.fenetre.getReglages().avec(3, 0.01);
-            banc.fenetre.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
+            ReglagesDessin reglages = banc.atelier.getReglages().avec(3, 0.01);
+            banc.atelier.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
             return null;
         });
         JTextArea resume = chercher("resume", JTextArea.class);
@@ -176,7 +176,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         ouvrir();
         int[] avant = banc.imageAchevee().getCodes();
         placer(glissiere("Brume.fin"), 4);
-        attendre("fin est réglée", () -> !banc.fenetre.enCours());
+        attendre("fin est réglée", () -> !banc.atelier.enCours());
         int[] cinq = sansFenetre(ROUGE + "[Brume]\nfin=5\n");
         banc.attendreImage("fin est réglée", cinq);
         placer(composant("Brume.debut", JSlider.class), 10);
@@ -226,7 +226,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         attendre("le clavier est à la glissière", fin::hasFocus);
         banc.frapper(SwingUtilities.getWindowAncestor(fin), KeyEvent.VK_LEFT);
         attendre("elle a bougé d'un cran", () -> fin.getValue() == cran - 1);
-        attendre("et l'image avec elle", () -> banc.fenetre.getReglages().toString().contains("fin=" + cran));
+        attendre("et l'image avec elle", () -> banc.atelier.getReglages().toString().contains("fin=" + cran));
         banc.imageAchevee();
     }
 
@@ -241,8 +241,8 @@ class FenetreVariantesTest extends EssaiFenetre {
         });
         for (int cran : new int[] {25, 20, 15, 10}) {
             placer(fin, cran);
-            attendre("chaque cran se dessine", () -> !banc.fenetre.enCours()
-                    && banc.fenetre.getReglages().toString().contains("fin=" + (cran + 1)));
+            attendre("chaque cran se dessine", () -> !banc.atelier.enCours()
+                    && banc.atelier.getReglages().toString().contains("fin=" + (cran + 1)));
         }
         surFilEvenements(() -> {
             fin.setValueIsAdjusting(false);
