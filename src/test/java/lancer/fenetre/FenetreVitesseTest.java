@@ -28,8 +28,7 @@ class FenetreVitesseTest extends EssaiFenetre {
     private GraphiqueVitesse graphique;
 
     private void ouvrirLePanneau() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
+        ouvrir();
         banc.frapper(KeyEvent.VK_F3);
         graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         etat = composant("vitesse.etat", JLabel.class);
