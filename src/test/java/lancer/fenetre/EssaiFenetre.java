@@ -5,7 +5,6 @@ import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.pixelsSansFenetre;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
-import static lancer.fenetre.BancFenetre.texte;
 
 import java.awt.image.BufferedImage;
 import java.io.File;

@@ -6,7 +6,6 @@ import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.pngSansFenetre;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
-import static lancer.fenetre.BancFenetre.texte;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
