@@ -74,14 +74,16 @@ final class MenuDessin {
 
     /** Passe à plus ou moins de réflexions, parmi celles du menu. */
     private void changer(boolean plus) {
-        int actuel = atelier.getReglages() == null ? 0 : atelier.getReglages().getReflets();
-        IntStream autres = Arrays.stream(REFLEXIONS).filter(n -> plus ? n > actuel : n < actuel);
-        (plus ? autres.min() : autres.max()).ifPresent(this::reflechir);
+        if (atelier.getReglages() != null) {
+            int actuel = atelier.getReglages().getReflets();
+            IntStream autres = Arrays.stream(REFLEXIONS).filter(n -> plus ? n > actuel : n < actuel);
+            (plus ? autres.min() : autres.max()).ifPresent(this::reflechir);
+        }
     }
 
     private void reflechir(int n) {
         ReglagesDessin reglages = atelier.getReglages();
-        if (reglages != null && n != reglages.getReflets()) {
+        if (n != reglages.getReflets()) {
             atelier.dessiner(reglages.avec(n, reglages.getSeuil()), false);
         }
     }
