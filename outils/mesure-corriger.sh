@@ -46,4 +46,5 @@ while kill -0 $pid 2>/dev/null; do
 done
 fin=$(date +%s.%N)
 wait $pid || { cat $ici/sortie.txt >&2; exit 1; }
-LC_ALL=C awk "BEGIN { printf \"%d rendus différents : %.0f s, %d Mo au plus, sur %d cœurs\n\", $n, $fin - $debut, $max, $(nproc) }"
+LC_ALL=C awk "BEGIN { printf \"coeurs,rendus,secondes,mo\\n%d,%d,%.0f,%d\\n\", $(nproc), $n, $fin - $debut, $max }" > mesures/resultats/corriger.csv
+cat mesures/resultats/corriger.csv

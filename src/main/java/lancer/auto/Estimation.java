@@ -13,6 +13,12 @@ final class Estimation {
     /** Écarts types ajoutés au carré estimé, pour qu'une erreur attendue « au plus » le soit presque toujours. */
     private static final double PRUDENCE = 2;
 
+    /**
+     * Et pour borner une mesure à venir : dix-neuf fois sur vingt quelle que soit sa loi, si elle n'a qu'un sommet
+     * (Vysochanskij et Petunin, 1980) ; peu de blocs font parfois tout.
+     */
+    private static final double PRUDENCE_MESURE = 3;
+
     /** En niveaux², et la variance de ce qui l'estime. */
     final double carre;
     private final double variance;
@@ -54,12 +60,9 @@ final class Estimation {
         return (auPlus() - auMoins()) / 2;
     }
 
-    /**
-     * Où tomberait une mesure aussi incertaine qu'elle : à trois écarts types, ce qui fait dix-neuf fois sur vingt
-     * quelle que soit la loi si elle n'a qu'un sommet (Vysochanskij et Petunin, 1980) ;
-     * peu de blocs font parfois tout.
-     */
+    /** Où tomberait une mesure aussi incertaine : entre {@link #auMoins} et {@link #auPlus} de ce qui est rendu. */
     Estimation mesuree() {
-        return new Estimation(carre, 4.5 * variance);
+        double prudence = PRUDENCE_MESURE / PRUDENCE;
+        return new Estimation(carre, 2 * prudence * prudence * variance);
     }
 }

@@ -5,9 +5,14 @@ import java.util.Arrays;
 /** Un nombre mesuré, et entre quoi il est, 19 fois sur 20. Immuable. */
 public final class Intervalle {
 
-    /** Le quantile à 97,5 % de la loi de Student, de 1 à 9 degrés de liberté, puis celui de la loi normale, un peu plus petit. */
-    private static final double[] STUDENT = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262};
+    /** Le quantile à 97,5 % de la loi de Student, à partir d'un degré de liberté. */
+    private static final double[] STUDENT = {12.706, 4.303, 3.182, 2.776};
+
+    /** Celui de la loi normale. */
     private static final double NORMALE = 1.96;
+
+    /** Ce qui peut être au-delà d'une borne, et de l'autre. */
+    private static final double DEHORS = 0.025;
 
     public final double valeur;
     public final double min;
@@ -19,20 +24,34 @@ public final class Intervalle {
         this.max = max;
     }
 
-    /** La moyenne de ces nombres, par la loi de Student. D'un seul, on ne sait rien d'autre que lui. */
-    private static Intervalle deLaMoyenne(double... nombres) {
-        double moyenne = Arrays.stream(nombres).average().orElse(Double.NaN);
-        int libertes = nombres.length - 1;
-        double carres = Arrays.stream(nombres).map(x -> (x - moyenne) * (x - moyenne)).sum();
-        double demi = libertes < 1 ? Double.POSITIVE_INFINITY
-                : STUDENT[Math.min(libertes, STUDENT.length) - 1] * Math.sqrt(carres / libertes / nombres.length);
-        return new Intervalle(moyenne, moyenne - demi, moyenne + demi);
+    /**
+     * Ce que valent ces rapports : leur médiane, entre les deux d'entre eux où la loi binomiale la met, si bien qu'un accident n'y compte
+     * que pour un, si grand soit-il. De moins de six, les rangs ne diraient rien : leur moyenne géométrique, par la loi de Student.
+     */
+    public static Intervalle desRapports(double... rapports) {
+        double[] tries = Arrays.stream(rapports).sorted().toArray();
+        int n = tries.length;
+        if (n - 1 <= STUDENT.length) {
+            return deLaMoyenne(Arrays.stream(rapports).map(Math::log).toArray());
+        }
+        // combien en laisser de chaque côté : il est assez rare que la médiane ait si peu des rapports d'un côté
+        int laisses = 0;
+        double tant = n * Math.pow(0.5, n);
+        for (double moins = Math.pow(0.5, n); moins + tant <= DEHORS; tant *= (n - laisses) / (laisses + 1.0)) {
+            moins += tant;
+            laisses++;
+        }
+        return new Intervalle(Math.sqrt(tries[(n - 1) / 2] * tries[n / 2]), tries[laisses], tries[n - 1 - laisses]);
     }
 
-    /** La moyenne géométrique de ces rapports : celle de leurs logarithmes. */
-    public static Intervalle desRapports(double... rapports) {
-        Intervalle log = deLaMoyenne(Arrays.stream(rapports).map(Math::log).toArray());
-        return new Intervalle(Math.exp(log.valeur), Math.exp(log.min), Math.exp(log.max));
+    /** D'un seul, on ne sait rien d'autre que lui. */
+    private static Intervalle deLaMoyenne(double... logarithmes) {
+        double moyenne = Arrays.stream(logarithmes).average().orElse(Double.NaN);
+        int libertes = logarithmes.length - 1;
+        double carres = Arrays.stream(logarithmes).map(x -> (x - moyenne) * (x - moyenne)).sum();
+        double demi = libertes < 1 ? Double.POSITIVE_INFINITY
+                : STUDENT[libertes - 1] * Math.sqrt(carres / libertes / logarithmes.length);
+        return new Intervalle(Math.exp(moyenne), Math.exp(moyenne - demi), Math.exp(moyenne + demi));
     }
 
     /** La racine de la moyenne de ces carrés, tirés chacun à part. */

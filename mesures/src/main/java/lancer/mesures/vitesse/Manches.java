@@ -3,6 +3,7 @@ package lancer.mesures.vitesse;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
@@ -12,7 +13,7 @@ import lancer.mesures.Intervalle;
 /**
  * Des temps pris tour à tour, ceux de la référence et ceux de ce qui lui est comparé : ce que l'on en garde est leur rapport, manche par
  * manche. Une manche est jetée si {@link Etalon} est troublé juste avant ou juste après, ou si l'un des deux dessins n'a pas eu, par
- * seconde, {@value #PART_MIN} du temps des processeurs de sa meilleure manche.
+ * seconde, {@value #PART_MIN} du temps des processeurs qu'il a d'ordinaire : la médiane de ses manches.
  *
  * <p>Combien en garder est décidé avant la première : s'arrêter quand l'intervalle plaît le rendrait trop étroit.
  */
@@ -21,7 +22,7 @@ final class Manches {
     static final double PART_MIN = 0.8;
 
     /** Au-delà, et si la moitié des manches sont jetées, la machine n'est pas à nous. */
-    private static final int ESSAIS = 20;
+    private static final int ESSAIS = 100;
 
     /** Deux manches d'une minute jetées sur deux ne disent pas que toutes le seraient. */
     private static final int ESSAIS_MIN = 4;
@@ -100,7 +101,8 @@ final class Manches {
         List<Double> rapports = new ArrayList<>();
         double meilleure = Double.POSITIVE_INFINITY;
         double processeur = Double.NaN;
-        double[] parts = new double[2];
+        List<Double> partsReference = new ArrayList<>();
+        List<Double> parts = new ArrayList<>();
         long debut = System.nanoTime();
         boolean calme = false;
         int essais = 0;
@@ -109,7 +111,7 @@ final class Manches {
             calme = calme || etalon.getAsBoolean();
             double[] r = reference.prendre();
             double[] m = methode.prendre();
-            boolean garde = partTenue(parts, 0, r) & partTenue(parts, 1, m) & calme;
+            boolean garde = partTenue(partsReference, r) & partTenue(parts, m) & calme;
             calme = etalon.getAsBoolean();
             essais++;
             toutes++;
@@ -128,10 +130,11 @@ final class Manches {
                 processeur);
     }
 
-    private static boolean partTenue(double[] meilleures, int qui, double[] temps) {
+    private static boolean partTenue(List<Double> parts, double[] temps) {
         double part = temps[1] / temps[0];
-        meilleures[qui] = Double.isNaN(part) ? meilleures[qui] : Math.max(meilleures[qui], part);
-        return !(part < PART_MIN * meilleures[qui]);
+        parts.add(part);
+        Collections.sort(parts);
+        return !(part < PART_MIN * parts.get(parts.size() / 2));
     }
 
     private void renoncer(int essais, int gardees, int voulues, long dureeNs) throws Troublee {

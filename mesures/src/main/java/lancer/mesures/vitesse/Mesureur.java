@@ -31,10 +31,13 @@ import lancer.mesures.juge.SceneJugee;
 /** Mesure un groupe après l'autre, et note chaque méthode dès qu'elle est finie. */
 final class Mesureur {
 
-    /** D'ici à cinq fois plus, un échantillon est long ; ceux de POV-Ray le sont tous. */
+    /** D'ici à cinq fois plus, une manche est longue ; celles de POV-Ray le sont toutes. */
     private static final double LONGUE_NS = 1e9;
 
-    /** Ce que dure un échantillon, au moins : le dessin y est répété. */
+    /** Plus de manches n'apprendraient rien que la machine suivante ne démente. */
+    private static final int MANCHES_MAX = 21;
+
+    /** Ce que dure un échantillon, au moins : un dessin plus court y est répété. */
     private final double echantillonNs;
 
     private final boolean court;
@@ -53,7 +56,7 @@ final class Mesureur {
         this.agitee = agitee;
         this.csv = csv;
         this.sortie = sortie;
-        echantillonNs = TimeUnit.MILLISECONDS.toNanos(court || agitee ? 20 : 200);
+        echantillonNs = TimeUnit.MILLISECONDS.toNanos(court || agitee ? 20 : 50);
         taille = court ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
         dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
         manches = new Manches(new Etalon()::estCalme, agitee);
@@ -73,8 +76,9 @@ final class Mesureur {
 
     /** @throws Manches.Troublee si la machine ne nous est pas assez laissée */
     void mesurer(List<Catalogue.Groupe> groupes) throws IOException {
+        long debut = System.nanoTime();
         for (Catalogue.Groupe groupe : groupes) {
-            sortie.println(groupe.famille + ", " + groupe.scene);
+            sortie.println(groupe.famille + ", " + groupe.scene + ", à " + (System.nanoTime() - debut) / 1_000_000_000 + " s");
             groupe.methodes.removeIf(m -> povray == null && m.genre == Methode.Genre.POVRAY);
             Path fichier = Scenes.fichier(groupe.scene, dossier);
             if (groupe.enProcessus()) {
@@ -85,17 +89,20 @@ final class Mesureur {
         }
     }
 
-    /** Moins de manches si elles sont longues, donc moins bruyantes ; décidé avant la première. */
-    private int voulues(Catalogue.Groupe groupe, double echantillonNs) {
-        return agitee || groupe.lancements > 1 ? 2 : court ? 3 : echantillonNs < LONGUE_NS ? 5
-                : echantillonNs < 5 * LONGUE_NS ? 4 : 3;
+    /**
+     * Autant de manches qu'il en tient dans quelques secondes : une seule est à la merci d'un accident, leur médiane non. De longues, il y
+     * en a moins, mais chacune est déjà une moyenne. C'est décidé avant la première.
+     */
+    private int voulues(Catalogue.Groupe groupe, double mancheNs) {
+        double tiennent = (court ? LONGUE_NS / 2 : groupe.lancements > 1 ? 2 * LONGUE_NS : 3 * LONGUE_NS) / mancheNs;
+        int moins = groupe.lancements > 1 || mancheNs > 5 * LONGUE_NS ? 3 : mancheNs > LONGUE_NS ? 4 : 5;
+        return agitee ? 2 : (int) Math.max(moins, Math.min(MANCHES_MAX, tiennent));
     }
 
     /** Les mêmes, de programmes entiers. */
-    private int voulues(Catalogue.Groupe groupe, Methode methode, int spheres) {
+    private int voulues(Methode methode, int spheres) {
         boolean longue = methode.boucles ? spheres >= 1000 : methode.genre == Methode.Genre.POVRAY && spheres >= 100_000;
-        return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2
-                : longue || groupe.scene.startsWith(Scenes.ETOILES) ? 3 : 5;
+        return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2 : longue ? 3 : spheres > 10_000 ? 5 : 9;
     }
 
     // ---- des machines virtuelles qui durent
@@ -126,7 +133,7 @@ final class Mesureur {
     private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Gabarit gabarit,
             Map<String, Object> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
-            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, machine.fois * machine.dessinNs));
+            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs() + machine.dureeNs()));
             if (champs == null) {
                 return temps;
             }
@@ -152,7 +159,7 @@ final class Mesureur {
         Manches.Temps temps = manches.mesurer(reperes, () -> {
             image[0] = jugee.dessiner(methode.options);
             return new double[] {povray.temps()[1], povray.temps()[2]};
-        }, voulues(groupe, LONGUE_NS));
+        }, voulues(groupe, 2 * LONGUE_NS));
         juger(gabarit, jugee.image(image[0], methode.options), champs);
         return temps;
     }
@@ -181,6 +188,11 @@ final class Mesureur {
                     taille.largeur, taille.hauteur, image);
             dessinNs = nombres(processus.demander(agitee ? "1" : "echauffer"))[0];
             fois = Math.max(1, (int) Math.ceil(echantillonNs / dessinNs));
+        }
+
+        /** Ce que dure un échantillon, à peu près. */
+        double dureeNs() {
+            return fois * dessinNs;
         }
 
         @Override
@@ -214,7 +226,7 @@ final class Mesureur {
                     return new double[] {povray.temps()[0], Double.NaN};
                 };
             }
-            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues(groupe, methode, spheres));
+            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues(methode, spheres));
             champs.put("lancements", temps.rapports.length);
             if (echantillon == programme) {
                 programme.statistiques.forEach((nom, valeur) -> champs.put(colonne(nom), valeur));

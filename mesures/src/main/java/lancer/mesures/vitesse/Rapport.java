@@ -27,6 +27,9 @@ final class Rapport {
     /** Celui de {@code make mesure-auto}. */
     private static final String AUTO = "auto.csv";
 
+    /** Celui de {@code make mesure-corriger}. */
+    private static final String CORRIGER = "corriger.csv";
+
     /** Celles que le README montre l'une près de l'autre, sous la courbe de la scène du cours. */
     private static final List<String> VIGNETTES = Arrays.asList("miroirs", "tournesol");
 
@@ -49,6 +52,10 @@ final class Rapport {
         valeurs.putAll(Stabilite.pages(dossier));
         if (Files.exists(dossier.resolve(AUTO))) {
             valeurs.putAll(promesses(FichierCsv.lire(dossier.resolve(AUTO))));
+        }
+        if (Files.exists(dossier.resolve(CORRIGER))) {
+            Map<String, String> c = FichierCsv.lire(dossier.resolve(CORRIGER)).get(0);
+            valeurs.put("corriger", c.get("secondes") + " s sur " + c.get("coeurs") + " cœurs, et " + c.get("mo") + " Mo");
         }
         return valeurs;
     }

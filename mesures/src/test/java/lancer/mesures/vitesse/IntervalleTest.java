@@ -20,8 +20,22 @@ class IntervalleTest {
     @Test
     void dixNeufFoisSurVingtLeRapportJusteEstDansLIntervalle() {
         Random hasard = new Random(1);
-        assertDedansDixNeufFoisSurVingt(2,
-                () -> Intervalle.desRapports(hasard.doubles(7).map(x -> 2 * Math.exp(0.1 * hasard.nextGaussian())).toArray()));
+        // par la loi de Student, puis par les rangs : de 9, la loi binomiale donne 96,1 %, de 20, 95,9
+        for (int n : new int[] {3, 5, 9, 20}) {
+            assertDedansDixNeufFoisSurVingt(2,
+                    () -> Intervalle.desRapports(hasard.doubles(n).map(x -> 2 * Math.exp(0.1 * hasard.nextGaussian())).toArray()));
+        }
+    }
+
+    @Test
+    void unAccidentParmiNeufRapportsNeChangeNiLaMedianeNiSesBornes() {
+        double[] rapports = {1.2, 1.21, 1.19, 1.22, 1.18, 1.2, 1.2, 1.21, 1.25};
+        Intervalle calme = Intervalle.desRapports(rapports);
+        rapports[8] = 40;
+        Intervalle troublee = Intervalle.desRapports(rapports);
+        assertEquals(1.2, troublee.valeur, 1e-9);
+        assertEquals(calme.min, troublee.min);
+        assertEquals(calme.max, troublee.max);
     }
 
     @Test

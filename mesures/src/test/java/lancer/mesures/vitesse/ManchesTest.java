@@ -75,11 +75,11 @@ class ManchesTest {
 
     @Test
     void uneMachineTropTroubleeEstRefuseeSaufSiLOnYTient() throws IOException {
-        double[] dix = new double[100];
+        double[] dix = new double[200];
         Arrays.fill(dix, 10);
         Manches.Troublee faute = assertThrows(Manches.Troublee.class,
                 () -> new Manches(() -> false, false).mesurer(echantillon("A", 2, dix), echantillon("B", 2, dix), 3));
-        assertTrue(faute.getMessage().contains("20 manches jetées sur 20 ; aucun résultat n'est changé"), faute.getMessage());
+        assertTrue(faute.getMessage().contains("100 manches jetées sur 100 ; aucun résultat n'est changé"), faute.getMessage());
         Manches agitee = new Manches(() -> false, true);
         assertEquals(0, agitee.mesurer(echantillon("A", 2, dix), echantillon("B", 2, dix), 3).jetees);
     }
