@@ -49,8 +49,6 @@ final class Atelier {
     private Tracage courant;
     private Tracage adopte;
     private ReglagesDessin reglages;
-    /** Les sections que la scène montrée a de laissées de côté, pour le résumé. */
-    private String ignorees = "";
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
     /** La dernière image achevée, celle d'avant elle, et ce qu'a coûté chacune de celles qu'on garde. */
@@ -199,7 +197,7 @@ final class Atelier {
 
     /** Redessine, si ce n'est plus à cette taille qu'il faut dessiner. */
     void ajuster() {
-        if (fichier != null && !taille.get().equals(courant.taille)) {
+        if (adopte != null && !taille.get().equals(courant.taille)) {
             redessiner();
         }
     }
@@ -285,10 +283,6 @@ final class Atelier {
         surveillance.suivre(fichier, courant.getVersion());
         panneau.bandeau.faute("");
         panneau.bandeau.avis(String.join("\n", courant.getAvertissements()));
-        ignorees = "";
-        for (String avertissement : courant.getAvertissements()) {
-            ignorees += avertissement.replaceFirst(".*, ligne \\d+, (\\[[^]]*]).*", ", $1 ignorée");
-        }
         prevenus.forEach(Runnable::run);
     }
 
@@ -298,6 +292,9 @@ final class Atelier {
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
             complete = dessinateur.getImage();
+            // les sections laissées de côté, sans le reste de leur avertissement
+            String ignorees = String.join("\n", adopte.getAvertissements())
+                    .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
             couts.put(complete, BarreEtat.cout(courant.getLancer()) + ", " + courant.getReglages() + ignorees);
             panneau.bandeau.effacerErreur();
             String ecart = courant.getLancer().getEcart();
@@ -319,7 +316,7 @@ final class Atelier {
             fichier = courant.fichier;
             surveillance.suivre(fichier, courant.getVersion());
         }
-        if (fichier.equals(lu) && getImageComplete() == null) {
+        if (adopte != null && fichier.equals(lu) && getImageComplete() == null) {
             // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
             dessiner(null);
         }

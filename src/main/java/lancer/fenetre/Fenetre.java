@@ -138,9 +138,8 @@ public final class Fenetre {
                 tenir(false);
             }
         });
-        for (boolean lachee : new boolean[] {false, true}) {
-            Menus.lier(cadre, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, lachee), () -> tenir(!lachee));
-        }
+        Menus.lier(cadre, Menus.touche(KeyEvent.VK_SPACE), () -> tenir(true));
+        Menus.lier(cadre, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, true), () -> tenir(false));
         retaille.setRepeats(false);
         panneau.suivreSouris(this::decrire, inspecteur::montrer);
         panneau.addComponentListener(new ComponentAdapter() {
@@ -232,7 +231,6 @@ public final class Fenetre {
 
     private void ajuster() {
         atelier.ajuster();
-        resumer();
     }
 
     /** Un dessin commence ou finit, ou une scène est lue. */
@@ -253,15 +251,11 @@ public final class Fenetre {
         montrerPixel();
     }
 
+    /** Dit ce qu'a coûté l'image montrée, si elle est achevée, et la couleur du pixel sous la souris. */
     private void decrire() {
-        resumer();
-        montrerPixel();
-    }
-
-    /** Dit ce qu'a coûté l'image montrée, si elle est achevée. */
-    private void resumer() {
         ImageMemoire image = panneau.getTenue() != null ? panneau.getTenue() : atelier.getImageComplete();
         barre.resumer(image, image == null ? 1 : panneau.getReduction(image), atelier.getCout(image));
+        montrerPixel();
     }
 
     private void montrerPixel() {
