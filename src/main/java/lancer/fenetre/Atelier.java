@@ -1,47 +1,76 @@
 package lancer.fenetre;
 
+import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.io.File;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.WeakHashMap;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
-import javax.swing.JFrame;
+import java.util.function.Supplier;
 import lancer.Lancer;
+import lancer.SceneFautive;
 import lancer.commande.Pannes;
+import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
 import lancer.sortie.ImageMemoire;
 
-/** Ce que la fenêtre offre à ce qui s'ouvre à côté d'elle ; tout s'appelle, et répond, dans le fil des événements. */
-interface Atelier {
+/**
+ * La vie d'un dessin dans la fenêtre : il commence, sa scène se lit, son brouillon puis son image se montrent, il
+ * s'achève, s'arrête, ou dit pourquoi il n'a pu se faire. La scène montrée le reste tant que rien ne se voit d'une
+ * autre. {@link Tracage} travaille ailleurs ; ici, tout s'appelle, et répond, dans le fil des événements.
+ */
+final class Atelier {
 
-    /** Le cadre, à côté de qui s'ouvrir. */
-    JFrame getCadre();
+    /** Temps laissé à un brouillon avant de montrer ses morceaux, en nanosecondes. */
+    private static final long PATIENCE_NS = 300_000_000;
 
-    /** Les réglages de la scène montrée, que son dessin soit achevé ou non ; {@code null} avant la première. */
-    ReglagesDessin getReglages();
+    /** Au-delà de tant de pixels, l'image d'avant ne se garde pas : elle prendrait autant que celle de maintenant. */
+    private static final int PIXELS_GARDES = 16_000_000;
+
+    /** Le nombre de fils d'un dessin. */
+    final int fils;
+    private final Dessinateur dessinateur;
+    private final ExecutorService dessins;
+    private final PanneauImage panneau;
+    private final Supplier<Dimension> taille;
+    private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::suivreFichier));
+    private final List<Runnable> prevenus = new ArrayList<>();
+
+    /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
+    private String fichier;
+    /** Celui de la dernière scène lue sans faute, même si son dessin a été abandonné avant de se voir. */
+    private String lu;
+    private Tracage courant;
+    private Tracage adopte;
+    private ReglagesDessin reglages;
+    /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
+    private boolean enCours;
+    /** La dernière image achevée, celle d'avant elle, et ce qu'a coûté chacune de celles qu'on garde. */
+    private ImageMemoire complete;
+    private ImageMemoire avant;
+    private final Map<ImageMemoire, String> couts = new WeakHashMap<>();
+    /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
+    private boolean enAttente;
 
     /**
-     * Dessine la scène montrée avec ces réglages ; ce qui se dessinait est abandonné.
-     *
-     * @param suite vrai si ce n'est que la suite d'un même geste : l'image « d'avant » reste alors celle d'avant lui
+     * @param dessins le fil où l'on dessine, une image à la fois
+     * @param panneau où montrer l'image, et dire ce qu'il en est
+     * @param taille celle où la dessiner, en pixels
      */
-    void dessiner(ReglagesDessin reglages, boolean suite);
-
-    /** La commande qui dessine la scène montrée avec ces réglages, sections changées mises dans son fichier. */
-    String getCommande();
-
-    /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
-    boolean enCours();
-
-    /** L'image montrée si elle est achevée ; {@code null} tant qu'un dessin est en cours, ou s'il a été arrêté. */
-    ImageMemoire getImageComplete();
-
-    /** Ce qui a dessiné l'image achevée ou la dessine, scène préparée comprise ; {@code null} s'il n'y en a pas. */
-    Lancer getLancer();
-
-    /** Nombre de fils d'un dessin. */
-    int getFils();
+    Atelier(Dessinateur dessinateur, ExecutorService dessins, int fils, PanneauImage panneau,
+            Supplier<Dimension> taille) {
+        this.dessinateur = dessinateur;
+        this.dessins = dessins;
+        this.fils = fils;
+        this.panneau = panneau;
+        this.taille = taille;
+    }
 
     /** Un fil à part, où les tâches attendent leur tour ; il ne retient pas le programme. */
     static ExecutorService unFil(String nom) {
@@ -70,5 +99,226 @@ interface Atelier {
     }
 
     /** Appelle {@code siChange} chaque fois qu'un dessin commence, s'achève ou s'arrête, et qu'une scène est lue. */
-    void prevenir(Runnable siChange);
+    void prevenir(Runnable siChange) {
+        prevenus.add(siChange);
+    }
+
+    /** Le fichier de la scène montrée, ou de la première si elle est fautive ; {@code null} s'il n'y en a pas. */
+    String getFichier() {
+        return fichier;
+    }
+
+    /** Le dessin qui a lu la scène montrée ; {@code null} s'il n'y en a pas. */
+    Tracage getAdopte() {
+        return adopte;
+    }
+
+    /** Le dernier dessin commencé ; {@code null} s'il n'y en a pas. */
+    Tracage getCourant() {
+        return courant;
+    }
+
+    /** Les réglages de la scène montrée, que son dessin soit achevé ou non ; {@code null} avant la première. */
+    ReglagesDessin getReglages() {
+        return reglages;
+    }
+
+    /** La commande qui dessine la scène montrée avec ces réglages, sections changées mises dans son fichier. */
+    String getCommande() {
+        return Pannes.commande("", reglages.getOptions(), fichier, taille.get().width, taille.get().height);
+    }
+
+    /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
+    boolean enCours() {
+        return enCours;
+    }
+
+    /** L'image montrée si elle est achevée ; {@code null} tant qu'un dessin est en cours, ou s'il a été arrêté. */
+    ImageMemoire getImageComplete() {
+        return !enCours && complete == panneau.getImage() ? complete : null;
+    }
+
+    /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
+    ImageMemoire getAvant() {
+        return avant;
+    }
+
+    /** Avec quoi cette image a été dessinée, et ce qu'elle a coûté ; {@code null} si elle n'est pas achevée. */
+    String getCout(ImageMemoire image) {
+        return couts.get(image);
+    }
+
+    /** Ce qui a dessiné l'image achevée ou la dessine, scène préparée comprise ; {@code null} s'il n'y en a pas. */
+    Lancer getLancer() {
+        return courant == null ? null : courant.getLancer();
+    }
+
+    /** Suit un dessin déjà commencé, dont la scène est lue. */
+    void commencer(Tracage premier) {
+        courant = premier;
+        adopter();
+        suivre(premier);
+    }
+
+    /** Lit cette scène et la dessine ; ce qui se dessinait est abandonné. */
+    void ouvrir(File scene) {
+        panneau.setInvite(null);
+        dessiner(scene.getPath());
+    }
+
+    /** Relit la scène montrée et la redessine. */
+    void relire() {
+        dessiner(fichier);
+    }
+
+    /** Le fichier de la scène montrée a changé ; une autre scène qui se lit passe avant. */
+    private void suivreFichier() {
+        if (!enCours || courant.fichier == null || courant.fichier.equals(fichier)) {
+            relire();
+        }
+    }
+
+    /**
+     * Dessine la scène montrée avec ces réglages ; ce qui se dessinait est abandonné.
+     *
+     * @param suite vrai si ce n'est que la suite d'un même geste : l'image « d'avant » reste alors celle d'avant lui
+     */
+    void dessiner(ReglagesDessin voulus, boolean suite) {
+        reglages = voulus;
+        if (!suite) {
+            retenir();
+        }
+        if (suite && enCours && !courant.isBrouillonFait()) {
+            enAttente = true;
+        } else {
+            redessiner();
+        }
+    }
+
+    /** Redessine, si ce n'est plus à cette taille qu'il faut dessiner. */
+    void ajuster() {
+        if (adopte != null && !taille.get().equals(courant.taille)) {
+            redessiner();
+        }
+    }
+
+    void arreter() {
+        if (enCours) {
+            courant.arreter();
+            observer();
+        }
+    }
+
+    /** Plus aucun dessin. */
+    void terminer() {
+        if (courant != null) {
+            courant.arreter();
+        }
+        surveillance.terminer();
+        dessins.shutdown();
+    }
+
+    private void redessiner() {
+        // une scène qui se lit se relit ; celle qui est lue n'est pas toujours celle qui se voit
+        boolean autre = enCours && courant.fichier != null && courant != adopte;
+        lancer(autre ? courant.fichier : fichier.equals(lu) ? null : fichier);
+    }
+
+    /** Recommence le dessin, après avoir lu cette scène ; {@code null} : celle qui l'est déjà. */
+    private void dessiner(String aLire) {
+        retenir();
+        lancer(aLire);
+    }
+
+    /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
+    private void retenir() {
+        boolean gardee = complete != null && complete.getCodes().length <= PIXELS_GARDES;
+        avant = gardee ? complete : null;
+    }
+
+    private void lancer(String aLire) {
+        enAttente = false;
+        if (dessins.isShutdown()) {
+            return;
+        }
+        if (courant != null) {
+            courant.arreter();
+        }
+        Tracage tracage = new Tracage(dessinateur, aLire, taille.get(), reglages);
+        dessins.execute(tracage);
+        suivre(tracage);
+    }
+
+    private void suivre(Tracage tracage) {
+        courant = tracage;
+        enCours = true;
+        prevenus.forEach(Runnable::run);
+        observer();
+    }
+
+    /** Regarde où en est le dessin en cours, et le montre ; à appeler souvent. */
+    void observer() {
+        boolean fini = courant.isFini();
+        lu = courant.getAvertissements() != null ? courant.fichier : lu;
+        // l'image d'abord : vue avec le lancer d'après, elle a au moins son brouillon
+        ImageMemoire image = dessinateur.getImage();
+        Lancer lancer = courant.getLancer();
+        if (lancer != null && panneau.montrer(image, lancer.isBrouillonFait(), courant.getDureeNs() > PATIENCE_NS)
+                && courant.fichier != null && courant != adopte) {
+            adopter();
+        }
+        if (fini && enCours) {
+            finir();
+        }
+        if (enAttente && (fini || courant.isBrouillonFait())) {
+            redessiner();
+        }
+    }
+
+    /** La scène que ce dessin a lue devient celle qui est montrée. */
+    private void adopter() {
+        adopte = courant;
+        reglages = courant.getReglages() != null ? courant.getReglages() : dessinateur.getReglages();
+        fichier = courant.fichier;
+        surveillance.suivre(fichier, courant.getVersion());
+        panneau.bandeau.faute("");
+        panneau.bandeau.avis(String.join("\n", courant.getAvertissements()));
+        prevenus.forEach(Runnable::run);
+    }
+
+    /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
+    private void finir() {
+        enCours = false;
+        Throwable panne = courant.getPanne();
+        if (courant.isAcheve()) {
+            complete = dessinateur.getImage();
+            // les sections laissées de côté, sans le reste de leur avertissement
+            String ignorees = String.join("\n", adopte.getAvertissements())
+                    .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
+            couts.put(complete, BarreEtat.cout(courant.getLancer()) + ", " + courant.getReglages() + ignorees);
+            panneau.bandeau.effacerErreur();
+            String ecart = courant.getLancer().getEcart();
+            if (ecart != null) {
+                panneau.bandeau.avis(ecart);
+            }
+        } else if (panne instanceof SceneFautive && courant.fichier != null) {
+            refuser(Pannes.message(panne));
+        } else if (panne != null) {
+            panneau.bandeau.erreur(Pannes.message(panne));
+        }
+        prevenus.forEach(Runnable::run);
+    }
+
+    /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */
+    private void refuser(String message) {
+        panneau.bandeau.faute(message);
+        if (fichier == null || courant.fichier.equals(fichier)) {
+            fichier = courant.fichier;
+            surveillance.suivre(fichier, courant.getVersion());
+        }
+        if (adopte != null && fichier.equals(lu) && getImageComplete() == null) {
+            // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
+            dessiner(null);
+        }
+    }
 }

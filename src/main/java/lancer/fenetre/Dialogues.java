@@ -79,7 +79,6 @@ final class Dialogues {
     /** @param actuelle la scène déjà ouverte, dont le dossier est proposé, ou {@code null} */
     static File choisirScene(Component parent, String actuelle) {
         JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
-        choix.setDialogType(JFileChooser.OPEN_DIALOG);
         File choisi = choisir(parent, choix, "Ouvrir une scène", new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
         File complet = choisi == null ? null : new File(choisi.getPath() + ".ini");
         return choisi != null && !choisi.exists() && complet.exists() ? complet : choisi;

@@ -52,14 +52,16 @@ final class Enregistrement {
         return image;
     }
 
-    /** Demande où l'écrire. @param scene le fichier de la scène, qui ne sera pas écrasé */
-    void enregistrer(String scene) {
+    /** Demande où l'écrire, et n'écrase pas la scène. */
+    void enregistrer() {
         ImageMemoire image = imageOuAvis();
         if (image == null) {
             return;
         }
+        String scene = atelier.getFichier();
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File choisi = Dialogues.choisirImage(atelier.getCadre(), echoue != null ? echoue : new File(dossier, nom));
+        File choisi = Dialogues.choisirImage(bandeau.getTopLevelAncestor(),
+                echoue != null ? echoue : new File(dossier, nom));
         if (choisi == null) {
             return;
         }
@@ -93,7 +95,7 @@ final class Enregistrement {
     }
 
     private void confirmer(ImageMemoire image, Ecriture ecriture, File cible) {
-        if (!disque.isShutdown() && Dialogues.confirmerRemplacement(atelier.getCadre(), cible)) {
+        if (!disque.isShutdown() && Dialogues.confirmerRemplacement(bandeau.getTopLevelAncestor(), cible)) {
             essayer(cible, () -> ecrire(image, ecriture, cible));
         }
     }

@@ -7,6 +7,7 @@ import java.awt.Font;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Collections;
@@ -63,8 +64,8 @@ final class Inspecteur extends JDialog {
     private transient Inspection enCours;
     private transient List<String> dites = Collections.singletonList("");
 
-    Inspecteur(Atelier atelier, PanneauImage panneau) {
-        super(atelier.getCadre());
+    Inspecteur(JFrame cadre, Atelier atelier, PanneauImage panneau) {
+        super(cadre);
         this.atelier = atelier;
         this.panneau = panneau;
         setName("inspecteur");
@@ -85,7 +86,7 @@ final class Inspecteur extends JDialog {
         // il n'y a rien à y écrire : + et − sont pour le cadre
         texte.setKeymap(null);
         lierFleches(texte, JComponent.WHEN_FOCUSED);
-        lierFleches(atelier.getCadre().getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        lierFleches(cadre.getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
         for (int sens : new int[] {-1, 1}) {
             KeyStroke touche = Menus.ctrl(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN);
             texte.registerKeyboardAction(e -> choisir(grille.voisin(sens)), touche, JComponent.WHEN_FOCUSED);
@@ -125,7 +126,7 @@ final class Inspecteur extends JDialog {
 
     /** À droite du cadre, que l'on pousse à gauche s'il le faut et s'il y a de quoi : l'image garde sa taille. */
     private void placer() {
-        JFrame cadre = atelier.getCadre();
+        Window cadre = getOwner();
         Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())),
                 Math.max(HAUTEUR_MIN, cadre.getHeight()));
@@ -133,7 +134,7 @@ final class Inspecteur extends JDialog {
         if (depasse > 0 && cadre.getX() > ecran.x) {
             cadre.setLocation(Math.max(ecran.x, cadre.getX() - depasse), cadre.getY());
         }
-        Menus.aCote(this, cadre);
+        Menus.aCote(this);
     }
 
     private void choisir(int voulu) {

@@ -51,12 +51,10 @@ final class MenuAffichage {
         Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
         Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
         // Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique
-        Object[][] touches = {{'&', demander}, {KeyEvent.VK_NUMPAD1, demander}, {'à', remplir},
-            {KeyEvent.VK_NUMPAD0, remplir}};
-        for (Object[] t : touches) {
-            int touche = t[0] instanceof Character ? KeyEvent.getExtendedKeyCodeForChar((char) t[0]) : (int) t[0];
-            Menus.lier(cadre, Menus.ctrl(touche), ((JMenuItem) t[1])::doClick);
-        }
+        Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_AMPERSAND), demander::doClick);
+        Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_NUMPAD1), demander::doClick);
+        Menus.lier(cadre, Menus.ctrl(KeyEvent.getExtendedKeyCodeForChar('à')), remplir::doClick);
+        Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_NUMPAD0), remplir::doClick);
     }
 
     /** La taille où dessiner l'image, en pixels. */

@@ -3,11 +3,14 @@ package lancer.fenetre;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
@@ -24,21 +27,19 @@ final class MenuDessin {
     private final JMenu reflexions = Menus.menu("Réflexions");
     private final ButtonGroup nombres = new ButtonGroup();
     private final Map<String, JCheckBoxMenuItem> cases = new LinkedHashMap<>();
+    private final JFrame cadre;
     private final Atelier atelier;
     private final JMenuItem arreter;
     private PanneauVariantes parametres;
     private PanneauVitesse vitesse;
 
-    /**
-     * @param variantes les noms de celles qui sont présentes
-     * @param relire ce que fait F5
-     * @param arreter ce que fait Échap
-     */
-    MenuDessin(Atelier atelier, List<String> variantes, Runnable relire, Runnable arreter) {
+    /** @param variantes les noms de celles qui sont présentes */
+    MenuDessin(JFrame cadre, Atelier atelier, List<String> variantes) {
+        this.cadre = cadre;
         this.atelier = atelier;
-        article("Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5), relire);
+        article("Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5), atelier::relire);
         // la touche est liée ailleurs : Java l'afficherait « Escape »
-        this.arreter = Menus.article(menu, "Arrêter (Échap)", null, arreter);
+        arreter = Menus.article(menu, "Arrêter (Échap)", null, atelier::arreter);
         menu.addSeparator();
         for (int n : REFLEXIONS) {
             Menus.choix(reflexions, nombres, String.valueOf(n), null, () -> reflechir(n));
@@ -61,8 +62,8 @@ final class MenuDessin {
         article("Copier ces réglages",
                 KeyStroke.getKeyStroke(KeyEvent.VK_C, Menus.ctrl(0).getModifiers() | InputEvent.SHIFT_DOWN_MASK),
                 this::copier);
-        Menus.lier(atelier.getCadre(), KeyStroke.getKeyStroke('+'), () -> reflechir(voisin(true)));
-        Menus.lier(atelier.getCadre(), KeyStroke.getKeyStroke('-'), () -> reflechir(voisin(false)));
+        Menus.lier(cadre, KeyStroke.getKeyStroke('+'), () -> changer(true));
+        Menus.lier(cadre, KeyStroke.getKeyStroke('-'), () -> changer(false));
         atelier.prevenir(this::montrer);
         montrer();
     }
@@ -71,24 +72,18 @@ final class MenuDessin {
         Menus.siScene(atelier, Menus.article(menu, nom, touche, action));
     }
 
-    private int voisin(boolean plus) {
-        ReglagesDessin reglages = atelier.getReglages();
-        int actuel = reglages == null ? 0 : reglages.getReflets();
-        int voisin = actuel;
-        for (int n : REFLEXIONS) {
-            if (plus ? n > actuel : n < actuel) {
-                voisin = n;
-                if (plus) {
-                    break;
-                }
-            }
+    /** Passe à plus ou moins de réflexions, parmi celles du menu. */
+    private void changer(boolean plus) {
+        if (atelier.getReglages() != null) {
+            int actuel = atelier.getReglages().getReflets();
+            IntStream autres = Arrays.stream(REFLEXIONS).filter(n -> plus ? n > actuel : n < actuel);
+            (plus ? autres.min() : autres.max()).ifPresent(this::reflechir);
         }
-        return voisin;
     }
 
     private void reflechir(int n) {
         ReglagesDessin reglages = atelier.getReglages();
-        if (reglages != null && n != reglages.getReflets()) {
+        if (n != reglages.getReflets()) {
             atelier.dessiner(reglages.avec(n, reglages.getSeuil()), false);
         }
     }
@@ -100,13 +95,13 @@ final class MenuDessin {
     }
 
     private void regler() {
-        parametres = parametres == null ? new PanneauVariantes(atelier) : parametres;
-        Menus.aCote(parametres, atelier.getCadre());
+        parametres = parametres == null ? new PanneauVariantes(cadre, atelier) : parametres;
+        Menus.aCote(parametres);
     }
 
     private void comparer() {
-        vitesse = vitesse == null ? new PanneauVitesse(atelier) : vitesse;
-        Menus.aCote(vitesse, atelier.getCadre());
+        vitesse = vitesse == null ? new PanneauVitesse(cadre, atelier) : vitesse;
+        Menus.aCote(vitesse);
     }
 
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */

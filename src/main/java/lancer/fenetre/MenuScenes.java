@@ -14,7 +14,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.prefs.Preferences;
@@ -36,21 +35,27 @@ final class MenuScenes {
     private static final String CLE = "scenes";
 
     final JMenu menu = Menus.menu("Scènes");
-    private final Consumer<File> ouvrir;
-    private volatile String montree;
+    private final Atelier atelier;
+    /** Le dessin qui a lu la scène montrée, {@code null} s'il n'y en a pas encore. */
+    private volatile Tracage montree;
     /** Retenu pour le rester : muet, car qu'un dossier personnel se refuse n'est pas l'affaire de qui dessine. */
     private Logger journal;
     private List<File> voisines = new ArrayList<>();
     private int rang;
 
-    MenuScenes(Consumer<File> ouvrir) {
-        this.ouvrir = ouvrir;
+    MenuScenes(Atelier atelier) {
+        this.atelier = atelier;
         montrer(null);
+        atelier.prevenir(() -> {
+            if (montree != atelier.getAdopte()) {
+                montrer(atelier.getAdopte());
+            }
+        });
     }
 
-    /** @param fichier la scène montrée, {@code null} s'il n'y en a pas encore */
-    void montrer(String fichier) {
-        montree = fichier;
+    private void montrer(Tracage tracage) {
+        montree = tracage;
+        String fichier = tracage == null ? null : tracage.fichier;
         Thread liste = new Thread(() -> {
             List<File> scenes = fichier == null ? new ArrayList<>() : voisines(fichier);
             List<String> noms = new ArrayList<>();
@@ -60,7 +65,7 @@ final class MenuScenes {
             }
             List<String> recentes = recentes(fichier);
             EventQueue.invokeLater(() -> {
-                if (montree == fichier) {
+                if (montree == tracage) {
                     remplir(scenes, noms, recentes);
                 }
             });
@@ -125,10 +130,10 @@ final class MenuScenes {
         ButtonGroup groupe = new ButtonGroup();
         for (int k = 0; k < scenes.size(); k++) {
             File scene = scenes.get(k);
-            boolean ici = scene.getName().equals(new File(montree).getName());
+            boolean ici = scene.getName().equals(new File(montree.fichier).getName());
             rang = ici ? k : rang;
             if (k < SCENES_MAX) {
-                JMenuItem article = Menus.choix(menu, groupe, noms.get(k), null, () -> ouvrir.accept(scene));
+                JMenuItem article = Menus.choix(menu, groupe, noms.get(k), null, () -> atelier.ouvrir(scene));
                 article.setSelected(ici);
             }
         }
@@ -140,14 +145,14 @@ final class MenuScenes {
         menu.addSeparator();
         for (String recente : recentes) {
             File scene = new File(recente);
-            Menus.article(menu, Texte.echappe(recente), null, () -> ouvrir.accept(scene));
+            Menus.article(menu, Texte.echappe(recente), null, () -> atelier.ouvrir(scene));
         }
     }
 
     private void voisine(int pas) {
         if (rang + pas >= 0 && rang + pas < voisines.size()) {
             rang += pas;
-            ouvrir.accept(voisines.get(rang));
+            atelier.ouvrir(voisines.get(rang));
         }
     }
 }

@@ -70,11 +70,11 @@ final class Menus {
         return article;
     }
 
-    /** Montre cette fenêtre au bord droit de l'autre, ou à défaut de place par-dessus, sans sortir de l'écran. */
-    static void aCote(Window fenetre, Window autre) {
+    /** Montre cette fenêtre au bord droit de celle dont elle dépend, ou à défaut par-dessus, dans l'écran. */
+    static void aCote(Window fenetre) {
         if (!fenetre.isVisible()) {
             Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-            Rectangle place = autre.getBounds();
+            Rectangle place = fenetre.getOwner().getBounds();
             fenetre.setSize(Math.min(fenetre.getWidth(), ecran.width), Math.min(fenetre.getHeight(), ecran.height));
             fenetre.setLocation(Math.min(place.x + place.width, ecran.x + ecran.width - fenetre.getWidth()),
                     Math.max(ecran.y, Math.min(place.y, ecran.y + ecran.height - fenetre.getHeight())));

@@ -35,7 +35,6 @@ final class PanneauImage extends JPanel {
 
     private static final Color GRIS = new Color(0x777777);
     private static final DirectColorModel OPAQUE = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
-
     private static final int LOUPE_MAX = 16;
 
     final Bandeau bandeau = new Bandeau();
@@ -86,9 +85,9 @@ final class PanneauImage extends JPanel {
         return tenue;
     }
 
-    /** Celle qui se dessine par-dessus, {@code null} s'il n'y en a pas. */
-    ImageMemoire getNaissante() {
-        return naissante;
+    /** Celle que désigne la souris : ce qui se dessine par-dessus ne cache l'autre que là où il a une couleur. */
+    ImageMemoire getImageSouris() {
+        return tenue != null ? tenue : getPixelSouris(naissante) != null ? naissante : montree;
     }
 
     /** Le nombre de pixels de l'écran par point : un écran dense en a plusieurs. */
@@ -183,12 +182,12 @@ final class PanneauImage extends JPanel {
     }
 
     /**
-     * Montre l'image telle qu'elle est maintenant.
+     * Montre l'image telle qu'elle est maintenant, et rend vrai si elle se voit.
      *
      * @param entiere vrai si chacun de ses pixels a une couleur : elle remplace alors la précédente
      * @param parMorceaux sinon, vrai pour en montrer déjà ce qui est dessiné
      */
-    void montrer(ImageMemoire image, boolean entiere, boolean parMorceaux) {
+    boolean montrer(ImageMemoire image, boolean entiere, boolean parMorceaux) {
         if (entiere) {
             montree = image;
         }
@@ -200,6 +199,7 @@ final class PanneauImage extends JPanel {
             naissante = image;
         }
         repaint();
+        return image == montree || image == naissante;
     }
 
     /** Une image AWT sur le tableau même des codes : rien n'est copié. */

@@ -9,6 +9,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
+import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
@@ -36,8 +37,8 @@ final class PanneauVariantes extends JDialog {
     private long dernierNs;
 
     /** À créer quand une scène est lue. */
-    PanneauVariantes(Atelier atelier) {
-        super(atelier.getCadre(), "Variantes");
+    PanneauVariantes(JFrame cadre, Atelier atelier) {
+        super(cadre, "Variantes");
         setName("variantes");
         this.atelier = atelier;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));

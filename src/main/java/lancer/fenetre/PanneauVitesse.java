@@ -11,6 +11,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
+import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import lancer.Couleur;
@@ -54,8 +55,8 @@ final class PanneauVitesse extends JDialog {
     /** Le point dessiné, s'il n'est pas encore mesuré. */
     private transient Reglage voulu;
 
-    PanneauVitesse(Atelier atelier) {
-        super(atelier.getCadre(), "Vitesse ou précision");
+    PanneauVitesse(JFrame cadre, Atelier atelier) {
+        super(cadre, "Vitesse ou précision");
         setName("vitesse");
         this.atelier = atelier;
         JPanel bas = new JPanel(new BorderLayout());
@@ -149,7 +150,7 @@ final class PanneauVitesse extends JDialog {
     private void essayer(Lancer lancer, ReglagesDessin reglages) {
         List<Object> scene = essayee;
         List<Variante> libres = libres(reglages);
-        int fils = atelier.getFils();
+        int fils = atelier.fils;
         double pixels = (double) lancer.getCamera().getLargeur() * lancer.getCamera().getHauteur();
         machine.setText(fils + (fils > 1 ? " fils, " : " fil, ") + System.getProperty("os.name") + " "
                 + System.getProperty("os.arch") + ", Java " + System.getProperty("java.version"));

@@ -21,14 +21,8 @@ import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Echantillonnage;
-import lancer.contrat.Modele;
-import lancer.contrat.Pave;
-import lancer.contrat.Reglable;
 import lancer.contrat.Section;
-import lancer.contrat.Toile;
 import lancer.contrat.Variante;
-import lancer.contrat.Vue;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -42,6 +36,9 @@ class AutoTest {
     /** Paire, l'horizon passe entre deux lignes de pixels. */
     private static final int HAUTEUR = 30;
     private static final int LARGEUR = 40;
+
+    private static final List<Variante> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
+    private static final List<Variante> MODESTES = GrilleDEssai.seule("1", "2", "3");
 
     private static Auto auto(Scene scene, int largeur, int hauteur, List<Variante> variantes, Souhait souhait) {
         return Auto.choisir(LancerSurveille.preparer(scene, largeur, hauteur, false), souhait, 2, variantes, enCours -> { });
@@ -148,7 +145,7 @@ class AutoTest {
 
     @Test
     void leCielNADemandeQuUnRayonParPixel() {
-        Auto auto = auto(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()), LARGEUR, HAUTEUR, grilles(),
+        Auto auto = auto(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()), LARGEUR, HAUTEUR, GRILLES,
                 Souhait.erreur(0.1));
         assertEquals("[Grille] n=1, --reflets 0", auto.getChoisi().toString());
         assertTrue(auto.getChoisi().erreurAuPlus < 0.1, auto.getChoisi().erreurAuPlus + "");
@@ -157,10 +154,10 @@ class AutoTest {
 
     @Test
     void desBoulesPlusPetitesQuUnPixelDemandentPlusieursRayons() {
-        Auto auto = auto(damier(), LARGEUR, HAUTEUR, grilles(), Souhait.erreur(4));
+        Auto auto = auto(damier(), LARGEUR, HAUTEUR, GRILLES, Souhait.erreur(4));
         assertTrue(auto.estTenable());
         assertTrue(auto.getChoisi().rayons >= 4, auto.getChoisi().toString());
-        Auto large = auto(damier(), LARGEUR, HAUTEUR, grilles(), Souhait.erreur(100));
+        Auto large = auto(damier(), LARGEUR, HAUTEUR, GRILLES, Souhait.erreur(100));
         assertEquals(1, large.getChoisi().rayons);
     }
 
@@ -192,7 +189,7 @@ class AutoTest {
             String attendu = null;
             for (int fils : new int[] {1, 2, 7}) {
                 // assez de pavés pour que chaque fil en ait
-                Auto auto = Auto.choisir(LancerSurveille.preparer(scene, 80, 70, false), Souhait.erreur(erreur), fils, grilles(),
+                Auto auto = Auto.choisir(LancerSurveille.preparer(scene, 80, 70, false), Souhait.erreur(erreur), fils, GRILLES,
                         enCours -> { });
                 Reglage r = auto.getChoisi();
                 String choix = r + " " + r.erreur + " " + r.erreurAuPlus + " " + r.rayons + " " + r.prix;
@@ -215,66 +212,16 @@ class AutoTest {
     @ParameterizedTest
     @CsvSource({"1, 1", "1, 7", "2, 2", "3, 1", "33, 65", "201, 151"})
     void touteTailleDImageConvient(int largeur, int hauteur) {
-        Auto auto = auto(scene(boule(0, 0, 8, 2, 0.5)), largeur, hauteur, grilles(), Souhait.erreur(1));
+        Auto auto = auto(scene(boule(0, 0, 8, 2, 0.5)), largeur, hauteur, GRILLES, Souhait.erreur(1));
         auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
         auto.controler();
         assertEquals(3, auto.getLignes().size());
         assertTrue(auto.getErreurMesuree() < 10, auto.getLignes().toString());
     }
 
-    // ce que propose une variante d'étudiant
-
-    private static List<Variante> grilles() {
-        return variante(Arrays.asList(Section.reglage("Grille", "n", "1"), Section.reglage("Grille", "n", "2"),
-                Section.reglage("Grille", "n", "4"), Section.reglage("Grille", "n", "16")));
-    }
-
-    /** Une quatrième variante : n × n sous-pixels, n au choix. */
-    private static List<Variante> variante(List<Section> reglages) {
-        return Collections.<Variante>singletonList(new Reglable() {
-            @Override
-            public String getSection() {
-                return "Grille";
-            }
-
-            @Override
-            public void installer(Section valeurs, Modele modele) {
-                modele.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
-            }
-
-            @Override
-            public List<Section> getReglages() {
-                return reglages;
-            }
-        });
-    }
-
-    private static Echantillonnage grille(int n) {
-        return new Echantillonnage() {
-            @Override
-            public int tracer(Pave pave, Vue vue, Toile toile) {
-                for (int j = pave.j0; j < pave.j1; j++) {
-                    for (int i = pave.i0; i < pave.i1; i++) {
-                        Couleur somme = new Couleur();
-                        for (int k = 0; k < n * n; k++) {
-                            somme = somme.add(vue.couleur(i + (k % n + 0.5) / n, j + (k / n + 0.5) / n));
-                        }
-                        toile.drawPixel(somme.div(n * n), i, j);
-                    }
-                }
-                return 0;
-            }
-
-            @Override
-            public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
-                return tracer(voulus, vue, toile);
-            }
-        };
-    }
-
     @Test
     void lesReglagesDUneVarianteSontEssayesEtSesRayonsComptes() {
-        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, modestes(), Souhait.erreur(0.01));
+        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, MODESTES, Souhait.erreur(0.01));
         double[] rayons = auto.getFront().stream().mapToDouble(r -> r.rayons).toArray();
         assertArrayEquals(new double[] {1, 4, 9}, rayons, 1e-9);
         double[] erreurs = auto.getFront().stream().mapToDouble(r -> r.erreur).toArray();
@@ -288,7 +235,7 @@ class AutoTest {
             double attendue = Double.POSITIVE_INFINITY;
             double auPlus = Double.POSITIVE_INFINITY;
             for (double voulue = 16; voulue > 0.1; voulue /= 1.5) {
-                Reglage choisi = auto(scene, LARGEUR, HAUTEUR, grilles(), Souhait.erreur(voulue)).getChoisi();
+                Reglage choisi = auto(scene, LARGEUR, HAUTEUR, GRILLES, Souhait.erreur(voulue)).getChoisi();
                 assertTrue(choisi.erreur <= attendue && choisi.erreurAuPlus <= auPlus, choisi + " pour " + voulue);
                 attendue = choisi.erreur;
                 auPlus = choisi.erreurAuPlus;
@@ -318,11 +265,11 @@ class AutoTest {
     void lesEssaisCoutentAuPlusLaMoitieDuDessinOuTresPeu(int largeur, int hauteur) {
         Scene boules = scene(boule(-1, 0, 8, 1.2, 0.5), boule(1.2, 0.4, 7, 0.7, 0.8), boule(0, -1001.5, 8, 1000, 0.3));
         for (double voulue : new double[] {50, 4, 1, 0.25}) {
-            verifierLeCoutDesEssais(auto(boules, largeur, hauteur, grilles(), Souhait.erreur(voulue)));
-            verifierLeCoutDesEssais(auto(damier(), largeur, hauteur, grilles(), Souhait.erreur(voulue)));
-            verifierLeCoutDesEssais(auto(entreDeuxMurs(0.9), largeur, hauteur, modestes(), Souhait.erreur(voulue)));
+            verifierLeCoutDesEssais(auto(boules, largeur, hauteur, GRILLES, Souhait.erreur(voulue)));
+            verifierLeCoutDesEssais(auto(damier(), largeur, hauteur, GRILLES, Souhait.erreur(voulue)));
+            verifierLeCoutDesEssais(auto(entreDeuxMurs(0.9), largeur, hauteur, MODESTES, Souhait.erreur(voulue)));
         }
-        verifierLeCoutDesEssais(auto(boules, 8 * largeur, 8 * hauteur, modestes(), Souhait.erreur(1)));
+        verifierLeCoutDesEssais(auto(boules, 8 * largeur, 8 * hauteur, MODESTES, Souhait.erreur(1)));
     }
 
     private static void verifierLeCoutDesEssais(Auto auto) {
@@ -332,15 +279,11 @@ class AutoTest {
         assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis + ", " + auto.getChoisi());
     }
 
-    private static List<Variante> modestes() {
-        return variante(Arrays.asList(Section.reglage("Grille", "n", "1"), Section.reglage("Grille", "n", "2"),
-                Section.reglage("Grille", "n", "3")));
-    }
-
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
         Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
-        List<Variante> fautive = variante(Collections.singletonList(Section.reglage("Grille", "m", "3")));
+        List<Variante> fautive = Collections.singletonList(
+                new GrilleDEssai(Collections.singletonList(Section.reglage("Grille", "m", "3"))));
         SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, fautive, enCours -> { }));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
@@ -348,7 +291,7 @@ class AutoTest {
     @Test
     void uneVarianteSansListeDeReglagesEstNommee() {
         Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
-        List<Variante> muette = variante(null);
+        List<Variante> muette = Collections.singletonList(new GrilleDEssai(null));
         NullPointerException e = assertThrows(NullPointerException.class,
                 () -> Auto.choisir(lancer, Souhait.erreur(1), 1, muette, enCours -> { }));
         assertEquals(muette.get(0).getClass().getName() + ".getReglages a rendu null", e.getMessage());

@@ -1,5 +1,13 @@
 package lancer.essai;
 
+import static lancer.essai.Triplets.ajouter;
+import static lancer.essai.Triplets.dot;
+import static lancer.essai.Triplets.fois;
+import static lancer.essai.Triplets.gris;
+import static lancer.essai.Triplets.moins;
+import static lancer.essai.Triplets.plus;
+import static lancer.essai.Triplets.t;
+import static lancer.essai.Triplets.unite;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
@@ -17,7 +25,6 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.Tuple;
 
 /**
  * Ce que dit {@code --pixel}, refait à part sur des triplets de nombres : chaque terme par les équations de l'énoncé, chaque somme
@@ -309,43 +316,5 @@ public final class EssaiRecit {
         double delta = sphere.getRayon() * sphere.getRayon() - dot(plus(f, -b, V), plus(f, -b, V));
         double h = Math.sqrt(delta);
         return !(delta >= 0) || b + h <= 0 ? Double.POSITIVE_INFINITY : b - h > 0 ? b - h : b + h;
-    }
-
-    private static double[] t(Tuple p) {
-        return new double[] {p.x, p.y, p.z};
-    }
-
-    private static double[] t(Couleur c) {
-        return new double[] {c.r, c.v, c.b};
-    }
-
-    private static double[] gris(double g) {
-        return new double[] {g, g, g};
-    }
-
-    private static void ajouter(double[] a, double[] b) {
-        for (int c = 0; c < 3; c++) {
-            a[c] += b[c];
-        }
-    }
-
-    private static double[] plus(double[] a, double k, double[] b) {
-        return new double[] {a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]};
-    }
-
-    private static double[] moins(double[] a, double[] b) {
-        return plus(a, -1, b);
-    }
-
-    private static double[] fois(double[] a, double[] b) {
-        return new double[] {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
-    }
-
-    private static double dot(double[] a, double[] b) {
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    }
-
-    private static double[] unite(double[] a) {
-        return fois(a, gris(1 / Math.sqrt(dot(a, a))));
     }
 }

@@ -36,17 +36,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import javax.imageio.ImageIO;
-import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
-import lancer.Couleur;
-import lancer.Lancer;
 import lancer.Main;
-import lancer.commande.Options;
 import lancer.essai.Essai;
 import lancer.sortie.ImageMemoire;
 
@@ -70,9 +68,12 @@ final class BancFenetre {
     final CountDownLatch fin = new CountDownLatch(1);
     final Robot robot;
     final MainLent main;
-    final Fenetre fenetre;
+    final Atelier atelier;
     final JFrame cadre;
-    final JComponent panneau;
+    final PanneauImage panneau;
+    final JTextArea resume;
+    final JLabel pixel;
+    final JProgressBar avancement;
 
     BancFenetre(String... args) throws Exception {
         this(new MainLent(args));
@@ -86,44 +87,13 @@ final class BancFenetre {
         robot = new Robot();
         // ce qu'a copié l'essai d'avant n'est pas ce qu'on attend
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
-        fenetre = Ouverture.ouvrir(main, main.options, flux(erreur), fin::countDown);
-        cadre = fenetre.getCadre();
-        panneau = composant("image", JComponent.class);
-    }
-
-    /** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
-    static class MainLent extends Main {
-
-        private static final long PAUSE_NS = 1_000_000;
-        final Options options;
-        final ByteArrayOutputStream sortie;
-        final ByteArrayOutputStream erreur;
-        volatile boolean lent;
-
-        MainLent(String... args) {
-            this(Options.lire(args), new ByteArrayOutputStream(), new ByteArrayOutputStream());
-        }
-
-        private MainLent(Options options, ByteArrayOutputStream sortie, ByteArrayOutputStream erreur) {
-            super(options, flux(sortie), flux(erreur));
-            this.options = options;
-            this.sortie = sortie;
-            this.erreur = erreur;
-        }
-
-        MainLent lent() {
-            lent = true;
-            return this;
-        }
-
-        @Override
-        public void drawPixel(Couleur coul, int xe, int ye) {
-            super.drawPixel(coul, xe, ye);
-            Lancer lancer = getLancer();
-            if (lent && lancer != null && lancer.isBrouillonFait()) {
-                LockSupport.parkNanos(PAUSE_NS);
-            }
-        }
+        Fenetre fenetre = Ouverture.ouvrir(main, main.options, flux(erreur), fin::countDown);
+        atelier = fenetre.atelier;
+        cadre = fenetre.cadre;
+        panneau = composant("image", PanneauImage.class);
+        resume = composant("resume", JTextArea.class);
+        pixel = composant("pixel", JLabel.class);
+        avancement = composant("avancement", JProgressBar.class);
     }
 
     static PrintStream flux(ByteArrayOutputStream octets) {
@@ -165,6 +135,10 @@ final class BancFenetre {
         FutureTask<T> tache = new FutureTask<>(question);
         EventQueue.invokeLater(tache);
         return tache.get(PATIENCE_NS, TimeUnit.NANOSECONDS);
+    }
+
+    static void faire(Runnable geste) throws Exception {
+        surFilEvenements(Executors.callable(geste));
     }
 
     /** Le composant visible de ce nom (ou de cette classe si {@code nom} est nul), dans n'importe quelle fenêtre ; ou {@code null}. */
@@ -238,14 +212,14 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> fenetre.getImageComplete() != null);
-        return surFilEvenements(fenetre::getImageComplete);
+        attendre("l'image est achevée", () -> atelier.getImageComplete() != null);
+        return surFilEvenements(atelier::getImageComplete);
     }
 
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> fenetre.getImageComplete() != null && Arrays.equals(fenetre.getImageComplete().getCodes(), codes));
-        attendre(quoi + ", à l'écran", () -> trouver(codes, fenetre.getImageComplete().getLargeur()) != null);
+        attendre(quoi, () -> atelier.getImageComplete() != null && Arrays.equals(atelier.getImageComplete().getCodes(), codes));
+        attendre(quoi + ", à l'écran", () -> trouver(codes, atelier.getImageComplete().getLargeur()) != null);
     }
 
     static int[] codes(BufferedImage image) {
@@ -276,14 +250,13 @@ final class BancFenetre {
 
     /** Ferme la fenêtre comme le fait son bouton, et attend que le programme se dise fini. */
     void fermer() throws Exception {
-        surFilEvenements(() -> {
+        faire(() -> {
             for (Window w : Window.getWindows()) {
                 if (w != cadre) {
                     w.dispose();
                 }
             }
             cadre.dispatchEvent(new WindowEvent(cadre, WindowEvent.WINDOW_CLOSING));
-            return null;
         });
         if (!fin.await(PATIENCE_NS, TimeUnit.NANOSECONDS)) {
             fail("la fenêtre est fermée, et le programme ne finit pas");

@@ -1,12 +1,23 @@
 package lancer.fenetre;
 
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.pixelsSansFenetre;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
 
+import java.awt.image.BufferedImage;
+import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import lancer.fenetre.BancFenetre.MainLent;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.JFileChooser;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
+import javax.swing.SwingUtilities;
+import lancer.sortie.ImageMemoire;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -51,14 +62,80 @@ abstract class EssaiFenetre {
         Files.write(scene, texte.getBytes(StandardCharsets.UTF_8));
     }
 
-    MainLent lente(String... options) {
+    /** Les arguments du programme, la scène la dernière. */
+    String[] args(String... options) {
         String[] args = Arrays.copyOf(options, options.length + 2);
         args[options.length] = TAILLE;
         args[options.length + 1] = scene.toString();
-        return new MainLent(args);
+        return args;
+    }
+
+    MainLent lente(String... options) {
+        return new MainLent(args(options));
     }
 
     int[] attendue(int largeur, int hauteur) throws Exception {
         return pixelsSansFenetre(dossier, scene, largeur, hauteur);
+    }
+
+    /** Ouvre la fenêtre sur la scène, et attend son image. */
+    ImageMemoire ouvrir(String... options) throws Exception {
+        banc = new BancFenetre(lente(options));
+        return banc.imageAchevee();
+    }
+
+    /** Choisit ce fichier dans le dialogue qui s'ouvre ; rend le nom qui était proposé. */
+    String choisir(Path fichier) throws Exception {
+        JFileChooser choix = composant(null, JFileChooser.class);
+        // comme quelqu'un : d'abord le clavier est au dialogue, et ce qui fut frappé avant ne va plus à la fenêtre
+        attendre("le clavier est au dialogue", () -> SwingUtilities.getWindowAncestor(choix).isFocused());
+        String propose = surFilEvenements(() -> {
+            File selection = choix.getSelectedFile();
+            choix.setSelectedFile(fichier.toFile());
+            choix.approveSelection();
+            return selection == null ? null : selection.getName();
+        });
+        attendre("le dialogue est fermé", () -> !choix.isShowing());
+        return propose;
+    }
+
+    /** Donne cette taille à la place de l'image. */
+    void retailler(int largeur, int hauteur) throws Exception {
+        faire(() -> {
+            banc.cadre.setSize(banc.cadre.getWidth() + largeur - banc.panneau.getWidth(),
+                    banc.cadre.getHeight() + hauteur - banc.panneau.getHeight());
+            banc.cadre.validate();
+        });
+    }
+
+    /** Ce que la fenêtre montre à la place de l'image. */
+    BufferedImage peinte() throws Exception {
+        return surFilEvenements(() -> {
+            BufferedImage image = new BufferedImage(banc.panneau.getWidth(), banc.panneau.getHeight(), BufferedImage.TYPE_INT_RGB);
+            banc.panneau.paint(image.createGraphics());
+            return image;
+        });
+    }
+
+    /** Cet article du menu Dessin. */
+    JMenuItem article(String nom) {
+        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
+        for (int k = 0; k < dessin.getItemCount(); k++) {
+            if (dessin.getItem(k) != null && dessin.getItem(k).getText().equals(nom)) {
+                return dessin.getItem(k);
+            }
+        }
+        throw new AssertionError("pas d'article " + nom);
+    }
+
+    static void attendreSansEtreInterrompu(CountDownLatch loquet) {
+        while (true) {
+            try {
+                loquet.await();
+                return;
+            } catch (InterruptedException e) {
+                // un disque lent ne s'interrompt pas
+            }
+        }
     }
 }

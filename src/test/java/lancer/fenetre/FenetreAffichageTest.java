@@ -1,51 +1,28 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.chercher;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
-import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.Image;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
-import java.awt.datatransfer.Clipboard;
-import java.awt.datatransfer.DataFlavor;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
-import javax.swing.JLabel;
-import javax.swing.JTextArea;
 import lancer.sortie.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
-/** Le menu Affichage : la taille où l'image se dessine, le plein écran, la loupe ; et la copie de l'image. */
+/** Le menu Affichage : la taille où l'image se dessine, le plein écran, la loupe. */
 class FenetreAffichageTest extends EssaiFenetre {
 
     private static final Dimension ECRAN = Toolkit.getDefaultToolkit().getScreenSize();
 
-    private void ouvrir() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-    }
-
-    private void retailler(int largeur, int hauteur) throws Exception {
-        surFilEvenements(() -> {
-            Component panneau = banc.panneau;
-            banc.cadre.setSize(banc.cadre.getWidth() + largeur - panneau.getWidth(),
-                    banc.cadre.getHeight() + hauteur - panneau.getHeight());
-            banc.cadre.validate();
-            return null;
-        });
-    }
-
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
-            ImageMemoire image = banc.fenetre.getImageComplete();
+            ImageMemoire image = banc.atelier.getImageComplete();
             return image != null && image.getLargeur() == largeur && image.getHauteur() == hauteur;
         });
     }
@@ -78,15 +55,15 @@ class FenetreAffichageTest extends EssaiFenetre {
         BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(ECRAN));
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(5, 5), "du gris autour");
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("les touches répondent", () -> banc.fenetre.getReglages().getReflets() == 2);
+        attendre("les touches répondent", () -> banc.atelier.getReglages().getReflets() == 2);
         ecrire(FAUTIVE);
         banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
-        attendre("rien ne se dessine plus", () -> !banc.fenetre.enCours());
+        attendre("rien ne se dessine plus", () -> !banc.atelier.enCours());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap en sort", () -> banc.cadre.getSize().equals(avant));
         // la faute en couvre le bas
-        attendre("l'image revient à sa taille", () -> banc.fenetre.getImageComplete() != null
-                && Arrays.equals(banc.fenetre.getImageComplete().getCodes(), deuxReflets));
+        attendre("l'image revient à sa taille", () -> banc.atelier.getImageComplete() != null
+                && Arrays.equals(banc.atelier.getImageComplete().getCodes(), deuxReflets));
     }
 
     @Test
@@ -95,17 +72,15 @@ class FenetreAffichageTest extends EssaiFenetre {
         ImageMemoire image = banc.imageAchevee();
         banc.attendreImage("à l'écran", image.getCodes());
         Point coin = BancFenetre.trouver(image.getCodes(), L);
-        JLabel pixel = chercher("pixel", JLabel.class);
         attendre("la souris est là", () -> {
             banc.robot.mouseMove(coin.x + 51, coin.y + 60);
             banc.robot.mouseMove(coin.x + 50, coin.y + 60);
-            return pixel.getText().startsWith("pixel 50, 60 : ");
+            return banc.pixel.getText().startsWith("pixel 50, 60 : ");
         });
         banc.robot.mouseWheel(-1);
         banc.robot.mouseWheel(-1);
-        JTextArea resume = chercher("resume", JTextArea.class);
-        attendre("le grossissement se dit", () -> resume.getText().startsWith("320 × 240 pixels à la loupe × 4, "));
-        attendre("le même pixel reste sous la souris", () -> pixel.getText().startsWith("pixel 50, 60 : "));
+        attendre("le grossissement se dit", () -> banc.resume.getText().startsWith("320 × 240 pixels à la loupe × 4, "));
+        attendre("le même pixel reste sous la souris", () -> banc.pixel.getText().startsWith("pixel 50, 60 : "));
         int[] grossie = new int[4 * 20 * 4 * 20];
         for (int k = 0; k < grossie.length; k++) {
             grossie[k] = image.getCodes()[(60 + k / 80 / 4) * L + 50 + k % 80 / 4];
@@ -114,23 +89,11 @@ class FenetreAffichageTest extends EssaiFenetre {
         for (int k = 0; k < 6; k++) {
             banc.robot.mouseWheel(-1);
         }
-        attendre("seize au plus", () -> resume.getText().startsWith("320 × 240 pixels à la loupe × 16, "));
+        attendre("seize au plus", () -> banc.resume.getText().startsWith("320 × 240 pixels à la loupe × 16, "));
         for (int k = 0; k < 4; k++) {
             banc.robot.mouseWheel(1);
         }
         banc.attendreImage("et on en revient", image.getCodes());
-        assertSame(image, banc.fenetre.getImageComplete());
-    }
-
-    @Test
-    void ctrlCCopieLImage() throws Exception {
-        ouvrir();
-        banc.frapperCtrl('c');
-        banc.attendreMessage("image copiée, 320 × 240 pixels");
-        Clipboard presse = Toolkit.getDefaultToolkit().getSystemClipboard();
-        Image copie = (Image) presse.getData(DataFlavor.imageFlavor);
-        BufferedImage lue = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
-        lue.createGraphics().drawImage(copie, 0, 0, null);
-        assertArrayEquals(attendue(L, H), BancFenetre.codes(lue));
+        assertSame(image, banc.atelier.getImageComplete());
     }
 }

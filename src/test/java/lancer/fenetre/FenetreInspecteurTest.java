@@ -3,6 +3,7 @@ package lancer.fenetre;
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.chercher;
 import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -31,17 +32,12 @@ import org.junit.jupiter.api.Test;
 /** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image et par-dessus elle. */
 class FenetreInspecteurTest extends EssaiFenetre {
 
-    private void ouvrir(BancFenetre.MainLent main) throws Exception {
-        banc = new BancFenetre(main);
-    }
-
     private void cliquer(int x, int y) throws Exception {
-        surFilEvenements(() -> {
+        faire(() -> {
             int dx = (banc.panneau.getWidth() - L) / 2;
             int dy = (banc.panneau.getHeight() - H) / 2;
             banc.panneau.dispatchEvent(new MouseEvent(banc.panneau, MouseEvent.MOUSE_CLICKED, 0, InputEvent.BUTTON1_DOWN_MASK, x + dx,
                     y + dy, 1, false, MouseEvent.BUTTON1));
-            return null;
         });
     }
 
@@ -80,8 +76,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void unClicOuvreLaChaineDuPixelQuiEstCelleDeLaLigneDeCommandeArrondie() throws Exception {
-        ouvrir(lente());
-        int[] codes = banc.imageAchevee().getCodes();
+        int[] codes = ouvrir().getCodes();
         cliquer(150, 100);
         attendreTitre(150, 100);
         String recit = attendreRecit(couleur(codes[100 * L + 150]));
@@ -119,8 +114,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void lesFlechesLeMenentDUnPixelOuDeDixSansSortirDeLImage() throws Exception {
-        ouvrir(lente());
-        banc.imageAchevee();
+        ouvrir();
         cliquer(150, 100);
         attendreTitre(150, 100);
         presser(KeyEvent.VK_RIGHT);
@@ -139,14 +133,13 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void ilSuitLeMemePixelQuandLaSceneChangeEtMarqueCeQuiAChange() throws Exception {
-        ouvrir(lente());
-        int[] rouge = banc.imageAchevee().getCodes().clone();
+        int[] rouge = ouvrir().getCodes().clone();
         cliquer(150, 110);
         attendreRecit(couleur(rouge[110 * L + 150]));
         ecrire(BLEUE);
         int[] bleue = attendue(L, H);
-        attendre("la nouvelle image", () -> banc.fenetre.getImageComplete() != null
-                && Arrays.equals(banc.fenetre.getImageComplete().getCodes(), bleue));
+        attendre("la nouvelle image", () -> banc.atelier.getImageComplete() != null
+                && Arrays.equals(banc.atelier.getImageComplete().getCodes(), bleue));
         String recit = attendreRecit(couleur(bleue[110 * L + 150]));
         attendreVerdict("Au bit près");
         JTextArea texte = composant("recit", JTextArea.class);
@@ -156,20 +149,19 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void echapArreteDAbordUnDessinPuisFermeEtLaFigureSEnVa() throws Exception {
-        ouvrir(lente());
-        banc.imageAchevee();
+        ouvrir();
         int[] codes = attendue(L, H);
         banc.attendreImage("sans figure", codes);
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.fenetre.getImageComplete().getCodes(), "et pas dans l'image");
-        ImageMemoire avant = banc.fenetre.getImageComplete();
+        assertArrayEquals(codes, banc.atelier.getImageComplete().getCodes(), "et pas dans l'image");
+        ImageMemoire avant = banc.atelier.getImageComplete();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.fenetre.enCours() && ((PanneauImage) banc.panneau).getImage() != avant);
+        attendre("le dessin recommence", () -> banc.atelier.enCours() && banc.panneau.getImage() != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.fenetre.enCours());
+        attendre("le dessin est arrêté", () -> !banc.atelier.enCours());
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
@@ -181,28 +173,26 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void auClavierSeulEntreeLOuvreAuMilieuEtLesTouchesDuCadreYRepondent() throws Exception {
-        ouvrir(lente());
-        banc.imageAchevee();
+        ouvrir();
         ouvrirAuMilieu();
         presser(KeyEvent.VK_SUBTRACT);
         int[] deux = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=2");
-        attendre("moins de réflexions", () -> banc.fenetre.getImageComplete() != null
-                && Arrays.equals(deux, banc.fenetre.getImageComplete().getCodes()));
+        attendre("moins de réflexions", () -> banc.atelier.getImageComplete() != null
+                && Arrays.equals(deux, banc.atelier.getImageComplete().getCodes()));
         attendreVerdict("Au bit près");
     }
 
     @Test
     void aLaLoupeLePixelQueMenentLesFlechesResteEnVue() throws Exception {
-        ouvrir(lente());
-        banc.imageAchevee();
+        ouvrir();
         ouvrirAuMilieu();
         presser(KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
         presser(KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
-        PanneauImage image = (PanneauImage) banc.panneau;
+        PanneauImage image = banc.panneau;
         for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.fenetre.getImageComplete()) == 16);
+        attendre("la loupe est au plus fort", () -> image.getReduction(banc.atelier.getImageComplete()) == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
@@ -217,7 +207,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
     }
 
     private void attendreEnVue(int x, int y) throws Exception {
-        PanneauImage image = (PanneauImage) banc.panneau;
+        PanneauImage image = banc.panneau;
         attendreTitre(x, y);
         // autour du milieu, la moitié de ce que la loupe laisse voir
         attendre("il est en vue", () -> Math.abs(image.getPixelVise().x - x) <= image.getWidth() / 32
@@ -272,8 +262,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void unPixelDessineQuiNEstPasCeluiDesEquationsSeDit() throws Exception {
-        ouvrir(lente());
-        banc.imageAchevee().getCodes()[120 * L + 160] ^= 1;
+        ouvrir().getCodes()[120 * L + 160] ^= 1;
         cliquer(160, 120);
         attendreVerdict("Différent du pixel dessiné, qui est #");
         presser(KeyEvent.VK_RIGHT);
@@ -282,21 +271,20 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void pendantUnDessinLentLaChaineSeLitDeja() throws Exception {
-        ouvrir(lente().lent());
+        banc = new BancFenetre(lente().lent());
         attendre("le brouillon est là", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
-        attendre("et se voit", () -> ((PanneauImage) banc.panneau).getImage() != null);
+        attendre("et se voit", () -> banc.panneau.getImage() != null);
         cliquer(150, 100);
         attendreTitre(150, 100);
         attendreVerdict("L'image n'est pas achevée");
         JTextArea recit = composant("recit", JTextArea.class);
         attendre("la chaîne", () -> recit.getText().contains("\nsomme "));
-        assertTrue(banc.fenetre.enCours());
+        assertTrue(banc.atelier.enCours());
     }
 
     @Test
     void leTexteSeCopie() throws Exception {
-        ouvrir(lente());
-        int[] codes = banc.imageAchevee().getCodes();
+        int[] codes = ouvrir().getCodes();
         cliquer(150, 100);
         String recit = attendreRecit(couleur(codes[100 * L + 150]));
         presser(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
@@ -307,17 +295,13 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void laVueDeCoteMontreLOeilLEcranEtLesRayons() throws Exception {
-        ouvrir(lente());
-        banc.imageAchevee();
+        ouvrir();
         assertNull(chercher("cote", JComponent.class));
         cliquer(150, 100);
         attendreVerdict("Au bit près");
         JComponent cote = composant("cote", JComponent.class);
         BufferedImage vue = new BufferedImage(cote.getWidth(), cote.getHeight(), BufferedImage.TYPE_INT_RGB);
-        surFilEvenements(() -> {
-            cote.paint(vue.createGraphics());
-            return null;
-        });
+        faire(() -> cote.paint(vue.createGraphics()));
         long noirs = Arrays.stream(BancFenetre.codes(vue)).filter(c -> c == 0xFF000000).count();
         assertTrue(noirs > 30, noirs + " points noirs : l'œil et l'écran");
         Rectangle place = inspecteur().getBounds();

@@ -1,8 +1,7 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.chercher;
-import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static lancer.fenetre.BancFenetre.faire;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -10,7 +9,6 @@ import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import javax.swing.JMenu;
-import javax.swing.JTextArea;
 import org.junit.jupiter.api.Test;
 
 /** Les réglages du menu Dessin : l'image qu'ils donnent, et le fichier de la scène, qu'ils ne changent pas. */
@@ -23,12 +21,10 @@ class FenetreReglagesTest extends EssaiFenetre {
     @Test
     void lesTouchesPlusEtMoinsChangentLesReflexionsEtRienDAutre() throws Exception {
         byte[] avant = Files.readAllBytes(scene);
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
+        ouvrir();
         banc.frapper(KeyEvent.VK_SUBTRACT);
         banc.attendreImage("deux réflexions", attendue("--reflets=2"));
-        JTextArea resume = chercher("resume", JTextArea.class);
-        attendre("elles se disent", () -> resume.getText().contains("2 réflexions"));
+        attendre("elles se disent", () -> banc.resume.getText().contains("2 réflexions"));
         for (int k = 0; k < 5; k++) {
             banc.frapper(KeyEvent.VK_SUBTRACT);
         }
@@ -36,46 +32,27 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("une", attendue("--reflets=1"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la relecture s'achève", () -> !banc.fenetre.enCours());
+        attendre("la relecture s'achève", () -> !banc.atelier.enCours());
         banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
         assertArrayEquals(avant, Files.readAllBytes(scene));
     }
 
     @Test
     void leMenuDitLesReflexionsEtRevientACellesDeLaCommande() throws Exception {
-        banc = new BancFenetre(lente("--reflets=1"));
-        banc.imageAchevee();
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
-        JMenu reflexions = (JMenu) dessin.getItem(3);
-        surFilEvenements(() -> {
-            reflexions.getItem(4).doClick();
-            return null;
-        });
+        ouvrir("--reflets=1");
+        JMenu reflexions = (JMenu) article("Réflexions");
+        faire(() -> reflexions.getItem(4).doClick());
         banc.attendreImage("dix réflexions", attendue("--reflets=10"));
         attendre("le menu le montre", () -> reflexions.getItem(4).isSelected() && !reflexions.getItem(1).isSelected());
-        surFilEvenements(() -> {
-            article(dessin, "Revenir aux réglages de la scène");
-            return null;
-        });
+        faire(article("Revenir aux réglages de la scène")::doClick);
         banc.attendreImage("retour à une", attendue("--reflets=1"));
-    }
-
-    static void article(JMenu menu, String nom) {
-        for (int k = 0; k < menu.getItemCount(); k++) {
-            if (menu.getItem(k) != null && menu.getItem(k).getText().equals(nom)) {
-                menu.getItem(k).doClick();
-                return;
-            }
-        }
-        throw new AssertionError("pas d'article " + nom);
     }
 
     @Test
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
+        ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.fenetre.getReglages().getReflets() == 10 && !banc.fenetre.enCours());
+        attendre("dix réflexions", () -> banc.atelier.getReglages().getReflets() == 10 && !banc.atelier.enCours());
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

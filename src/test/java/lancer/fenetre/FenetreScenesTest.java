@@ -42,8 +42,7 @@ class FenetreScenesTest extends EssaiFenetre {
 
     @Test
     void lesScenesDuDossierAvecLeurPremierCommentaireEtUneToucheMeneDeLUneALAutre() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
+        ouvrir();
         attendre("la liste est là", () -> articles().contains("* boule.ini"));
         assertEquals(Arrays.asList("abîmée.ini", "* boule.ini", "chat.ini — Une boule bleue.", "",
                 "Scène suivante", "Scène précédente", "", scene.toString()), articles().subList(0, 8));

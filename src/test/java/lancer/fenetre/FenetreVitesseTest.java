@@ -28,8 +28,7 @@ class FenetreVitesseTest extends EssaiFenetre {
     private GraphiqueVitesse graphique;
 
     private void ouvrirLePanneau() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
+        ouvrir();
         banc.frapper(KeyEvent.VK_F3);
         graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         etat = composant("vitesse.etat", JLabel.class);
@@ -73,7 +72,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         frapper(KeyEvent.VK_ENTER);
         attendreEtat("Mesuré");
         // le moins cher des réglages : un rayon par pixel, sans réflexion
-        assertEquals(0, banc.fenetre.getReglages().getReflets());
+        assertEquals(0, banc.atelier.getReglages().getReflets());
         assertArrayEquals(sansReflexion(), banc.imageAchevee().getCodes());
         String dit = surFilEvenements(etat::getText);
         Matcher m = Pattern.compile("Mesuré : (\\d+),\\d+ ± .*").matcher(dit);
@@ -94,7 +93,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         attendreEtat("Mesuré");
-        assertEquals(0, banc.fenetre.getReglages().getReflets());
+        assertEquals(0, banc.atelier.getReglages().getReflets());
         assertArrayEquals(sansReflexion(), banc.imageAchevee().getCodes());
     }
 

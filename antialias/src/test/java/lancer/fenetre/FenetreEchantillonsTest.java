@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 
 import java.awt.event.ActionEvent;
@@ -18,18 +19,14 @@ import org.junit.jupiter.api.Test;
 class FenetreEchantillonsTest extends EssaiFenetre {
 
     private static void presser(JComponent composant, int x, int y, int evenement) throws Exception {
-        surFilEvenements(() -> {
-            composant.dispatchEvent(new MouseEvent(composant, evenement, 0, InputEvent.BUTTON1_DOWN_MASK, x, y, 1, false,
-                    MouseEvent.BUTTON1));
-            return null;
-        });
+        faire(() -> composant.dispatchEvent(new MouseEvent(composant, evenement, 0, InputEvent.BUTTON1_DOWN_MASK, x, y, 1, false,
+                MouseEvent.BUTTON1)));
     }
 
     @Test
     void chaqueEchantillonSeChoisitDUnClicOuDUneToucheEtLePixelResteLeMeme() throws Exception {
         ecrire(ROUGE + "[Antialias]\nn=3\nseuil=0\n");
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
+        ouvrir();
         presser(banc.panneau, (banc.panneau.getWidth() - L) / 2 + 150, (banc.panneau.getHeight() - H) / 2 + 100,
                 MouseEvent.MOUSE_CLICKED);
         JTextArea recit = composant("recit", JTextArea.class);
@@ -39,10 +36,7 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         presser(grille, 5, 5, MouseEvent.MOUSE_PRESSED);
         attendre("le premier", () -> recit.getText().contains("\nchaîne de l'échantillon 150.17, 100.17\n"));
         KeyStroke suivante = KeyStroke.getKeyStroke(KeyEvent.VK_PAGE_DOWN, InputEvent.CTRL_DOWN_MASK);
-        surFilEvenements(() -> {
-            recit.getActionForKeyStroke(suivante).actionPerformed(new ActionEvent(recit, 0, ""));
-            return null;
-        });
+        faire(() -> recit.getActionForKeyStroke(suivante).actionPerformed(new ActionEvent(recit, 0, "")));
         attendre("le deuxième", () -> recit.getText().contains("\nchaîne de l'échantillon 150.50, 100.17\n"));
         attendre("la même somme", () -> recit.getText().endsWith(somme));
         JLabel verdict = composant("verdict", JLabel.class);

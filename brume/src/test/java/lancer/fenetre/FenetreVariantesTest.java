@@ -3,14 +3,13 @@ package lancer.fenetre;
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.chercher;
 import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.Graphics;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
@@ -20,10 +19,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
-import javax.swing.JMenu;
-import javax.swing.JMenuItem;
 import javax.swing.JSlider;
-import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import lancer.dessin.ReglagesDessin;
 import lancer.essai.Essai;
@@ -38,11 +34,6 @@ class FenetreVariantesTest extends EssaiFenetre {
         return BancFenetre.pixelsSansFenetre(dossier, autre, L, H, options);
     }
 
-    private void ouvrir() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.imageAchevee();
-    }
-
     private JSlider glissiere(String nom) throws Exception {
         if (chercher(nom, JSlider.class) == null) {
             banc.frapper(KeyEvent.VK_F2);
@@ -51,27 +42,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     }
 
     private static void placer(JSlider glissiere, int cran) throws Exception {
-        surFilEvenements(() -> {
-            glissiere.setValue(cran);
-            return null;
-        });
-    }
-
-    private JMenuItem article(String nom) {
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
-        for (int k = 0; k < dessin.getItemCount(); k++) {
-            if (dessin.getItem(k) != null && dessin.getItem(k).getText().equals(nom)) {
-                return dessin.getItem(k);
-            }
-        }
-        throw new AssertionError("pas d'article " + nom);
-    }
-
-    private void cliquer(JMenuItem article) throws Exception {
-        surFilEvenements(() -> {
-            article.doClick();
-            return null;
-        });
+        faire(() -> glissiere.setValue(cran));
     }
 
     @Test
@@ -80,18 +51,14 @@ class FenetreVariantesTest extends EssaiFenetre {
         int[] sans = sansFenetre(ROUGE, "--sans=brume");
         ouvrir();
         banc.attendreImage("avec la brume", avec);
-        JTextArea resume = chercher("resume", JTextArea.class);
-        attendre("elle se dit", () -> resume.getText().endsWith(", 5 réflexions, [Brume] debut=0 fin=30"));
-        cliquer(article("Brume"));
+        attendre("elle se dit", () -> banc.resume.getText().endsWith(", 5 réflexions, [Brume] debut=0 fin=30"));
+        faire(article("Brume")::doClick);
         banc.attendreImage("sans elle", sans);
-        attendre("elle ne se dit plus", () -> !resume.getText().contains("Brume"));
+        attendre("elle ne se dit plus", () -> !banc.resume.getText().contains("Brume"));
         JSlider densite = glissiere("Brume.densite");
         JCheckBox boite = composant("Brume", JCheckBox.class);
         assertFalse(boite.isSelected() || densite.isEnabled());
-        surFilEvenements(() -> {
-            boite.doClick();
-            return null;
-        });
+        faire(boite::doClick);
         banc.attendreImage("de nouveau avec", avec);
         assertTrue(surFilEvenements(() -> article("Brume").isSelected() && densite.isEnabled()));
     }
@@ -110,8 +77,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("l'image suit", attendue);
         assertArrayEquals(avant.getBytes("UTF-8"), Files.readAllBytes(scene));
-        JTextArea resume = chercher("resume", JTextArea.class);
-        attendre("le résumé aussi", () -> resume.getText().contains("[Brume du matin] couleur=0.9 0.8 0.7 debut=2 densite=0.095"));
+        attendre("le résumé aussi", () -> banc.resume.getText().contains("[Brume du matin] couleur=0.9 0.8 0.7 debut=2 densite=0.095"));
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         attendre("la copie donne la section et la commande", () -> {
             String copie = BancFenetre.copie();
@@ -135,13 +101,11 @@ class FenetreVariantesTest extends EssaiFenetre {
 
     /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
-        surFilEvenements(() -> {
-            ReglagesDessin reglages = banc.fenetre.getReglages().avec(3, 0.01);
-            banc.fenetre.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
-            return null;
+        faire(() -> {
+            ReglagesDessin reglages = banc.atelier.getReglages().avec(3, 0.01);
+            banc.atelier.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
         });
-        JTextArea resume = chercher("resume", JTextArea.class);
-        attendre("les réglages se disent", () -> resume.getText().contains(dit));
+        attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
         int[] vue = banc.imageAchevee().getCodes().clone();
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         attendre("la copie", () -> BancFenetre.copie().startsWith(debut));
@@ -176,27 +140,26 @@ class FenetreVariantesTest extends EssaiFenetre {
         ouvrir();
         int[] avant = banc.imageAchevee().getCodes();
         placer(glissiere("Brume.fin"), 4);
-        attendre("fin est réglée", () -> !banc.fenetre.enCours());
+        attendre("fin est réglée", () -> !banc.atelier.enCours());
         int[] cinq = sansFenetre(ROUGE + "[Brume]\nfin=5\n");
         banc.attendreImage("fin est réglée", cinq);
         placer(composant("Brume.debut", JSlider.class), 10);
         banc.attendreMessage("réglage, [Brume], debut : la brume commencerait à « 5 » et finirait à « 5 »");
-        assertArrayEquals(cinq, BancFenetre.codes(surFilEvenements(() -> peinte())));
+        assertArrayEquals(cinq, BancFenetre.codes(surFilEvenements(this::sansMessage)));
         placer(composant("Brume.debut", JSlider.class), 0);
         banc.attendreImage("on en revient", cinq);
         banc.attendreMessage("");
         assertFalse(Arrays.equals(avant, cinq));
     }
 
-    private BufferedImage peinte() {
+    private BufferedImage sansMessage() {
         BufferedImage image = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         Graphics g = image.createGraphics();
         // le message couvre le bas ; seule l'image nous importe
-        Component message = ((Container) banc.panneau).getComponent(0);
-        message.setVisible(false);
+        banc.panneau.bandeau.setVisible(false);
         g.translate(-(banc.panneau.getWidth() - L) / 2, -(banc.panneau.getHeight() - H) / 2);
         banc.panneau.paint(g);
-        message.setVisible(true);
+        banc.panneau.bandeau.setVisible(true);
         return image;
     }
 
@@ -205,16 +168,15 @@ class FenetreVariantesTest extends EssaiFenetre {
         int[] avec = sansFenetre(ROUGE);
         int[] sans = sansFenetre(ROUGE, "--sans=brume");
         ouvrir();
-        cliquer(article("Brume"));
+        faire(article("Brume")::doClick);
         banc.attendreImage("sans la brume", sans);
         banc.frapper();
         banc.robot.keyPress(KeyEvent.VK_SPACE);
         attendre("celle d'avant, au même endroit", () -> BancFenetre.trouver(avec, L) != null);
-        JTextArea resume = chercher("resume", JTextArea.class);
-        attendre("ses réglages et son coût", () -> resume.getText().matches(".* rayons, .* s, .*, \\[Brume] .*"));
+        attendre("ses réglages et son coût", () -> banc.resume.getText().matches(".* rayons, .* s, .*, \\[Brume] .*"));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
         attendre("puis celle de maintenant", () -> BancFenetre.trouver(sans, L) != null);
-        attendre("et les siens", () -> !resume.getText().contains("Brume"));
+        attendre("et les siens", () -> !banc.resume.getText().contains("Brume"));
     }
 
     @Test
@@ -226,7 +188,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         attendre("le clavier est à la glissière", fin::hasFocus);
         banc.frapper(SwingUtilities.getWindowAncestor(fin), KeyEvent.VK_LEFT);
         attendre("elle a bougé d'un cran", () -> fin.getValue() == cran - 1);
-        attendre("et l'image avec elle", () -> banc.fenetre.getReglages().toString().contains("fin=" + cran));
+        attendre("et l'image avec elle", () -> banc.atelier.getReglages().toString().contains("fin=" + cran));
         banc.imageAchevee();
     }
 
@@ -235,19 +197,13 @@ class FenetreVariantesTest extends EssaiFenetre {
         ouvrir();
         int[] avant = banc.imageAchevee().getCodes();
         JSlider fin = glissiere("Brume.fin");
-        surFilEvenements(() -> {
-            fin.setValueIsAdjusting(true);
-            return null;
-        });
+        faire(() -> fin.setValueIsAdjusting(true));
         for (int cran : new int[] {25, 20, 15, 10}) {
             placer(fin, cran);
-            attendre("chaque cran se dessine", () -> !banc.fenetre.enCours()
-                    && banc.fenetre.getReglages().toString().contains("fin=" + (cran + 1)));
+            attendre("chaque cran se dessine", () -> !banc.atelier.enCours()
+                    && banc.atelier.getReglages().toString().contains("fin=" + (cran + 1)));
         }
-        surFilEvenements(() -> {
-            fin.setValueIsAdjusting(false);
-            return null;
-        });
+        faire(() -> fin.setValueIsAdjusting(false));
         banc.imageAchevee();
         banc.frapper();
         banc.robot.keyPress(KeyEvent.VK_SPACE);

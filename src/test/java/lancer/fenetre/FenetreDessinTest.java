@@ -1,0 +1,275 @@
+package lancer.fenetre;
+
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.chercher;
+import static lancer.fenetre.BancFenetre.faire;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static lancer.fenetre.BancFenetre.texte;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.event.KeyEvent;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.AbstractButton;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.sortie.ImageMemoire;
+import org.junit.jupiter.api.Test;
+
+/** La vie d'un dessin dans la fenêtre : lecture, préparation, brouillon puis image, arrêt, panne ; elle ne l'attend jamais. */
+class FenetreDessinTest extends EssaiFenetre {
+
+    @Test
+    void leBrouillonParaitPuisLImageSAcheve() throws Exception {
+        Lancer lancer = new Lancer(new Scene(scene.toString()), new Camera(L, H));
+        ImageMemoire brouillon = new ImageMemoire(L, H, false);
+        lancer.TracerBrouillon(brouillon, Constantes.MAX_REFLETS, 1);
+        banc = new BancFenetre(lente().lent());
+        // le dernier pavé : l'image, ralentie, en est loin
+        int[] bas = Arrays.copyOfRange(brouillon.getCodes(), (H - 16) * L, H * L);
+        attendre("le brouillon est à l'écran", () -> BancFenetre.trouver(bas, L) != null);
+        assertTrue(banc.atelier.enCours());
+        assertNull(banc.atelier.getImageComplete());
+        banc.main.lent = false;
+        banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
+    }
+
+    @Test
+    void lImageEstCelleQuEcriraitLeProgrammeSansFenetre() throws Exception {
+        banc = new BancFenetre(lente());
+        assertArrayEquals(attendue(L, H), banc.imageAchevee().getCodes());
+        banc.attendreImage("l'écran montre les mêmes pixels", attendue(L, H));
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        assertEquals("", texte(banc.sortie) + texte(banc.erreur));
+    }
+
+    @Test
+    void lAncienneImageResteJusquAuBrouillonDeLaSuivante() throws Exception {
+        CountDownLatch dessin = new CountDownLatch(1);
+        banc = new BancFenetre(new MainLent(args()) {
+            private boolean premiere = true;
+
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                if (!premiere) {
+                    attendreSansEtreInterrompu(dessin);
+                }
+                super.drawPixel(coul, xe, ye);
+            }
+
+            @Override
+            public List<String> lireScene(String fichier) {
+                premiere = getImage() == null;
+                return super.lireScene(fichier);
+            }
+        });
+        banc.imageAchevee();
+        int[] avant = attendue(L, H);
+        attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("le dessin suivant a commencé", () -> banc.atelier.enCours() && banc.main.getLancer() != null);
+        assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
+        assertEquals(" ", surFilEvenements(banc.resume::getText), "le coût n'est plus celui de l'image qui vient");
+        dessin.countDown();
+        banc.attendreImage("elle la remplace", avant);
+    }
+
+    @Test
+    void echapArreteEtF5Recommence() throws Exception {
+        banc = new BancFenetre(lente().lent());
+        attendre("le brouillon est fait", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("le dessin est arrêté", () -> !banc.atelier.enCours());
+        assertTrue(surFilEvenements(banc.avancement::getString).startsWith("arrêté à "));
+        assertEquals(" ", surFilEvenements(banc.resume::getText), "pas de coût d'une image inachevée");
+        attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
+        assertNull(banc.atelier.getImageComplete());
+        banc.main.lent = false;
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("F5 recommence", attendue(L, H));
+        assertTrue(surFilEvenements(banc.avancement::getString).startsWith("terminé"));
+    }
+
+    @Test
+    void leBoutonArreteEtRecommenceAussi() throws Exception {
+        banc = new BancFenetre(lente().lent());
+        AbstractButton bouton = chercher("bouton", AbstractButton.class);
+        attendre("il propose d'arrêter", () -> bouton.getText().equals("Arrêter"));
+        faire(bouton::doClick);
+        attendre("il propose de redessiner", () -> bouton.getText().equals("Redessiner") && !banc.atelier.enCours());
+        banc.main.lent = false;
+        faire(bouton::doClick);
+        banc.attendreImage("il redessine", attendue(L, H));
+    }
+
+    @Test
+    void unePanneDuDessinSeLitDansLaFenetreQuiResteUtilisable() throws Exception {
+        CountDownLatch repare = new CountDownLatch(1);
+        banc = new BancFenetre(new MainLent(args()) {
+            @Override
+            public void doTracerImage(int largeur, int hauteur) {
+                if (repare.getCount() > 0) {
+                    throw new IllegalStateException("objet\nmal fait");
+                }
+                super.doTracerImage(largeur, hauteur);
+            }
+        });
+        banc.attendreMessage("échec du programme : java.lang.IllegalStateException: objet\\nmal fait");
+        repare.countDown();
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreMessage("");
+        banc.attendreImage("l'image est là", attendue(L, H));
+        assertEquals("", texte(banc.erreur));
+    }
+
+    @Test
+    void fermerNeLaisseAucunFil() throws Exception {
+        banc = new BancFenetre(lente().lent());
+        attendre("le brouillon est fait", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
+        banc.fermer();
+        assertFalse(surFilEvenements(banc.cadre::isDisplayable));
+        attendre("plus aucun fil du programme", () -> !BancFenetre.vivent("lancer-"));
+    }
+
+    @Test
+    void leFilDesEvenementsNAttendNiLaLectureNiLeDessin() throws Exception {
+        CountDownLatch lecture = new CountDownLatch(1);
+        banc = new BancFenetre(new MainLent(args()) {
+            private boolean premiere = true;
+
+            @Override
+            public List<String> lireScene(String fichier) {
+                if (!premiere) {
+                    attendreSansEtreInterrompu(lecture);
+                }
+                premiere = false;
+                return super.lireScene(fichier);
+            }
+        }.lent());
+        attendre("le dessin a commencé", () -> banc.main.getLancer() != null);
+        repondA(50);
+        assertTrue(banc.atelier.enCours(), "le dessin n'a pas eu à finir pour cela");
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("la lecture se dit", () -> banc.avancement.getString().startsWith("lecture "));
+        banc.frapper(KeyEvent.VK_F5);
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("arrêté", () -> !banc.atelier.enCours());
+        repondA(50);
+        assertEquals(1, lecture.getCount(), "la lecture n'a pas eu à finir pour cela");
+        lecture.countDown();
+        banc.main.lent = false;
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("et tout se remet en marche", attendue(L, H));
+    }
+
+    private static void repondA(int questions) throws Exception {
+        for (int k = 0; k < questions; k++) {
+            surFilEvenements(() -> null);
+        }
+    }
+
+    @Test
+    void ouEnSontLaLectureEtLaPreparationSeDit() throws Exception {
+        CountDownLatch lecture = new CountDownLatch(1);
+        double[] part = {0.42};
+        banc = new BancFenetre(new MainLent(args()) {
+            @Override
+            public List<String> lireScene(String fichier) {
+                if (getImage() != null) {
+                    attendreSansEtreInterrompu(lecture);
+                }
+                return super.lireScene(fichier);
+            }
+
+            @Override
+            public double getAvancement() {
+                return part[0];
+            }
+        });
+        banc.imageAchevee();
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("la part lue", () -> banc.avancement.getString().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
+        part[0] = 0.73;
+        attendre("elle avance", () -> banc.avancement.getString().startsWith("lecture 73 % — "));
+        lecture.countDown();
+        banc.imageAchevee();
+    }
+
+    @Test
+    void echapPendantUneLectureLaisseLaSceneMontree() throws Exception {
+        CountDownLatch lecture = new CountDownLatch(1);
+        Path longue = dossier.resolve("longue.ini");
+        Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
+        banc = new BancFenetre(new MainLent(args()) {
+            @Override
+            public List<String> lireScene(String fichier) {
+                if (fichier.equals(longue.toString())) {
+                    attendreSansEtreInterrompu(lecture);
+                }
+                return super.lireScene(fichier);
+            }
+        });
+        banc.imageAchevee();
+        banc.frapperCtrl('O');
+        choisir(longue);
+        attendre("elle se lit", () -> banc.avancement.getString().startsWith("lecture "));
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("la lecture est arrêtée", () -> banc.avancement.getString().startsWith("lecture arrêtée — "));
+        lecture.countDown();
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("F5 est à la scène montrée", attendue(L, H));
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+    }
+
+    @Test
+    void echapPendantUnePreparationLaisseAussiLeCoutDeLImageMontree() throws Exception {
+        CountDownLatch preparation = new CountDownLatch(1);
+        Path longue = dossier.resolve("longue.ini");
+        Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
+        banc = new BancFenetre(new MainLent(args()) {
+            private volatile boolean seconde;
+
+            @Override
+            public void doTracerImage(int largeur, int hauteur) {
+                if (seconde) {
+                    attendreSansEtreInterrompu(preparation);
+                    return;
+                }
+                super.doTracerImage(largeur, hauteur);
+            }
+
+            @Override
+            public List<String> lireScene(String fichier) {
+                seconde = fichier.equals(longue.toString());
+                return super.lireScene(fichier);
+            }
+
+            @Override
+            public Lancer getLancer() {
+                return seconde ? null : super.getLancer();
+            }
+        });
+        banc.imageAchevee();
+        String avant = surFilEvenements(banc.resume::getText);
+        banc.frapperCtrl('O');
+        choisir(longue);
+        attendre("elle se prépare", () -> banc.avancement.getString().startsWith("préparation "));
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("la préparation est arrêtée", () -> banc.avancement.getString().startsWith("préparation arrêtée — "));
+        preparation.countDown();
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        assertEquals(avant, surFilEvenements(banc.resume::getText));
+    }
+}

@@ -1,0 +1,179 @@
+package lancer.fenetre;
+
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.faire;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static lancer.fenetre.BancFenetre.texte;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import lancer.Couleur;
+import lancer.sortie.ImageMemoire;
+import org.junit.jupiter.api.Test;
+
+/** L'image à l'écran, quelle que soit la taille de la fenêtre, et ce qui s'en lit : son coût, et la couleur d'un pixel. */
+class FenetreImageTest extends EssaiFenetre {
+
+    @Test
+    void changerDeTailleGardeLImageDemandeeEtSesProportions() throws Exception {
+        ImageMemoire image = ouvrir();
+        retailler(banc.panneau.getWidth() + 151, banc.panneau.getHeight() + 83);
+        attendre("elle est à sa taille, au milieu", () -> BancFenetre.trouver(image.getCodes(), L) != null);
+        BufferedImage vue = peinte();
+        assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(60, 20));
+        retailler(L / 2, H);
+        // une colonne de gris, puis la moitié des pixels : une boule rouge au milieu, comme avant
+        vue = peinte();
+        assertEquals(L / 2, vue.getWidth());
+        assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(L / 4, H / 8));
+        Color milieu = new Color(image.getCodes()[H / 2 * L + L / 2]);
+        assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
+        attendre("la réduction se dit", () -> banc.resume.getText().startsWith("320 × 240 pixels montrés à 50 %, "));
+        assertSame(image, banc.atelier.getImageComplete(), "rien n'est redessiné");
+    }
+
+    @Test
+    void uneTaillePlusGrandeQueLEcranEstDessineeEnEntierEtMontreeReduite() throws Exception {
+        banc = new BancFenetre(new MainLent("--taille=2000x1500", scene.toString()));
+        ImageMemoire image = banc.imageAchevee();
+        assertEquals("2000 x 1500", image.getLargeur() + " x " + image.getHauteur());
+        double reduction = Math.min(banc.panneau.getWidth() / 2000.0, banc.panneau.getHeight() / 1500.0);
+        assertTrue(reduction < 1, "l'écran du test est trop grand");
+        String debut = "2000 × 1500 pixels montrés à " + Math.round(100 * reduction) + " %, ";
+        attendre("la réduction se dit", () -> banc.resume.getText().startsWith(debut));
+        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        attendre("le pixel dit est celui de l'image dessinée", () -> {
+            banc.robot.mouseMove(coin.x + banc.panneau.getWidth() / 2 + 1, coin.y + banc.panneau.getHeight() / 2);
+            banc.robot.mouseMove(coin.x + banc.panneau.getWidth() / 2, coin.y + banc.panneau.getHeight() / 2);
+            return banc.pixel.getText().matches("pixel (99\\d|100\\d), (74\\d|75\\d) : .*");
+        });
+    }
+
+    @Test
+    void unEcranDenseMontreUnPixelDImageParPixel() throws Exception {
+        BancFenetre.exigerEcran();
+        int[] attendue = attendue(L, H);
+        Robot robot = new Robot();
+        Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
+                scene.toString()).start();
+        try {
+            attendre("l'image est à l'écran, à la taille demandée", () -> BancFenetre.trouver(attendue, L) != null);
+            Point ou = BancFenetre.trouver(attendue, L);
+            robot.mouseMove(ou.x + L / 2, ou.y + H / 2);
+            attendre("Ctrl+Q termine le programme", () -> {
+                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+                robot.keyPress(KeyEvent.VK_CONTROL);
+                robot.keyPress(KeyEvent.VK_Q);
+                robot.keyRelease(KeyEvent.VK_Q);
+                robot.keyRelease(KeyEvent.VK_CONTROL);
+                return programme.waitFor(500, TimeUnit.MILLISECONDS);
+            });
+            assertEquals(0, programme.exitValue());
+            assertEquals(0, Files.size(dossier.resolve("dit.txt")));
+        } finally {
+            programme.destroyForcibly();
+        }
+    }
+
+    @Test
+    void leResumeSeLitEnEntierDansUneFenetreEtroite() throws Exception {
+        ouvrir();
+        int uneLigne = surFilEvenements(banc.resume::getHeight);
+        retailler(200, H);
+        attendre("tout est à l'écran, sur plusieurs lignes", () -> {
+            Rectangle fin = banc.resume.modelToView(banc.resume.getText().length());
+            return banc.resume.getText().endsWith(" réflexions") && banc.resume.getHeight() > uneLigne
+                    && banc.resume.getVisibleRect().contains(fin.x, fin.y + fin.height - 1);
+        });
+    }
+
+    @Test
+    void lesReglagesEtLaSectionLaisseeDeCoteSeLisentApresLeurAvis() throws Exception {
+        ecrire(ROUGE + "[Brume dense]\n");
+        banc = new BancFenetre(lente("--reflets=1"));
+        attendre("le résumé les dit", () -> banc.resume.getText().matches("320 × 240 pixels, .* s, 1 réflexion, \\[Brume dense] ignorée"));
+        assertTrue(texte(banc.erreur).startsWith("lancer : " + scene + ", ligne 16, [Brume dense] : "), texte(banc.erreur));
+    }
+
+    @Test
+    void laBarreDitLePixelSousLaSourisEtLeCoutDeLImage() throws Exception {
+        banc = new BancFenetre(lente("--statistiques"));
+        ImageMemoire image = banc.imageAchevee();
+        banc.attendreImage("l'image est à l'écran", image.getCodes());
+        Point coin = BancFenetre.trouver(image.getCodes(), L);
+        int k = 100 * L + 160;
+        String debut = String.format("pixel 160, 100 : #%06X = ", image.getCodes()[k] & 0xFFFFFF);
+        banc.robot.mouseMove(coin.x + 10, coin.y + 10);
+        attendre("le pixel se dit", () -> {
+            banc.robot.mouseMove(coin.x + 160, coin.y + 100);
+            return banc.pixel.getText().startsWith(debut);
+        });
+        String cout = "320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s, 5 réflexions";
+        attendre("le coût se dit", () -> banc.resume.getText().matches(cout));
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("la seconde image se compte aussi", () -> texte(banc.sortie).split("\n").length == 26);
+        String dit = texte(banc.sortie);
+        assertTrue(dit.matches("(?:(?:[a-z]+\\.)+[a-z]+: [0-9.]+\n){26}"), dit);
+        assertTrue(dit.startsWith("rayons.primaires: 76800\n"), dit);
+    }
+
+    @Test
+    void lePixelNeSeDitPlusQuandLaFenetreBougeSousLaSouris() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.attendreImage("à l'écran", banc.imageAchevee().getCodes());
+        Point coin = BancFenetre.trouver(banc.imageAchevee().getCodes(), L);
+        attendre("la souris est là", () -> {
+            banc.robot.mouseMove(coin.x + 101, coin.y + 60);
+            banc.robot.mouseMove(coin.x + 100, coin.y + 60);
+            return banc.pixel.getText().startsWith("pixel 100, 60 : ");
+        });
+        faire(() -> banc.cadre.setLocation(banc.cadre.getX() + 40, banc.cadre.getY() + 10));
+        attendre("ce n'est plus le même pixel", () -> banc.pixel.getText().equals(" "));
+    }
+
+    @Test
+    void seuleLaCouleurDUnPixelDessineSeDitEtCelleDUnBrouillonEstDiteTelle() throws Exception {
+        CountDownLatch bas = new CountDownLatch(1);
+        banc = new BancFenetre(new MainLent(args()) {
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                // le brouillon attend avant le bas de l'image
+                if (ye >= H / 2 && !getLancer().isBrouillonFait()) {
+                    attendreSansEtreInterrompu(bas);
+                }
+                super.drawPixel(coul, xe, ye);
+            }
+        }.lent());
+        attendre("le haut du brouillon se dit", () -> {
+            survoler(10, 10);
+            return banc.pixel.getText().matches("pixel 10, 10 \\(brouillon\\) : #.*");
+        });
+        attendre("le bas n'a pas encore de couleur", () -> {
+            survoler(10, H - 10);
+            return banc.pixel.getText().equals(" ");
+        });
+        bas.countDown();
+        attendre("le bas du brouillon se dit", () -> banc.pixel.getText().matches("pixel 10, " + (H - 10) + " \\(brouillon\\) : #.*"));
+        banc.main.lent = false;
+        attendre("puis sa dernière couleur", () -> banc.pixel.getText().startsWith("pixel 10, " + (H - 10) + " : #"));
+    }
+
+    /** La souris est sur ce pixel de l'image, sans que l'écran ait à le dire. */
+    private void survoler(int x, int y) {
+        banc.panneau.dispatchEvent(new MouseEvent(banc.panneau, MouseEvent.MOUSE_MOVED, 0, 0, (banc.panneau.getWidth() - L) / 2 + x,
+                (banc.panneau.getHeight() - H) / 2 + y, 0, false));
+    }
+}

@@ -1,0 +1,43 @@
+package lancer.fenetre;
+
+import java.io.ByteArrayOutputStream;
+import java.util.concurrent.locks.LockSupport;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.Main;
+import lancer.commande.Options;
+
+/** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
+class MainLent extends Main {
+
+    private static final long PAUSE_NS = 1_000_000;
+    final Options options;
+    final ByteArrayOutputStream sortie;
+    final ByteArrayOutputStream erreur;
+    volatile boolean lent;
+
+    MainLent(String... args) {
+        this(Options.lire(args), new ByteArrayOutputStream(), new ByteArrayOutputStream());
+    }
+
+    private MainLent(Options options, ByteArrayOutputStream sortie, ByteArrayOutputStream erreur) {
+        super(options, BancFenetre.flux(sortie), BancFenetre.flux(erreur));
+        this.options = options;
+        this.sortie = sortie;
+        this.erreur = erreur;
+    }
+
+    MainLent lent() {
+        lent = true;
+        return this;
+    }
+
+    @Override
+    public void drawPixel(Couleur coul, int xe, int ye) {
+        super.drawPixel(coul, xe, ye);
+        Lancer lancer = getLancer();
+        if (lent && lancer != null && lancer.isBrouillonFait()) {
+            LockSupport.parkNanos(PAUSE_NS);
+        }
+    }
+}
