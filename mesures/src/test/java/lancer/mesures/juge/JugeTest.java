@@ -48,7 +48,7 @@ class JugeTest {
     private int comparer(Path dessinee, double seuil, int ecart, String... args) throws IOException {
         Scene scene = Scenes.lire(dessinee);
         scene.setSeuil(seuil);
-        WritableRaster image = ScenesJugees.image(ScenesJugees.couleurs(scene));
+        WritableRaster image = ScenesJugees.image(scene);
         image.setSample(5, 5, 0, image.getSample(5, 5, 0) + ecart);
         ScenesJugees.preparer(dossier, 0, image);
         List<String> tous = new ArrayList<>(Arrays.asList("--povray", ScenesJugees.commande(dossier), "--taille", TAILLE));

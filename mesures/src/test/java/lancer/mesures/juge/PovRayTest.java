@@ -36,7 +36,7 @@ class PovRayTest {
     }
 
     private static WritableRaster image() {
-        return ScenesJugees.image(ScenesJugees.couleurs(ScenesJugees.deuxBoules(new Couleur(0.5))));
+        return ScenesJugees.image(ScenesJugees.deuxBoules(new Couleur(0.5)));
     }
 
     @Test

@@ -43,10 +43,10 @@ final class ScenesJugees {
         Path commande = dossier.resolve("povray");
         Files.write(commande, Arrays.asList("#!/bin/sh", "d='" + dossier + "'",
                 "[ \"$1\" = --version ] && { echo 'POV-Ray 3.9.1.unofficial'; exit; }",
-                "echo \"$@\" >> $d/demandes",
-                "[ $(wc -l < $d/demandes) -gt $(cat $d/echecs) ] || { echo; echo 'Fatal error: en retard'; exit 3; }",
+                "echo \"$@\" >> \"$d/demandes\"",
+                "[ $(wc -l < \"$d/demandes\") -gt $(cat \"$d/echecs\") ] || { echo; echo 'Fatal error: en retard'; exit 3; }",
                 "echo 'Trace Time:       0 hours  0 minutes  1 seconds (1.250 seconds)'",
-                "echo '              using 2 thread(s) with 2.500 CPU-seconds total'", "cp $d/image.png \"${2#+O}\""),
+                "echo '              using 2 thread(s) with 2.500 CPU-seconds total'", "cp \"$d/image.png\" \"${2#+O}\""),
                 StandardCharsets.UTF_8);
         assertTrue(commande.toFile().setExecutable(true));
         return commande.toString();
@@ -79,14 +79,10 @@ final class ScenesJugees {
         return scene(boule(-0.5, 0, 6, 0.8, new Couleur(0.75, 0.25, 0.125), Ks), boule(0.75, 0.25, 5, 0.5, new Couleur(0.5), Ks));
     }
 
-    static ImageLineaire couleurs(Scene scene) {
-        return ImageLineaire.de(new Lancer(scene, new Camera(LARGEUR, HAUTEUR)), REFLETS, 1);
-    }
-
-    /** Ces couleurs, limitées et arrondies comme dans un PNG de 16 bits. */
-    static WritableRaster image(ImageLineaire couleurs) {
+    /** Ce que nous en dessinons, limité et arrondi comme dans un PNG de 16 bits. */
+    static WritableRaster image(Scene scene) {
         WritableRaster image = Raster.createInterleavedRaster(DataBuffer.TYPE_USHORT, LARGEUR, HAUTEUR, 3, null);
-        double[] composantes = couleurs.getComposantes();
+        double[] composantes = ImageLineaire.de(new Lancer(scene, new Camera(LARGEUR, HAUTEUR)), REFLETS, 1).getComposantes();
         for (int k = 0; k < composantes.length; k++) {
             image.setSample(k / 3 % LARGEUR, k / 3 / LARGEUR, k % 3,
                     (int) Math.round(65535 * Math.max(0, Math.min(1, composantes[k]))));
