@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import lancer.atelier.Scenes;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
 
@@ -58,8 +59,8 @@ final class Constats {
             valeurs.put("demandes." + r.nom(), Noms.rapport(r.rapport()));
         }
         valeurs.put("spheres.titre", titreDesSpheres());
-        valeurs.put("spheres.povray", spheresContrePovray());
-        valeurs.put("spheres.boucles", spheresContreBoucles());
+        valeurs.put("spheres.povray", plusViteQue(Catalogue.POVRAY));
+        valeurs.put("spheres.boucles", plusViteQue(Catalogue.BOUCLES));
         valeurs.put("spheres.etoiles", etoiles());
         valeurs.put("parcimonie.titre", titreDeLaParcimonie());
         valeurs.put("besoins.tableau", tableauDesBesoins());
@@ -129,41 +130,31 @@ final class Constats {
     // ---- le nombre de sphères
 
     String titreDesSpheres() {
-        List<Releve> siens = spheres("foule", Catalogue.PROGRAMME).get();
+        List<Releve> siens = spheres(Scenes.FOULE, Catalogue.PROGRAMME).get();
         Releve petit = siens.get(siens.size() > 2 ? 1 : 0);
         Releve grand = siens.get(siens.size() - 1);
         return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, " + (petit.rapport().nettementSous(grand.rapport())
                 ? "le programme prend " + fois(petit, grand) + " plus de temps" : "aucune différence que la mesure porte");
     }
 
-    private String spheresContrePovray() {
+    /** À combien de sphères le programme va plus vite que cette méthode, à coup sûr, et combien de fois. */
+    private String plusViteQue(String methode) {
         List<String> phrases = new ArrayList<>();
-        for (Releve nous : spheres("foule", Catalogue.PROGRAMME).get()) {
-            releves.de(Catalogue.SPHERES).scene(nous.scene).peutEtre(Catalogue.POVRAY, "-A").ifPresent(lui -> {
-                if (nous.rapport().nettementSous(lui.rapport())) {
-                    phrases.add(nombre(nous) + " (" + fois(nous, lui) + ")");
-                }
-            });
+        for (Releve lui : spheres(Scenes.FOULE, methode).get()) {
+            Releve nous = releves.de(Catalogue.SPHERES).scene(lui.scene).le(Catalogue.PROGRAMME, "");
+            if (nous.rapport().nettementSous(lui.rapport())) {
+                phrases.add(nombre(nous) + " (" + fois(nous, lui) + ")");
+            }
         }
         return phrases.isEmpty() ? "à aucun nombre de sphères la mesure ne porte que le programme soit le plus rapide"
                 : "le programme est le plus rapide à " + String.join(", ", phrases) + " sphères";
     }
 
-    private String spheresContreBoucles() {
-        Releve derniere = null;
-        for (Releve boucles : spheres("foule", Catalogue.BOUCLES).get()) {
-            Releve nous = releves.de(Catalogue.SPHERES).scene(boucles.scene).le(Catalogue.PROGRAMME, "");
-            derniere = nous.rapport().nettementSous(boucles.rapport()) ? boucles : derniere;
-        }
-        return derniere == null ? "aucune différence que la mesure porte" : "à " + nombre(derniere) + " sphères, "
-                + fois(releves.de(Catalogue.SPHERES).scene(derniere.scene).le(Catalogue.PROGRAMME, ""), derniere) + " plus de temps";
-    }
-
     /** Ce que neuf étoiles ajoutent aux sphères et aux cases examinées : un compte, non un temps. */
     private String etoiles() {
-        List<Releve> siennes = spheres("etoiles", Catalogue.PROGRAMME).get();
+        List<Releve> siennes = spheres(Scenes.ETOILES, Catalogue.PROGRAMME).get();
         Releve avec = siennes.get(siennes.size() - 1);
-        Releve sans = releves.de(Catalogue.SPHERES).scene(avec.scene.replace("etoiles", "foule")).le(Catalogue.PROGRAMME, "");
+        Releve sans = releves.de(Catalogue.SPHERES).scene(avec.scene.replace(Scenes.ETOILES, Scenes.FOULE)).le(Catalogue.PROGRAMME, "");
         return "neuf étoiles à 10¹² d'une foule de " + nombre(sans) + " multiplient ce qu'examinent ses rayons par "
                 + Style.nombre(examens(avec) / examens(sans));
     }

@@ -13,10 +13,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.atelier.Arguments;
+import lancer.atelier.Scenes;
 import lancer.commande.Pannes;
 import lancer.mesures.stabilite.Stabilite;
 import lancer.texte.Texte;
@@ -119,16 +119,11 @@ public final class Vitesse {
         sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + resultats);
     }
 
-    /** Toutes les scènes livrées, dans l'ordre de leurs noms. */
     private void compterLesBesoins() throws IOException {
-        List<Path> scenes;
-        try (Stream<Path> fichiers = Files.list(SCENES)) {
-            scenes = fichiers.filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList());
-        }
         Taille taille = rapide ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
         List<String> lignes = new ArrayList<>();
         lignes.add(String.join(",", Besoin.COLONNES));
-        for (Path scene : scenes) {
+        for (Path scene : Scenes.livrees()) {
             lignes.add(new Besoin(scene, taille).ligne());
             sortie.println("besoins de " + scene.getFileName());
         }
