@@ -155,7 +155,7 @@ aide:
 	@echo "make captures              refait les captures d'écran du README"
 	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
 	@echo "make bench                 dessine de 1 à 1000000 sphères, vérifie et mesure, face aux boucles du cours et à POV-Ray ; cinq à dix minutes"
-	@echo "make noyaux                mesure huit façons de calculer une intersection, sept minutes ; JMH=\"-f 5\" pour les options de JMH"
+	@echo "make noyaux                mesure neuf façons de calculer une intersection, huit minutes ; JMH=\"-f 5\" pour les options de JMH"
 	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; une demi-heure"
 	@echo "make mesures RAPIDE=1      une partie, en une minute ou deux, dans mesures/target/vitesse-rapide"
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/tournesol.ini\" pour choisir"

@@ -4,6 +4,7 @@ import lancer.Constantes;
 import lancer.Point;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.precision.Doute;
 import lancer.precision.IntersectionCompensee;
 
 /**
@@ -130,6 +131,23 @@ public enum Formule {
         }
     },
 
+    /** La nôtre encore, dans une recherche : un doute n'est tranché que si cette sphère peut être la plus proche. */
+    RECHERCHE {
+        @Override
+        public double distance(double px, double py, double pz, double vx, double vy, double vz,
+                double cx, double cy, double cz, double r) {
+            return distanceAvant(Constantes.INFINI, px, py, pz, vx, vy, vz, cx, cy, cz, r);
+        }
+
+        @Override
+        public double distanceAvant(double plusProche, double px, double py, double pz, double vx, double vy, double vz,
+                double cx, double cy, double cz, double r) {
+            double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+            return d >= 0 ? d : Doute.auMoins(d) > plusProche ? Constantes.INFINI
+                    : Sphere.trancher(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+        }
+    },
+
     /** Le calcul compensé, que le programme ne fait que près d'une surface, fait toujours. Il n'est pas juste de loin : h² = b² − c. */
     COMPENSEE {
         @Override
@@ -166,6 +184,12 @@ public enum Formule {
 
     public abstract double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r);
+
+    /** La distance, ou n'importe laquelle au-delà de {@code plusProche} si elle y est. */
+    public double distanceAvant(double plusProche, double px, double py, double pz, double vx, double vy, double vz,
+            double cx, double cy, double cz, double r) {
+        return distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+    }
 
     public final double distance(Point P, Vecteur V, Point C, double r) {
         return distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);

@@ -67,7 +67,7 @@ public final class Noyaux {
         mesure.parent(options).shouldFailOnError(true);
         if (!options.verbosity().hasValue()) {
             mesure.verbosity(VerboseMode.SILENT);
-            sortie.println("Mesure des méthodes, sans rien dire pendant sept minutes…");
+            sortie.println("Mesure des méthodes, sans rien dire pendant huit minutes…");
         }
         Map<String, double[]> temps = new TreeMap<>();
         Collection<RunResult> resultats = new Runner(mesure.build()).run();

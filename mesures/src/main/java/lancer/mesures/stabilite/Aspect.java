@@ -16,7 +16,8 @@ enum Aspect {
     FLOAT(Formule.FLOAT, "perpendiculaire en float", Style.GRIS, FormeDePoint.POINTE),
     COMPENSEE(Formule.COMPENSEE, "toujours compensée", Style.POURPRE, FormeDePoint.CROIX),
     DEUX_DOUBLES(Formule.DEUX_DOUBLES, "deux doubles par nombre", Style.NOIR, FormeDePoint.ETOILE),
-    PROGRAMME(Formule.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND);
+    PROGRAMME(Formule.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND),
+    RECHERCHE(Formule.RECHERCHE, "le programme, dans une recherche", Style.VERMILLON, FormeDePoint.CARRE);
 
     final Formule formule;
 

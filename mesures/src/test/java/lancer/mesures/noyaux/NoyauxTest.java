@@ -59,15 +59,19 @@ class NoyauxTest {
     }
 
     @Test
-    void leNoyauRendLaPlusPetiteDesDistancesDeSonRegime() {
+    void leNoyauSommeLesPlusPetitesDistancesDeSonRegimeTrancheesOuNon() {
+        double programme = noyau(Formule.PROGRAMME);
+        double moyenne = programme * NoyauMethode.ENSEMBLE / NoyauMethode.RAYONS;
+        assertTrue(moyenne > 0.5 && moyenne < 2, "un œil à hauteur 1 : " + moyenne);
+        assertEquals(programme, noyau(Formule.DEUX_DOUBLES), 1e-11);
+        assertEquals(programme, noyau(Formule.RECHERCHE), "un doute qui n'est pas tranché n'était pas le plus proche");
+    }
+
+    private static double noyau(Formule formule) {
         NoyauMethode noyau = new NoyauMethode();
-        noyau.formule = Formule.PROGRAMME;
+        noyau.formule = formule;
         noyau.regime = Regime.SOL;
         noyau.tirer();
-        double programme = noyau.distance();
-        assertTrue(programme > 0.5 && programme < 2, "un œil à hauteur 1 : " + programme);
-        noyau.formule = Formule.DEUX_DOUBLES;
-        noyau.tirer();
-        assertEquals(programme, noyau.distance(), 1e-12);
+        return noyau.distance();
     }
 }
