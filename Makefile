@@ -101,7 +101,7 @@ mesure-auto: mesures/target/mesures.jar
 # Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; docs/mutations.md dit ce qui leur échappe, et pourquoi.
 mutations: mesures/target/mesures.jar
 	@rm -rf $(patsubst %,%/target/pit-reports,. $(VARIANTES_TOUTES))
-	@echo "Un millier de fautes, l'une après l'autre : cinq à six minutes"
+	@echo "Un millier de fautes, l'une après l'autre : six à huit minutes"
 	@nice -n 19 $(MVN) -q -f ensemble.xml -Pmutations -pl :lancer,:brume,:blinn,:antialias \
 	    test-compile org.pitest:pitest-maven:mutationCoverage > target/mutations.log 2>&1 || { cat target/mutations.log >&2; exit 1; }
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
@@ -160,7 +160,7 @@ aide:
 	@echo "make mesures RAPIDE=1      une partie, en une minute ou deux, dans mesures/target/vitesse-rapide"
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/tournesol.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
-	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; cinq à six minutes"
+	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; six à huit minutes"
 	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"

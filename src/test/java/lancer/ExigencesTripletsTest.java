@@ -178,6 +178,15 @@ class ExigencesTripletsTest {
         private final Couleur d = new Couleur(0.5, 1, 2);
 
         @Test
+        void elleEstFinieQuandSesTroisComposantesLeSont() {
+            for (double x : VALEURS) {
+                boolean finie = !Double.isNaN(x) && !Double.isInfinite(x);
+                assertTrue(finie == new Couleur(x, 0, 0).estFinie() && finie == new Couleur(0, x, 0).estFinie()
+                        && finie == new Couleur(0, 0, x).estFinie(), "composante " + x);
+            }
+        }
+
+        @Test
         void parDefautEstNoireEtAUnSeulArgumentGrise() {
             assertCouleur(0, 0, 0, new Couleur());
             assertCouleur(0.3, 0.3, 0.3, new Couleur(0.3));

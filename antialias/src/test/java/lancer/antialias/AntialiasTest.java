@@ -15,6 +15,7 @@ import lancer.Scene;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.essai.Essai;
+import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiPixel;
 import lancer.essai.EssaiRecit;
 import org.junit.jupiter.api.Test;
@@ -151,5 +152,10 @@ class AntialiasTest {
         Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
         assertEquals("lancer : " + scene + ", ligne 2, [Antialias], " + cle + " : " + faute + System.lineSeparator(), essai.erreur);
         assertEquals(2, essai.code);
+    }
+
+    @Test
+    void ceQuiSeRegleALaSourisEstAccepteParLaSection() {
+        EssaiParametres.verifier(new Antialias(), "n", "seuil", "methode");
     }
 }

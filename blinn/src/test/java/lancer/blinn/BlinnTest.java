@@ -12,6 +12,7 @@ import java.util.Random;
 import lancer.Camera;
 import lancer.Vecteur;
 import lancer.essai.Essai;
+import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiPixel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -133,5 +134,10 @@ class BlinnTest {
         Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
         assertEquals("lancer : " + scene + ", ligne 2, [Blinn], " + cle + " : " + faute + System.lineSeparator(), essai.erreur);
         assertEquals(2, essai.code);
+    }
+
+    @Test
+    void ceQuiSeRegleALaSourisEstAccepteParLaSection() {
+        EssaiParametres.verifier(new Blinn(), "facteur");
     }
 }

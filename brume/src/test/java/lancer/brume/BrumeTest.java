@@ -13,6 +13,7 @@ import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.essai.Essai;
+import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiPixel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -193,5 +194,10 @@ class BrumeTest {
         assertEquals(2, essai.erreur.split(System.lineSeparator()).length, essai.erreur);
         assertTrue(essai.erreur.contains("[Blinn]") && essai.erreur.contains("[Antialias]") && !essai.erreur.contains("[Brume]"));
         assertTrue(image.toFile().exists());
+    }
+
+    @Test
+    void ceQuiSeRegleALaSourisEstAccepteParLaSection() {
+        EssaiParametres.verifier(new Brume(), "debut", "fin", "densite");
     }
 }
