@@ -115,7 +115,8 @@ final class Manches {
             calme = etalon.getAsBoolean();
             essais++;
             toutes++;
-            if (garde && calme || agitee) {
+            // d'une seule manche, sans intervalle, rien ne se dira : elle peut être troublée
+            if (garde && calme || agitee || voulues == 1) {
                 rapports.add(m[0] / r[0]);
                 if (r[0] < meilleure) {
                     meilleure = r[0];

@@ -16,7 +16,7 @@ import lancer.atelier.FichierCsv;
 final class Releves {
 
     /** Deux machines virtuelles ne sont jamais supposées plus semblables que cela. */
-    private static final double MARGE_MIN = 1.01;
+    private static final double MARGE_MIN = 1.05;
 
     private final List<Releve> tous;
 
@@ -32,10 +32,13 @@ final class Releves {
         return releves;
     }
 
-    /** Le plus grand écart à 1 des rapports de la référence à elle-même, d'une machine virtuelle à l'autre. */
+    /**
+     * Le plus grand écart à 1 que portent les rapports de la référence à elle-même, d'une machine virtuelle à l'autre : ce qui, dans leurs
+     * intervalles, comprend 1 est déjà dans ceux des autres.
+     */
     double marge() {
-        return tous.stream().filter(Releve::estTemoin).mapToDouble(r -> r.nombre("rapport"))
-                .map(r -> Math.max(r, 1 / r)).reduce(MARGE_MIN, Math::max);
+        return tous.stream().filter(Releve::estTemoin)
+                .mapToDouble(r -> Math.max(r.nombre("rapport_min"), 1 / r.nombre("rapport_max"))).reduce(MARGE_MIN, Math::max);
     }
 
     List<Releve> get() {

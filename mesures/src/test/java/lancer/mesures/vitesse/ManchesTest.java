@@ -49,8 +49,9 @@ class ManchesTest {
 
     @Test
     void unTroubleFiniEntreDeuxManchesNEnFaitJeterQuUne() throws IOException {
-        Iterator<Boolean> calmes = Arrays.asList(true, false, true, true).iterator();
-        Manches.Temps temps = new Manches(calmes::next, false).mesurer(echantillon("A", 2, 10, 10), echantillon("B", 2, 900, 30), 1);
+        Iterator<Boolean> calmes = Arrays.asList(true, false, true, true, true).iterator();
+        Manches.Temps temps = new Manches(calmes::next, false).mesurer(echantillon("A", 2, 10, 10, 10),
+                echantillon("B", 2, 900, 30, 30), 2);
         assertEquals(3, temps.rapport.valeur, 1e-9);
         assertEquals(1, temps.jetees);
     }
