@@ -133,7 +133,7 @@ final class Mesureur {
     private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Gabarit gabarit,
             Map<String, Object> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
-            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs() + machine.dureeNs()));
+            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs + machine.dureeNs));
             if (champs == null) {
                 return temps;
             }
@@ -180,19 +180,17 @@ final class Mesureur {
 
         private final Processus processus;
         private final Path image = dossier.resolve("image.bin");
-        private final double dessinNs;
         private final int fois;
+
+        /** Ce que dure un échantillon, à peu près. */
+        private final double dureeNs;
 
         Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
             processus = new Processus(Ouvrier.class, "dessiner", court, groupe.famille, groupe.scene, methode.cle(), fichier,
                     taille.largeur, taille.hauteur, image);
-            dessinNs = nombres(processus.demander(agitee ? "1" : "echauffer"))[0];
+            double dessinNs = nombres(processus.demander(agitee ? "1" : "echauffer"))[0];
             fois = Math.max(1, (int) Math.ceil(echantillonNs / dessinNs));
-        }
-
-        /** Ce que dure un échantillon, à peu près. */
-        double dureeNs() {
-            return fois * dessinNs;
+            dureeNs = fois * dessinNs;
         }
 
         @Override
