@@ -94,7 +94,7 @@ final class Mesureur {
      * en a moins, mais chacune est déjà une moyenne. C'est décidé avant la première.
      */
     private int voulues(Catalogue.Groupe groupe, double mancheNs) {
-        double tiennent = (court ? LONGUE_NS / 2 : groupe.lancements > 1 ? 2 * LONGUE_NS : 3 * LONGUE_NS) / mancheNs;
+        double tiennent = (court ? LONGUE_NS / 5 : groupe.lancements > 1 ? 2 * LONGUE_NS : 3 * LONGUE_NS) / mancheNs;
         int moins = groupe.lancements > 1 || mancheNs > 5 * LONGUE_NS ? 3 : mancheNs > LONGUE_NS ? 4 : 5;
         return agitee ? 2 : (int) Math.max(moins, Math.min(MANCHES_MAX, tiennent));
     }
