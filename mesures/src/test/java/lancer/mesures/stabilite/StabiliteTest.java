@@ -68,7 +68,7 @@ class StabiliteTest {
     @Test
     void lesErreursDesMethodesSontCellesNoteesEtLeProgrammeEstLeSeulDesRapidesQuiTienneSaBorne() throws IOException {
         List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Methodes.CSV), Exactitude.METHODES);
-        assertTrue(5 * notees.stream().filter(r -> !(r.y <= 0.15 * r.x)).count() <= notees.size(), "make noyaux, la machine tranquille");
+        assertTrue(notees.stream().allMatch(r -> r.formule.equals("float") || r.y <= 0.15 * r.x), "make noyaux, la machine tranquille");
         Map<String, Exactitude> juges = new TreeMap<>();
         for (Regime regime : Regime.values()) {
             List<Exactitude> siennes = regime.juger();
