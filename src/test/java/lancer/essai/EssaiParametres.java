@@ -19,8 +19,11 @@ public final class EssaiParametres {
     public static void verifier(Variante variante, String... cles) {
         assertEquals(Arrays.asList(cles), variante.getParametres().stream().map(Parametre::getCle).collect(Collectors.toList()));
         for (Parametre p : variante.getParametres()) {
-            int dernier = p.getDefaut() == null ? p.getCrans() : p.getCran(p.getDefaut());
-            assertEquals(p.getDefaut() == null ? p.getValeur(dernier) : p.getDefaut(), p.getValeur(dernier), "un cran est au défaut");
+            int dernier = p.getCrans();
+            if (p.getDefaut() != null) {
+                dernier = p.getCran(p.getDefaut());
+                assertEquals(p.getDefaut(), p.getValeur(dernier), "un cran est au défaut");
+            }
             for (int cran = 0; cran <= dernier; cran++) {
                 Section section = Section.reglage(variante.getSection(), p.getCle(), p.getValeur(cran));
                 variante.installer(section, new Modele());

@@ -64,8 +64,7 @@ final class JugeImage {
     private void chercherLaFaute(Image image) throws Arret {
         Image attendue = reference.getImage(resultat.centre);
         resultat.chemin = chemin(resultat.ecart.pireX, resultat.ecart.pireY);
-        // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où vient la
-        // faute
+        // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où cela vient
         int pas = Math.max(1, image.pixels() / PIXELS_ESSAYES);
         for (int p = pas / 2; p < image.pixels(); p += pas) {
             if (Ecart.ecart(attendue, image, p) > 1) {
