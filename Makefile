@@ -36,11 +36,16 @@ mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MO
 	@$(MVN) -q -f ensemble.xml -pl :mesures -am -DskipTests package
 	@touch $@
 
-# Les images du README, et l'icône de la fenêtre. Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
+# Met à jour le dossier $(2) par les images de $(1). Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
+actualiser = for nom in $$(cd $(1) && ls *.png); do \
+	    $(JAVA) -jar $(BASE) --comparer $(1)/$$nom $(2)/$$nom >/dev/null 2>&1 || { cp $(1)/$$nom $(2) && echo "changée : $$nom"; } || exit 1; \
+	done
+
+# Les images du README, et l'icône de la fenêtre.
 SCENES := scene1 diffus ombres miroirs bowling tournesol
 NEUVES := target/images
 
-images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/target/mesures.jar
+images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar)
 	@rm -rf $(NEUVES) && mkdir -p $(NEUVES)
 	@for s in $(SCENES); do \
 	    reflets=5; [ $$s = miroirs ] && reflets=40; \
@@ -51,22 +56,22 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) mesures/ta
 	@$(JAVA) -jar blinn/target/blinn.jar --image $(NEUVES)/blinn-avec.png scenes/bowling.ini
 	@$(JAVA) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
 	@$(JAVA) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images $(NEUVES) images
+	@$(call actualiser,$(NEUVES),images)
 	@mkdir $(NEUVES)/icones
 	@for c in 16 32 48 128; do \
 	    $(JAVA) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
 	done
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images $(NEUVES)/icones src/main/resources/lancer/fenetre
+	@$(call actualiser,$(NEUVES)/icones,src/main/resources/lancer/fenetre)
 
 # Les captures d'écran du README, sur un écran à elles.
-captures: antialias/target/antialias.jar blinn/target/blinn.jar mesures/target/mesures.jar
+captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
 	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
 	@$(call capture,800x688,blinn,fenetre-reglages) "Paramètres des variantes…" variantes "" --sans=Brume,Antialias scenes/bowling.ini
 	@$(call capture,1280x688,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
 	@$(call capture,1360x688,antialias,vitesse-ou-precision) "Vitesse ou précision…" vitesse.etat "Un clic" scenes/scene1.ini
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Images target/captures images
+	@$(call actualiser,target/captures,images)
 capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
 	-cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
 
@@ -114,8 +119,11 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 	@touch $@
 
 # Les figures et les nombres de docs/reponses.md.
-reponses: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
+reponses: $(BASE) mesures/target/mesures.jar
+	@rm -rf target/reponses && mkdir -p target/reponses
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md target/reponses
+	@cp target/reponses/*.svg images
+	@$(call actualiser,target/reponses,images)
 
 # Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
 comparer: $(BASE)

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
 import lancer.essai.EssaiProcessus;
@@ -56,5 +58,26 @@ class MakefileTest extends EssaiProcessus {
         assertEquals("scenes/brume.ini", scene("brume"));
         assertEquals("scenes/scene1.ini", scene("blinn"));
         assertEquals("scenes/scene1.ini", scene(""));
+    }
+
+    @Test
+    void seulesLesImagesDontUnPixelAChangeSontRemplacees() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        for (String nom : new String[] {"meme.png", "autre.png", "nouvelle.png"}) {
+            Files.write(Files.createDirectories(dossier.resolve("neuves")).resolve(nom), new byte[] {1});
+            Files.write(Files.createDirectories(dossier.resolve("images")).resolve(nom), new byte[] {0});
+        }
+        // un programme qui ne trouve pareilles que les deux images de ce nom
+        Path comparer = dossier.resolve("comparer");
+        Files.write(comparer, "test \"$*\" = \"-jar ./target/lancer.jar --comparer neuves/meme.png images/meme.png\"\n".getBytes());
+        Files.delete(dossier.resolve("images/nouvelle.png"));
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("Makefile").getAbsolutePath(),
+                "-I", new File("").getAbsolutePath(), "JAVA=sh comparer", "BASE=./target/lancer.jar", "--eval",
+                "essai:;@$(call actualiser,neuves,images)", "essai"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(0, statut(make), erreur());
+        assertEquals("changée : autre.png\nchangée : nouvelle.png\n", sortie());
+        assertEquals(0, Files.readAllBytes(dossier.resolve("images/meme.png"))[0]);
+        assertEquals(1, Files.readAllBytes(dossier.resolve("images/autre.png"))[0]);
     }
 }

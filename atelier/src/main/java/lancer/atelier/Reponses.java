@@ -30,13 +30,7 @@ import lancer.sortie.Ecriture;
 import lancer.sortie.FichierPng;
 import lancer.sortie.ImageMemoire;
 
-/**
- * Les figures et les nombres de {@code docs/reponses.md} : ceux du programme, qu'un test compare à la page.
- *
- * <pre>
- * java -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md images
- * </pre>
- */
+/** {@code make reponses} : les figures et les nombres de la page, ceux du programme, qu'un test compare à ce qu'elle montre. */
 public final class Reponses {
 
     private static final int[] EXPOSANTS = {1, 8, 32, 128, 1024};
@@ -52,15 +46,13 @@ public final class Reponses {
     private Reponses() {
     }
 
-    /** @param args la page, et le dossier des images */
+    /** @param args la page, et le dossier où écrire les figures */
     public static void main(String[] args) throws IOException {
-        Path images = Paths.get(args[1]);
         PagesMesurees.reecrire(Paths.get(args[0]), valeurs());
-        Files.write(images.resolve("reponses-cosinus.svg"), cosinus().getBytes(StandardCharsets.UTF_8));
-        Path neuves = Files.createTempDirectory("reponses");
-        new Ecriture(neuves.resolve("reponses-etapes.png").toString()).ecrire(etapes(), new FichierPng());
-        new Ecriture(neuves.resolve("reponses-escaliers.png").toString()).ecrire(escaliers(), new FichierPng());
-        Images.actualiser(neuves, images).forEach(nom -> System.out.println("changée : " + nom));
+        Path figures = Paths.get(args[1]);
+        Files.write(figures.resolve("reponses-cosinus.svg"), cosinus().getBytes(StandardCharsets.UTF_8));
+        new Ecriture(figures.resolve("reponses-etapes.png").toString()).ecrire(etapes(), new FichierPng());
+        new Ecriture(figures.resolve("reponses-escaliers.png").toString()).ecrire(escaliers(), new FichierPng());
     }
 
     /** Les nombres de la page, par nom. */
