@@ -26,7 +26,6 @@ public final class PovRay {
     private final String commande;
     private final Path dossier;
     private final String version;
-    private String ecrite;
     private double[] temps;
 
     /**
@@ -53,22 +52,21 @@ public final class PovRay {
         return "POV-Ray " + version;
     }
 
+    /** @param texte une scène de ce nom, telle que l'écrit {@link TraductionPov} */
+    void ecrire(String nom, String texte) throws IOException {
+        Files.write(dossier.resolve(nom + ".pov"), texte.getBytes(StandardCharsets.UTF_8));
+    }
+
     /**
-     * @param texte la scène, telle que l'écrit {@link TraductionPov}
-     * @param nom celui des fichiers à écrire, sans extension
+     * @param nom d'une scène {@link #ecrire écrite}
      * @param options d'anticrénelage, dans la langue de sa commande ; aucune pour un rayon par pixel
      * @return l'image linéaire : trois composantes de 16 bits, la ligne du haut d'abord
      * @throws IOException s'il n'y arrive pas ; le message dit pourquoi
      */
-    Raster dessiner(String texte, String nom, int largeur, int hauteur, String... options) throws IOException {
+    Raster dessiner(String nom, int largeur, int hauteur, String... options) throws IOException {
         Path scene = dossier.resolve(nom + ".pov");
         Path image = dossier.resolve(nom + ".png");
         Path journal = dossier.resolve(nom + ".txt");
-        // la même que la dernière fois : ses cent mégaoctets y sont peut-être déjà
-        if (texte != ecrite) {
-            Files.write(scene, texte.getBytes(StandardCharsets.UTF_8));
-            ecrite = texte;
-        }
         Files.deleteIfExists(image);
         // ni affichage, ni pause, ni hasard ; File_Gamma=1 : les niveaux du PNG sont la lumière
         List<String> dessin = new ArrayList<>(Arrays.asList(commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur,

@@ -12,7 +12,7 @@ import lancer.temoins.LancerSurveille;
 public final class SceneJugee {
 
     private static final double NIVEAUX_16 = 65535;
-    private static final String[] COMPOSANTES = {"rouge", "verte", "bleue"};
+    private static final String[] COMPOSANTES = {"-rouge", "-verte", "-bleue"};
 
     /** De quoi la dessiner nous-mêmes, au seuil que le juge peut tenir. */
     public final Lancer lancer;
@@ -22,28 +22,31 @@ public final class SceneJugee {
 
     private final PovRay povray;
     private final String nom;
-    private final TraductionPov traduction;
     private final Camera camera;
-    private final String[] textes;
 
     /**
      * @param nom celui des fichiers du juge
      * @param scene avec le seuil voulu ; si un Ks est coloré, il est mis à 0
      * @throws Intraduisible si le juge ne peut faire le même calcul
      */
-    public SceneJugee(PovRay povray, String nom, Scene scene, int reflets, int largeur, int hauteur) throws Intraduisible {
+    public SceneJugee(PovRay povray, String nom, Scene scene, int reflets, int largeur, int hauteur) throws IOException {
         this.povray = povray;
         this.nom = nom;
-        boolean grise = TraductionPov.estGrise(scene);
-        if (!grise) {
+        dessins = TraductionPov.estGrise(scene) ? 1 : COMPOSANTES.length;
+        if (dessins > 1) {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
             scene.setSeuil(0);
         }
-        dessins = grise ? 1 : COMPOSANTES.length;
-        textes = new String[dessins];
         lancer = LancerSurveille.preparer(scene, largeur, hauteur, false);
         camera = lancer.getCamera();
-        traduction = new TraductionPov(scene, reflets, camera);
+        TraductionPov traduction = new TraductionPov(scene, reflets, camera);
+        for (int c = 0; c < dessins; c++) {
+            povray.ecrire(fichier(c), traduction.texte(c));
+        }
+    }
+
+    private String fichier(int c) {
+        return dessins == 1 ? nom : nom + COMPOSANTES[c];
     }
 
     /**
@@ -74,10 +77,6 @@ public final class SceneJugee {
     }
 
     private Raster dessiner(int c, String... options) throws IOException {
-        if (textes[c] == null) {
-            textes[c] = traduction.texte(c);
-        }
-        String suffixe = dessins == 1 ? "" : "-" + COMPOSANTES[c];
-        return povray.dessiner(textes[c], nom + suffixe, camera.getLargeur(), camera.getHauteur(), options);
+        return povray.dessiner(fichier(c), camera.getLargeur(), camera.getHauteur(), options);
     }
 }

@@ -9,9 +9,9 @@ import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
-import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
@@ -91,12 +91,10 @@ final class TraductionPov {
         Set<Objet3D> derriere = scene.getObjets().stream().map(Sphere.class::cast)
                 .filter(s -> s.getCentre().z - s.getRayon() < 0 && rayons().anyMatch(rayon -> estAvant(s, rayon)))
                 .collect(Collectors.toSet());
-        Optional<Objet3D> vu = derriere.isEmpty() ? Optional.empty() : rayons().map(rayon -> {
-            scene.getClosestIntersection(rayon);
-            return rayon.getObjet();
-        }).filter(derriere::contains).findFirst();
+        Optional<PointContact> vu = derriere.isEmpty() ? Optional.empty()
+                : rayons().map(scene::getClosestIntersection).filter(c -> c != null && derriere.contains(c.objet)).findFirst();
         if (vu.isPresent()) {
-            throw new Intraduisible(vu.get() + " traverse l'écran, et se voit derrière lui");
+            throw new Intraduisible(vu.get().objet + " traverse l'écran, et se voit derrière lui");
         }
         return derriere;
     }
@@ -135,32 +133,25 @@ final class TraductionPov {
 
     /** @param juste la composante, de 0 à 2, dont les reflets des lampes sont justes ; toutes, si les Ks sont gris */
     String texte(int juste) {
-        StringBuilder s = new StringBuilder("#version 3.7;\n");
-        s.append("global_settings { assumed_gamma 1 ambient_light 0 max_trace_level ").append(reflets + 1)
-                .append(" adc_bailout ").append(scene.getSeuil()).append(" }\n");
-        s.append("camera { perspective location ").append(position(Camera.OEIL)).append(" direction <0, 0, ").append(Camera.FOCALE)
-                .append("> right <").append(Constantes.ECHELLE).append(", 0, 0> up <0, ")
-                .append(Constantes.ECHELLE * camera.getHauteur() / camera.getLargeur()).append(", 0> }\n");
-        s.append(CIEL);
-        for (Lampe lampe : scene.getLampes()) {
-            s.append("light_source { ").append(position(lampe.getPosition())).append(" rgb ").append(triplet(lampe.getCouleur()))
-                    .append(" }\n");
-        }
-        for (Objet3D objet : scene.getObjets()) {
-            sphere(s, (Sphere) objet, juste);
-        }
-        return s.toString();
+        String entete = "#version 3.7;\n"
+                + "global_settings { assumed_gamma 1 ambient_light 0 max_trace_level " + (reflets + 1)
+                + " adc_bailout " + scene.getSeuil() + " }\n"
+                + "camera { perspective location " + position(Camera.OEIL) + " direction <0, 0, " + Camera.FOCALE + ">"
+                + " right <" + Constantes.ECHELLE + ", 0, 0>"
+                + " up <0, " + Constantes.ECHELLE * camera.getHauteur() / camera.getLargeur() + ", 0> }\n";
+        Stream<String> lampes = scene.getLampes().stream()
+                .map(l -> "light_source { " + position(l.getPosition()) + " rgb " + triplet(l.getCouleur()) + " }\n");
+        Stream<String> spheres = scene.getObjets().stream().map(objet -> sphere((Sphere) objet, juste));
+        return Stream.concat(lampes, spheres).collect(Collectors.joining("", entete + CIEL, ""));
     }
 
-    private void sphere(StringBuilder s, Sphere sphere, int juste) {
+    private String sphere(Sphere sphere, int juste) {
         Couleur Ks = sphere.getKs();
-        s.append("sphere { ").append(position(sphere.getCentre())).append(", ").append(sphere.getRayon() * echelle);
-        s.append(" pigment { rgb ").append(triplet(sphere.getKd())).append(" } finish { ambient 0 diffuse 1");
-        if (!Ks.estNoire()) {
-            s.append(" phong ").append(new double[] {Ks.r, Ks.v, Ks.b}[juste]).append(" phong_size ").append(sphere.getNs())
-                    .append(" reflection { rgb ").append(triplet(Ks)).append(" }");
-        }
-        s.append(derriere.contains(sphere) ? " } no_image }\n" : " } }\n");
+        String brillant = Ks.estNoire() ? "" : " phong " + new double[] {Ks.r, Ks.v, Ks.b}[juste] + " phong_size " + sphere.getNs()
+                + " reflection { rgb " + triplet(Ks) + " }";
+        return "sphere { " + position(sphere.getCentre()) + ", " + sphere.getRayon() * echelle
+                + " pigment { rgb " + triplet(sphere.getKd()) + " } finish { ambient 0 diffuse 1" + brillant + " }"
+                + (derriere.contains(sphere) ? " no_image }\n" : " }\n");
     }
 
     private String position(Point p) {

@@ -28,7 +28,8 @@ class PovRayTest {
     private Raster dessiner(int echecs, WritableRaster rendue, String... options) throws IOException {
         ScenesJugees.preparer(dossier, echecs, rendue);
         povray = new PovRay(ScenesJugees.commande(dossier), dossier);
-        return povray.dessiner("la scène", "essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, options);
+        povray.ecrire("essai", "la scène");
+        return povray.dessiner("essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, options);
     }
 
     private String panne(int echecs, WritableRaster rendue) {
