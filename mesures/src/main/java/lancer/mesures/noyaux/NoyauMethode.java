@@ -42,11 +42,11 @@ public class NoyauMethode {
     /** Erreur relative qu'aucune méthode, même en {@code float}, n'atteint d'ordinaire loin de la tangente. */
     private static final double PERMISE = 1e-3;
 
-    @Param({"GEOMETRIQUE", "RACINES", "MANUEL", "PERPENDICULAIRE", "FLOAT", "COMPENSEE", "DEUX_DOUBLES", "PROGRAMME",
-        "RECHERCHE"})
+    // JMH les essaie toutes, dans tous les régimes
+    @Param
     public Formule formule;
 
-    @Param({"ORDINAIRE", "LOIN", "RASANT", "SOL"})
+    @Param
     public Regime regime;
 
     private final double[] cas = new double[NOMBRES * RAYONS];
@@ -63,10 +63,7 @@ public class NoyauMethode {
 
     /** @throws IllegalStateException si la méthode n'y répond pas juste : son temps ne voudrait rien dire */
     static void verifier(Formule formule, Regime regime) {
-        int faux = 0;
-        for (Cas c : regime.tirer(VERIFIES)) {
-            faux += c.malClasse(formule) || c.erreurRelative(formule) > PERMISE ? 1 : 0;
-        }
+        long faux = regime.tirer(VERIFIES).stream().filter(c -> c.malClasse(formule) || c.erreurRelative(formule) > PERMISE).count();
         if (faux > VERIFIES / 100) {
             throw new IllegalStateException(formule + " se trompe sur " + faux + " rayons sur " + VERIFIES + " : aucun temps");
         }

@@ -10,7 +10,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import lancer.atelier.PagesMesurees;
+import lancer.essai.Formule;
 import lancer.mesures.stabilite.Methodes;
+import lancer.mesures.stabilite.Regime;
 import lancer.mesures.stabilite.Stabilite;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;
@@ -99,7 +101,7 @@ public final class Noyaux {
      * @return faux si elles devaient l'être, et n'ont pu
      */
     static boolean noter(Map<String, double[]> temps, Path resultats, PrintStream sortie) throws IOException {
-        if (!Methodes.estComplet(temps.keySet())) {
+        if (temps.size() < Formule.values().length * Regime.values().length) {
             sortie.println("Toutes les méthodes n'ont pas été mesurées : rien n'est écrit.");
             return true;
         }

@@ -9,7 +9,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import lancer.atelier.Circonstances;
 import lancer.atelier.FichierCsv;
@@ -38,11 +37,6 @@ public final class Methodes {
     /** Où ranger le temps d'une méthode dans un régime. @param formule son nom dans {@link lancer.essai.Formule} */
     public static String cle(String regime, String formule) {
         return (regime + " " + formule).toLowerCase(Locale.ROOT);
-    }
-
-    /** Vrai si ces clés sont celles de toutes les méthodes dans tous les régimes. */
-    public static boolean estComplet(Set<String> cles) {
-        return cles.size() == Regime.values().length * Aspect.values().length;
     }
 
     /**

@@ -34,7 +34,6 @@ class NoyauxTest {
         PrintStream ecran = new PrintStream(sortie, true, "UTF-8");
         Map<String, double[]> temps = Noyaux.mesurer(new CommandLineOptions("-f", "0", "-wi", "0", "-i", "2", "-r", "2ms"), ecran);
         assertEquals(Formule.values().length * Regime.values().length, temps.size());
-        assertTrue(Methodes.estComplet(temps.keySet()));
         assertTrue(sortie.toString("UTF-8").matches("(?s).*\nPROGRAMME +SOL +[0-9.]+ +± [0-9.?]+ +ns.*"), sortie.toString("UTF-8"));
         temps.values().forEach(t -> t[1] = 0);
         temps.get("sol manuel")[1] = 0.2 * temps.get("sol manuel")[0];
