@@ -2,7 +2,9 @@ package lancer.mesures.juge;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.Raster;
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,6 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 
 /** La commande {@code povray}. Elle écrit un PNG de 16 bits par composante, proportionnel à la lumière. */
@@ -26,7 +29,10 @@ public final class PovRay {
     private final String commande;
     private final Path dossier;
     private final String version;
-    private double[] temps;
+
+    /** Tout ce qu'a écrit la dernière commande, sur ses deux sorties, et le temps qu'elle a pris. */
+    private String dit;
+    private long dureeNs;
 
     /**
      * @param commande un nom à chercher dans PATH, ou un chemin
@@ -36,16 +42,14 @@ public final class PovRay {
     public PovRay(String commande, Path dossier) throws IOException {
         this.commande = commande;
         this.dossier = dossier;
-        Path journal = dossier.resolve("version.txt");
         try {
-            lancer(journal, commande, "--version");
+            lancer(Arrays.asList(commande, "--version"));
         } catch (IOException e) {
             throw new IOException(commande + " ne se lance pas ; pour l'avoir : sudo apt-get install povray (Debian, Ubuntu), brew install"
                     + " povray (macOS)", e);
         }
-        Matcher m = VERSION.matcher(texte(journal));
+        Matcher m = VERSION.matcher(dit);
         version = m.find() ? m.group(1).replaceFirst("\\.unofficial$", "") : "inconnue";
-        Files.delete(journal);
     }
 
     String nom() {
@@ -66,60 +70,50 @@ public final class PovRay {
     Raster dessiner(String nom, int largeur, int hauteur, String... options) throws IOException {
         Path scene = dossier.resolve(nom + ".pov");
         Path image = dossier.resolve(nom + ".png");
-        Path journal = dossier.resolve(nom + ".txt");
         Files.deleteIfExists(image);
         // ni affichage, ni pause, ni hasard ; File_Gamma=1 : les niveaux du PNG sont la lumière
         List<String> dessin = new ArrayList<>(Arrays.asList(commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur,
                 "+H" + hauteur, "-D", "-P", "-V", "-J"));
         dessin.addAll(Arrays.asList(options.length == 0 ? new String[] {"-A"} : options));
-        int statut = chronometrer(journal, dessin);
+        int statut = lancer(dessin);
         if (statut != 0) {
             // sur une machine chargée il renonce parfois : « Timed out waiting for worker thread startup »
-            statut = chronometrer(journal, dessin);
+            statut = lancer(dessin);
         }
         if (statut != 0 || !Files.exists(image)) {
             throw new IOException(commande + " n'a pas dessiné " + nom + ", statut " + statut + " : "
-                    + texte(journal).trim().replaceFirst("(?s).*\\n\\s*", ""));
+                    + dit.trim().replaceFirst("(?s).*\\n\\s*", ""));
         }
         BufferedImage lue = ImageIO.read(image.toFile());
         if (lue == null || lue.getWidth() != largeur || lue.getHeight() != hauteur || lue.getRaster().getNumBands() < 3
                 || lue.getSampleModel().getSampleSize(0) != 16) {
             throw new IOException(commande + " : image inattendue : " + image);
         }
-        Files.delete(journal);
         return lue.getRaster();
-    }
-
-    private int chronometrer(Path journal, List<String> dessin) throws IOException {
-        long debut = System.nanoTime();
-        int statut = lancer(journal, dessin.toArray(new String[0]));
-        double duree = System.nanoTime() - debut;
-        Matcher m = TRACE.matcher(texte(journal));
-        temps = m.find() ? new double[] {duree, 1e9 * Double.parseDouble(m.group(1)), 1e9 * Double.parseDouble(m.group(2))}
-                : new double[] {duree, Double.NaN, Double.NaN};
-        return statut;
     }
 
     /** Du dernier dessin, en nanosecondes : la commande entière ; selon elle, le dessin seul, et le temps de ses processeurs. */
     public double[] temps() {
-        return temps.clone();
+        Matcher m = TRACE.matcher(dit);
+        return m.find() ? new double[] {dureeNs, 1e9 * Double.parseDouble(m.group(1)), 1e9 * Double.parseDouble(m.group(2))}
+                : new double[] {dureeNs, Double.NaN, Double.NaN};
     }
 
-    /** @return le statut de la commande, ses deux sorties dans {@code journal} */
-    private static int lancer(Path journal, String... commande) throws IOException {
-        Process processus = new ProcessBuilder(commande).redirectErrorStream(true).redirectOutput(journal.toFile()).start();
-        try {
-            return processus.waitFor();
+    /** @return le statut de la commande */
+    private int lancer(List<String> mots) throws IOException {
+        long debut = System.nanoTime();
+        Process processus = new ProcessBuilder(mots).redirectErrorStream(true).start();
+        try (BufferedReader sortie = new BufferedReader(new InputStreamReader(processus.getInputStream(), StandardCharsets.UTF_8))) {
+            dit = sortie.lines().collect(Collectors.joining("\n"));
+            int statut = processus.waitFor();
+            dureeNs = System.nanoTime() - debut;
+            return statut;
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            throw new IOException("interrompu pendant " + commande[0], e);
+            throw new IOException("interrompu pendant " + commande, e);
         } finally {
             // Ctrl+C ne doit pas le laisser dessiner seul
             processus.destroy();
         }
-    }
-
-    private static String texte(Path fichier) throws IOException {
-        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
     }
 }
