@@ -10,9 +10,6 @@ import java.time.temporal.ChronoUnit;
 /** Sur quoi et quand l'on mesure : sans cela, un temps ne se compare à aucun autre. */
 public final class Circonstances {
 
-    /** Ce qui n'a pu être su. */
-    private static final String INCONNU = "inconnu";
-
     public final String machine = processeur();
     public final int coeurs = Runtime.getRuntime().availableProcessors();
     public final String jvm = System.getProperty("java.vm.name") + " " + System.getProperty("java.version");
@@ -22,20 +19,14 @@ public final class Circonstances {
     public final String commit = commit();
 
     private static String processeur() {
-        for (String[] commande : new String[][] {{"sed", "-n", "s/^model name[^:]*: //p", "/proc/cpuinfo"},
-            {"sysctl", "-n", "machdep.cpu.brand_string"}}) {
-            String nom = premiereLigne(commande);
-            if (!nom.isEmpty()) {
-                return nom.trim();
-            }
-        }
-        return System.getProperty("os.arch");
+        String nom = premiereLigne("sh", "-c", "sed -n 's/^model name[^:]*: //p' /proc/cpuinfo || sysctl -n machdep.cpu.brand_string");
+        return nom.isEmpty() ? System.getProperty("os.arch") : nom.trim();
     }
 
     private static String commit() {
         String commit = premiereLigne("git", "rev-parse", "--short", "HEAD");
         if (commit.isEmpty()) {
-            return INCONNU;
+            return "inconnu";
         }
         // le banc lui-même écrit dans resultats : ce n'est pas une source
         String change = premiereLigne("git", "status", "--porcelain", "--", ":/", ":(top,exclude)mesures/resultats");
@@ -44,13 +35,10 @@ public final class Circonstances {
 
     /** La première ligne qu'écrit cette commande, vide si elle n'écrit rien ou ne peut être lancée. */
     private static String premiereLigne(String... commande) {
-        try {
-            Process processus = new ProcessBuilder(commande).start();
-            try (BufferedReader sortie = new BufferedReader(
-                    new InputStreamReader(processus.getInputStream(), StandardCharsets.UTF_8))) {
-                String ligne = sortie.readLine();
-                return ligne == null ? "" : ligne;
-            }
+        try (BufferedReader sortie = new BufferedReader(new InputStreamReader(
+                new ProcessBuilder(commande).start().getInputStream(), StandardCharsets.UTF_8))) {
+            String ligne = sortie.readLine();
+            return ligne == null ? "" : ligne;
         } catch (IOException e) {
             return "";
         }
