@@ -17,35 +17,26 @@ final class Foule {
 
     private static final int MATERIAUX = 36;
 
-    private final Plume plume;
-    private final int n;
-    private final Random hasard = new Random(1);
-
-    Foule(Plume plume, int n) {
-        this.plume = plume;
-        this.n = n;
+    private Foule() {
     }
 
-    void ecrire() throws IOException {
+    static void ecrire(Plume plume, int n) throws IOException {
         plume.commentaires("Une foule : " + n + " boules au hasard, qui ne se touchent pas.", "",
                 "À regarder : le temps du dessin, et comment il grandit avec le nombre de boules.", "",
                 "Écrite par lancer.atelier.Generateur foule " + n);
-        String[] materiaux = new String[MATERIAUX];
-        for (int i = 0; i < MATERIAUX; i++) {
-            double[] kd = Plume.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);
-            materiaux[i] = Plume.materiau(kd, Plume.couleur(0, 0, 0.2 + 0.1 * (i % 3)), 40 + 40 * (i % 3));
-        }
         double cote = StrictMath.cbrt(LARGEUR * HAUTEUR * FOND * REMPLISSAGE / n);
         while (cases(cote) < n) {
             cote *= 0.99;
         }
-        semer(cote, materiaux);
+        semer(plume, n, cote);
         plume.lampe("principale", -40, 60, -50, 1, 0.95, 0.86);
         plume.lampe("appoint", 50, 20, -20, 0.35, 0.4, 0.5);
     }
 
     /** Une boule au plus par case : deux boules ne peuvent se toucher, et rien n'est gardé en mémoire. */
-    private void semer(double cote, String[] materiaux) throws IOException {
+    private static void semer(Plume plume, int n, double cote) throws IOException {
+        String[] materiaux = materiaux();
+        Random hasard = new Random(1);
         long nx = (long) (LARGEUR / cote);
         long ny = (long) (HAUTEUR / cote);
         long nz = (long) (FOND / cote);
@@ -60,7 +51,11 @@ final class Foule {
                     // chaque choix de n cases est aussi probable (Knuth, algorithme S)
                     if (hasard.nextDouble() * restentCases < restentBoules) {
                         restentBoules--;
-                        boule((i - nx / 2.0 + dx) * cote, (j - ny / 2.0 + dy) * cote, Z + k * cote, cote, materiaux);
+                        double rayon = cote * (0.2 + 0.22 * hasard.nextDouble());
+                        double jeu = cote - 2 * rayon;
+                        plume.sphere((i - nx / 2.0 + dx) * cote + rayon + jeu * hasard.nextDouble(),
+                                (j - ny / 2.0 + dy) * cote + rayon + jeu * hasard.nextDouble(),
+                                Z + k * cote + rayon + jeu * hasard.nextDouble(), rayon, materiaux[hasard.nextInt(MATERIAUX)]);
                     }
                     restentCases--;
                 }
@@ -68,11 +63,13 @@ final class Foule {
         }
     }
 
-    private void boule(double x, double y, double z, double cote, String[] materiaux) throws IOException {
-        double rayon = cote * (0.2 + 0.22 * hasard.nextDouble());
-        double jeu = cote - 2 * rayon;
-        plume.sphere(x + rayon + jeu * hasard.nextDouble(), y + rayon + jeu * hasard.nextDouble(),
-                z + rayon + jeu * hasard.nextDouble(), rayon, materiaux[hasard.nextInt(MATERIAUX)]);
+    private static String[] materiaux() {
+        String[] materiaux = new String[MATERIAUX];
+        for (int i = 0; i < MATERIAUX; i++) {
+            double[] kd = Plume.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);
+            materiaux[i] = Plume.materiau(kd, Plume.couleur(0, 0, 0.2 + 0.1 * (i % 3)), 40 + 40 * (i % 3));
+        }
+        return materiaux;
     }
 
     private static long cases(double cote) {

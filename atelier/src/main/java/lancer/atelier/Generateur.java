@@ -47,7 +47,7 @@ public final class Generateur {
         String scene = args.length == 2 ? args[0] : "";
         try {
             if (scene.equals("foule")) {
-                new Foule(new Plume(sortie), nombre(args[1])).ecrire();
+                Foule.ecrire(new Plume(sortie), nombre(args[1]));
             } else if (scene.equals("tournesol")) {
                 Tournesol.ecrire(new Plume(sortie), nombre(args[1]));
             } else {

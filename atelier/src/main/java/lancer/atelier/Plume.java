@@ -2,15 +2,13 @@ package lancer.atelier;
 
 import java.io.IOException;
 import java.math.BigDecimal;
+import java.math.RoundingMode;
 
 /** Écrit une scène au fil de l'eau, sans en rien garder. Les nombres ne dépendent pas de la langue de la machine. */
 final class Plume {
 
     /** Décimales écrites, zéros de fin retirés : assez pour la plus petite boule d'une foule de cent millions. */
     private static final int DECIMALES = 9;
-    private static final double UNITE = 1e9;
-    /** Au-delà, un multiple de 1e-9 ne tient plus dans un {@code long}. */
-    private static final double MAX = 9e9;
 
     private final Appendable sortie;
     private int spheres;
@@ -69,9 +67,6 @@ final class Plume {
     }
 
     private static String nombre(double valeur) {
-        if (!(Math.abs(valeur) < MAX)) {
-            throw new IllegalArgumentException("nombre trop grand : " + valeur);
-        }
-        return BigDecimal.valueOf(Math.round(valeur * UNITE), DECIMALES).stripTrailingZeros().toPlainString();
+        return BigDecimal.valueOf(valeur).setScale(DECIMALES, RoundingMode.HALF_UP).stripTrailingZeros().toPlainString();
     }
 }

@@ -65,11 +65,12 @@ public final class Scenes {
     }
 
     private static void ecrire(String famille, int nombre, Appendable sortie) throws IOException {
-        new Foule(new Plume(sortie), nombre).ecrire();
+        Plume plume = new Plume(sortie);
+        Foule.ecrire(plume, nombre);
         SplittableRandom hasard = new SplittableRandom(NOMBRE_ETOILES);
         for (int k = 1; famille.equals(ETOILES) && k <= NOMBRE_ETOILES; k++) {
-            sortie.append("\n[Sphere étoile " + k + "]\ncentre=" + LOIN * hasard.nextDouble(-1, 1) + " "
-                    + LOIN * hasard.nextDouble(-1, 1) + " " + LOIN * hasard.nextDouble(-1, 1) + "\nrayon=1\nKd=1 1 1\n");
+            plume.sphere("étoile " + k, LOIN * hasard.nextDouble(-1, 1), LOIN * hasard.nextDouble(-1, 1), LOIN * hasard.nextDouble(-1, 1),
+                    1, "Kd=1 1 1\n");
         }
     }
 }

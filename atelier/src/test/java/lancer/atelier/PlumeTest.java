@@ -18,7 +18,6 @@ class PlumeTest {
         plume.sphere(-1e-10, 3, 0.1 + 0.2, 1e-3, "");
         assertEquals("\n[Sphere essai]\ncentre=-0.5 0.000000001 20000\nrayon=0.123456789\n"
                 + "\n[Sphere 1]\ncentre=0 3 0.3\nrayon=0.001\n", texte.toString());
-        assertThrows(IllegalArgumentException.class, () -> plume.sphere(1e10, 0, 0, 1, ""));
         assertThrows(IllegalArgumentException.class, () -> plume.sphere(Double.NaN, 0, 0, 1, ""));
     }
 
