@@ -5,7 +5,6 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
-import java.io.PrintStream;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 
@@ -24,39 +23,32 @@ public final class Generateur {
     /** Au-delà, ce n'est plus une scène mais un disque plein. */
     private static final int N_MAX = 100000000;
 
-    private static final String USAGE = "usage : Generateur foule N | tournesol N";
-
     private Generateur() {
     }
 
     /** @param args voir la description de la classe */
     public static void main(String[] args) {
-        int statut;
         try (Writer sortie = new BufferedWriter(new OutputStreamWriter(
                 new FileOutputStream(FileDescriptor.out), StandardCharsets.UTF_8), 1 << 16)) {
-            statut = executer(args, sortie, System.err);
+            ecrire(sortie, args);
+        } catch (IllegalArgumentException e) {
+            System.err.println("Generateur : " + e.getMessage() + " ; usage : Generateur foule N | tournesol N");
+            System.exit(2);
         } catch (IOException e) {
             System.err.println("Generateur : écriture impossible : " + e.getMessage());
-            statut = 1;
+            System.exit(1);
         }
-        System.exit(statut);
     }
 
-    /** Ce que fait {@link #main}, sans quitter Java. @return 0, ou 2 après une ligne sur {@code erreurs} si la demande ne va pas */
-    static int executer(String[] args, Appendable sortie, PrintStream erreurs) throws IOException {
+    /** @throws IllegalArgumentException si la demande ne va pas ; rien n'est alors écrit */
+    static void ecrire(Appendable sortie, String... args) throws IOException {
         String scene = args.length == 2 ? args[0] : "";
-        try {
-            if (scene.equals("foule")) {
-                Foule.ecrire(new Plume(sortie), nombre(args[1]));
-            } else if (scene.equals("tournesol")) {
-                Tournesol.ecrire(new Plume(sortie), nombre(args[1]));
-            } else {
-                throw new IllegalArgumentException("une scène, et son nombre de boules");
-            }
-            return 0;
-        } catch (IllegalArgumentException e) {
-            erreurs.println("Generateur : " + e.getMessage() + " ; " + USAGE);
-            return 2;
+        if (scene.equals("foule")) {
+            Foule.ecrire(new Plume(sortie), nombre(args[1]));
+        } else if (scene.equals("tournesol")) {
+            Tournesol.ecrire(new Plume(sortie), nombre(args[1]));
+        } else {
+            throw new IllegalArgumentException("une scène, et son nombre de boules");
         }
     }
 
