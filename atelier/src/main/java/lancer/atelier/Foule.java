@@ -1,6 +1,7 @@
 package lancer.atelier;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Random;
 
 /** Des boules au hasard qui ne se touchent pas, devant l'œil. */
@@ -35,7 +36,8 @@ final class Foule {
 
     /** Une boule au plus par case : deux boules ne peuvent se toucher, et rien n'est gardé en mémoire. */
     private static void semer(Plume plume, int n, double cote) throws IOException {
-        String[] materiaux = materiaux();
+        String[] materiaux = new String[MATERIAUX];
+        Arrays.setAll(materiaux, Foule::materiau);
         Random hasard = new Random(1);
         long nx = (long) (LARGEUR / cote);
         long ny = (long) (HAUTEUR / cote);
@@ -63,13 +65,9 @@ final class Foule {
         }
     }
 
-    private static String[] materiaux() {
-        String[] materiaux = new String[MATERIAUX];
-        for (int i = 0; i < MATERIAUX; i++) {
-            double[] kd = Plume.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);
-            materiaux[i] = Plume.materiau(kd, Plume.couleur(0, 0, 0.2 + 0.1 * (i % 3)), 40 + 40 * (i % 3));
-        }
-        return materiaux;
+    private static String materiau(int i) {
+        double[] kd = Plume.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);
+        return Plume.materiau(kd, Plume.couleur(0, 0, 0.2 + 0.1 * (i % 3)), 40 + 40 * (i % 3));
     }
 
     private static long cases(double cote) {

@@ -59,18 +59,14 @@ public final class Scenes {
         // cent millions d'octets peut-être, que Ctrl+C ne doit pas laisser
         fichier.toFile().deleteOnExit();
         try (BufferedWriter sortie = Files.newBufferedWriter(fichier, StandardCharsets.UTF_8)) {
-            ecrire(nom.substring(0, tiret), Integer.parseInt(nom.substring(tiret + 1)), sortie);
+            Plume plume = new Plume(sortie);
+            Foule.ecrire(plume, Integer.parseInt(nom.substring(tiret + 1)));
+            SplittableRandom hasard = new SplittableRandom(NOMBRE_ETOILES);
+            for (int k = 1; nom.startsWith(ETOILES) && k <= NOMBRE_ETOILES; k++) {
+                plume.sphere("étoile " + k, LOIN * hasard.nextDouble(-1, 1), LOIN * hasard.nextDouble(-1, 1),
+                        LOIN * hasard.nextDouble(-1, 1), 1, "Kd=1 1 1\n");
+            }
         }
         return fichier;
-    }
-
-    private static void ecrire(String famille, int nombre, Appendable sortie) throws IOException {
-        Plume plume = new Plume(sortie);
-        Foule.ecrire(plume, nombre);
-        SplittableRandom hasard = new SplittableRandom(NOMBRE_ETOILES);
-        for (int k = 1; famille.equals(ETOILES) && k <= NOMBRE_ETOILES; k++) {
-            plume.sphere("étoile " + k, LOIN * hasard.nextDouble(-1, 1), LOIN * hasard.nextDouble(-1, 1), LOIN * hasard.nextDouble(-1, 1),
-                    1, "Kd=1 1 1\n");
-        }
     }
 }

@@ -1,6 +1,7 @@
 package lancer.atelier;
 
 import java.io.IOException;
+import java.util.Arrays;
 
 /** Des boules rangées comme les graines d'un tournesol, sur un sol : n boules, et celle du sol. */
 final class Tournesol {
@@ -43,9 +44,7 @@ final class Tournesol {
         plume.sphere("sol", 0, Y - SOL * cos, Z + SOL * sin, SOL,
                 Plume.materiau(new double[] {0.06, 0.08, 0.10}, new double[] {0.28, 0.25, 0.16}, 60));
         String[] materiaux = new String[TEINTES];
-        for (int i = 0; i < TEINTES; i++) {
-            materiaux[i] = materiau(i / (TEINTES - 1.0));
-        }
+        Arrays.setAll(materiaux, i -> materiau(i / (TEINTES - 1.0)));
         for (int i = 0; i < n; i++) {
             double part = (i + RANG) / (n + RANG);
             double rho = StrictMath.pow(part, CROISSANCE);
