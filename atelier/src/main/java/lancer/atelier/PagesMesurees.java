@@ -19,11 +19,8 @@ public final class PagesMesurees {
     private PagesMesurees() {
     }
 
-    /** Réécrit les nombres de cette page ; une page qui n'existe pas n'en a pas. */
+    /** Réécrit les nombres de cette page. */
     public static void reecrire(Path page, Map<String, String> valeurs) throws IOException {
-        if (!Files.exists(page)) {
-            return;
-        }
         String avant = new String(Files.readAllBytes(page), StandardCharsets.UTF_8);
         String apres = remplacer(avant, valeurs);
         if (!apres.equals(avant)) {

@@ -43,6 +43,5 @@ class PagesMesureesTest {
         Files.setLastModifiedTime(page, jadis);
         PagesMesurees.reecrire(page, Collections.singletonMap("a", "1"));
         assertEquals(jadis, Files.getLastModifiedTime(page));
-        PagesMesurees.reecrire(dossier.resolve("absente.md"), Collections.emptyMap());
     }
 }
