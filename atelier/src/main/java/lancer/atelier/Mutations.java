@@ -17,11 +17,7 @@ import java.util.stream.Collectors;
 
 /**
  * Compare les rapports CSV de PIT à ce qu'en dit docs/mutations.md : le score de chaque classe, et les mutants qu'aucun test n'a tués.
- * Un mutant est reconnu à sa méthode, à sa mutation et au texte de sa ligne, non au numéro de celle-ci.
- *
- * <pre>
- * java -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md . brume blinn antialias
- * </pre>
+ * Un mutant est reconnu à sa méthode, à sa mutation et au texte de sa ligne, non au numéro de celle-ci. Lancé par {@code make mutations}.
  */
 public final class Mutations {
 

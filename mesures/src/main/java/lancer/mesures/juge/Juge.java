@@ -24,12 +24,7 @@ import lancer.texte.Texte;
 
 /**
  * Le juge : POV-Ray, qui ne doit rien à ce programme, dessine les mêmes scènes, et les deux images sont comparées pixel par pixel.
- * Ce qu'il a lu et dessiné reste dans {@code target/juge}.
- *
- * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.juge.Juge [--reflets N] [--taille LxH] [--povray COMMANDE] [--csv FICHIER]
- *      [SCENE.ini ...]
- * </pre>
+ * Ce qu'il a lu et dessiné reste dans {@code target/juge}. Lancé par {@code make juge}, avec les options que dit {@code USAGE}.
  *
  * Statut de sortie : 0 les images sont d'accord ; 1 il y a désaccord, ou le juge n'a pu dessiner ; 2 la demande était fausse.
  */
@@ -57,7 +52,7 @@ public final class Juge {
         }
     }
 
-    /** @param args voir la description de la classe */
+    /** @param args voir {@code USAGE} */
     public static void main(String[] args) {
         System.exit(executer(args, System.out, System.err));
     }

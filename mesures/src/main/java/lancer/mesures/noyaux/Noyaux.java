@@ -27,11 +27,7 @@ import org.openjdk.jmh.runner.options.VerboseMode;
  * virtuelle est retenue la plus courte de ses mesures, assez brèves pour que l'une au moins ne soit pas interrompue. Une machine chargée
  * ne fait que ralentir, parfois d'un tiers pendant une minute : le temps est celui de la deuxième machine virtuelle la plus rapide, et
  * son intervalle contient la première et la troisième. Sur dix, dont chacune a une chance sur deux d'être dérangée, trois ne le sont pas
- * 19 fois sur 20. Si un intervalle est trop large, rien n'est écrit.
- *
- * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux [options de JMH]
- * </pre>
+ * 19 fois sur 20. Si un intervalle est trop large, rien n'est écrit. Lancé par {@code make noyaux}.
  */
 public final class Noyaux {
 
