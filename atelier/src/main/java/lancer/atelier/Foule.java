@@ -55,7 +55,7 @@ final class Foule {
                         restentBoules--;
                         double rayon = cote * (0.2 + 0.22 * hasard.nextDouble());
                         double jeu = cote - 2 * rayon;
-                        plume.sphere((i - nx / 2.0 + dx) * cote + rayon + jeu * hasard.nextDouble(),
+                        plume.sphere("" + (n - restentBoules), (i - nx / 2.0 + dx) * cote + rayon + jeu * hasard.nextDouble(),
                                 (j - ny / 2.0 + dy) * cote + rayon + jeu * hasard.nextDouble(),
                                 Z + k * cote + rayon + jeu * hasard.nextDouble(), rayon, materiaux[hasard.nextInt(MATERIAUX)]);
                     }

@@ -11,7 +11,6 @@ final class Plume {
     private static final int DECIMALES = 9;
 
     private final Appendable sortie;
-    private int spheres;
 
     Plume(Appendable sortie) {
         this.sortie = sortie;
@@ -23,12 +22,7 @@ final class Plume {
         }
     }
 
-    /** Une sphère, numérotée dans l'ordre d'écriture. */
-    void sphere(double x, double y, double z, double rayon, String materiau) throws IOException {
-        sphere(Integer.toString(++spheres), x, y, z, rayon, materiau);
-    }
-
-    /** Une sphère qui a un nom, par exemple le sol. */
+    /** Une sphère, et ce qui la distingue des autres : un nom ou un rang. */
     void sphere(String nom, double x, double y, double z, double rayon, String materiau) throws IOException {
         sortie.append("\n[Sphere " + nom + "]\ncentre=" + triplet(x, y, z) + "rayon=" + nombre(rayon) + "\n" + materiau);
     }

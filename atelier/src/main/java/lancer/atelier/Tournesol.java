@@ -54,7 +54,7 @@ final class Tournesol {
             double a = RAYON * rho * StrictMath.cos(angle);
             double b = RAYON * rho * StrictMath.sin(angle);
             double h = rayon + hauteur(rho);
-            plume.sphere(a, Y + h * cos + b * sin, Z - h * sin + b * cos, rayon,
+            plume.sphere("" + (i + 1), a, Y + h * cos + b * sin, Z - h * sin + b * cos, rayon,
                     materiaux[(int) Math.min(TEINTES - 1, rho * TEINTES)]);
         }
         plume.lampe("soleil", -300, 330, -230, 1.15, 1.06, 0.94);

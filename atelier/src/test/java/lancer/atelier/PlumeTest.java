@@ -15,10 +15,10 @@ class PlumeTest {
         StringBuilder texte = new StringBuilder();
         Plume plume = new Plume(texte);
         plume.sphere("essai", -0.5, 1e-9, 20000, 0.123456789, "");
-        plume.sphere(-1e-10, 3, 0.1 + 0.2, 1e-3, "");
+        plume.sphere("1", -1e-10, 3, 0.1 + 0.2, 1e-3, "");
         assertEquals("\n[Sphere essai]\ncentre=-0.5 0.000000001 20000\nrayon=0.123456789\n"
                 + "\n[Sphere 1]\ncentre=0 3 0.3\nrayon=0.001\n", texte.toString());
-        assertThrows(IllegalArgumentException.class, () -> plume.sphere(Double.NaN, 0, 0, 1, ""));
+        assertThrows(IllegalArgumentException.class, () -> plume.sphere("nul", Double.NaN, 0, 0, 1, ""));
     }
 
     @Test
