@@ -113,7 +113,8 @@ public final class Juge {
                     ecart(a.moyen), verdict);
             csv.add(FichierCsv.ligne(nom, dessin.largeur, dessin.hauteur, spheres, reflets, jugee.dessins, a.auDela8,
                     a.auDela16, ecart(a.pire), ecart(a.moyen), a.estLa() ? "oui" : "non"));
-        } catch (Intraduisible e) {
+        } catch (Echec e) {
+            // POV-Ray ne sait pas faire le même calcul
             sortie.println(String.format("%-12s %8s", nom, "") + " non jugée : " + e.getMessage());
         }
     }

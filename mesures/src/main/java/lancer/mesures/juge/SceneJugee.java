@@ -27,7 +27,7 @@ public final class SceneJugee {
     /**
      * @param nom celui des fichiers du juge
      * @param scene avec le seuil voulu ; si un Ks est coloré, il est mis à 0
-     * @throws Intraduisible si le juge ne peut faire le même calcul
+     * @throws lancer.commande.Echec si le juge ne peut faire le même calcul
      */
     public SceneJugee(PovRay povray, String nom, Scene scene, int reflets, int largeur, int hauteur) throws IOException {
         this.povray = povray;

@@ -16,6 +16,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.commande.Echec;
 
 /**
  * Une scène dans la langue de POV-Ray 3.7. Les axes sont les mêmes ; ni lumière ambiante ni gamma ; le ciel est une fonction de
@@ -61,21 +62,21 @@ final class TraductionPov {
 
     /**
      * @param scene préparée pour cette caméra
-     * @throws Intraduisible si POV-Ray ne peut faire le même calcul
+     * @throws Echec si POV-Ray ne peut faire le même calcul
      */
-    TraductionPov(Scene scene, int reflets, Camera camera) throws Intraduisible {
+    TraductionPov(Scene scene, int reflets, Camera camera) {
         this.scene = scene;
         this.reflets = reflets;
         this.camera = camera;
         if (reflets + 1 > NIVEAUX_MAX) {
-            throw new Intraduisible("POV-Ray ne suit pas plus de " + (NIVEAUX_MAX - 1) + " reflets");
+            throw Echec.demande("POV-Ray ne suit pas plus de " + (NIVEAUX_MAX - 1) + " reflets");
         }
         for (Objet3D objet : scene.getObjets()) {
             if (!(objet instanceof Sphere)) {
-                throw new Intraduisible("un objet n'est pas une sphère : " + objet);
+                throw Echec.demande("un objet n'est pas une sphère : " + objet);
             }
             if (objet.getNs() == 0 && !objet.getKs().estNoire()) {
-                throw new Intraduisible("ns=0 : pour POV-Ray, 0^0 vaut 0");
+                throw Echec.demande("ns=0 : pour POV-Ray, 0^0 vaut 0");
             }
         }
         derriere = derriere();
@@ -87,14 +88,14 @@ final class TraductionPov {
      * POV-Ray de l'œil : ce qui est entre les deux, nous ne le voyons que dans les reflets. POV-Ray en fait autant d'un objet marqué
      * {@code no_image}, pourvu que personne ne le voie directement.
      */
-    private Set<Objet3D> derriere() throws Intraduisible {
+    private Set<Objet3D> derriere() {
         Set<Objet3D> derriere = scene.getObjets().stream().map(Sphere.class::cast)
                 .filter(s -> s.getCentre().z - s.getRayon() < 0 && rayons().anyMatch(rayon -> estAvant(s, rayon)))
                 .collect(Collectors.toSet());
         Optional<PointContact> vu = derriere.isEmpty() ? Optional.empty()
                 : rayons().map(scene::getClosestIntersection).filter(c -> c != null && derriere.contains(c.objet)).findFirst();
         if (vu.isPresent()) {
-            throw new Intraduisible(vu.get().objet + " traverse l'écran, et se voit derrière lui");
+            throw Echec.demande(vu.get().objet + " traverse l'écran, et se voit derrière lui");
         }
         return derriere;
     }

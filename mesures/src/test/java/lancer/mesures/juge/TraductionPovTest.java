@@ -14,22 +14,23 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.commande.Echec;
 import org.junit.jupiter.api.Test;
 
 /** La traduction d'une scène pour POV-Ray. */
 class TraductionPovTest {
 
-    private static String texte(Scene scene, int reflets, int juste) throws Intraduisible {
+    private static String texte(Scene scene, int reflets, int juste) {
         return new TraductionPov(scene, reflets, new Camera(ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR)).texte(juste);
     }
 
     private static void refuse(String raison, Scene scene, int reflets) {
-        Intraduisible refus = assertThrows(Intraduisible.class, () -> texte(scene, reflets, 0));
+        Echec refus = assertThrows(Echec.class, () -> texte(scene, reflets, 0));
         assertTrue(refus.getMessage().contains(raison), refus.getMessage());
     }
 
     @Test
-    void uneSceneSeTraduitTermeATerme() throws Intraduisible {
+    void uneSceneSeTraduitTermeATerme() {
         Scene scene = ScenesJugees.scene(
                 ScenesJugees.boule(-0.5, 0, 6, 0.75, new Couleur(0.75, 0.25, 0.125), new Couleur(0.5, 0.25, 0.125)),
                 ScenesJugees.boule(1, 0.25, 8, 0.5, new Couleur(0.5), new Couleur()));
@@ -72,7 +73,7 @@ class TraductionPovTest {
     }
 
     @Test
-    void uneSceneImmenseEstMoinsAgrandie() throws Intraduisible {
+    void uneSceneImmenseEstMoinsAgrandie() {
         Sphere sol = ScenesJugees.boule(0, -20000.75, 8, 20000, new Couleur(0.5), new Couleur());
         // 20000 + 20000, fois 64 : 2,56 millions ; fois 128, ce serait plus de 4 millions
         assertTrue(texte(ScenesJugees.scene(sol, ScenesJugees.boule(0, 900, 6, 0.5, new Couleur(1), new Couleur())), 5, 0)
@@ -80,7 +81,7 @@ class TraductionPovTest {
     }
 
     @Test
-    void ceQuiEstEntreLOeilEtLEcranNeSeVoitPasDirectement() throws Intraduisible {
+    void ceQuiEstEntreLOeilEtLEcranNeSeVoitPasDirectement() {
         Sphere derriere = ScenesJugees.boule(0, 0, -2, 0.5, new Couleur(0.5), new Couleur());
         Sphere devant = ScenesJugees.boule(0, 0, 6, 0.5, new Couleur(0.5), new Couleur());
         Sphere acote = ScenesJugees.boule(5, 0, -2, 0.5, new Couleur(0.5), new Couleur());
