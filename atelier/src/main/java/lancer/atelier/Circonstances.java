@@ -25,12 +25,9 @@ public final class Circonstances {
 
     private static String commit() {
         String commit = premiereLigne("git", "rev-parse", "--short", "HEAD");
-        if (commit.isEmpty()) {
-            return "inconnu";
-        }
         // le banc lui-même écrit dans resultats : ce n'est pas une source
         String change = premiereLigne("git", "status", "--porcelain", "--", ":/", ":(top,exclude)mesures/resultats");
-        return change.isEmpty() ? commit : commit + "+";
+        return commit.isEmpty() ? "inconnu" : change.isEmpty() ? commit : commit + "+";
     }
 
     /** La première ligne qu'écrit cette commande, vide si elle n'écrit rien ou ne peut être lancée. */

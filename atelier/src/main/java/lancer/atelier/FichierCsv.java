@@ -1,7 +1,6 @@
 package lancer.atelier;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -40,7 +39,7 @@ public final class FichierCsv {
      * @throws IOException si une ligne n'a pas les champs que nomme la première
      */
     public static List<Map<String, String>> lire(Path fichier) throws IOException {
-        List<String> lignes = Files.readAllLines(fichier, StandardCharsets.UTF_8);
+        List<String> lignes = Files.readAllLines(fichier);
         List<Map<String, String>> lues = new ArrayList<>();
         List<String> colonnes = lignes.isEmpty() ? new ArrayList<>() : champs(lignes.get(0));
         for (int k = 1; k < lignes.size(); k++) {

@@ -1,7 +1,6 @@
 package lancer.atelier;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -85,7 +84,7 @@ public final class Mutations {
      */
     private static int lire(Path module, Map<String, int[]> scores, Map<String, Integer> survivants) throws IOException {
         int tropLongs = 0;
-        for (String mutant : lignes(module.resolve("target/pit-reports/mutations.csv"))) {
+        for (String mutant : Files.readAllLines(module.resolve("target/pit-reports/mutations.csv"))) {
             String[] m = mutant.split(",");
             String classe = m[1].replaceFirst("\\$.*", "");
             boolean survit = m[5].equals("SURVIVED") || m[5].equals("NO_COVERAGE");
@@ -97,7 +96,7 @@ public final class Mutations {
             }
             if (survit) {
                 Path source = module.resolve("src/main/java").resolve(classe.replace('.', '/') + ".java");
-                String ligne = lignes(source).get(Integer.parseInt(m[4]) - 1).trim();
+                String ligne = Files.readAllLines(source).get(Integer.parseInt(m[4]) - 1).trim();
                 survivants.merge(apresDernierPoint(m[1]) + "." + m[3] + ", " + apresDernierPoint(m[2]) + ", `" + ligne + "`", 1,
                         Integer::sum);
             }
@@ -110,11 +109,7 @@ public final class Mutations {
     }
 
     private static Set<String> ecrit(Path page) throws IOException {
-        return lignes(page).stream().map(ECRIT::matcher).filter(Matcher::matches)
+        return Files.readAllLines(page).stream().map(ECRIT::matcher).filter(Matcher::matches)
                 .map(m -> m.group(1) != null ? m.group(1) : m.group(2)).collect(Collectors.toCollection(TreeSet::new));
-    }
-
-    private static List<String> lignes(Path fichier) throws IOException {
-        return Files.readAllLines(fichier, StandardCharsets.UTF_8);
     }
 }

@@ -2,7 +2,6 @@ package lancer.atelier;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -58,7 +57,7 @@ public final class Scenes {
         Path fichier = dossier.resolve(nom + ".ini");
         // cent millions d'octets peut-être, que Ctrl+C ne doit pas laisser
         fichier.toFile().deleteOnExit();
-        try (BufferedWriter sortie = Files.newBufferedWriter(fichier, StandardCharsets.UTF_8)) {
+        try (BufferedWriter sortie = Files.newBufferedWriter(fichier)) {
             Plume plume = new Plume(sortie);
             Foule.ecrire(plume, Integer.parseInt(nom.substring(tiret + 1)));
             SplittableRandom hasard = new SplittableRandom(NOMBRE_ETOILES);

@@ -2,7 +2,6 @@ package lancer.mesures.juge;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -93,7 +92,7 @@ public final class Juge {
         if (arguments.a("--csv")) {
             Path fichier = Paths.get(arguments.valeur("--csv", ""));
             Files.createDirectories(fichier.toAbsolutePath().getParent());
-            Files.write(fichier, csv, StandardCharsets.UTF_8);
+            Files.write(fichier, csv);
         }
         return accord ? 0 : 1;
     }

@@ -1,7 +1,6 @@
 package lancer.mesures.stabilite;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -65,7 +64,7 @@ final class Exactitude {
         if (!note.isEmpty()) {
             lignes.add(FichierCsv.NOTE + note);
         }
-        Files.write(fichier, lignes, StandardCharsets.UTF_8);
+        Files.write(fichier, lignes);
     }
 
     /** @throws IOException si le fichier n'est pas de ceux qu'écrit {@link #ecrire} */

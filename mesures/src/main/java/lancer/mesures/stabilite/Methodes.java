@@ -1,7 +1,6 @@
 package lancer.mesures.stabilite;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -30,7 +29,7 @@ public final class Methodes {
     /** Les mesures de ce dossier. */
     Methodes(Path dossier) throws IOException {
         toutes = Exactitude.lire(dossier.resolve(CSV), Exactitude.METHODES);
-        List<String> lignes = Files.readAllLines(dossier.resolve(CSV), StandardCharsets.UTF_8);
+        List<String> lignes = Files.readAllLines(dossier.resolve(CSV));
         note = lignes.get(lignes.size() - 1).substring(FichierCsv.NOTE.length());
     }
 
