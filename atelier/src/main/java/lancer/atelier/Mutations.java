@@ -63,7 +63,8 @@ public final class Mutations {
             dit.append("dont arrêtés, trop longs : ").append(tropLongs).append(" (boucle sans fin, ou machine trop chargée)\n");
         }
         survivants.forEach((mutant, fois) -> vrai.add("- " + mutant.replaceFirst(", `", " ×" + fois + ", `")));
-        Set<String> ecrit = ecrit(page);
+        Set<String> ecrit = Files.readAllLines(page).stream().map(ECRIT::matcher).filter(Matcher::matches)
+                .map(m -> m.group(1) != null ? m.group(1) : m.group(2)).collect(Collectors.toSet());
         dire(dit, "manque à " + page, vrai, ecrit);
         dire(dit, "n'est plus vrai dans " + page, ecrit, vrai);
         return vrai.equals(ecrit);
@@ -106,10 +107,5 @@ public final class Mutations {
 
     private static String apresDernierPoint(String nom) {
         return nom.substring(nom.lastIndexOf('.') + 1);
-    }
-
-    private static Set<String> ecrit(Path page) throws IOException {
-        return Files.readAllLines(page).stream().map(ECRIT::matcher).filter(Matcher::matches)
-                .map(m -> m.group(1) != null ? m.group(1) : m.group(2)).collect(Collectors.toCollection(TreeSet::new));
     }
 }
