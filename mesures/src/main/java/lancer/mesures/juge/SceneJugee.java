@@ -12,7 +12,6 @@ import lancer.temoins.LancerSurveille;
 public final class SceneJugee {
 
     private static final double NIVEAUX_16 = 65535;
-    private static final String[] COMPOSANTES = {"-rouge", "-verte", "-bleue"};
 
     /** De quoi la dessiner nous-mêmes, au seuil que le juge peut tenir. */
     public final Lancer lancer;
@@ -20,8 +19,9 @@ public final class SceneJugee {
     /** 1, ou 3 si un Ks est coloré : l'éclat d'une lampe est pour POV-Ray d'une seule couleur. */
     final int dessins;
 
+    /** Le nom de chacun. */
+    private final String[] noms;
     private final PovRay povray;
-    private final String nom;
     private final Camera camera;
 
     /**
@@ -31,8 +31,8 @@ public final class SceneJugee {
      */
     public SceneJugee(PovRay povray, String nom, Scene scene, int reflets, int largeur, int hauteur) throws IOException {
         this.povray = povray;
-        this.nom = nom;
-        dessins = TraductionPov.estGrise(scene) ? 1 : COMPOSANTES.length;
+        noms = TraductionPov.estGrise(scene) ? new String[] {nom} : new String[] {nom + "-rouge", nom + "-verte", nom + "-bleue"};
+        dessins = noms.length;
         if (dessins > 1) {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
             scene.setSeuil(0);
@@ -41,12 +41,8 @@ public final class SceneJugee {
         camera = lancer.getCamera();
         TraductionPov traduction = new TraductionPov(scene, reflets, camera);
         for (int c = 0; c < dessins; c++) {
-            povray.ecrire(fichier(c), traduction.texte(c));
+            povray.ecrire(noms[c], traduction.texte(c));
         }
-    }
-
-    private String fichier(int c) {
-        return dessins == 1 ? nom : nom + COMPOSANTES[c];
     }
 
     /**
@@ -77,6 +73,6 @@ public final class SceneJugee {
     }
 
     private Raster dessiner(int c, String... options) throws IOException {
-        return povray.dessiner(fichier(c), camera.getLargeur(), camera.getHauteur(), options);
+        return povray.dessiner(noms[c], camera.getLargeur(), camera.getHauteur(), options);
     }
 }
