@@ -149,7 +149,7 @@ final class Catalogue {
     }
 
     private static Methode povray(String options) {
-        return new Methode(POVRAY, options).par(Methode.Genre.POVRAY, options.split(" "));
+        return new Methode(POVRAY, options).parPovRay(options.split(" "));
     }
 
     /** Une chose changée à la fois. */
@@ -170,9 +170,9 @@ final class Catalogue {
     /** Le programme entier et, là où la courbe les montre, les boucles du cours et POV-Ray. */
     private static List<Methode> spheres(boolean povray, boolean boucles) {
         List<Methode> m = new ArrayList<>();
-        m.add(new Methode(PROGRAMME, "").par(Methode.Genre.PROCESSUS));
+        m.add(new Methode(PROGRAMME, ""));
         if (boucles) {
-            m.add(new Methode(BOUCLES, "").par(Methode.Genre.PROCESSUS, "--simple").enBoucles());
+            m.add(new Methode(BOUCLES, "").enBoucles());
         }
         if (povray) {
             m.add(povray("-A"));

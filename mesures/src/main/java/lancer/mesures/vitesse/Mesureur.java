@@ -79,7 +79,7 @@ final class Mesureur {
         long debut = System.nanoTime();
         for (Catalogue.Groupe groupe : groupes) {
             sortie.println(groupe.famille + ", " + groupe.scene + ", à " + (System.nanoTime() - debut) / 1_000_000_000 + " s");
-            groupe.methodes.removeIf(m -> povray == null && m.genre == Methode.Genre.POVRAY);
+            groupe.methodes.removeIf(m -> povray == null && m.povray);
             Path fichier = Scenes.fichier(groupe.scene, dossier);
             if (groupe.enProcessus()) {
                 enProcessus(groupe, fichier);
@@ -101,7 +101,7 @@ final class Mesureur {
 
     /** Les mêmes, de programmes entiers. */
     private int voulues(Methode methode, int spheres) {
-        boolean longue = methode.boucles ? spheres >= 1000 : methode.genre == Methode.Genre.POVRAY && spheres >= 100_000;
+        boolean longue = methode.boucles ? spheres >= 1000 : methode.povray && spheres >= 100_000;
         return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2 : longue ? 3 : spheres > 10_000 ? 5 : 9;
     }
 
@@ -116,11 +116,11 @@ final class Mesureur {
         for (int lancement = 1; lancement <= lancements; lancement++) {
             try (Machine reperes = new Machine(groupe, groupe.methodes.get(0), fichier)) {
                 for (Methode methode : groupe.methodes) {
-                    Map<String, Object> champs = lancement < lancements ? null : new HashMap<>();
-                    Manches.Temps pris = methode.genre == Methode.Genre.POVRAY ? parPovRay(groupe, methode, reperes, gabarit, champs)
+                    Map<String, Object> champs = new HashMap<>();
+                    Manches.Temps pris = methode.povray ? parPovRay(groupe, methode, reperes, gabarit, champs)
                             : parNous(groupe, methode, fichier, reperes, gabarit, champs);
                     temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
-                    if (champs != null) {
+                    if (lancement == lancements) {
                         champs.put("lancements", lancements);
                         noter(groupe, methode, scene.getObjets().size(), champs, temps.get(methode));
                     }
@@ -129,22 +129,19 @@ final class Mesureur {
         }
     }
 
-    /** @param champs où noter ce qui se compte et se vérifie une fois les temps pris ; {@code null} pour s'en passer */
+    /** @param champs où noter ce qui se compte et se vérifie, une fois les temps pris */
     private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Gabarit gabarit,
             Map<String, Object> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
             Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs + machine.dureeNs));
-            if (champs == null) {
-                return temps;
-            }
-            String[] comptes = machine.processus.demander("finir").split(" ", 8);
+            String[] comptes = machine.demander("finir").split(" ", 8);
             String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies", "choix"};
             for (int k = 0; k < noms.length; k++) {
                 champs.put(noms[k], comptes[k]);
             }
             if (gabarit != null) {
                 ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-                image.lire(machine.image);
+                image.lire(image());
                 juger(gabarit, image, champs);
             }
             return temps;
@@ -175,32 +172,29 @@ final class Mesureur {
         champs.put("erreur_max", Releve.reel(erreur.max));
     }
 
-    /** Un {@link Ouvrier}, échauffé, et l'image qu'il écrira. */
-    private final class Machine implements Manches.Echantillon, AutoCloseable {
+    /** Celle qu'écrit un {@link Ouvrier}. */
+    private Path image() {
+        return dossier.resolve("image.bin");
+    }
 
-        private final Processus processus;
-        private final Path image = dossier.resolve("image.bin");
+    /** Un {@link Ouvrier}, échauffé. */
+    private final class Machine extends Processus implements Manches.Echantillon {
+
         private final int fois;
 
         /** Ce que dure un échantillon, à peu près. */
         private final double dureeNs;
 
         Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
-            processus = new Processus(Ouvrier.class, "dessiner", court, groupe.famille, groupe.scene, methode.cle(), fichier,
-                    taille.largeur, taille.hauteur, image);
-            double dessinNs = nombres(processus.demander(agitee ? "1" : "echauffer"))[0];
+            super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur, image());
+            double dessinNs = nombres(demander(agitee ? "1" : "echauffer"))[0];
             fois = Math.max(1, (int) Math.ceil(echantillonNs / dessinNs));
             dureeNs = fois * dessinNs;
         }
 
         @Override
         public double[] prendre() throws IOException {
-            return nombres(processus.demander(String.valueOf(fois)));
-        }
-
-        @Override
-        public void close() {
-            processus.close();
+            return nombres(demander(String.valueOf(fois)));
         }
     }
 
@@ -217,7 +211,7 @@ final class Mesureur {
             Map<String, Object> champs = new HashMap<>();
             Programme programme = new Programme(fichier, methode.options);
             Manches.Echantillon echantillon = programme;
-            if (methode.genre == Methode.Genre.POVRAY) {
+            if (methode.povray) {
                 SceneJugee jugee = jugee(groupe, fichier);
                 echantillon = () -> {
                     jugee.dessiner(methode.options);
@@ -229,7 +223,8 @@ final class Mesureur {
             if (echantillon == programme) {
                 programme.statistiques.forEach((nom, valeur) -> champs.put(colonne(nom), valeur));
                 int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);
-                champs.put("pixels_verifies", pixels == 0 ? 0L : (long) refaire(fichier, pixels, programme.image)[0]);
+                Ouvrier.pixels(fichier, taille, pixels, programme.image);
+                champs.put("pixels_verifies", pixels);
             }
             noter(groupe, methode, spheres, champs, temps);
         }
@@ -277,20 +272,12 @@ final class Mesureur {
         return Math.max(64, Math.min(2000, 100_000_000 / spheres));
     }
 
-    /** Combien de pixels, et combien de sphères les boucles du cours y ont essayées. */
-    private double[] refaire(Path fichier, int pixels, Path png) throws IOException {
-        Object[] args = {"pixels", fichier, taille.largeur, taille.hauteur, pixels, png};
-        try (Processus processus = new Processus(Ouvrier.class, png == null ? Arrays.copyOf(args, args.length - 1) : args)) {
-            return nombres(processus.reponse());
-        }
-    }
-
     /** Ce que les boucles du cours essaieraient, compté sur quelques pixels : leur temps n'est pas mesuré. */
     private void extrapoler(Catalogue.Groupe groupe, Path fichier, int spheres) throws IOException {
-        double[] refaits = refaire(fichier, pixelsARefaire(spheres), null);
+        int pixels = pixelsARefaire(spheres);
         Map<String, Object> champs = new HashMap<>();
-        champs.put("tests", Math.round(refaits[1] / refaits[0] * taille.pixels()));
-        noter(groupe, new Methode(Catalogue.BOUCLES, "extrapolé de " + Math.round(refaits[0]) + " pixels"), spheres, champs,
+        champs.put("tests", Math.round((double) Ouvrier.pixels(fichier, taille, pixels, null) / pixels * taille.pixels()));
+        noter(groupe, new Methode(Catalogue.BOUCLES, "extrapolé de " + pixels + " pixels"), spheres, champs,
                 new Manches.Temps(new double[0], 0, 0, Double.NaN, Double.NaN));
     }
 

@@ -16,22 +16,19 @@ import lancer.temoins.LancerSurveille;
 /** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
 final class Methode {
 
-    /** Qui dessine : une machine virtuelle qui dure, le programme lancé chaque fois, ou POV-Ray. */
-    enum Genre { DESSIN, PROCESSUS, POVRAY }
-
     /** Ce que l'on fait, en un mot. */
     final String nom;
 
     /** Avec quoi ; vide s'il n'y a rien à choisir. */
     final String parametres;
 
-    Genre genre = Genre.DESSIN;
-
-    /** Celles du programme, ou de POV-Ray. */
+    /** Celles de la commande, du programme ou de POV-Ray. */
     String[] options = {};
 
     /** Vrai pour les boucles du cours. */
     boolean boucles;
+
+    boolean povray;
 
     private Echantillonnage echantillonnage = Echantillonnage.CENTRE;
     private int profondeur = Constantes.MAX_REFLETS;
@@ -64,6 +61,7 @@ final class Methode {
     /** Par les boucles du cours. */
     Methode enBoucles() {
         boucles = true;
+        options = new String[] {"--simple"};
         return this;
     }
 
@@ -73,8 +71,8 @@ final class Methode {
         return this;
     }
 
-    Methode par(Genre autre, String... siennes) {
-        genre = autre;
+    Methode parPovRay(String... siennes) {
+        povray = true;
         options = siennes;
         return this;
     }

@@ -48,21 +48,13 @@ final class Ouvrier {
     private Ouvrier() {
     }
 
-    /**
-     * @param args « dessiner », catalogue court ou non, famille, scène, méthode, fichier, largeur, hauteur, image ;
-     *     ou « pixels », fichier, largeur, hauteur, nombre et PNG : voir {@link #pixels}
-     */
+    /** @param args famille, scène, méthode, fichier, largeur, hauteur, image */
     public static void main(String[] args) throws IOException {
         PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
         try {
-            if (args[0].equals("pixels")) {
-                sortie.println(pixels(Paths.get(args[1]), new Taille(Integer.parseInt(args[2]), Integer.parseInt(args[3])),
-                        Integer.parseInt(args[4]), args.length > 5 ? Paths.get(args[5]) : null));
-                return;
-            }
-            Methode methode = new Catalogue(Boolean.parseBoolean(args[1])).groupe(args[2], args[3]).methode(args[4]);
-            dessiner(methode, Scenes.lire(Paths.get(args[5])), new Taille(Integer.parseInt(args[6]), Integer.parseInt(args[7])),
-                    Paths.get(args[8]), new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)), sortie);
+            Methode methode = new Catalogue(false).groupe(args[0], args[1]).methode(args[2]);
+            dessiner(methode, Scenes.lire(Paths.get(args[3])), new Taille(Integer.parseInt(args[4]), Integer.parseInt(args[5])),
+                    Paths.get(args[6]), new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)), sortie);
         } catch (RuntimeException | OutOfMemoryError e) {
             sortie.println("faute " + e);
         }
@@ -146,9 +138,9 @@ final class Ouvrier {
      * le programme.
      *
      * @param png l'image, {@code null} s'il n'y en a pas à comparer
-     * @return combien de pixels, et combien de sphères ils ont fait essayer
+     * @return combien de sphères ils ont fait essayer
      */
-    static String pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
+    static long pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
         Lancer lancer = LancerSurveille.preparer(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
         BufferedImage image = png == null ? null : ImageIO.read(png.toFile());
         for (int k : new Random(GRAINE).ints(nombre, 0, taille.pixels()).toArray()) {
@@ -159,6 +151,6 @@ final class Ouvrier {
                 throw new IllegalStateException("image fausse : " + png + ", pixel (" + i + ", " + j + ")");
             }
         }
-        return nombre + " " + lancer.getScene().getCompteurs().testsSpheres;
+        return lancer.getScene().getCompteurs().testsSpheres;
     }
 }

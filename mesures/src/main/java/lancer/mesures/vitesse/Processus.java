@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /** Une machine virtuelle à part, de ce même chemin des classes, à qui l'on parle ligne par ligne. */
-final class Processus implements Closeable {
+class Processus implements Closeable {
 
     private final Process processus;
     private final PrintStream entree;
@@ -31,10 +31,6 @@ final class Processus implements Closeable {
     /** @throws IllegalStateException si la machine s'est arrêtée, ou dit sa faute */
     String demander(String ligne) throws IOException {
         entree.println(ligne);
-        return reponse();
-    }
-
-    String reponse() throws IOException {
         String reponse = sortie.readLine();
         if (reponse == null || reponse.startsWith("faute ")) {
             throw new IllegalStateException(reponse == null ? "une machine virtuelle s'est arrêtée sans rien dire"
