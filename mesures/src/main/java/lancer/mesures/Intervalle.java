@@ -24,6 +24,11 @@ public final class Intervalle {
         this.max = max;
     }
 
+    /** Un nombre que l'on connaît. */
+    public static Intervalle exact(double valeur) {
+        return new Intervalle(valeur, valeur, valeur);
+    }
+
     /**
      * Ce que valent ces rapports : leur médiane, entre les deux d'entre eux où la loi binomiale la met, si bien qu'un accident n'y compte
      * que pour un, si grand soit-il. De moins de six, les rangs ne diraient rien : leur moyenne géométrique, par la loi de Student.

@@ -83,7 +83,8 @@ public final class Methodes {
                     "temps d'une intersection, en ns", "pire erreur de t, en unités de κ u t").repere(Cas.K, "8, la borne promise");
             for (Aspect methode : Aspect.values()) {
                 Exactitude r = une(regime, methode);
-                Marque m = Marque.en(r.x, Math.max(0.05, r.erreurEnUnites)).entreX(Math.max(r.x / 2, r.x - r.y), r.x + r.y);
+                Marque m = new Marque(new Intervalle(r.x, Math.max(r.x / 2, r.x - r.y), r.x + r.y),
+                        Intervalle.exact(Math.max(0.05, r.erreurEnUnites)));
                 m = r.faux > 0 ? m.nommee("faux : " + Style.arrondi(100 * r.part()) + " %") : m;
                 volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, false,
                         Collections.singletonList(Bilan.estClasse(r) ? m : m.creuse())));

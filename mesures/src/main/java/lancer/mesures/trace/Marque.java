@@ -1,14 +1,12 @@
 package lancer.mesures.trace;
 
-/** Un point mesuré, à préciser de proche en proche. */
+import lancer.mesures.Intervalle;
+
+/** Un point mesuré, à préciser de proche en proche. Une barre montre l'intervalle de chaque coordonnée. */
 public final class Marque {
 
-    final double x;
-    final double y;
-    double xMin;
-    double xMax;
-    double yMin;
-    double yMax;
+    final Intervalle x;
+    final Intervalle y;
 
     /** Ce qui est écrit à côté, vide si rien. */
     String etiquette = "";
@@ -19,27 +17,13 @@ public final class Marque {
     /** Vrai pour un réglage par défaut : il est cerclé. */
     boolean cerclee;
 
-    private Marque(double x, double y) {
+    public Marque(Intervalle x, Intervalle y) {
         this.x = x;
         this.y = y;
     }
 
     public static Marque en(double x, double y) {
-        return new Marque(x, y).entreX(x, x).entreY(y, y);
-    }
-
-    /** Avec une barre horizontale. */
-    public Marque entreX(double min, double max) {
-        xMin = min;
-        xMax = max;
-        return this;
-    }
-
-    /** Avec une barre verticale. */
-    public Marque entreY(double min, double max) {
-        yMin = min;
-        yMax = max;
-        return this;
+        return new Marque(Intervalle.exact(x), Intervalle.exact(y));
     }
 
     public Marque nommee(String texte) {

@@ -198,7 +198,7 @@ public final class Volet implements Contenu {
         for (int s = 0; s < partie.size(); s++) {
             XYIntervalSeries points = new XYIntervalSeries(partie.get(s).nom, false, true);
             for (Marque m : partie.get(s).marques) {
-                points.add(m.x, m.xMin, m.xMax, y(m.y, s), y(m.yMin, s), y(m.yMax, s));
+                points.add(m.x.valeur, m.x.min, m.x.max, y(m.y.valeur, s), y(m.y.min, s), y(m.y.max, s));
             }
             donnees.addSeries(points);
         }
@@ -251,7 +251,7 @@ public final class Volet implements Contenu {
         for (int s = 0; s < series.size(); s++) {
             double[] avant = null;
             for (Marque m : series.get(s).marques) {
-                double[] ici = {px(m.x, cadre), py(m.y, s, cadre)};
+                double[] ici = {px(m.x.valeur, cadre), py(m.y.valeur, s, cadre)};
                 noms.reserver(ici[0], ici[1], FormeDePoint.DEMI_COTE);
                 if (m.cerclee) {
                     g.translate(ici[0], ici[1]);
@@ -263,8 +263,8 @@ public final class Volet implements Contenu {
                 if (series.get(s).reliee && avant != null) {
                     noms.reserver(avant[0], avant[1], ici[0], ici[1]);
                 }
-                noms.reserver(px(m.xMin, cadre), ici[1], px(m.xMax, cadre), ici[1]);
-                noms.reserver(ici[0], py(m.yMin, s, cadre), ici[0], py(m.yMax, s, cadre));
+                noms.reserver(px(m.x.min, cadre), ici[1], px(m.x.max, cadre), ici[1]);
+                noms.reserver(ici[0], py(m.y.min, s, cadre), ici[0], py(m.y.max, s, cadre));
                 avant = ici;
             }
         }
@@ -279,7 +279,7 @@ public final class Volet implements Contenu {
             for (int s = 0; s < series.size(); s++) {
                 for (Marque m : series.get(s).marques) {
                     if (tour == (m.cerclee ? 0 : m.pleine ? 1 : 2) && !m.etiquette.isEmpty()) {
-                        noms.ecrire(m.etiquette, px(m.x, cadre), py(m.y, s, cadre), m.cerclee ? 8 : 0,
+                        noms.ecrire(m.etiquette, px(m.x.valeur, cadre), py(m.y.valeur, s, cadre), m.cerclee ? 8 : 0,
                                 m.cerclee ? Style.ETIQUETTE_DEFAUT : Style.ETIQUETTE, Style.ENCRE, true);
                     }
                 }

@@ -8,7 +8,7 @@ import lancer.mesures.trace.Style;
 /** Comment écrire dans une phrase, ou près d'un point, ce que le CSV nomme sèchement ; et comment dire un rapport. */
 final class Noms {
 
-    private static final Intervalle UN = new Intervalle(1, 1, 1);
+    private static final Intervalle UN = Intervalle.exact(1);
 
     /** Au-delà, une hausse se dit en « fois », non en pour cent. */
     private static final double EN_FOIS = 1.5;

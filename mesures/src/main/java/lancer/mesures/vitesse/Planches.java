@@ -77,16 +77,13 @@ final class Planches {
     }
 
     private static Marque marque(Releve r, double reference, boolean pleine) {
-        Intervalle temps = borne(r.rapport().fois(reference));
-        Intervalle erreur = r.erreur();
-        Marque m = Marque.en(temps.valeur, erreur.valeur).entreX(temps.min, temps.max)
-                .entreY(borne(erreur).min, borne(erreur).max);
+        Marque m = new Marque(borne(r.rapport().fois(reference)), borne(r.erreur()));
         return pleine ? m : m.creuse();
     }
 
     /** D'une seule manche, on ne montre que le temps ; une barre n'écrase pas la courbe. */
     private static Intervalle borne(Intervalle i) {
-        return Double.isInfinite(i.max) ? new Intervalle(i.valeur, i.valeur, i.valeur)
+        return Double.isInfinite(i.max) ? Intervalle.exact(i.valeur)
                 : new Intervalle(i.valeur, Math.max(i.min, i.valeur / BARRE), Math.min(i.max, i.valeur * BARRE));
     }
 
@@ -111,7 +108,7 @@ final class Planches {
         for (String[] nom : DEMANDES) {
             siens.get().stream().filter(r -> r.nom().equals(nom[0])).forEach(r -> {
                 Intervalle i = borne(r.rapport());
-                temps.add(Marque.en(i.valeur, noms.size()).entreX(i.min, i.max).nommee("× " + Style.nombre(i.valeur)));
+                temps.add(new Marque(i, Intervalle.exact(noms.size())).nommee("× " + Style.nombre(i.valeur)));
                 rayons.add(Marque.en(r.rayons() / base.rayons(), noms.size()));
                 noms.add(nom[1]);
             });
@@ -138,7 +135,7 @@ final class Planches {
             for (Releve r : constats.spheres((String) s[0], (String) s[1]).get()) {
                 Intervalle t = borne(r.rapport().fois(reference / 1000));
                 if (!Double.isNaN(t.valeur)) {
-                    marques.add(Marque.en(r.nombre("spheres"), t.valeur).entreY(t.min, t.max).nommee(Style.nombre(t.valeur)));
+                    marques.add(new Marque(Intervalle.exact(r.nombre("spheres")), t).nommee(Style.nombre(t.valeur)));
                 }
             }
             volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));

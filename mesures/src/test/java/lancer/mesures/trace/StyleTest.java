@@ -12,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import lancer.mesures.Intervalle;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.axis.AxisState;
 import org.jfree.chart.axis.NumberTick;
@@ -104,7 +105,8 @@ class StyleTest {
     @Test
     void toutesLesPlanchesOntLaMemeTailleEtDesMarquesDeToutesLesCouleursDeLaLegende() {
         Serie serie = new Serie("mesures", Style.VERMILLON, FormeDePoint.LOSANGE, true,
-                Arrays.asList(Marque.en(1, 10).nommee("un").entreX(0.8, 1.2), Marque.en(10, 1).creuse(), Marque.en(100, 0.4).cerclee()));
+                Arrays.asList(new Marque(new Intervalle(1, 0.8, 1.2), Intervalle.exact(10)).nommee("un"), Marque.en(10, 1).creuse(),
+                        Marque.en(100, 0.4).cerclee()));
         Volet volet = new Volet("Le constat", "le sujet", "x, en ms", "y, en pas").serie(serie)
                 .front(serie.marques).repere(5, "un repère").zone(0.5, "rien d'autre");
         BufferedImage planche = new Planche("Un titre", "une note").volet(volet).volet(volet).dessiner();
