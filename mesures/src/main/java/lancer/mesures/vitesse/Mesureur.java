@@ -186,7 +186,8 @@ final class Mesureur {
         private final double dureeNs;
 
         Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
-            super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur, image());
+            super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur,
+                    image());
             double dessinNs = nombres(demander(agitee ? "1" : "echauffer"))[0];
             fois = Math.max(1, (int) Math.ceil(echantillonNs / dessinNs));
             dureeNs = fois * dessinNs;
@@ -276,7 +277,8 @@ final class Mesureur {
     private void extrapoler(Catalogue.Groupe groupe, Path fichier, int spheres) throws IOException {
         int pixels = pixelsARefaire(spheres);
         Map<String, Object> champs = new HashMap<>();
-        champs.put("tests", Math.round((double) Ouvrier.pixels(fichier, taille, pixels, null) / pixels * taille.pixels()));
+        double examens = Ouvrier.pixels(fichier, taille, pixels, null);
+        champs.put("tests", Math.round(examens / pixels * taille.pixels()));
         noter(groupe, new Methode(Catalogue.BOUCLES, "extrapolé de " + pixels + " pixels"), spheres, champs,
                 new Manches.Temps(new double[0], 0, 0, Double.NaN, Double.NaN));
     }

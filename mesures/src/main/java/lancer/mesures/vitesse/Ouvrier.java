@@ -53,8 +53,9 @@ final class Ouvrier {
         PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
         try {
             Methode methode = new Catalogue(false).groupe(args[0], args[1]).methode(args[2]);
-            dessiner(methode, Scenes.lire(Paths.get(args[3])), new Taille(Integer.parseInt(args[4]), Integer.parseInt(args[5])),
-                    Paths.get(args[6]), new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)), sortie);
+            Taille taille = new Taille(Integer.parseInt(args[4]), Integer.parseInt(args[5]));
+            dessiner(methode, Scenes.lire(Paths.get(args[3])), taille, Paths.get(args[6]),
+                    new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)), sortie);
         } catch (RuntimeException | OutOfMemoryError e) {
             sortie.println("faute " + e);
         }
