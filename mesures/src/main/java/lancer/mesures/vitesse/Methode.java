@@ -88,13 +88,11 @@ final class Methode {
         /** Ce qui a été choisi, si c'était à choisir. */
         final String choix;
         final Lancer lancer;
-        private final Scene scene;
-        private final Echantillonnage choisi;
         private final int reflets;
 
         Dessin(Scene lue, int largeur, int hauteur) {
-            scene = changement.apply(lue);
-            Lancer prepare = LancerSurveille.preparer(scene.avec(echantillonnage, seuil), largeur, hauteur, boucles);
+            Scene scene = changement.apply(lue).avec(echantillonnage, seuil);
+            Lancer prepare = LancerSurveille.preparer(scene, largeur, hauteur, boucles);
             if (erreurVoulue > 0) {
                 Auto auto = Auto.choisir(prepare, Souhait.erreur(erreurVoulue), Runtime.getRuntime().availableProcessors(),
                         Collections.<Variante>singletonList(new Antialias()), enCours -> { });
@@ -106,7 +104,6 @@ final class Methode {
                 reflets = profondeur;
                 choix = "";
             }
-            choisi = lancer.getScene().getEchantillonnage();
         }
 
         /** Une fois, par le chemin du programme. */
@@ -116,8 +113,9 @@ final class Methode {
 
         /** Par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
-            Echantillonnage partiel = filtre.apply(choisi);
-            LancerSurveille.preparer(scene.avec(partiel, lancer.getScene().getSeuil()), lancer.getCamera().getLargeur(),
+            Scene scene = lancer.getScene();
+            Echantillonnage partiel = filtre.apply(scene.getEchantillonnage());
+            LancerSurveille.preparer(scene.avec(partiel, scene.getSeuil()), lancer.getCamera().getLargeur(),
                     lancer.getCamera().getHauteur(), true).parcourir(partiel, toile, reflets, fils);
         }
     }
