@@ -69,13 +69,8 @@ final class Besoin {
     int profondeurUtile() {
         Lancer lancer = preparer(scene.pourUnFil(), 0);
         int[] limite = codes(lancer, Gabarit.PROFONDEUR);
-        // de loin en loin d'abord : presque toujours, quelques réflexions suffisent
         int bas = 0;
-        int haut = 0;
-        while (!Arrays.equals(codes(lancer, haut), limite)) {
-            bas = haut + 1;
-            haut = Math.min(2 * bas, Gabarit.PROFONDEUR);
-        }
+        int haut = Gabarit.PROFONDEUR;
         while (bas < haut) {
             int milieu = (bas + haut) / 2;
             if (Arrays.equals(codes(lancer, milieu), limite)) {
