@@ -3,7 +3,8 @@ package lancer.mesures.vitesse;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.function.IntUnaryOperator;
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import lancer.Scene;
 import lancer.atelier.Scenes;
 import lancer.lecture.FichierScene;
@@ -37,32 +38,29 @@ final class FigureDifferences {
         Scene scene = Scenes.lire(FichierScene.trouver("scenes/" + SCENE + ".ini"));
         Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, 1);
         ImageLineaire juste = gabarit.moyenne(taille.largeur, taille.hauteur);
-        Vignettes vignettes = new Vignettes(3).image(image(k -> juste.getCouleur(k).getCode()), "la vérité", "128 rayons par pixel");
+        Vignettes vignettes = new Vignettes(3).image(image(juste), "la vérité", "128 rayons par pixel");
         for (String[] montree : MONTREES) {
             Methode methode = new Catalogue(true).groupe(Catalogue.METHODES, SCENE).methode(montree[0] + "/" + montree[1]);
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
             methode.new Dessin(scene, taille.largeur, taille.hauteur).faire(image, taille.fils);
-            vignettes.image(image(k -> ecart(image, juste, k)), methode.nom + " " + methode.parametres,
+            vignettes.image(image(ecart(image, juste)), methode.nom + " " + methode.parametres,
                     "erreur " + Style.nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur) + " pas");
         }
         new Planche("Scène du cours : ce qui manque à chaque image, amplifié " + AMPLIFICATION + " fois",
                 taille.largeur + " × " + taille.hauteur + ". make mesures").volet(vignettes).ecrire(dossier.resolve(PNG));
     }
 
-    private static int ecart(ImageLineaire a, ImageLineaire b, int k) {
-        int code = 0;
-        for (int c = 3 * k; c < 3 * k + 3; c++) {
-            double ecart = Math.abs(a.getComposantes()[c] - b.getComposantes()[c]);
-            code = code << 8 | (int) Math.round(255 * Math.min(1, AMPLIFICATION * ecart));
-        }
-        return code;
+    private ImageLineaire ecart(ImageLineaire a, ImageLineaire b) {
+        ImageLineaire ecart = new ImageLineaire(taille.largeur, taille.hauteur);
+        Arrays.setAll(ecart.getComposantes(),
+                c -> AMPLIFICATION * Math.abs(a.getComposantes()[c] - b.getComposantes()[c]));
+        return ecart;
     }
 
-    private BufferedImage image(IntUnaryOperator code) {
+    private BufferedImage image(ImageLineaire lineaire) {
         BufferedImage image = new BufferedImage(taille.largeur, taille.hauteur, BufferedImage.TYPE_INT_RGB);
-        for (int k = 0; k < taille.pixels(); k++) {
-            image.setRGB(k % taille.largeur, k / taille.largeur, code.applyAsInt(k));
-        }
+        int[] codes = IntStream.range(0, taille.pixels()).map(k -> lineaire.getCouleur(k).getCode()).toArray();
+        image.setRGB(0, 0, taille.largeur, taille.hauteur, codes, 0, taille.largeur);
         return image;
     }
 }
