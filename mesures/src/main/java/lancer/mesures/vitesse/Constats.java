@@ -2,6 +2,8 @@ package lancer.mesures.vitesse;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.DoubleSummaryStatistics;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -21,8 +23,8 @@ final class Constats {
     /** Ce que vaut, en moyenne quadratique, d'arrondir à l'écran : une erreur plus petite y disparaît. */
     static final double ARRONDI = 1 / Math.sqrt(12);
 
-    private final Releves releves;
-    private final List<Map<String, String>> besoins;
+    final Releves releves;
+    final List<Map<String, String>> besoins;
 
     Constats(Releves releves, List<Map<String, String>> besoins) {
         this.releves = releves;
@@ -75,21 +77,14 @@ final class Constats {
     /** Ce que bat, et de combien, ce qui bat de plus loin l'un des trois réglages que l'on prendrait d'abord. */
     String titre(String scene) {
         Releves siens = methodes(scene);
-        Releve battu = null;
-        Releve gagnant = null;
-        for (Releve r : siens.methode(Catalogue.GRILLE, Catalogue.COINS).get()) {
-            List<Releve> mieux = siens.quiBattent(r);
-            if (!mieux.isEmpty() && (battu == null || gain(mieux.get(0), r) > gain(gagnant, battu))) {
-                battu = r;
-                gagnant = mieux.get(0);
-            }
-        }
-        return Noms.scene(scene) + " : " + (battu == null ? "aucune différence que la mesure porte entre grilles, « coins » et les autres"
-                : Noms.methode(gagnant) + " bat " + Noms.methode(battu) + ", " + fois(gagnant, battu) + " moins de temps");
-    }
-
-    private static double gain(Releve gagnant, Releve battu) {
-        return battu.rapport().valeur / gagnant.rapport().valeur;
+        Map<Releve, Releve> vainqueurs = new LinkedHashMap<>();
+        siens.methode(Catalogue.GRILLE, Catalogue.COINS).get()
+                .forEach(r -> siens.vainqueur(r).ifPresent(v -> vainqueurs.put(r, v)));
+        return Noms.scene(scene) + " : " + vainqueurs.keySet().stream()
+                .max(Comparator.comparingDouble(r -> r.rapport().valeur / vainqueurs.get(r).rapport().valeur))
+                .map(r -> Noms.methode(vainqueurs.get(r)) + " bat " + Noms.methode(r) + ", "
+                        + fois(vainqueurs.get(r), r) + " moins de temps")
+                .orElse("aucune différence que la mesure porte entre grilles, « coins » et les autres");
     }
 
     /** Combien de fois plus vite, d'après le moins que portent les deux intervalles, et le plus. */
@@ -100,10 +95,9 @@ final class Constats {
 
     /** Ce que coûte un réglage, et ce qui le bat. */
     private String duel(String scene, Releve r) {
-        List<Releve> mieux = methodes(scene).quiBattent(r);
-        return description(r) + " ; " + (mieux.isEmpty() ? "rien de ce qui est mesuré ne le bat à coup sûr"
-                : "battu par " + Noms.methode(mieux.get(0)) + ", " + fois(mieux.get(0), r) + " moins de temps et "
-                + Style.nombre(mieux.get(0).erreur().valeur) + " pas d'erreur");
+        return description(r) + " ; " + methodes(scene).vainqueur(r).map(mieux -> "battu par " + Noms.methode(mieux)
+                + ", " + fois(mieux, r) + " moins de temps et " + Style.nombre(mieux.erreur().valeur) + " pas d'erreur")
+                .orElse("rien de ce qui est mesuré ne le bat à coup sûr");
     }
 
     private static String description(Releve r) {
@@ -193,10 +187,10 @@ final class Constats {
     }
 
     String titreDeLaParcimonie() {
-        Map<String, String> sobre = besoins.stream().max(Comparator.comparingDouble(Constats::economie)).get();
+        DoubleSummaryStatistics economies = besoins.stream().mapToDouble(Constats::economie).summaryStatistics();
         Map<String, String> prodigue = besoins.stream().max(Comparator.comparingDouble(Constats::exces)).get();
-        return "De " + Style.arrondi(100 * besoins.stream().mapToDouble(Constats::economie).min().orElse(0)) + " à "
-                + Style.arrondi(100 * economie(sobre)) + " % des rayons ne sont pas lancés ; il en reste jusqu'à "
+        return "De " + Style.arrondi(100 * economies.getMin()) + " à " + Style.arrondi(100 * economies.getMax())
+                + " % des rayons ne sont pas lancés ; il en reste jusqu'à "
                 + Style.arrondi(100 * exces(prodigue)) + " % (" + prodigue.get("scene") + ") qui ne changent rien à l'écran";
     }
 }

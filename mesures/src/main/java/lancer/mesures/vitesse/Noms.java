@@ -1,8 +1,8 @@
 package lancer.mesures.vitesse;
 
-import java.util.HashMap;
-import java.util.Map;
+import java.util.Arrays;
 import lancer.mesures.Intervalle;
+import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Style;
 
 /** Comment écrire dans une phrase, ou près d'un point, ce que le CSV nomme sèchement ; et comment dire un rapport. */
@@ -16,18 +16,21 @@ final class Noms {
     /** Au-delà, une borne ne dit rien. */
     private static final double INCONNU = 100;
 
-    private static final Map<String, String> DANS_UNE_PHRASE = new HashMap<>();
-
-    static {
-        DANS_UNE_PHRASE.put(Catalogue.GRILLE, "la grille %s");
-        DANS_UNE_PHRASE.put(Catalogue.UN_RAYON, "un rayon par pixel");
-        DANS_UNE_PHRASE.put(Catalogue.BROUILLON, "le brouillon");
-        DANS_UNE_PHRASE.put(Catalogue.PROFONDEUR, "un rayon à %s réflexions");
-        DANS_UNE_PHRASE.put(Catalogue.SEUIL, "un rayon jusqu'au seuil %s");
-        DANS_UNE_PHRASE.put(Catalogue.ENSEMBLE, "« partage » (4 ; 0,1) jusqu'au seuil %s");
-        DANS_UNE_PHRASE.put(Catalogue.AUTO, "le choix de --auto erreur=%s");
-        DANS_UNE_PHRASE.put(Catalogue.POVRAY, "POV-Ray (%s)");
-    }
+    /** De chaque méthode, son nom dans le CSV, dans la légende et dans une phrase, et l'apparence de ses points. */
+    static final Object[][] METHODES = {
+        {Catalogue.BROUILLON, "brouillon", "le brouillon", Style.GRIS, FormeDePoint.POINTE},
+        {Catalogue.UN_RAYON, "un rayon", "un rayon par pixel", Style.NOIR, FormeDePoint.ROND},
+        {Catalogue.PROFONDEUR, "un rayon, tant de réflexions", "un rayon à %s réflexions",
+            Style.VERMILLON, FormeDePoint.ROND},
+        {Catalogue.SEUIL, "un rayon, jusqu'à ce seuil", "un rayon jusqu'au seuil %s",
+            Style.POURPRE, FormeDePoint.CROIX},
+        {Catalogue.GRILLE, "grille complète", "la grille %s", Style.BLEU, FormeDePoint.CARRE},
+        {Catalogue.COINS, "« coins » (n ; seuil)", "« coins » (%s)", Style.ORANGE, FormeDePoint.TRIANGLE},
+        {Catalogue.PARTAGE, "« partage » (n ; seuil)", "« partage » (%s)", Style.VERT, FormeDePoint.LOSANGE},
+        {Catalogue.ENSEMBLE, "« partage » (4 ; 0,1), jusqu'à ce seuil", "« partage » (4 ; 0,1) jusqu'au seuil %s",
+            Style.VERMILLON, FormeDePoint.LOSANGE},
+        {Catalogue.AUTO, "--auto, pour cette erreur", "le choix de --auto erreur=%s", Style.NOIR, FormeDePoint.ETOILE},
+        {Catalogue.POVRAY, "POV-Ray et ses options", "POV-Ray (%s)", Style.CIEL, FormeDePoint.TRIANGLE}};
 
     private Noms() {
     }
@@ -39,7 +42,8 @@ final class Noms {
 
     /** Dans une phrase. */
     static String methode(Releve r) {
-        return String.format(DANS_UNE_PHRASE.getOrDefault(r.methode, "« " + r.methode + " » (%s)"), etiquette(r));
+        Object[] noms = Arrays.stream(METHODES).filter(m -> m[0].equals(r.methode)).findFirst().get();
+        return String.format((String) noms[2], etiquette(r));
     }
 
     /** Près d'un point. */

@@ -24,31 +24,18 @@ final class Planches {
     /** Ce que montre une barre, au plus : tant de fois plus, et moins. */
     private static final double BARRE = 3;
 
-    private final Releves releves;
     private final Constats constats;
     private final List<Map<String, String>> besoins;
     private final String note;
 
-    Planches(Releves releves, List<Map<String, String>> besoins) {
-        this.releves = releves;
-        this.besoins = besoins;
-        constats = new Constats(releves, besoins);
-        Releve r = releves.get().get(0);
+    Planches(Constats constats) {
+        this.constats = constats;
+        besoins = constats.besoins;
+        Releve r = constats.releves.get().get(0);
         note = r.texte("largeur") + " × " + r.texte("hauteur") + ", " + r.texte("fils") + " fils. " + r.circonstances() + ". make mesures";
     }
 
     // ---- la courbe principale d'une scène
-
-    private static final Object[][] SERIES = {{Catalogue.BROUILLON, "brouillon", Style.GRIS, FormeDePoint.POINTE},
-        {Catalogue.UN_RAYON, "un rayon", Style.NOIR, FormeDePoint.ROND},
-        {Catalogue.PROFONDEUR, "un rayon, tant de réflexions", Style.VERMILLON, FormeDePoint.ROND},
-        {Catalogue.SEUIL, "un rayon, jusqu'à ce seuil", Style.POURPRE, FormeDePoint.CROIX},
-        {Catalogue.GRILLE, "grille complète", Style.BLEU, FormeDePoint.CARRE},
-        {Catalogue.COINS, "« coins » (n ; seuil)", Style.ORANGE, FormeDePoint.TRIANGLE},
-        {Catalogue.PARTAGE, "« partage » (n ; seuil)", Style.VERT, FormeDePoint.LOSANGE},
-        {Catalogue.ENSEMBLE, "« partage » (4 ; 0,1), jusqu'à ce seuil", Style.VERMILLON, FormeDePoint.LOSANGE},
-        {Catalogue.AUTO, "--auto, pour cette erreur", Style.NOIR, FormeDePoint.ETOILE},
-        {Catalogue.POVRAY, "POV-Ray et ses options", Style.CIEL, FormeDePoint.TRIANGLE}};
 
     /** @param vignette vrai pour une image plus petite, de mêmes caractères, sans légende, dont les points n'ont pas tous leur nom */
     Planche scene(String scene, boolean vignette) {
@@ -58,14 +45,14 @@ final class Planches {
         Volet volet = new Volet("", "", "temps d'un dessin à chaud, en ms", "erreur, en pas d'écran")
                 .zone(Constats.ARRONDI, "sous l'arrondi de l'écran, en moyenne quadratique")
                 .front(front.stream().map(r -> marque(r, reference, true)).collect(Collectors.toList()));
-        for (Object[] s : SERIES) {
+        for (Object[] s : Noms.METHODES) {
             List<Marque> marques = new ArrayList<>();
             for (Releve r : siens.methode((String) s[0]).get()) {
                 Marque m = marque(r, reference, front.contains(r));
                 m = !vignette || front.contains(r) || estParDefaut(r) ? m.nommee(Noms.etiquette(r)) : m;
                 marques.add(estParDefaut(r) ? m.cerclee() : m);
             }
-            volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3],
+            volet.serie(new Serie((String) s[1], (Color) s[3], (FormeDePoint) s[4],
                     s[0].equals(Catalogue.PROFONDEUR) || s[0].equals(Catalogue.GRILLE), marques));
         }
         if (vignette) {
@@ -123,8 +110,7 @@ final class Planches {
     // ---- le nombre de sphères
 
     Planche spheres() {
-        Releves processus = releves.de(Catalogue.SPHERES);
-        double reference = processus.referenceMs();
+        double reference = constats.releves.de(Catalogue.SPHERES).referenceMs();
         Volet volet = new Volet("", "", "nombre de sphères", "de la commande au PNG écrit, en secondes");
         Object[][] series = {{Scenes.FOULE, Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
             {Scenes.FOULE, Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},

@@ -35,20 +35,19 @@ final class Rapport {
 
     private final Path dossier;
     private final PrintStream sortie;
-    private final Releves releves;
-    private final List<Map<String, String>> besoins;
+    private final Constats constats;
 
     /** @param dossier où sont les mesures, et où vont les courbes */
     Rapport(Path dossier, PrintStream sortie) throws IOException {
         this.dossier = dossier;
         this.sortie = sortie;
-        releves = Releves.lire(dossier.resolve(Vitesse.CSV));
-        besoins = FichierCsv.lire(dossier.resolve(Vitesse.BESOINS));
+        constats = new Constats(Releves.lire(dossier.resolve(Vitesse.CSV)),
+                FichierCsv.lire(dossier.resolve(Vitesse.BESOINS)));
     }
 
     /** Ce que montrent les pages, par leurs noms. */
     Map<String, String> valeurs() throws IOException {
-        Map<String, String> valeurs = new TreeMap<>(new Constats(releves, besoins).pages());
+        Map<String, String> valeurs = new TreeMap<>(constats.pages());
         valeurs.putAll(Stabilite.pages(dossier));
         if (Files.exists(dossier.resolve(AUTO))) {
             valeurs.putAll(promesses(FichierCsv.lire(dossier.resolve(AUTO))));
@@ -86,8 +85,8 @@ final class Rapport {
 
     /** @param pages vrai pour réécrire aussi les nombres des pages du projet */
     void ecrire(boolean pages) throws IOException {
-        Planches planches = new Planches(releves, besoins);
-        for (String scene : releves.de(Catalogue.METHODES).scenes()) {
+        Planches planches = new Planches(constats);
+        for (String scene : constats.releves.de(Catalogue.METHODES).scenes()) {
             ecrire(planches.scene(scene, false), scene);
             if (VIGNETTES.contains(scene)) {
                 ecrire(planches.scene(scene, true), scene + "-vignette");

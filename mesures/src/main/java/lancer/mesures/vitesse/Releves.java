@@ -94,9 +94,8 @@ final class Releves {
         return front;
     }
 
-    /** Ce qui bat celui-ci à coup sûr, le plus rapide d'abord. */
-    List<Releve> quiBattent(Releve r) {
-        return tous.stream().filter(a -> a.bat(r)).sorted(Comparator.comparingDouble(a -> a.rapport().valeur))
-                .collect(Collectors.toList());
+    /** Ce qui bat celui-ci à coup sûr, le plus rapide. */
+    Optional<Releve> vainqueur(Releve r) {
+        return tous.stream().filter(a -> a.bat(r)).min(Comparator.comparingDouble(a -> a.rapport().valeur));
     }
 }
