@@ -16,7 +16,6 @@ import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.axis.SymbolAxis;
 import org.jfree.chart.axis.ValueAxis;
-import org.jfree.chart.plot.DatasetRenderingOrder;
 import org.jfree.chart.plot.IntervalMarker;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
@@ -108,9 +107,7 @@ public final class Volet implements Contenu {
 
     @Override
     public LegendItemCollection legende() {
-        XYPlot plot = plot();
-        LegendItemCollection signes = plot.getRenderer(1).getLegendItems();
-        signes.addAll(plot.getRenderer(0).getLegendItems());
+        LegendItemCollection signes = plot().getLegendItems();
         if (series.stream().anyMatch(s -> s.marques.stream().anyMatch(m -> m.cerclee))) {
             signes.add(new LegendItem("défaut", null, null, null, FormeDePoint.ANNEAU, Style.TRAIT, Style.NOIR));
         }
@@ -141,16 +138,16 @@ public final class Volet implements Contenu {
     private XYPlot plot() {
         XYIntervalSeriesCollection montrees = donnees(series);
         axes(montrees);
-        XYPlot plot = new XYPlot(donnees(fonds), axeX, axeY, new Points(fonds));
-        plot.setDataset(1, montrees);
-        plot.setRenderer(1, new Points(series));
+        // du dernier au premier : les fonds sont derrière
+        XYPlot plot = new XYPlot(montrees, axeX, axeY, new Points(series));
+        plot.setDataset(1, donnees(fonds));
+        plot.setRenderer(1, new Points(fonds));
         plot.setBackgroundPaint(null);
         plot.setOutlinePaint(Style.GRIS);
         plot.setDomainGridlinePaint(Style.GRILLE);
         plot.setRangeGridlinePaint(Style.GRILLE);
         plot.setDomainGridlineStroke(Style.TRAIT_FIN);
         plot.setRangeGridlineStroke(Style.TRAIT_FIN);
-        plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         if (zone > 0) {
             plot.addRangeMarker(new IntervalMarker(axeY.getLowerBound(), zone, Style.BANDE), Layer.BACKGROUND);
         }

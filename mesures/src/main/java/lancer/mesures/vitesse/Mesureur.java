@@ -37,6 +37,10 @@ final class Mesureur {
     /** Plus de manches n'apprendraient rien que la machine suivante ne démente. */
     private static final int MANCHES_MAX = 21;
 
+    /** L'échauffement : tant de dessins, ou moins s'ils durent plus que cela. */
+    private static final int ECHAUFFEMENT = 10;
+    private static final long ECHAUFFEMENT_NS = TimeUnit.MILLISECONDS.toNanos(1500);
+
     /** Ce que dure un échantillon, au moins : un dessin plus court y est répété. */
     private final double echantillonNs;
 
@@ -188,19 +192,24 @@ final class Mesureur {
         Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
             super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur,
                     image());
-            double dessinNs = nombres(demander(agitee ? "1" : "echauffer"))[0];
+            long debut = System.nanoTime();
+            double dessinNs = chronometrer(1)[0];
+            for (int k = 1; k < (agitee ? 1 : ECHAUFFEMENT) && System.nanoTime() - debut < ECHAUFFEMENT_NS; k++) {
+                dessinNs = chronometrer(1)[0];
+            }
             fois = Math.max(1, (int) Math.ceil(echantillonNs / dessinNs));
             dureeNs = fois * dessinNs;
         }
 
         @Override
         public double[] prendre() throws IOException {
-            return nombres(demander(String.valueOf(fois)));
+            return chronometrer(fois);
         }
-    }
 
-    private static double[] nombres(String mots) {
-        return Arrays.stream(mots.split(" ")).mapToDouble(Double::parseDouble).toArray();
+        private double[] chronometrer(int combien) throws IOException {
+            String[] temps = demander(String.valueOf(combien)).split(" ");
+            return Arrays.stream(temps).mapToDouble(Double::parseDouble).toArray();
+        }
     }
 
     // ---- le programme entier, lancé chaque fois

@@ -11,31 +11,25 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
-import java.util.HashSet;
+import java.util.List;
 import java.util.Random;
-import java.util.Set;
-import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
-import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.mesures.ImageLineaire;
 import lancer.temoins.LancerSurveille;
 
 /**
- * Une machine virtuelle qui ne dessine que d'une façon, et le fait quand on le lui demande, sur son entrée : « echauffer », puis un
- * nombre de dessins à chronométrer, autant de fois qu'on veut, et « finir ». L'image n'est vérifiée qu'à la fin : jusque-là, rien n'y
- * est compilé que pour elle.
+ * Une machine virtuelle qui ne dessine que d'une façon, et le fait quand on le lui demande, sur son entrée : un nombre
+ * de dessins à chronométrer, autant de fois qu'on veut, et « finir ». L'image n'est vérifiée qu'à la fin : jusque-là,
+ * rien n'y est compilé que pour elle.
  */
 final class Ouvrier {
-
-    /** L'échauffement : tant de dessins, ou moins s'ils durent plus que cela. */
-    static final int ECHAUFFEMENT = 10;
-    static final long ECHAUFFEMENT_NS = TimeUnit.MILLISECONDS.toNanos(1500);
 
     /** Ce que l'on refait par les boucles du cours, en sphères essayées, à peu près. */
     private static final double BUDGET = 1e8;
@@ -74,28 +68,21 @@ final class Ouvrier {
                         + c.pixelsRaffines + " " + verifies + " " + dessin.choix);
                 return;
             }
-            boolean echauffement = demande.equals("echauffer");
-            double[] temps = repeter(dessin, image, taille, echauffement ? ECHAUFFEMENT : Integer.parseInt(demande),
-                    echauffement ? ECHAUFFEMENT_NS : Long.MAX_VALUE);
+            double[] temps = repeter(dessin, image, taille, Integer.parseInt(demande));
             sortie.println(temps[0] + " " + temps[1]);
         }
     }
 
-    /** Le temps réel et celui des processeurs, par dessin ; le dernier seul s'il s'agit d'échauffer. */
-    private static double[] repeter(Methode.Dessin dessin, ImageLineaire image, Taille taille, int fois, long limiteNs) {
+    /** Le temps réel et celui des processeurs, par dessin. */
+    private static double[] repeter(Methode.Dessin dessin, ImageLineaire image, Taille taille, int fois) {
         OperatingSystemMXBean systeme = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
         long processeur = systeme.getProcessCpuTime();
         long debut = System.nanoTime();
-        long dernier = debut;
-        int faits = 0;
-        while (faits < fois && System.nanoTime() - debut < limiteNs) {
-            dernier = System.nanoTime();
+        for (int k = 0; k < fois; k++) {
             dessin.faire(image, taille.fils);
-            faits++;
         }
-        long fin = System.nanoTime();
-        return limiteNs < Long.MAX_VALUE ? new double[] {fin - dernier, Double.NaN}
-                : new double[] {(double) (fin - debut) / fois, (double) (systeme.getProcessCpuTime() - processeur) / fois};
+        double duree = System.nanoTime() - debut;
+        return new double[] {duree / fois, (double) (systeme.getProcessCpuTime() - processeur) / fois};
     }
 
     /**
@@ -107,12 +94,13 @@ final class Ouvrier {
     static int verifier(Methode.Dessin dessin, Scene scene, ImageLineaire image, Taille taille) {
         double cout = (double) dessin.lancer.getCompteurs().rayons() * (scene.getObjets().size() + SOCLE);
         int nombre = Pave.nombre(taille.largeur, taille.hauteur);
-        Set<Long> choisis = new HashSet<>();
-        new Random(GRAINE).ints(0, nombre).distinct().limit(Math.max(1, (int) (nombre * Math.min(1, BUDGET / cout))))
-                .mapToObj(k -> Pave.deRang(k, taille.largeur, taille.hauteur)).forEach(p -> choisis.add(coin(p)));
+        int combien = Math.max(1, (int) (nombre * Math.min(1, BUDGET / cout)));
+        List<Pave> choisis = new Random(GRAINE).ints(0, nombre).distinct().limit(combien)
+                .mapToObj(k -> Pave.deRang(k, taille.largeur, taille.hauteur)).collect(Collectors.toList());
         ImageLineaire juste = new ImageLineaire(taille.largeur, taille.hauteur);
         Arrays.fill(juste.getComposantes(), Double.NaN);
-        dessin.refaire(entier -> filtrer(entier, choisis), juste, taille.fils);
+        dessin.refaire(entier -> (pave, vue, toile) -> choisis.stream().anyMatch(p -> p.contient(pave))
+                ? entier.tracer(pave, vue, toile) : 0, juste, taille.fils);
         int refaits = 0;
         for (int k = 0; k < taille.pixels(); k++) {
             if (!Double.isNaN(juste.getComposantes()[3 * k])) {
@@ -124,14 +112,6 @@ final class Ouvrier {
             }
         }
         return refaits;
-    }
-
-    private static Echantillonnage filtrer(Echantillonnage entier, Set<Long> choisis) {
-        return (pave, vue, toile) -> choisis.contains(coin(pave)) ? entier.tracer(pave, vue, toile) : 0;
-    }
-
-    private static Long coin(Pave pave) {
-        return (long) pave.j0 << Integer.SIZE | pave.i0;
     }
 
     /**

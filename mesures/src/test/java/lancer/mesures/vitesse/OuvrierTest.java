@@ -40,7 +40,7 @@ class OuvrierTest {
         ByteArrayOutputStream sortie = new ByteArrayOutputStream();
         Path image = dossier.resolve("image.bin");
         Ouvrier.dessiner(methode("partage/n=4 seuil=0.1"), scene(), TAILLE, image,
-                new BufferedReader(new StringReader("echauffer\n3\n2\nfinir\n5\n")), new PrintStream(sortie));
+                new BufferedReader(new StringReader("1\n3\n2\nfinir\n5\n")), new PrintStream(sortie));
         String[] lignes = sortie.toString("UTF-8").split("\n");
         assertEquals(4, lignes.length);
         assertTrue(Double.parseDouble(lignes[1].split(" ")[0]) > 0);
