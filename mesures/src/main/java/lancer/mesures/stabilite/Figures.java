@@ -104,7 +104,7 @@ final class Figures {
                 + Style.nombre(naifs.get(0).faux) + " pixels faux ; le programme : " + nombre("defauts.programme"),
                 "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-pas de "
                 + "l'écran d'écart à ce que donne la géométrie. Images de " + Style.nombre(naifs.get(0).essais) + " pixels. make mesures")
-                .taille(Style.LARGEUR, 1480).volet(vignettes);
+                .taille(Style.LARGEUR, 1480).vignettes(vignettes);
     }
 
     /** L'image juste, celle du défaut, et où celle-ci est fausse ; de rares pixels sont grossis. */

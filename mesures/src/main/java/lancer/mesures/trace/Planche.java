@@ -24,14 +24,15 @@ import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.VerticalAlignment;
 
 /**
- * Une image de courbes : un titre qui dit ce qu'on y voit, des volets côte à côte, une légende, et d'où viennent les mesures.
- * Ne demande pas d'écran.
+ * Une image de courbes : un titre qui dit ce qu'on y voit, des volets côte à côte ou des vignettes, une légende, et
+ * d'où viennent les mesures. Ne demande pas d'écran.
  */
 public final class Planche {
 
     private final String titre;
     private final String note;
-    private final List<Contenu> contenus = new ArrayList<>();
+    private final List<Volet> volets = new ArrayList<>();
+    private Vignettes vignettes;
     private boolean legende = true;
     private int colonnes = Integer.MAX_VALUE;
     private int largeur = Style.LARGEUR;
@@ -65,8 +66,13 @@ public final class Planche {
         return this;
     }
 
-    public Planche volet(Contenu contenu) {
-        contenus.add(contenu);
+    public Planche volet(Volet volet) {
+        volets.add(volet);
+        return this;
+    }
+
+    public Planche vignettes(Vignettes images) {
+        vignettes = images;
         return this;
     }
 
@@ -93,28 +99,31 @@ public final class Planche {
         bas -= Style.texte(g, note, Style.NOTE, Style.GRIS, Style.MARGE, bas, utile, false);
         Style.texte(g, note, Style.NOTE, Style.GRIS, Style.MARGE, bas, utile, true);
         bas -= legender(g, bas, utile) + 10;
-        int parRangee = Math.min(colonnes, contenus.size());
-        double h = (bas - haut) / ((contenus.size() - 1) / parRangee + 1);
-        for (int k = 0; k < contenus.size(); k += parRangee) {
-            rangee(g, contenus.subList(k, Math.min(contenus.size(), k + parRangee)), haut + k / parRangee * h, h - 10);
+        if (vignettes != null) {
+            vignettes.dessiner(g, new Rectangle2D.Double(Style.MARGE, haut, utile, bas - haut - 10));
+        }
+        int parRangee = Math.min(colonnes, volets.size());
+        for (int k = 0; k < volets.size(); k += parRangee) {
+            double h = (bas - haut) / ((volets.size() - 1) / parRangee + 1);
+            rangee(g, volets.subList(k, Math.min(volets.size(), k + parRangee)), haut + k / parRangee * h, h - 10);
         }
         g.dispose();
         return image;
     }
 
     /** Des volets côte à côte, tous sous la même hauteur de texte. */
-    private void rangee(Graphics2D g, List<Contenu> volets, double haut, double h) {
-        double l = (largeur - 2.0 * Style.MARGE) / volets.size();
-        double enTete = volets.stream().mapToDouble(c -> c.enTete(g, l)).max().orElse(0);
-        for (int k = 0; k < volets.size(); k++) {
-            volets.get(k).dessiner(g, new Rectangle2D.Double(Style.MARGE + k * l, haut, l, h), enTete);
+    private void rangee(Graphics2D g, List<Volet> siens, double haut, double h) {
+        double l = (largeur - 2.0 * Style.MARGE) / siens.size();
+        double enTete = siens.stream().mapToDouble(v -> v.enTete(g, l)).max().orElse(0);
+        for (int k = 0; k < siens.size(); k++) {
+            siens.get(k).dessiner(g, new Rectangle2D.Double(Style.MARGE + k * l, haut, l, h), enTete);
         }
     }
 
     /** La légende de tous les volets, chaque nom une fois, au-dessus de {@code bas}. @return sa hauteur */
     private double legender(Graphics2D g, double bas, double utile) {
         LegendItemCollection tous = new LegendItemCollection();
-        contenus.stream().filter(c -> legende).forEach(c -> tous.addAll(c.legende()));
+        volets.stream().filter(v -> legende).forEach(v -> tous.addAll(v.legende()));
         LegendItemCollection items = new LegendItemCollection();
         Set<String> noms = new HashSet<>();
         IntStream.range(0, tous.getItemCount()).mapToObj(tous::get).filter(s -> noms.add(s.getLabel())).forEach(items::add);

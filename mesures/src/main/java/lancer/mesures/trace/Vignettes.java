@@ -7,8 +7,8 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Des images et leurs noms, en rangées : une partie d'une {@link Planche}. */
-public final class Vignettes implements Contenu {
+/** Des images et leurs noms, en rangées : ce que montre une {@link Planche}. */
+public final class Vignettes {
 
     private final int colonnes;
     private final List<BufferedImage> images = new ArrayList<>();
@@ -28,8 +28,8 @@ public final class Vignettes implements Contenu {
         return this;
     }
 
-    @Override
-    public void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
+    /** Dessine tout entier dans ce rectangle. */
+    void dessiner(Graphics2D g, Rectangle2D place) {
         double largeur = place.getWidth() / colonnes;
         double hauteur = place.getHeight() / ((images.size() + colonnes - 1) / colonnes);
         double ligne = g.getFontMetrics(Style.TEXTE).getHeight();

@@ -32,7 +32,7 @@ import org.jfree.data.xy.XYIntervalSeriesCollection;
  * Des séries entre deux axes logarithmiques, ou des rangées nommées et un seul : une partie d'une {@link Planche}. Les noms des points
  * sont écrits près d'eux, là où il y a de la place.
  */
-public final class Volet implements Contenu {
+public final class Volet {
 
     private static final double RETRAIT = 8;
 
@@ -105,8 +105,8 @@ public final class Volet implements Contenu {
         return repere(haut, nom);
     }
 
-    @Override
-    public LegendItemCollection legende() {
+    /** Ce qui se nomme dans la légende, une fois pour toute la planche. */
+    LegendItemCollection legende() {
         LegendItemCollection signes = plot().getLegendItems();
         if (series.stream().anyMatch(s -> s.marques.stream().anyMatch(m -> m.cerclee))) {
             signes.add(new LegendItem("défaut", null, null, null, FormeDePoint.ANNEAU, Style.TRAIT, Style.NOIR));
@@ -114,8 +114,8 @@ public final class Volet implements Contenu {
         return signes;
     }
 
-    @Override
-    public double enTete(Graphics2D g, double largeur) {
+    /** La hauteur de ce qui s'écrit au-dessus, dans cette largeur. */
+    double enTete(Graphics2D g, double largeur) {
         return ecrire(g, 0, 0, largeur, false) + 14;
     }
 
@@ -124,8 +124,12 @@ public final class Volet implements Contenu {
         return haut + Style.texte(g, sujet, Style.TEXTE, Style.GRIS, x, y + haut, largeur - 2 * RETRAIT, vraiment);
     }
 
-    @Override
-    public void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
+    /**
+     * Dessine tout entier dans ce rectangle.
+     *
+     * @param enTete hauteur à laisser au-dessus, la même pour tous les volets d'une rangée
+     */
+    void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
         ecrire(g, place.getX() + RETRAIT, place.getY(), place.getWidth(), true);
         JFreeChart courbe = new JFreeChart(null, null, plot(), false);
         courbe.setBackgroundPaint(null);

@@ -47,7 +47,8 @@ final class FigureDifferences {
                     "erreur " + Style.nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur) + " pas");
         }
         new Planche("Scène du cours : ce qui manque à chaque image, amplifié " + AMPLIFICATION + " fois",
-                taille.largeur + " × " + taille.hauteur + ". make mesures").volet(vignettes).ecrire(dossier.resolve(PNG));
+                taille.largeur + " × " + taille.hauteur + ". make mesures")
+                .vignettes(vignettes).ecrire(dossier.resolve(PNG));
     }
 
     private ImageLineaire ecart(ImageLineaire a, ImageLineaire b) {
