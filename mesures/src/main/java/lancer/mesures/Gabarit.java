@@ -1,5 +1,6 @@
 package lancer.mesures;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import lancer.Couleur;
@@ -95,9 +96,7 @@ public final class Gabarit {
     /** La vérité, connue de 128 rayons par pixel : pour la montrer. */
     public ImageLineaire moyenne(int largeur, int hauteur) {
         ImageLineaire moyenne = new ImageLineaire(largeur, hauteur);
-        for (int k = 0; k < a.length; k++) {
-            moyenne.getComposantes()[k] = (a[k] + b[k]) / 2;
-        }
+        Arrays.setAll(moyenne.getComposantes(), k -> (a[k] + b[k]) / 2);
         return moyenne;
     }
 
