@@ -70,12 +70,6 @@ final class Catalogue {
             this.lancements = lancements;
         }
 
-        /** @throws IllegalArgumentException s'il n'y en a pas de ce nom */
-        Methode methode(String cle) {
-            return methodes.stream().filter(m -> m.cle().equals(cle)).findFirst()
-                    .orElseThrow(() -> new IllegalArgumentException("pas de méthode " + cle));
-        }
-
         /** Vrai si on y lance le programme entier, chaque fois. */
         boolean enProcessus() {
             return famille.equals(SPHERES);
@@ -98,10 +92,11 @@ final class Catalogue {
         return groupes;
     }
 
-    /** @throws IllegalArgumentException s'il n'y en a pas de tel */
-    Groupe groupe(String famille, String scene) {
-        return groupes().stream().filter(g -> g.famille.equals(famille) && g.scene.equals(scene)).findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("rien à mesurer : " + famille + " " + scene));
+    /** @throws IllegalArgumentException si le catalogue n'a rien de tel */
+    static Methode methode(String famille, String scene, String cle) {
+        return new Catalogue(false).groupes().stream().filter(g -> g.famille.equals(famille) && g.scene.equals(scene))
+                .flatMap(g -> g.methodes.stream()).filter(m -> m.cle().equals(cle)).findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("pas de " + cle + " : " + famille + " " + scene));
     }
 
     /**

@@ -40,7 +40,7 @@ final class FigureDifferences {
         ImageLineaire juste = gabarit.moyenne(taille.largeur, taille.hauteur);
         Vignettes vignettes = new Vignettes(3).image(image(juste), "la vérité", "128 rayons par pixel");
         for (String[] montree : MONTREES) {
-            Methode methode = new Catalogue(true).groupe(Catalogue.METHODES, SCENE).methode(montree[0] + "/" + montree[1]);
+            Methode methode = Catalogue.methode(Catalogue.METHODES, SCENE, montree[0] + "/" + montree[1]);
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
             methode.new Dessin(scene, taille.largeur, taille.hauteur).faire(image, taille.fils);
             vignettes.image(image(ecart(image, juste)), methode.nom + " " + methode.parametres,

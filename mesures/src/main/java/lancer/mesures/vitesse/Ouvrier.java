@@ -46,7 +46,7 @@ final class Ouvrier {
     public static void main(String[] args) throws IOException {
         PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
         try {
-            Methode methode = new Catalogue(false).groupe(args[0], args[1]).methode(args[2]);
+            Methode methode = Catalogue.methode(args[0], args[1], args[2]);
             Taille taille = new Taille(Integer.parseInt(args[4]), Integer.parseInt(args[5]));
             dessiner(methode, Scenes.lire(Paths.get(args[3])), taille, Paths.get(args[6]),
                     new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)), sortie);

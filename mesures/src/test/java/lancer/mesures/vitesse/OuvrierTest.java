@@ -32,7 +32,7 @@ class OuvrierTest {
     }
 
     private Methode methode(String cle) {
-        return new Catalogue(false).groupe(Catalogue.METHODES, "miroirs").methode(cle);
+        return Catalogue.methode(Catalogue.METHODES, "miroirs", cle);
     }
 
     @Test

@@ -63,7 +63,7 @@ class ResultatsTest {
         List<Releve> tous = Releves.lire(RESULTATS.resolve(Vitesse.CSV)).get().stream()
                 .filter(r -> !r.famille.equals(Catalogue.SPHERES) && !r.methode.equals(Catalogue.POVRAY)).collect(Collectors.toList());
         for (Releve r : auSort(tous, LIGNES)) {
-            Methode methode = new Catalogue(false).groupe(r.famille, r.scene).methode(r.methode + "/" + r.parametres);
+            Methode methode = Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres);
             Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
             Methode.Dessin dessin = methode.new Dessin(Scenes.lire(FichierScene.trouver("scenes/" + r.scene + ".ini")),
                     taille.largeur, taille.hauteur);

@@ -51,8 +51,8 @@ class VitesseTest {
 
     @Test
     void chaqueMethodeEstMesureeVerifieeJugeeEtNotee() throws IOException {
-        Catalogue.Groupe tout = new Catalogue(true).groupe(Catalogue.METHODES, "scene1");
-        List<Methode> deux = Arrays.asList(tout.methodes.get(0), tout.methode("grille/2 × 2"));
+        List<Methode> deux = Arrays.asList(Catalogue.methode(Catalogue.METHODES, "scene1", "un rayon/"),
+                Catalogue.methode(Catalogue.METHODES, "scene1", "grille/2 × 2"));
         Path csv = dossier.resolve("vitesse.csv");
         new Mesureur(true, true, csv, new PrintStream(sortie)).mesurer(
                 Collections.singletonList(new Catalogue.Groupe(Catalogue.METHODES, "scene1", deux, 1)));
