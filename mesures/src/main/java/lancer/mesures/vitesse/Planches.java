@@ -177,11 +177,9 @@ final class Planches {
     }
 
     private Serie rayons(String colonne, String nom, Color couleur, FormeDePoint forme) {
-        List<Marque> marques = new ArrayList<>();
-        for (Map<String, String> b : besoins) {
-            marques.add(Marque.en(Constats.nombre(b, colonne) / Constats.nombre(b, "largeur") / Constats.nombre(b, "hauteur"),
-                    marques.size()));
-        }
-        return new Serie(nom, couleur, forme, false, marques);
+        return new Serie(nom, couleur, forme, false, besoins.stream()
+                .map(b -> Marque.en(Constats.nombre(b, colonne) / Constats.nombre(b, "largeur") / Constats.nombre(b, "hauteur"),
+                        besoins.indexOf(b)))
+                .collect(Collectors.toList()));
     }
 }
