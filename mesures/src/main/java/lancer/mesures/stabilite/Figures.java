@@ -95,7 +95,7 @@ final class Figures {
     Planche defauts() {
         List<Defauts.Defaut> images = new Defauts(Antialias.coins(3, 0)).tous();
         List<Exactitude> naifs = bilan.defauts();
-        Vignettes vignettes = new Vignettes(3);
+        Vignettes vignettes = new Vignettes();
         for (Exactitude r : naifs) {
             Defauts.Defaut defaut = images.stream().filter(d -> d.cle.equals(r.formule)).findFirst().get();
             vignettes.image(image(defaut), defaut.nom, Style.nombre(r.faux) + (r.faux > 1 ? " pixels faux" : " pixel faux"));

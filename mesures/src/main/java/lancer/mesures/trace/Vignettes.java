@@ -10,15 +10,11 @@ import java.util.List;
 /** Des images et leurs noms, en rangées : ce que montre une {@link Planche}. */
 public final class Vignettes {
 
-    private final int colonnes;
+    private static final int COLONNES = 3;
+
     private final List<BufferedImage> images = new ArrayList<>();
     private final List<String> noms = new ArrayList<>();
     private final List<String> details = new ArrayList<>();
-
-    /** @param colonnes images par rangée */
-    public Vignettes(int colonnes) {
-        this.colonnes = colonnes;
-    }
 
     /** Une image de plus, son nom et ce qu'il y a à en dire, une ligne chacun. */
     public Vignettes image(BufferedImage image, String nom, String detail) {
@@ -30,8 +26,8 @@ public final class Vignettes {
 
     /** Dessine tout entier dans ce rectangle. */
     void dessiner(Graphics2D g, Rectangle2D place) {
-        double largeur = place.getWidth() / colonnes;
-        double hauteur = place.getHeight() / ((images.size() + colonnes - 1) / colonnes);
+        double largeur = place.getWidth() / COLONNES;
+        double hauteur = place.getHeight() / ((images.size() + COLONNES - 1) / COLONNES);
         double ligne = g.getFontMetrics(Style.TEXTE).getHeight();
         g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
         for (int k = 0; k < images.size(); k++) {
@@ -39,8 +35,8 @@ public final class Vignettes {
             double echelle = Math.min((largeur - 12) / image.getWidth(), (hauteur - 2 * ligne - 18) / image.getHeight());
             int l = (int) (echelle * image.getWidth());
             int h = (int) (echelle * image.getHeight());
-            int x = (int) (place.getX() + k % colonnes * largeur + (largeur - l) / 2);
-            double y = place.getY() + k / colonnes * hauteur;
+            int x = (int) (place.getX() + k % COLONNES * largeur + (largeur - l) / 2);
+            double y = place.getY() + k / COLONNES * hauteur;
             Style.texte(g, noms.get(k), Style.TEXTE, Style.ENCRE, x, y, largeur, true);
             Style.texte(g, details.get(k), Style.TEXTE, Style.GRIS, x, y + ligne, largeur, true);
             g.drawImage(image, x, (int) (y + 2 * ligne + 4), l, h, null);

@@ -6,7 +6,6 @@ import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
@@ -52,7 +51,8 @@ final class Constats {
             valeurs.put(scene + ".povray", povray(scene));
             valeurs.put(scene + ".paliers", paliers(scene));
             valeurs.put(scene + ".p=1000", description(methodes(scene).le(Catalogue.PROFONDEUR, "p=1000")));
-            methodes(scene).peutEtre(Catalogue.GRILLE, "8 × 8").ifPresent(r -> valeurs.put(scene + ".8x8", duel(scene, r)));
+            methodes(scene).methode(Catalogue.GRILLE).tels(r -> r.parametres.equals("8 × 8")).get()
+                    .forEach(r -> valeurs.put(scene + ".8x8", duel(scene, r)));
             valeurs.put(scene + ".unrayon", Style.nombre(methodes(scene).le(Catalogue.UN_RAYON, "").erreur().valeur));
         }
         valeurs.put("demandes.titre", "Le temps d'une lampe de plus : "
@@ -108,9 +108,9 @@ final class Constats {
 
     /** Le plus juste de POV-Ray, et ce qui le bat chez nous. */
     private String povray(String scene) {
-        Optional<Releve> juste = methodes(scene).methode(Catalogue.POVRAY).get().stream()
-                .min(Comparator.comparingDouble(r -> r.erreur().valeur));
-        return juste.map(r -> Noms.methode(r) + " : " + duel(scene, r)).orElse("POV-Ray n'était pas installé");
+        return methodes(scene).methode(Catalogue.POVRAY).get().stream()
+                .min(Comparator.comparingDouble(r -> r.erreur().valeur))
+                .map(r -> Noms.methode(r) + " : " + duel(scene, r)).orElse("POV-Ray n'était pas installé");
     }
 
     /** Une ligne de tableau : pour chaque erreur à ne pas dépasser, le réglage le plus rapide qui la tient à coup sûr. */

@@ -38,7 +38,7 @@ final class FigureDifferences {
         Scene scene = Scenes.lire(FichierScene.trouver("scenes/" + SCENE + ".ini"));
         Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, 1);
         ImageLineaire juste = gabarit.moyenne(taille.largeur, taille.hauteur);
-        Vignettes vignettes = new Vignettes(3).image(image(juste), "la vérité", "128 rayons par pixel");
+        Vignettes vignettes = new Vignettes().image(image(juste), "la vérité", "128 rayons par pixel");
         for (String[] montree : MONTREES) {
             Methode methode = Catalogue.methode(Catalogue.METHODES, SCENE, montree[0] + "/" + montree[1]);
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);

@@ -49,6 +49,9 @@ final class Mesureur {
     private final Taille taille;
     private final Path csv;
     private final Path dossier;
+
+    /** Celle qu'écrit un {@link Ouvrier}. */
+    private final Path image;
     private final PrintStream sortie;
     private final Manches manches;
     private final PovRay povray;
@@ -63,6 +66,7 @@ final class Mesureur {
         echantillonNs = TimeUnit.MILLISECONDS.toNanos(court || agitee ? 20 : 50);
         taille = court ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
         dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
+        image = dossier.resolve("image.bin");
         manches = new Manches(new Etalon()::estCalme, agitee);
         povray = povray();
         sortie.println(circonstances.machine + ", " + circonstances.jvm + ", commit " + circonstances.commit);
@@ -144,9 +148,9 @@ final class Mesureur {
                 champs.put(noms[k], comptes[k]);
             }
             if (gabarit != null) {
-                ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-                image.lire(image());
-                juger(gabarit, image, champs);
+                ImageLineaire dessinee = new ImageLineaire(taille.largeur, taille.hauteur);
+                dessinee.lire(image);
+                juger(gabarit, dessinee, champs);
             }
             return temps;
         }
@@ -156,12 +160,12 @@ final class Mesureur {
     private Manches.Temps parPovRay(Catalogue.Groupe groupe, Methode methode, Machine reperes, Gabarit gabarit, Map<String, Object> champs)
             throws IOException {
         SceneJugee jugee = jugee(groupe, Scenes.fichier(groupe.scene, dossier));
-        Raster[] image = new Raster[1];
+        Raster[] dessinee = new Raster[1];
         Manches.Temps temps = manches.mesurer(reperes, () -> {
-            image[0] = jugee.dessiner(methode.options);
+            dessinee[0] = jugee.dessiner(methode.options);
             return new double[] {povray.temps()[1], povray.temps()[2]};
         }, voulues(groupe, 2 * LONGUE_NS));
-        juger(gabarit, jugee.image(image[0], methode.options), champs);
+        juger(gabarit, jugee.image(dessinee[0], methode.options), champs);
         return temps;
     }
 
@@ -176,11 +180,6 @@ final class Mesureur {
         champs.put("erreur_max", Releve.reel(erreur.max));
     }
 
-    /** Celle qu'écrit un {@link Ouvrier}. */
-    private Path image() {
-        return dossier.resolve("image.bin");
-    }
-
     /** Un {@link Ouvrier}, échauffé. */
     private final class Machine extends Processus implements Manches.Echantillon {
 
@@ -191,7 +190,7 @@ final class Mesureur {
 
         Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
             super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur,
-                    image());
+                    image);
             long debut = System.nanoTime();
             double dessinNs = chronometrer(1)[0];
             for (int k = 1; k < (agitee ? 1 : ECHAUFFEMENT) && System.nanoTime() - debut < ECHAUFFEMENT_NS; k++) {
@@ -231,9 +230,9 @@ final class Mesureur {
             Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues(methode, spheres));
             champs.put("lancements", temps.rapports.length);
             if (echantillon == programme) {
-                programme.statistiques.forEach((nom, valeur) -> champs.put(colonne(nom), valeur));
+                champs.putAll(programme.statistiques);
                 int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);
-                Ouvrier.pixels(fichier, taille, pixels, programme.image);
+                Ouvrier.pixels(fichier, taille, pixels, programme.png);
                 champs.put("pixels_verifies", pixels);
             }
             noter(groupe, methode, spheres, champs, temps);
@@ -246,7 +245,7 @@ final class Mesureur {
 
     /** Où noter une statistique du programme : « rayons.ombre » dans ombre, « tests.spheres » dans tests, « trace.ms » dans trace_ms. */
     private static String colonne(String statistique) {
-        return statistique.replaceFirst("^(rayons|pixels)\\.", "").replaceFirst("^(tests|noeuds)\\..*", "$1").replace('.', '_');
+        return statistique.replaceFirst("^(rayons|pixels)\\.", "").replaceFirst("\\.(spheres|visites)$", "").replace('.', '_');
     }
 
     /** Du démarrage de Java au PNG écrit. */
@@ -254,7 +253,9 @@ final class Mesureur {
 
         private final Path fichier;
         private final String[] options;
-        private final Path image = dossier.resolve("image.png");
+        private final Path png = dossier.resolve("image.png");
+
+        /** Celles du dernier dessin, par nos noms de colonnes. */
         private Map<String, String> statistiques;
 
         Programme(Path fichier, String... options) {
@@ -264,14 +265,14 @@ final class Mesureur {
 
         @Override
         public double[] prendre() throws IOException {
-            List<Object> args = new ArrayList<>(Arrays.asList("--image", image, "--taille", taille, "--statistiques", fichier));
+            List<Object> args = new ArrayList<>(Arrays.asList("--image", png, "--taille", taille, "--statistiques", fichier));
             args.addAll(Arrays.asList(options));
             long debut = System.nanoTime();
             try (Processus processus = new Processus(Main.class, args.toArray())) {
                 List<String> lignes = processus.lignes();
                 long duree = System.nanoTime() - debut;
                 statistiques = lignes.stream().map(l -> l.split(": ")).filter(l -> l.length == 2)
-                        .collect(Collectors.toMap(l -> l[0], l -> l[1], (a, b) -> b));
+                        .collect(Collectors.toMap(l -> colonne(l[0]), l -> l[1], (a, b) -> b));
                 return new double[] {duree, Double.NaN};
             }
         }

@@ -61,13 +61,9 @@ final class Releves {
         return new Releves(tous.stream().filter(condition).collect(Collectors.toList()));
     }
 
-    Optional<Releve> peutEtre(String methode, String parametres) {
-        return tous.stream().filter(r -> r.methode.equals(methode) && r.parametres.equals(parametres)).findFirst();
-    }
-
     /** @throws NoSuchElementException si elle n'a pas été mesurée */
     Releve le(String methode, String parametres) {
-        return peutEtre(methode, parametres)
+        return methode(methode).tels(r -> r.parametres.equals(parametres)).get().stream().findFirst()
                 .orElseThrow(() -> new NoSuchElementException("pas de mesure de " + methode + " " + parametres));
     }
 
