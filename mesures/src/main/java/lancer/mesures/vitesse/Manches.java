@@ -40,16 +40,6 @@ final class Manches {
         double[] prendre() throws IOException;
     }
 
-    /** La machine est trop troublée pour qu'on y prenne des temps. */
-    static final class Troublee extends IOException {
-
-        private static final long serialVersionUID = 1;
-
-        Troublee(String raison) {
-            super("machine troublée : " + raison + " ; aucun résultat n'est changé");
-        }
-    }
-
     /** Ce que donnent quelques manches. */
     static final class Temps {
         final double[] rapports;
@@ -95,7 +85,7 @@ final class Manches {
 
     /**
      * @param voulues manches à garder
-     * @throws Troublee si la machine ne nous est pas assez souvent laissée
+     * @throws IOException si la machine ne nous est pas assez souvent laissée
      */
     Temps mesurer(Echantillon reference, Echantillon methode, int voulues) throws IOException {
         List<Double> rapports = new ArrayList<>();
@@ -138,12 +128,16 @@ final class Manches {
         return !(part < PART_MIN * parts.get(parts.size() / 2));
     }
 
-    private void renoncer(int essais, int gardees, int voulues, long dureeNs) throws Troublee {
+    private void renoncer(int essais, int gardees, int voulues, long dureeNs) throws IOException {
         if (toutes >= ESSAIS && 2 * jetees > toutes) {
-            throw new Troublee(jetees + " manches jetées sur " + toutes);
+            throw troublee(jetees + " manches jetées sur " + toutes);
         }
         if (essais >= Math.max(ESSAIS_MIN, 2 * voulues) && dureeNs > PATIENCE_NS) {
-            throw new Troublee(gardees + " manches gardées sur " + essais + " en " + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
+            throw troublee(gardees + " manches gardées sur " + essais + " en " + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
         }
+    }
+
+    private static IOException troublee(String raison) {
+        return new IOException("machine troublée : " + raison + " ; aucun résultat n'est changé");
     }
 }

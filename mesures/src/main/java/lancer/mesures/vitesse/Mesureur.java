@@ -82,7 +82,7 @@ final class Mesureur {
         }
     }
 
-    /** @throws Manches.Troublee si la machine ne nous est pas assez laissée */
+    /** @throws IOException si la machine ne nous est pas assez laissée */
     void mesurer(List<Catalogue.Groupe> groupes) throws IOException {
         long debut = System.nanoTime();
         for (Catalogue.Groupe groupe : groupes) {

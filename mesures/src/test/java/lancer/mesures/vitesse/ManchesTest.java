@@ -78,7 +78,7 @@ class ManchesTest {
     void uneMachineTropTroubleeEstRefuseeSaufSiLOnYTient() throws IOException {
         double[] dix = new double[200];
         Arrays.fill(dix, 10);
-        Manches.Troublee faute = assertThrows(Manches.Troublee.class,
+        IOException faute = assertThrows(IOException.class,
                 () -> new Manches(() -> false, false).mesurer(echantillon("A", 2, dix), echantillon("B", 2, dix), 3));
         assertTrue(faute.getMessage().contains("100 manches jetées sur 100 ; aucun résultat n'est changé"), faute.getMessage());
         Manches agitee = new Manches(() -> false, true);
