@@ -25,7 +25,8 @@ import lancer.texte.Texte;
  * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse {@value #USAGE}
+ * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--agitee] [--spheres | --stabilite | --dessiner]
+ *      [--dossier DOSSIER]
  * </pre>
  *
  * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
