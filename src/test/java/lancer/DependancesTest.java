@@ -109,7 +109,7 @@ class DependancesTest {
 
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
-        verifier("lancer\\.auto\\..*", COURS + "lancer\\.contrat\\..*|lancer\\.commande\\.Options");
+        verifier("lancer\\.auto\\..*", COURS + "lancer\\.(contrat|fils)\\..*");
         String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.VersFichiers|fenetre\\.(PanneauVitesse|figures\\.GraphiqueVitesse)).*";
         verifier("lancer\\." + saufCeuxQuiLeDemandent, "(?!lancer\\.auto\\.).*");
     }

@@ -20,11 +20,12 @@ import lancer.contrat.Variante;
  */
 public final class Auto {
 
-    /** Rayons permis aux essais d'un petit dessin : 0,2 s, à trois millions par seconde. */
-    private static final double PLANCHER = 570_000;
+    /** Rayons permis aux essais d'un petit dessin : à peu près 0,2 s d'une machine virtuelle qui démarre. */
+    private static final double PLANCHER = 530_000;
 
-    /** Part du dessin que coûtent ceux d'un autre : un rayon d'essai coûte un peu plus que celui d'une image. */
-    private static final double PART = 0.4;
+    /** Part du dessin que coûtent ceux d'un autre, passé ses premiers rayons : les essais sont compilés avec eux. */
+    private static final double PART = 0.33;
+    private static final double DEMARRAGE = 700_000;
 
     /** Parts des essais qui vont à semer, à tirer, à tout le chemin, jusqu'au prix du choix ; le reste au contrôle. */
     private static final double PART_DES_BLOCS = 0.2;
@@ -96,7 +97,7 @@ public final class Auto {
     /** Les rayons permis aux essais, si le dessin est à ce prix par pixel : au plus la moitié, ou d'un temps voulu. */
     private double permis(double prix) {
         return souhait.temps > 0 ? Math.min(souhait.temps / 2, souhait.temps - dessin(prix)) / essais.parRayon
-                : Math.max(PLANCHER, PART * prix * pixels);
+                : Math.max(PLANCHER, PART * (prix * pixels - DEMARRAGE));
     }
 
     private double depense() {

@@ -1,5 +1,6 @@
 package lancer.auto;
 
+import java.util.Arrays;
 import java.util.List;
 import lancer.Couleur;
 import lancer.contrat.Pave;
@@ -41,15 +42,18 @@ final class Controle implements Toile {
 
     /** L'erreur de la dernière image dessinée. @param attendue en niveaux ; {@code rayons} permis, de toutes sortes */
     Estimation mesurer(LimitesDesReflets exactes, double attendue, double rayons) {
-        double[] promesses = blocs.stream().mapToDouble(b -> Niveaux.promesse(de(b).niveaux)).toArray();
+        double[] promesses = new double[blocs.size()];
+        Arrays.setAll(promesses, k -> Niveaux.promesse(de(blocs.get(k)).niveaux));
         double parBloc = 2 * Essais.COTE * Essais.COTE * References.pointsPour(attendue) * exactes.rayons;
-        tirage = new Tirage(rayons / parBloc, blocs, promesses);
+        tirage = new Tirage(rayons / parBloc, blocs, promesses, 0.5);
         References references = new References(essais, tirage.blocs, exactes);
         double fin = essais.rayons() + rayons;
         // les premiers points disent ce que coûtent les autres
         references.affiner(Double.POSITIVE_INFINITY, rayons / 4);
         references.affiner(attendue, fin - essais.rayons());
-        return tirage.estimer(references.ecarts(tirage.blocs.stream().map(this::de).toArray(Niveaux[]::new)));
+        Niveaux[] dessines = new Niveaux[tirage.blocs.size()];
+        Arrays.setAll(dessines, k -> de(tirage.blocs.get(k)));
+        return tirage.estimer(references.ecarts(dessines));
     }
 
     private Niveaux de(Pave bloc) {
@@ -58,6 +62,6 @@ final class Controle implements Toile {
 
     /** Nombre de pixels où l'erreur est mesurée. */
     int pixels() {
-        return tirage.blocs.stream().mapToInt(Pave::pixels).sum();
+        return Essais.pixels(tirage.blocs);
     }
 }

@@ -16,7 +16,11 @@ final class EssaiFinesses {
     private static final double RAYONS_PAR_TIRAGE = 1300;
 
     /** Ce que coûte de l'essayer, rapporté à ses pixels quand ils sont comme ceux de toute l'image. */
-    private static final double ENTOURE = 8;
+    private static final double ENTOURE = 6;
+
+    /** Où commencent les tirages : ceux du prix ne sont pas ceux des erreurs. */
+    private static final double DEBUT = 0.25;
+    private static final double AUTRE_DEBUT = 0.75;
 
     private final Essais essais;
     private final LimitesDesReflets limites;
@@ -34,7 +38,7 @@ final class EssaiFinesses {
         this.blocs = blocs;
         this.limites = limites;
         promesses = Niveaux.promesses(essais, blocs, limites);
-        tirage = new Tirage(rayons / (RAYONS_PAR_TIRAGE * limites.rayons), blocs, promesses);
+        tirage = new Tirage(rayons / (RAYONS_PAR_TIRAGE * limites.rayons), blocs, promesses, DEBUT);
         references = new References(essais, tirage.blocs, limites);
         references.affiner(Double.POSITIVE_INFINITY, rayons / 2);
     }
@@ -61,7 +65,7 @@ final class EssaiFinesses {
     void chiffrer(Finesse finesse, LimitesDesReflets celles, double rayons) {
         double avant = finesse.prix;
         double parBloc = ENTOURE * Essais.COTE * Essais.COTE * avant * celles.rayons;
-        Tirage autre = new Tirage(rayons / parBloc, blocs, promesses);
+        Tirage autre = new Tirage(rayons / parBloc, blocs, promesses, AUTRE_DEBUT);
         if (essais.borner(rayons, () -> dessiner(finesse, autre, celles)) != null) {
             finesse.prix = (autre.tirages * finesse.prix + tirage.tirages * avant) / (autre.tirages + tirage.tirages);
         }
@@ -72,7 +76,8 @@ final class EssaiFinesses {
         Niveaux[] dessines = new Niveaux[parmi.blocs.size()];
         double[] vus = new double[dessines.length];
         double[] lances = new double[dessines.length];
-        essais.passer(parmi.blocs, celles.reflets, celles.seuil, (rang, bloc, pave, vue) -> {
+        essais.passer(parmi.blocs, (rang, bloc, fil) -> {
+            Vue vue = fil.vue(celles.reflets, celles.seuil);
             dessines[rang] = new Niveaux(bloc);
             // ce qui entoure le bloc ne se compte pas
             Vue comptee = (xe, ye) -> {
@@ -84,7 +89,7 @@ final class EssaiFinesses {
                 }
                 return couleur;
             };
-            finesse.echantillonnage.tracer(Essais.entoure(bloc, pave), bloc, comptee, dessines[rang]);
+            finesse.echantillonnage.tracer(essais.entoure(bloc), bloc, comptee, dessines[rang]);
             // le premier rayon d'un pixel est comme tous ; les suivants vont là où il y a à voir
             lances[rang] *= 1 - bloc.pixels() / Math.max(1, vus[rang]);
         });

@@ -2,14 +2,14 @@ package lancer.auto;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.DoubleSupplier;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import lancer.Constantes;
 import lancer.Couleur;
+import lancer.Objet3D;
 import lancer.contrat.Pave;
+import lancer.contrat.Vue;
 
 /** Les limites des reflets, essayées sur des rayons semés également : un au centre de chaque bloc. */
 final class EssaiLimites {
@@ -28,6 +28,9 @@ final class EssaiLimites {
     private static final int BLOCS_MAX = 3200;
     private static final int RAYONS_PAR_BLOC = 14;
 
+    /** Combien de fois plus de blocs que dans la passe d'avant. */
+    private static final int PAS = 8;
+
     /** Entre lesquelles choisir : de moins en moins d'erreur, et de plus en plus de rayons. */
     final List<LimitesDesReflets> permises = new ArrayList<>();
 
@@ -41,45 +44,44 @@ final class EssaiLimites {
     private double[][] justes;
     private double[] rayons;
 
-    /** Les rayons que des limites peuvent arrêter. */
-    private final List<Integer> reflechis;
-
     /** Essaie toutes celles que le souhait laisse à choisir, sur autant de blocs que tant de rayons le permettent. */
     EssaiLimites(Essais essais, Souhait souhait, DoubleSupplier permis) {
         this.essais = essais;
         int loin = REFLETS[REFLETS.length - 1];
-        List<Integer> tous;
         int combien = BLOCS_MIN;
+        int faits;
         do {
-            blocs = essais.semer(combien, false);
+            faits = combien;
+            blocs = essais.semer(faits, false);
             justes = new double[blocs.size()][];
             rayons = new double[justes.length];
-            tous = IntStream.range(0, justes.length).boxed().collect(Collectors.toList());
-            voir(tous, loin, SANS_LIMITE, justes, rayons);
-            combien *= 2;
-        } while (combien <= BLOCS_MAX && RAYONS_PAR_BLOC * combien * moyenne(rayons) <= permis.getAsDouble());
-        exactes = new LimitesDesReflets(loin, SANS_LIMITE, new Estimation(0, 0), moyenne(rayons));
-        double[] directs = new double[justes.length];
-        voir(tous, 0, 0, new double[justes.length][], directs);
-        reflechis = tous.stream().filter(k -> directs[k] < rayons[k]).collect(Collectors.toList());
-        List<LimitesDesReflets> toutes = new ArrayList<>();
-        boolean reflete = essais.prepare.getScene().getObjets().stream()
-                .anyMatch(objet -> !objet.getKs().equals(new Couleur()));
+            essais.passer(blocs, (k, bloc, fil) -> rayons[k] = voir(bloc, fil.vue(loin, SANS_LIMITE), justes, k));
+            // peu de blocs disent mal ce que les autres coûtent
+            combien = (int) Math.min(Math.min(BLOCS_MAX, PAS * faits),
+                    permis.getAsDouble() / (RAYONS_PAR_BLOC * Estimation.moyenne(rayons)));
+        } while (combien > 2 * faits);
+        exactes = new LimitesDesReflets(loin, SANS_LIMITE, new Estimation(0, 0), Estimation.moyenne(rayons));
+        boolean reflete = false;
+        for (Objet3D objet : essais.prepare.getScene().getObjets()) {
+            reflete |= !objet.getKs().equals(new Couleur());
+        }
         int[] profondeurs = souhait.reflets != null ? new int[] {souhait.reflets} : reflete ? REFLETS : new int[] {0};
-        LimitesDesReflets avant = null;
-        LimitesDesReflets l = null;
+        double[] seuils = new double[profondeurs.length];
+        Arrays.fill(seuils, souhait.seuil == null ? 0 : souhait.seuil);
+        List<LimitesDesReflets> toutes = essayer(profondeurs, seuils);
         // un pas de plus qui ne coûte rien se fait : d'autres rayons le demandent peut-être
-        for (int k = 0; k < profondeurs.length
-                && (avant == null || l.rayons > avant.rayons && l.erreur.erreur() > EXACT); k++) {
-            avant = l;
-            l = essayer(profondeurs[k], souhait.seuil == null ? 0 : souhait.seuil);
-            toutes.add(l);
+        int n = 1;
+        while (n < toutes.size() && (n == 1 || toutes.get(n - 1).rayons > toutes.get(n - 2).rayons
+                && toutes.get(n - 1).erreur.erreur() > EXACT)) {
+            n++;
         }
-        for (int k = 0; k < SEUILS.length && souhait.seuil == null && l.reflets > 0; k++) {
-            toutes.add(essayer(l.reflets, SEUILS[k]));
+        toutes = new ArrayList<>(toutes.subList(0, n));
+        if (souhait.seuil == null && profondeurs[n - 1] > 0) {
+            int[] derniere = new int[SEUILS.length];
+            Arrays.fill(derniere, profondeurs[n - 1]);
+            toutes.addAll(essayer(derniere, SEUILS));
         }
-        toutes.sort(Comparator.<LimitesDesReflets>comparingDouble(limites -> limites.rayons)
-                .thenComparingDouble(limites -> limites.erreur.erreur()).thenComparingInt(limites -> -limites.reflets));
+        Collections.sort(toutes);
         double moindre = Double.POSITIVE_INFINITY;
         for (LimitesDesReflets limites : toutes) {
             if (limites.erreur.erreur() < moindre) {
@@ -90,29 +92,39 @@ final class EssaiLimites {
     }
 
     LimitesDesReflets essayer(int reflets, double seuil) {
-        double[][] vus = justes.clone();
-        double[] lances = rayons.clone();
-        voir(reflechis, reflets, seuil, vus, lances);
-        double[] carres = new double[justes.length];
-        for (int k : reflechis) {
-            for (int c = 0; c < 3; c++) {
-                carres[k] += (vus[k][c] - justes[k][c]) * (vus[k][c] - justes[k][c]) / 3;
+        return essayer(new int[] {reflets}, new double[] {seuil}).get(0);
+    }
+
+    /** Essaie ces limites en une passe, de moins en moins étroites : un rayon qui va à son bout n'est pas refait. */
+    private List<LimitesDesReflets> essayer(int[] reflets, double[] seuils) {
+        double[][] carres = new double[reflets.length][justes.length];
+        double[][] lances = new double[reflets.length][justes.length];
+        essais.passer(blocs, (k, bloc, fil) -> {
+            double[][] vus = new double[1][];
+            double combien = 0;
+            for (int l = 0; l < reflets.length; l++) {
+                if (combien < rayons[k]) {
+                    combien = voir(bloc, fil.vue(reflets[l], seuils[l]), vus, 0);
+                }
+                lances[l][k] = combien;
+                for (int c = 0; c < 3; c++) {
+                    double ecart = vus[0][c] - justes[k][c];
+                    carres[l][k] += ecart * ecart / 3;
+                }
             }
-        }
-        return new LimitesDesReflets(reflets, seuil, Estimation.de(carres), moyenne(lances));
-    }
-
-    /** Met dans {@code vus} ce qui se voit au centre de ces blocs, dans {@code lances} les rayons qu'il y faut. */
-    private void voir(List<Integer> rangs, int reflets, double seuil, double[][] vus, double[] lances) {
-        List<Pave> parmi = rangs.stream().map(blocs::get).collect(Collectors.toList());
-        essais.passer(parmi, reflets, seuil, (k, bloc, pave, vue) -> {
-            long avant = vue.rayons();
-            vus[rangs.get(k)] = Niveaux.de(vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0));
-            lances[rangs.get(k)] = vue.rayons() - avant;
         });
+        List<LimitesDesReflets> essayees = new ArrayList<>();
+        for (int l = 0; l < reflets.length; l++) {
+            essayees.add(new LimitesDesReflets(reflets[l], seuils[l], Estimation.de(carres[l]),
+                    Estimation.moyenne(lances[l])));
+        }
+        return essayees;
     }
 
-    private static double moyenne(double[] comptes) {
-        return Arrays.stream(comptes).average().getAsDouble();
+    /** Met dans {@code vus[k]} ce qui se voit au centre de ce bloc, et rend les rayons qu'il y faut. */
+    private static double voir(Pave bloc, Vue vue, double[][] vus, int k) {
+        long avant = vue.rayons();
+        vus[k] = Niveaux.de(vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0));
+        return vue.rayons() - avant;
     }
 }

@@ -1,18 +1,18 @@
 package lancer.auto;
 
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import lancer.Camera;
+import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
+import lancer.fils.Equipe;
 
 /** De quoi essayer une scène préparée sur quelques blocs, avec tous les fils ; rien ne dépend de leur nombre. */
 final class Essais {
@@ -22,7 +22,7 @@ final class Essais {
 
     /** Ce qu'on fait de chaque bloc, dans un ordre quelconque et par plusieurs fils ; {@code rang} dans la liste. */
     interface Essai {
-        void faire(int rang, Pave bloc, Pave pave, Vue vue);
+        void faire(int rang, Pave bloc, Fil fil);
     }
 
     private static final long GRAINE = 1;
@@ -76,6 +76,15 @@ final class Essais {
         return semes;
     }
 
+    /** Nombre de pixels de ces blocs. Une boucle : la première lambda d'un programme coûte cher à son démarrage. */
+    static int pixels(List<Pave> blocs) {
+        int somme = 0;
+        for (Pave bloc : blocs) {
+            somme += bloc.pixels();
+        }
+        return somme;
+    }
+
     long rayons() {
         return rayons.get();
     }
@@ -102,38 +111,74 @@ final class Essais {
         }
     }
 
-    /** Fait un essai sur chaque bloc, à la place des pixels de l'image. */
-    void passer(List<Pave> blocs, int reflets, double seuil, Essai essai) {
-        Map<Integer, List<Integer>> rangs = new HashMap<>();
-        for (int k = 0; k < blocs.size(); k++) {
-            rangs.computeIfAbsent(pave(blocs.get(k)), pave -> new ArrayList<>()).add(k);
+    /** Fait un essai sur chaque bloc. */
+    void passer(List<Pave> blocs, Essai essai) {
+        long debut = System.nanoTime();
+        long avant = rayons();
+        Equipe equipe = new Equipe("lancer");
+        List<Fil> ouvriers = new ArrayList<>();
+        for (int k = 0; k < Math.min(fils, blocs.size()); k++) {
+            ouvriers.add(new Fil(equipe, blocs, essai));
         }
-        Lancer lancer = prepare.avec(prepare.getScene().getEchantillonnage(), seuil);
-        lancer.parcourir((pave, vue, toile) -> {
-            for (int k : rangs.getOrDefault(pave(pave), Collections.<Integer>emptyList())) {
-                long avant = vue.rayons();
-                essai.faire(k, blocs.get(k), pave, vue);
-                if (rayons.addAndGet(vue.rayons() - avant) > borne) {
-                    lancer.arreter();
-                }
-            }
-            return 0;
-        }, null, reflets, fils);
+        equipe.faire(blocs.size(), ouvriers);
         // le temps d'une passe qui démarre, ou que l'on dérange, n'apprend rien
-        parRayon = Math.min(parRayon, lancer.getDureeNs() / NS_PAR_S / Math.max(1, lancer.getCompteurs().rayons()));
-    }
-
-    /** De quel pavé de l'image sont ces pixels. */
-    private int pave(Pave pixels) {
-        return pixels.j0 / Pave.COTE * camera.getLargeur() + pixels.i0 / Pave.COTE;
+        parRayon = Math.min(parRayon, (System.nanoTime() - debut) / NS_PAR_S / Math.max(1, rayons() - avant));
     }
 
     /**
      * Le bloc et ce qu'un échantillonnage regarde autour d'un pixel pour en décider, sans sortir du pavé. Un qui
      * regarderait plus loin serait jugé à peu près, comme au bord d'un pavé.
      */
-    static Pave entoure(Pave bloc, Pave pave) {
-        return new Pave(Math.max(pave.i0, bloc.i0 - 1), Math.max(pave.j0, bloc.j0 - 1),
-                Math.min(pave.i1, bloc.i1 + 2), Math.min(pave.j1, bloc.j1 + 2));
+    Pave entoure(Pave bloc) {
+        int i0 = bloc.i0 / Pave.COTE * Pave.COTE;
+        int j0 = bloc.j0 / Pave.COTE * Pave.COTE;
+        return new Pave(Math.max(i0, bloc.i0 - 1), Math.max(j0, bloc.j0 - 1),
+                Math.min(Math.min(i0 + Pave.COTE, camera.getLargeur()), bloc.i1 + 2),
+                Math.min(Math.min(j0 + Pave.COTE, camera.getHauteur()), bloc.j1 + 2));
+    }
+
+    /** Un fil, qui voit la scène sous les limites qu'on lui dit. */
+    final class Fil implements IntConsumer {
+
+        private final Lancer sien = prepare.avec(prepare.getScene().getEchantillonnage(), 0);
+        private final Equipe equipe;
+        private final List<Pave> blocs;
+        private final Essai essai;
+
+        Fil(Equipe equipe, List<Pave> blocs, Essai essai) {
+            this.equipe = equipe;
+            this.blocs = blocs;
+            this.essai = essai;
+        }
+
+        @Override
+        public void accept(int rang) {
+            long avant = lances();
+            essai.faire(rang, blocs.get(rang), this);
+            if (rayons.addAndGet(lances() - avant) > borne) {
+                equipe.arreter();
+            }
+        }
+
+        private long lances() {
+            return sien.getScene().getCompteurs().rayons();
+        }
+
+        /** Ce qu'il voit à cette profondeur et sous ce seuil. */
+        Vue vue(int reflets, double seuil) {
+            return new Vue() {
+                @Override
+                public Couleur couleur(double xe, double ye) {
+                    equipe.verifier();
+                    sien.getScene().setSeuil(seuil);
+                    return sien.voir(xe, ye, reflets);
+                }
+
+                @Override
+                public long rayons() {
+                    return lances();
+                }
+            };
+        }
     }
 }

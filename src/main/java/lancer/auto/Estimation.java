@@ -1,7 +1,5 @@
 package lancer.auto;
 
-import java.util.Arrays;
-
 /**
  * Une erreur quadratique moyenne, estimée sur quelques blocs d'une image : la racine de la moyenne, sur les pixels et
  * les trois composantes, du carré de l'écart entre couleurs limitées à [0, 1], en niveaux (1/255). C'est celle qui
@@ -30,9 +28,20 @@ final class Estimation {
 
     /** La moyenne de mesures indépendantes, chacune d'espérance le carré cherché, et ce qu'elle a d'incertain. */
     static Estimation de(double[] mesures) {
-        double moyenne = Arrays.stream(mesures).average().getAsDouble();
-        double carres = Arrays.stream(mesures).map(mesure -> (mesure - moyenne) * (mesure - moyenne)).sum();
+        double moyenne = moyenne(mesures);
+        double carres = 0;
+        for (double mesure : mesures) {
+            carres += (mesure - moyenne) * (mesure - moyenne);
+        }
         return new Estimation(moyenne, carres / ((double) mesures.length * Math.max(1, mesures.length - 1)));
+    }
+
+    static double moyenne(double[] mesures) {
+        double somme = 0;
+        for (double mesure : mesures) {
+            somme += mesure;
+        }
+        return somme / mesures.length;
     }
 
     /** L'erreur de deux causes sans rapport : les carrés s'ajoutent, comme leurs incertitudes. */

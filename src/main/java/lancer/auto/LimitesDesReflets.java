@@ -3,7 +3,7 @@ package lancer.auto;
 import java.math.BigDecimal;
 
 /** Jusqu'où les reflets sont suivis, l'erreur que cela fait, et ce que cela coûte. Immuable. */
-final class LimitesDesReflets {
+final class LimitesDesReflets implements Comparable<LimitesDesReflets> {
 
     final int reflets;
     final double seuil;
@@ -17,6 +17,14 @@ final class LimitesDesReflets {
         this.seuil = seuil;
         this.erreur = erreur;
         this.rayons = rayons;
+    }
+
+    /** Le moindre prix d'abord, puis la moindre erreur ; au même prix, la plus profonde. */
+    @Override
+    public int compareTo(LimitesDesReflets autre) {
+        int ordre = Double.compare(rayons, autre.rayons);
+        ordre = ordre != 0 ? ordre : Double.compare(erreur.carre, autre.erreur.carre);
+        return ordre != 0 ? ordre : Integer.compare(autre.reflets, reflets);
     }
 
     @Override

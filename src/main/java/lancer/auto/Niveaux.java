@@ -4,6 +4,7 @@ import java.util.List;
 import lancer.Couleur;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
+import lancer.contrat.Vue;
 
 /** Les couleurs des pixels d'un bloc, limitées à [0, 1] et en niveaux : de quoi en comparer deux dessins. */
 final class Niveaux implements Toile {
@@ -53,7 +54,8 @@ final class Niveaux implements Toile {
     /** Ce que chacun de ces blocs promet d'erreur, d'après quelques points du bloc et d'un demi-pixel autour. */
     static double[] promesses(Essais essais, List<Pave> blocs, LimitesDesReflets limites) {
         double[] promesses = new double[blocs.size()];
-        essais.passer(blocs, limites.reflets, limites.seuil, (rang, bloc, pave, vue) -> {
+        essais.passer(blocs, (rang, bloc, fil) -> {
+            Vue vue = fil.vue(limites.reflets, limites.seuil);
             double[] vus = new double[3 * POINTS_D_UNE_PROMESSE];
             for (int k = 0; k < POINTS_D_UNE_PROMESSE; k++) {
                 Couleur couleur = vue.couleur(bloc.i0 - 0.5 + x(k, 0) * (bloc.i1 - bloc.i0 + 1),

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import lancer.Couleur;
 import lancer.contrat.Pave;
+import lancer.contrat.Vue;
 
 /**
  * Deux références de quelques blocs : les couleurs moyennes de leurs pixels, chacune à une erreur près, sans biais et
@@ -13,9 +14,9 @@ import lancer.contrat.Pave;
  */
 final class References {
 
-    private static final double POINTS_POUR_UN_NIVEAU = 20;
+    private static final double POINTS_POUR_UN_NIVEAU = 14;
     private static final int POINTS_MIN = 12;
-    private static final int POINTS_MAX = 120;
+    private static final int POINTS_MAX = 90;
 
     final List<Pave> blocs;
     private final Essais essais;
@@ -33,8 +34,10 @@ final class References {
         this.blocs = blocs;
         this.limites = limites;
         sommes = new Couleur[blocs.size()][2 * Essais.COTE * Essais.COTE];
-        Arrays.stream(sommes).forEach(somme -> Arrays.fill(somme, new Couleur()));
-        parPoint = 2 * limites.rayons * blocs.stream().mapToInt(Pave::pixels).sum();
+        for (Couleur[] somme : sommes) {
+            Arrays.fill(somme, new Couleur());
+        }
+        parPoint = 2 * limites.rayons * Essais.pixels(blocs);
     }
 
     /**
@@ -50,7 +53,8 @@ final class References {
             return false;
         }
         long avant = essais.rayons();
-        essais.passer(blocs, limites.reflets, limites.seuil, (rang, bloc, pave, vue) -> {
+        essais.passer(blocs, (rang, bloc, fil) -> {
+            Vue vue = fil.vue(limites.reflets, limites.seuil);
             SplittableRandom hasard = new SplittableRandom((long) bloc.j0 << Integer.SIZE | bloc.i0);
             for (int k = 0; k < sommes[rang].length; k++) {
                 int i = bloc.i0 + k / 2 % Essais.COTE;

@@ -1,9 +1,7 @@
 package lancer.auto;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import lancer.contrat.Pave;
 
 /**
@@ -20,7 +18,7 @@ final class Tirage {
     private static final double RARETE = 160;
 
     private static final int TIRAGES_MIN = 40;
-    private static final int TIRAGES_MAX = 640;
+    private static final int TIRAGES_MAX = 360;
 
     final int tirages;
     private final int semes;
@@ -35,18 +33,19 @@ final class Tirage {
     /**
      * @param combien de tirages, à peu près : assez pour en dire quelque chose, et pas plus qu'il n'est utile
      * @param promesses une par bloc, strictement positive
+     * @param debut entre 0 et 1 : un autre début tire d'autres blocs
      */
-    Tirage(double combien, List<Pave> parmi, double[] promesses) {
+    Tirage(double combien, List<Pave> parmi, double[] promesses, double debut) {
         tirages = (int) Math.max(TIRAGES_MIN, Math.min(TIRAGES_MAX, combien));
         semes = promesses.length;
-        double somme = Arrays.stream(promesses).sum();
+        double somme = Estimation.moyenne(promesses) * semes;
         // une mesure vaut pour un bloc entier, et les blocs du bord ont parfois moins de pixels
-        double entiers = parmi.stream().mapToInt(Pave::pixels).sum() / (double) (Essais.COTE * Essais.COTE);
+        double entiers = Essais.pixels(parmi) / (double) (Essais.COTE * Essais.COTE);
         double cumul = 0;
         int faits = 0;
         for (int k = 0; k < semes; k++) {
             cumul += promesses[k];
-            int encore = (int) Math.round(cumul / somme * tirages) - faits;
+            int encore = (int) (cumul / somme * tirages + debut) - faits;
             if (encore > 0) {
                 blocs.add(parmi.get(k));
                 fois.add(encore);
@@ -77,10 +76,12 @@ final class Tirage {
 
     /** Par pixel de l'image, un nombre compté sur chaque bloc tiré : exact si tous les pixels se valent. */
     double parPixel(double[] comptes) {
-        return somme(comptes) / somme(blocs.stream().mapToDouble(Pave::pixels).toArray());
-    }
-
-    private double somme(double[] comptes) {
-        return IntStream.range(0, comptes.length).mapToDouble(k -> comptes[k] * poids.get(k) * fois.get(k)).sum();
+        double somme = 0;
+        double pixels = 0;
+        for (int k = 0; k < comptes.length; k++) {
+            somme += comptes[k] * poids.get(k) * fois.get(k);
+            pixels += blocs.get(k).pixels() * poids.get(k) * fois.get(k);
+        }
+        return somme / pixels;
     }
 }

@@ -275,7 +275,7 @@ class AutoTest {
     private static void verifierLeCoutDesEssais(Auto auto) {
         auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
         auto.controler();
-        double permis = Math.max(600_000, auto.getLancer().getCompteurs().rayons() / 2.0);
+        double permis = Math.max(550_000, auto.getLancer().getCompteurs().rayons() / 2.0);
         assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis + ", " + auto.getChoisi());
     }
 

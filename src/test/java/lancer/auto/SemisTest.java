@@ -59,7 +59,7 @@ class SemisTest {
         List<Pave> blocs = essais(200, 150).semer(4000, false);
         Random hasard = new Random(3);
         double[] promesses = hasard.doubles(blocs.size(), 0.05, 1).toArray();
-        Tirage tirage = new Tirage(100, blocs, promesses);
+        Tirage tirage = new Tirage(100, blocs, promesses, 0.5);
         double[] mesures = new double[tirage.blocs.size()];
         for (int k = 0; k < mesures.length; k++) {
             mesures[k] = 7 * promesses[blocs.indexOf(tirage.blocs.get(k))];
@@ -77,7 +77,7 @@ class SemisTest {
             Random hasard = new Random(graine);
             List<Pave> blocs = essais(200, 150).semer(4000, false);
             double[] promesses = hasard.doubles(blocs.size(), 0.05, 1).toArray();
-            Tirage tirage = new Tirage(100, blocs, promesses);
+            Tirage tirage = new Tirage(100, blocs, promesses, 0.5);
             double carre = tirage.estimer(hasard.doubles(tirage.blocs.size(), 0, 2).toArray()).erreur();
             somme += carre * carre;
         }
@@ -141,9 +141,9 @@ class SemisTest {
     void desPassesBorneesSArretentEtNeComptentPasPourPlus() {
         Essais essais = essais(200, 150);
         List<Pave> blocs = essais.semer(1000, false);
-        Essais.Essai unRayon = (rang, bloc, pave, vue) -> vue.couleur(bloc.i0, bloc.j0);
+        Essais.Essai unRayon = (rang, bloc, fil) -> fil.vue(0, 0).couleur(bloc.i0, bloc.j0);
         Supplier<String> passes = () -> {
-            essais.passer(blocs, 0, 0, unRayon);
+            essais.passer(blocs, unRayon);
             return "faites";
         };
         assertEquals("faites", essais.borner(1000, passes));

@@ -67,8 +67,8 @@ class AutoAntialiasTest {
             // les quatre blocs autour d'un coin de pavés, un du bord de l'image, et un de l'intérieur
             for (int k : new int[] {15 + 15 * 45, 16 + 15 * 45, 15 + 16 * 45, 16 + 16 * 45, 44 + 34 * 45, 22 + 20 * 45}) {
                 Pave bloc = Pave.deRang(k, 90, 70, Essais.COTE);
-                essais.passer(Collections.singletonList(bloc), 3, 0, (rang, b, pave, vue) ->
-                        finesse.echantillonnage.tracer(Essais.entoure(b, pave), b, vue, (c, i, j) -> {
+                essais.passer(Collections.singletonList(bloc), (rang, b, fil) ->
+                        finesse.echantillonnage.tracer(essais.entoure(b), b, fil.vue(3, 0), (c, i, j) -> {
                             if (bloc.contient(i, j)) {
                                 assertEquals(image[j][i], c, finesse + ", pixel " + i + ", " + j);
                                 vus[0]++;

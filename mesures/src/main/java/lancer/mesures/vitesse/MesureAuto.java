@@ -35,10 +35,9 @@ public final class MesureAuto {
     static final String COLONNES = "scene,erreur_voulue,reglage,promise,erreur_attendue,erreur_au_plus,erreur,tenue,rayons_attendus,"
             + "rayons,rayons_des_essais,part_des_essais";
 
-    private static final Taille TAILLE = new Taille(200, 150);
+    static final Taille TAILLE = new Taille(200, 150);
     private static final double[] ERREURS = {0.5, 1, 2, 4};
 
-    /** Des graines sur lesquelles rien n'a été réglé : les prudences de {@code lancer.auto} l'ont été sur 1000 à 1019. */
     private static final int GRAINE = 1;
     private static final int SCENES = 100;
 

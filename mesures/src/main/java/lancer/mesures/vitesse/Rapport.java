@@ -69,9 +69,10 @@ final class Rapport {
         valeurs.put("auto.prix", compte(auSort.get(true), p -> Math.abs(quotient(p, "rayons_attendus", "rayons") - 1) <= 0.1));
         valeurs.put("auto.pire", Style.nombre(toutes.stream().filter(p -> p.get("promise").equals("oui"))
                 .mapToDouble(p -> quotient(p, "erreur", "erreur_voulue")).max().orElse(0)));
-        // permis : la moitié du dessin ou, en 200 × 150, 600 000 rayons
+        // permis : la moitié du dessin, ou 550 000 rayons
         valeurs.put("auto.plus_cher", Style.nombre(toutes.stream().mapToDouble(p -> Math.min(
-                2 * quotient(p, "rayons_des_essais", "rayons"), Constats.nombre(p, "rayons_des_essais") / 20)).max().orElse(0)));
+                2 * quotient(p, "rayons_des_essais", "rayons"),
+                Constats.nombre(p, "rayons_des_essais") * MesureAuto.TAILLE.pixels() / 550_000)).max().orElse(0)));
         return valeurs;
     }
 

@@ -35,6 +35,6 @@ class MesureAutoTest {
         assertTrue(promesse.get("reglage").startsWith("[Antialias] n="), ligne);
         assertEquals("1 fois sur 1", Rapport.promesses(lue).get("auto.sort"));
         // une image de 56 × 42 n'a pas droit à la moitié de son dessin, mais à ce que rien ne demande en 0,2 s
-        assertTrue(Double.parseDouble(promesse.get("rayons_des_essais")) * taille.pixels() < 600_000, ligne);
+        assertTrue(Double.parseDouble(promesse.get("rayons_des_essais")) * taille.pixels() < 550_000, ligne);
     }
 }

@@ -124,7 +124,7 @@ class VitesseTest {
         for (String ligne : new String[] {"diffus oui oui 1 2 10 10 1", "sort-1 oui non 3 2 9 10 30", "sort-2 non non 9 2 5 10 19"}) {
             lues.add(IntStream.range(0, colonnes.length).boxed().collect(Collectors.toMap(k -> colonnes[k], k -> ligne.split(" ")[k])));
         }
-        assertEquals("{auto.livrees=1 fois sur 1, auto.pire=1,5, auto.plus_cher=1,5, auto.prix=1 fois sur 2, "
+        assertEquals("{auto.livrees=1 fois sur 1, auto.pire=1,5, auto.plus_cher=1,64, auto.prix=1 fois sur 2, "
                 + "auto.sort=0 fois sur 2}", Rapport.promesses(lues).toString());
     }
 
