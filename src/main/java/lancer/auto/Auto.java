@@ -23,7 +23,7 @@ public final class Auto {
     /** Rayons permis aux essais d'un petit dessin : à peu près 0,2 s d'une machine virtuelle qui démarre. */
     private static final double PLANCHER = 530_000;
 
-    /** Part du dessin que coûtent ceux d'un autre, passé ses premiers rayons : les essais sont compilés avec eux. */
+    /** Part que coûtent ceux d'un autre, de ses rayons au-delà des premiers, que la compilation fait attendre. */
     private static final double PART = 0.33;
     private static final double DEMARRAGE = 700_000;
 

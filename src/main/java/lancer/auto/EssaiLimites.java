@@ -55,7 +55,12 @@ final class EssaiLimites {
             blocs = essais.semer(faits, false);
             justes = new double[blocs.size()][];
             rayons = new double[justes.length];
-            essais.passer(blocs, (k, bloc, fil) -> rayons[k] = voir(bloc, fil.vue(loin, SANS_LIMITE), justes, k));
+            essais.passer(blocs, (k, bloc, fil) -> {
+                Vue vue = fil.vue(loin, SANS_LIMITE);
+                long avant = vue.rayons();
+                justes[k] = voir(bloc, vue);
+                rayons[k] = vue.rayons() - avant;
+            });
             // peu de blocs disent mal ce que les autres coûtent
             combien = (int) Math.min(Math.min(BLOCS_MAX, PAS * faits),
                     permis.getAsDouble() / (RAYONS_PAR_BLOC * Estimation.moyenne(rayons)));
@@ -100,15 +105,18 @@ final class EssaiLimites {
         double[][] carres = new double[reflets.length][justes.length];
         double[][] lances = new double[reflets.length][justes.length];
         essais.passer(blocs, (k, bloc, fil) -> {
-            double[][] vus = new double[1][];
+            double[] vus = justes[k];
             double combien = 0;
             for (int l = 0; l < reflets.length; l++) {
                 if (combien < rayons[k]) {
-                    combien = voir(bloc, fil.vue(reflets[l], seuils[l]), vus, 0);
+                    Vue vue = fil.vue(reflets[l], seuils[l]);
+                    long avant = vue.rayons();
+                    vus = voir(bloc, vue);
+                    combien = vue.rayons() - avant;
                 }
                 lances[l][k] = combien;
                 for (int c = 0; c < 3; c++) {
-                    double ecart = vus[0][c] - justes[k][c];
+                    double ecart = vus[c] - justes[k][c];
                     carres[l][k] += ecart * ecart / 3;
                 }
             }
@@ -121,10 +129,8 @@ final class EssaiLimites {
         return essayees;
     }
 
-    /** Met dans {@code vus[k]} ce qui se voit au centre de ce bloc, et rend les rayons qu'il y faut. */
-    private static double voir(Pave bloc, Vue vue, double[][] vus, int k) {
-        long avant = vue.rayons();
-        vus[k] = Niveaux.de(vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0));
-        return vue.rayons() - avant;
+    /** Ce qui se voit au centre de ce bloc. */
+    private static double[] voir(Pave bloc, Vue vue) {
+        return Niveaux.de(vue.couleur((bloc.i0 + bloc.i1) / 2.0, (bloc.j0 + bloc.j1) / 2.0));
     }
 }

@@ -1,14 +1,27 @@
 package lancer.atelier;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
 /** La ligne de commande des mesures. */
 class ArgumentsTest {
 
     private static final String USAGE = "[--seule | --autre] [--valeur V] [FICHIER]...";
+
+    @Test
+    void lesOptionsOntLeurValeurEtLesNomsSuivent() {
+        Arguments a = new Arguments(USAGE, true, "un", "--valeur", "3", "--seule", "deux");
+        assertTrue(a.a("--seule") && a.a("--valeur"));
+        assertFalse(a.a("--autre"));
+        assertEquals("3", a.valeur("--valeur", "0"));
+        assertEquals("", a.valeur("--autre", ""));
+        assertEquals(Arrays.asList("un", "deux"), a.restes);
+    }
 
     @Test
     void uneFauteDitLaquelleEtLUsage() {
