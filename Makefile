@@ -9,7 +9,7 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto mutations squelette corriger \
+.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto auto-a-froid mutations squelette corriger \
 	comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
@@ -103,6 +103,10 @@ juge: mesures/target/mesures.jar
 mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto mesures/resultats/auto.csv $(AUTO)
 
+# Ce que coûte --auto et ce qu'il donne quand la machine virtuelle démarre à chaque image : un quart d'heure, machine au repos.
+auto-a-froid: antialias/target/antialias.jar
+	@JAVA="$(JAVA)" TOURS="$(TOURS)" outils/auto-a-froid.sh
+
 # Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; docs/mutations.md dit ce qui leur échappe, et pourquoi.
 mutations: mesures/target/mesures.jar
 	@rm -rf $(patsubst %,%/target/pit-reports,. $(VARIANTES_TOUTES))
@@ -168,6 +172,7 @@ aide:
 	@echo "make mesures RAPIDE=1      une partie, en une minute ou deux, dans mesures/target/vitesse-rapide"
 	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/tournesol.ini\" pour choisir"
 	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
+	@echo "make auto-a-froid          mesure ce que coûte --auto, et ce qu'il donne, quand le programme démarre à chaque image ; TOURS=…"
 	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; six à huit minutes"
 	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""

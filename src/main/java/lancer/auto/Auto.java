@@ -39,6 +39,11 @@ public final class Auto {
     /** Le temps d'un dessin, rapporté à celui de ses rayons dans le meilleur essai : une machine n'est jamais seule. */
     private static final double PRUDENCE = 1.2;
 
+    /** Secondes que prend le dessin d'un programme qui démarre ; de celles qui restent, ce qui va à le chronométrer. */
+    private static final double DEMARRAGE_S = 0.4;
+    private static final double PART_DU_CHRONOMETRE = 0.25;
+    private static final double CHRONOMETRE_S = 0.2;
+
     private static final double NS_PAR_S = 1e9;
 
     private final Souhait souhait;
@@ -106,6 +111,7 @@ public final class Auto {
 
     /** Du moins cher au plus juste : à chaque pas, la plus grande des deux parts de l'erreur diminue. */
     private void monter(Consumer<Auto> suivi) {
+        essais.chronometrer(Math.min(CHRONOMETRE_S, PART_DU_CHRONOMETRE * (souhait.temps - DEMARRAGE_S)));
         limites = new EssaiLimites(essais, souhait, () -> PART_DES_BLOCS * permis(1));
         essai = new EssaiFinesses(essais, limites.blocs, limites.exactes, PART_DES_TIRAGES * permis(1));
         int profondeur = 0;
@@ -156,10 +162,8 @@ public final class Auto {
         return reglage;
     }
 
-    /** Pour un temps voulu : un essai de plus coûte souvent autant que tous ceux d'avant. */
     private boolean suffit(Reglage reglage) {
-        return souhait.temps > 0 ? 2 * depense() >= PART_DU_CHOIX * permis(0) || !tient(reglage)
-                : reglage.erreurAuPlus <= souhait.erreur;
+        return souhait.temps > 0 ? !tient(reglage) : reglage.erreurAuPlus <= souhait.erreur;
     }
 
     private boolean tient(Reglage reglage) {

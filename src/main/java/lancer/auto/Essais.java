@@ -8,6 +8,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import lancer.Camera;
+import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Pave;
@@ -26,6 +27,7 @@ final class Essais {
     }
 
     private static final long GRAINE = 1;
+    private static final int BLOCS_CHRONOMETRES = 500;
     private static final double NS_PAR_S = 1e9;
 
     final Lancer prepare;
@@ -123,6 +125,15 @@ final class Essais {
         equipe.faire(blocs.size(), ouvriers);
         // le temps d'une passe qui démarre, ou que l'on dérange, n'apprend rien
         parRayon = Math.min(parRayon, (System.nanoTime() - debut) / NS_PAR_S / Math.max(1, rayons() - avant));
+    }
+
+    /** Répète un essai tant de secondes, pour savoir celles que prend un rayon une fois le programme compilé. */
+    void chronometrer(double secondes) {
+        List<Pave> blocs = semer(BLOCS_CHRONOMETRES, false);
+        long debut = System.nanoTime();
+        while (System.nanoTime() - debut < secondes * NS_PAR_S) {
+            passer(blocs, (rang, bloc, fil) -> fil.vue(Constantes.MAX_REFLETS, 0).couleur(bloc.i0, bloc.j0));
+        }
     }
 
     /**
