@@ -133,6 +133,22 @@ class FormeTest {
         assertFalse(demande(Paths.get("README.md")).containsKey("max_line_length"));
     }
 
+    /** Une ligne qui commence par un commentaire se lit comme du HTML : elle coupe son paragraphe, et n'a plus de liens. */
+    @Test
+    void aucuneLigneDeTexteDUnePageNeCommenceParUneMarque() throws IOException {
+        List<String> fautes = new ArrayList<>();
+        for (Path fichier : FICHIERS) {
+            if (fichier.toString().endsWith(".md")) {
+                for (String ligne : Files.readAllLines(RACINE.resolve(fichier))) {
+                    if (ligne.matches(" *<!--v:.*?-->.+")) {
+                        fautes.add(fichier + " : " + ligne);
+                    }
+                }
+            }
+        }
+        assertEquals("", String.join("\n", fautes));
+    }
+
     /** Chaque paquet de la maison : la variante d'un étudiant n'y est pas tenue. */
     @Test
     void chaquePaquetDitCeQuiYVit() {
