@@ -16,6 +16,9 @@ public final class PagesMesurees {
 
     private static final Pattern VALEUR = Pattern.compile("<!--v:([^>]*?)-->.*?<!--/v-->", Pattern.DOTALL);
 
+    /** Celles d'un nombre et de sa ponctuation : une ligne n'y passe pas à la suivante. */
+    private static final Pattern ESPACE_INSECABLE = Pattern.compile(" (?=[;:%»])|(?<=[×«±+−]) ");
+
     private PagesMesurees() {
     }
 
@@ -37,7 +40,8 @@ public final class PagesMesurees {
             if (valeur == null) {
                 throw new IllegalArgumentException("aucune mesure ne donne « " + m.group(1) + " »");
             }
-            m.appendReplacement(s, Matcher.quoteReplacement("<!--v:" + m.group(1) + "-->" + valeur + "<!--/v-->"));
+            m.appendReplacement(s, Matcher.quoteReplacement("<!--v:" + m.group(1) + "-->"
+                    + ESPACE_INSECABLE.matcher(valeur).replaceAll("\u00a0") + "<!--/v-->"));
         }
         return m.appendTail(s).toString();
     }

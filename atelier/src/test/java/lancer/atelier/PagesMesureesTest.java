@@ -27,6 +27,12 @@ class PagesMesureesTest {
     }
 
     @Test
+    void unNombreNEstJamaisSepareDeCeQuiLAccompagne() {
+        assertEquals("<!--v:a-->«~partage~» (8~; 0,06)~: ×~4,5, de −~5~% à +~2~%<!--/v-->", PagesMesurees.remplacer("<!--v:a--><!--/v-->",
+                Collections.singletonMap("a", "« partage » (8 ; 0,06) : × 4,5, de − 5 % à + 2 %")).replace('\u00a0', '~'));
+    }
+
+    @Test
     void ceuxQuiNeViennentDAucuneMesureSontRefuses() {
         IllegalArgumentException faute = assertThrows(IllegalArgumentException.class,
                 () -> PagesMesurees.remplacer("<!--v:b-->0<!--/v-->", Collections.singletonMap("a", "1")));
