@@ -47,9 +47,9 @@ final class Bilan {
         return de(figure, Aspect.PROGRAMME).stream().mapToDouble(valeur).max().orElse(0);
     }
 
-    /** La pire erreur du programme, en unités de κ u t. */
+    /** Ce que la pire erreur du programme ne dépasse pas, en dixièmes d'unité de κ u t. */
     double unites(String figure) {
-        return max(figure, r -> estClasse(r) ? r.erreurEnUnites : 0);
+        return Math.ceil(10 * max(figure, r -> estClasse(r) ? r.erreurEnUnites : 0)) / 10;
     }
 
     /** Ce que vaut une méthode à la plus grande abscisse, ou à la plus petite. */

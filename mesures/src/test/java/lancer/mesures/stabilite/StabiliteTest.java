@@ -63,6 +63,9 @@ class StabiliteTest {
                 comptes(notees.stream().filter(r -> r.figure.equals(Mesures.DEFAUTS)).collect(Collectors.toList())));
         List<String> sol = comptes(notees.stream().filter(r -> r.figure.equals(Mesures.SOL)).collect(Collectors.toList()));
         assertEquals(comptes(new Mesures(false).sol()), sol, "make mesures MESURES=--stabilite");
+        double dite = Double.parseDouble(new Bilan(notees).nombres().get("stabilite.ras.unites").replace(',', '.'));
+        assertTrue(notees.stream().filter(r -> r.figure.startsWith(Mesures.RAS) && r.formule.equals("programme"))
+                .allMatch(r -> r.erreurEnUnites <= dite), "au plus " + dite + " : un arrondi ne doit pas le rendre faux");
     }
 
     @Test
