@@ -59,11 +59,11 @@ final class Etiquettes {
                 Rectangle2D place = new Rectangle2D.Double(cx - largeur / 2 - 2, cy - hauteur / 2, largeur + 4, hauteur);
                 if (cadre.contains(place) && pris.stream().noneMatch(p -> p.intersects(place))) {
                     pris.add(place);
+                    g.setFont(police);
+                    g.setColor(couleur);
                     if (distance > FIL) {
                         fil(x, y, place);
                     }
-                    g.setFont(police);
-                    g.setColor(couleur);
                     g.drawString(texte, (float) (cx - largeur / 2), (float) (cy + hauteur / 2 - mesures.getDescent() / 2.0));
                     return true;
                 }
@@ -75,7 +75,6 @@ final class Etiquettes {
     private void fil(double x, double y, Rectangle2D place) {
         double px = Math.max(place.getMinX(), Math.min(place.getMaxX(), x));
         double py = Math.max(place.getMinY(), Math.min(place.getMaxY(), y));
-        g.setColor(Style.GRIS);
         g.setStroke(Style.TRAIT_FIN);
         g.draw(new Line2D.Double(px + 0.6 * (x - px), py + 0.6 * (y - py), px, py));
     }

@@ -281,7 +281,7 @@ public final class Volet {
                 for (Marque m : series.get(s).marques) {
                     if (tour == (m.cerclee ? 0 : m.pleine ? 1 : 2) && !m.etiquette.isEmpty()) {
                         noms.ecrire(m.etiquette, px(m.x.valeur, cadre), py(m.y.valeur, s, cadre), m.cerclee ? 8 : 0,
-                                m.cerclee ? Style.ETIQUETTE_DEFAUT : Style.ETIQUETTE, Style.ENCRE, true);
+                                m.cerclee ? Style.ETIQUETTE_DEFAUT : Style.ETIQUETTE, series.get(s).couleur.darker(), true);
                     }
                 }
             }
