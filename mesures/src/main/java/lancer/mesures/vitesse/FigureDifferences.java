@@ -47,7 +47,7 @@ final class FigureDifferences {
                     "erreur " + Style.nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur) + " pas");
         }
         new Planche("Scène du cours : ce qui manque à chaque image, amplifié " + AMPLIFICATION + " fois",
-                taille.largeur + " × " + taille.hauteur + ". make mesures")
+                taille.largeur + " × " + taille.hauteur + " : plus petite, l'image se trompe plus, car elle a plus de bords. make mesures")
                 .vignettes(vignettes).ecrire(dossier.resolve(PNG));
     }
 

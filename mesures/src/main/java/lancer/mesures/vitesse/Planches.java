@@ -49,7 +49,8 @@ final class Planches {
             List<Marque> marques = new ArrayList<>();
             for (Releve r : siens.methode((String) s[0]).get()) {
                 Marque m = marque(r, reference, front.contains(r));
-                m = !vignette || front.contains(r) || estParDefaut(r) ? m.nommee(Noms.etiquette(r)) : m;
+                boolean nommee = !vignette || front.contains(r) || estParDefaut(r) || r.methode.equals(Catalogue.GRILLE);
+                m = nommee ? m.nommee(Noms.etiquette(r)) : m;
                 marques.add(estParDefaut(r) ? m.cerclee() : m);
             }
             volet.serie(new Serie((String) s[1], (Color) s[3], (FormeDePoint) s[4],
