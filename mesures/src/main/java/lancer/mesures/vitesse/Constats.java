@@ -19,7 +19,7 @@ import lancer.mesures.trace.Style;
  */
 final class Constats {
 
-    /** Ce que vaut, en moyenne quadratique, d'arrondir à l'écran : une erreur plus petite y disparaît. */
+    /** Ce que vaut, en moyenne quadratique, d'arrondir à l'écran. */
     static final double ARRONDI = 1 / Math.sqrt(12);
 
     final Releves releves;
@@ -74,7 +74,7 @@ final class Constats {
 
     // ---- une scène
 
-    /** Ce que bat, et de combien, ce qui bat de plus loin l'un des trois réglages que l'on prendrait d'abord. */
+    /** Ce qui bat de plus loin un réglage que l'on prendrait d'abord, une grille ou « coins », et de combien. */
     String titre(String scene) {
         Releves siens = methodes(scene);
         Map<Releve, Releve> vainqueurs = new LinkedHashMap<>();
@@ -89,8 +89,8 @@ final class Constats {
 
     /** Combien de fois plus vite, d'après le moins que portent les deux intervalles, et le plus. */
     private static String fois(Releve gagnant, Releve battu) {
-        return "de " + Style.arrondi(battu.rapport().min / gagnant.rapport().max) + " à "
-                + Style.arrondi(battu.rapport().max / gagnant.rapport().min) + " fois";
+        return "de " + Style.nombre(battu.rapport().min / gagnant.rapport().max) + " à "
+                + Style.nombre(battu.rapport().max / gagnant.rapport().min) + " fois";
     }
 
     /** Ce que coûte un réglage, et ce qui le bat. */
@@ -114,9 +114,9 @@ final class Constats {
     }
 
     /** Une ligne de tableau : pour chaque erreur à ne pas dépasser, le réglage le plus rapide qui la tient à coup sûr. */
-    private String paliers(String scene) {
+    String paliers(String scene) {
         return DoubleStream.of(4, 2, 1, 0.5, ARRONDI).mapToObj(palier -> methodes(scene).get().stream()
-                .filter(r -> !r.methode.equals(Catalogue.POVRAY) && !r.methode.equals(Catalogue.AUTO) && r.erreur().max <= palier)
+                .filter(r -> !r.methode.equals(Catalogue.POVRAY) && r.erreur().max <= palier)
                 .min(Comparator.comparingDouble(r -> r.rapport().valeur))
                 .map(r -> Noms.methode(r) + " : " + Noms.rapport(r.rapport())).orElse("rien")).collect(Collectors.joining(" | "));
     }

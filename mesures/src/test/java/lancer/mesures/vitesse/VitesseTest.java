@@ -92,7 +92,17 @@ class VitesseTest {
         noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 2, 1.45);
         assertTrue(titre().contains("aucune différence"), titre());
         noter(Catalogue.PARTAGE, "n=4 seuil=0.06", 2, 1.2);
-        assertEquals("Scène du cours : « partage » (4 ; 0,06) bat « coins » (3 ; 0,05), de 1,6 à 2,4 fois moins de temps", titre());
+        assertEquals("Scène du cours : « partage » (4 ; 0,06) bat « coins » (3 ; 0,05), de 1,65 à 2,43 fois moins de temps", titre());
+    }
+
+    @Test
+    void leMoinsCherPourUneErreurPeutEtreUnChoixDAutoMaisPasPovRay() throws IOException {
+        noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 6, 1.5);
+        noter(Catalogue.AUTO, "erreur=2", 4, 1.6);
+        noter(Catalogue.POVRAY, "-A", 2, 0.1);
+        String[] paliers = new Constats(notes(), Collections.emptyList()).paliers("scene1").split(" \\| ");
+        assertEquals("le choix de --auto erreur=2 : × 4 (de 3,63 à 4,41)", paliers[1]);
+        assertEquals("rien", paliers[2]);
     }
 
     @Test
@@ -101,7 +111,7 @@ class VitesseTest {
             noter(Catalogue.PROGRAMME, "", n == 1 ? 1 : 3, 0);
             lignes.add(lignes.remove(lignes.size() - 1).replace("methodes,scene1,,", "spheres,foule-" + n + "," + n + ","));
         }
-        assertEquals("De 1 à 100 sphères, tout compris, le programme prend de 2,5 à 3,6 fois plus de temps",
+        assertEquals("De 1 à 100 sphères, tout compris, le programme prend de 2,47 à 3,65 fois plus de temps",
                 new Constats(notes(), Collections.emptyList()).titreDesSpheres());
     }
 
