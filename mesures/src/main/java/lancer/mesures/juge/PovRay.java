@@ -112,7 +112,7 @@ public final class PovRay {
             Thread.currentThread().interrupt();
             throw new IOException("interrompu pendant " + commande, e);
         } finally {
-            // Ctrl+C ne doit pas le laisser dessiner seul
+            // interrompus, ne pas le laisser dessiner seul
             processus.destroy();
         }
     }

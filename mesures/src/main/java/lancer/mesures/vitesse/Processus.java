@@ -39,12 +39,12 @@ class Processus implements Closeable {
         return reponse;
     }
 
-    /** Tout ce qu'elle écrit, une fois finie. */
+    /** Tout ce qu'elle écrit, une fois finie. @throws IOException si ce n'est pas par le statut 0 : Ctrl+C peut l'arrêter d'abord */
     List<String> lignes() throws IOException {
         List<String> lignes = sortie.lines().collect(Collectors.toList());
         try {
             if (processus.waitFor() != 0) {
-                throw new IllegalStateException("statut " + processus.exitValue());
+                throw new IOException("une machine virtuelle s'est arrêtée, statut " + processus.exitValue());
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -53,7 +53,7 @@ class Processus implements Closeable {
         return lignes;
     }
 
-    /** Ctrl+C ne doit pas la laisser seule. */
+    /** L'arrête ; si l'on est tué avant, elle trouve son entrée fermée. */
     @Override
     public void close() {
         entree.close();
