@@ -99,9 +99,9 @@ JUGE ?= --csv mesures/resultats/juge.csv
 juge: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.juge.Juge $(JUGE)
 
-# --auto tient-il parole ? AUTO="1000 20" pour vingt scènes au sort, de graine 1000 et suivantes.
+# --auto tient-il parole ? AUTO="1000 20" pour vingt scènes au sort, de graine 1000 et suivantes, dans mesures/target/auto.csv.
 mesure-auto: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto mesures/resultats/auto.csv $(AUTO)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto $(if $(AUTO),mesures/target,mesures/resultats)/auto.csv $(AUTO)
 
 # Ce que coûte --auto et ce qu'il donne quand la machine virtuelle démarre à chaque image : un quart d'heure, machine au repos.
 auto-a-froid: antialias/target/antialias.jar

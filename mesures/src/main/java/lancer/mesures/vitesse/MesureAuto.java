@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.nio.file.StandardOpenOption;
 import java.util.Collections;
 import java.util.Locale;
 import lancer.Lancer;
@@ -44,7 +43,7 @@ public final class MesureAuto {
     private MesureAuto() {
     }
 
-    /** @param args le fichier à écrire ; la première graine et le nombre de scènes tirées au sort, si l'on en veut d'autres */
+    /** @param args le fichier, écrit à la fin ; la première graine et combien de scènes au sort, si l'on en veut d'autres */
     public static void main(String[] args) throws IOException {
         try {
             int graine = args.length > 1 ? Integer.parseInt(args[1]) : GRAINE;
@@ -56,21 +55,22 @@ public final class MesureAuto {
     }
 
     private static void mesurer(Path csv, int graine, int fin) throws IOException {
-        Files.write(csv, Collections.singletonList(COLONNES));
+        StringBuilder lignes = new StringBuilder(COLONNES);
         for (Path fichier : Scenes.livrees()) {
-            mesurer(csv, fichier.getFileName().toString().replace(".ini", ""), Scenes.lire(fichier));
+            mesurer(lignes, fichier.getFileName().toString().replace(".ini", ""), Scenes.lire(fichier));
         }
         for (int k = graine; k < fin; k++) {
-            mesurer(csv, "sort-" + k, SceneAuHasard.de(k));
+            mesurer(lignes, "sort-" + k, SceneAuHasard.de(k));
         }
+        Files.write(csv, Collections.singletonList(lignes));
         Rapport.promesses(FichierCsv.lire(csv)).forEach((nom, valeur) -> System.out.println(nom + " : " + valeur));
         System.out.println("noté dans " + csv);
     }
 
-    private static void mesurer(Path csv, String nom, Scene scene) throws IOException {
+    private static void mesurer(StringBuilder lignes, String nom, Scene scene) {
         Gabarit gabarit = new Gabarit(scene, TAILLE.largeur, TAILLE.hauteur, 1);
         for (double voulue : ERREURS) {
-            Files.write(csv, Collections.singletonList(ligne(nom, scene, TAILLE, gabarit, voulue)), StandardOpenOption.APPEND);
+            lignes.append('\n').append(ligne(nom, scene, TAILLE, gabarit, voulue));
         }
     }
 
