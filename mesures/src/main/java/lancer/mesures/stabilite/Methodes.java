@@ -71,10 +71,10 @@ public final class Methodes {
         Planche planche = new Planche("Le temps, comparé au manuel : perpendiculaire " + cout(Regime.ORDINAIRE, Aspect.PERPENDICULAIRE)
                 + " ; programme " + cout(Regime.ORDINAIRE, Aspect.PROGRAMME) + ", au-dessus d'un sol "
                 + cout(Regime.SOL, Aspect.PROGRAMME) + ", dans une recherche " + cout(Regime.SOL, Aspect.RECHERCHE),
-                "Temps d'une intersection, par JMH, dans une recherche de la plus petite de huit ; barres : trois machines virtuelles sur dix ; "
-                + "erreur : la pire de " + Style.nombre(Regime.RAYONS) + " rayons, jugés sans arrondi ; 1 est l'effet d'un arrondi de "
-                + "la direction, κ u t = u (1 + r/h) t. En creux : plus d'un rayon sur dix est mal classé, et l'erreur ne dit que celle "
-                + "des autres. " + note + ". make noyaux")
+                "Temps d'une intersection, par JMH, dans une recherche de la plus petite de huit ; barres : trois machines virtuelles "
+                + "sur dix ; erreur : la pire de " + Style.nombre(Regime.RAYONS) + " rayons, jugés sans arrondi ; 1 est l'effet d'un "
+                + "arrondi de la direction, κ u t = u (1 + r/h) t. En creux : plus d'un rayon sur dix est mal classé, et l'erreur ne dit "
+                + "que celle des autres. " + note + ". make noyaux")
                 .colonnes(2).taille(Style.LARGEUR, 1500);
         for (Regime regime : Regime.values()) {
             Exactitude programme = une(regime, Aspect.PROGRAMME);
