@@ -46,5 +46,12 @@ while kill -0 $pid 2>/dev/null; do
 done
 fin=$(date +%s.%N)
 wait $pid || { cat $ici/sortie.txt >&2; exit 1; }
-LC_ALL=C awk "BEGIN { printf \"coeurs,rendus,secondes,mo\\n%d,%d,%.0f,%d\\n\", $(nproc), $n, $fin - $debut, $max }" > mesures/resultats/corriger.csv
+{
+    echo coeurs,rendus,secondes,mo,jvm,date,commit
+    LC_ALL=C awk "BEGIN { printf \"%d,%d,%.0f,%d,\", $(nproc), $n, $fin - $debut, $max }"
+    $JAVA -XshowSettings:properties -version 2>&1 | awk -F ' = ' -v ORS=, '/java.vm.name/ { nom = $2 } / java.version =/ { v = $2 }
+        END { print nom " " v }'
+    # un commit suivi de + n'est pas exactement celui des sources, comme dans vitesse.csv
+    echo "$(date -u +%FT%T),$(git describe --always --exclude='*' --dirty=+)"
+} > mesures/resultats/corriger.csv
 cat mesures/resultats/corriger.csv
