@@ -64,9 +64,10 @@ final class Estimation {
         return Math.sqrt(Math.max(0, carre - PRUDENCE * Math.sqrt(variance)));
     }
 
-    /** Ce dont elle peut s'écarter, en niveaux, à deux écarts types : dix-neuf fois sur vingt. */
+    /** Ce dont elle peut s'écarter, en niveaux, à deux écarts types du carré : dix-neuf fois sur vingt. */
     double incertitude() {
-        return (auPlus() - auMoins()) / 2;
+        // près de zéro, elle peut monter de plus qu'elle ne peut descendre
+        return Math.max((auPlus() - auMoins()) / 2, auPlus() - erreur());
     }
 
     /** Où tomberait une mesure aussi incertaine : entre {@link #auMoins} et {@link #auPlus} de ce qui est rendu. */

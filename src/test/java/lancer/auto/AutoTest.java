@@ -256,6 +256,15 @@ class AutoTest {
         assertTrue(Souhait.temps(2).verdict(erreur, 2.1).equals("temps voulu dépassé"));
     }
 
+    @Test
+    void uneErreurMesureeNulleNEstTenueQueSousSonIncertitude() {
+        // son carré est de 0 ± 1
+        Estimation nulle = new Estimation(0, 0.25);
+        assertEquals(1, nulle.incertitude());
+        assertEquals("on ne peut dire si l'erreur voulue est tenue", Souhait.erreur(0.9).verdict(nulle, 2));
+        assertEquals("erreur voulue tenue", Souhait.erreur(1).verdict(nulle, 2));
+    }
+
     /**
      * Les essais d'un grand dessin en coûtent au plus la moitié ; ceux d'un petit, ce que rien ne demande en 0,2 s : celui d'une grille
      * de 16 s'arrête s'il passerait.
