@@ -64,7 +64,7 @@ public final class Options {
     /** L'erreur voulue, en niveaux sur 255 ; 0 si aucune. */
     public double erreurVoulue;
 
-    /** Le temps de dessin voulu, en secondes ; 0 si aucun. */
+    /** Le temps voulu, essais et dessin, en secondes ; 0 si aucun. */
     public double tempsVoulu;
 
     /** L'image à laquelle comparer, {@code null} si aucune ; et le plus grand écart permis, en niveaux sur 255. */
