@@ -99,9 +99,10 @@ public final class Auto {
         return PRUDENCE * prix * pixels * essais.parRayon;
     }
 
-    /** Les rayons permis aux essais, si le dessin est à ce prix par pixel : au plus la moitié, ou d'un temps voulu. */
+    /** Les rayons permis aux essais, si le dessin est à ce prix par pixel : la moitié au plus, ou du temps. */
     private double permis(double prix) {
-        return souhait.temps > 0 ? Math.min(souhait.temps / 2, souhait.temps - dessin(prix)) / essais.parRayon
+        return souhait.temps > 0
+                ? Math.max(0, Math.min(souhait.temps / 2, souhait.temps - dessin(prix))) / essais.parRayon
                 : Math.max(PLANCHER, PART * (prix * pixels - DEMARRAGE));
     }
 
@@ -163,28 +164,26 @@ public final class Auto {
     }
 
     private boolean suffit(Reglage reglage) {
-        return souhait.temps > 0 ? !tient(reglage) : reglage.erreurAuPlus <= souhait.erreur;
-    }
-
-    private boolean tient(Reglage reglage) {
-        return fin(reglage) <= souhait.temps;
+        return souhait.temps > 0 ? fin(reglage) > souhait.temps : reglage.erreurAuPlus <= souhait.erreur;
     }
 
     /** Quand l'image sera dessinée ainsi, et contrôlée, pour un temps voulu. */
     private double fin(Reglage reglage) {
-        return ecoule() + dessin(reglage.prix) + (1 - PART_DU_CHOIX) * souhait.temps / 2;
+        return ecoule() + dessin(reglage.prix) + (1 - PART_DU_CHOIX) * permis(reglage.prix) * essais.parRayon;
     }
 
     /** Pour une erreur, le premier qui la tient, ou le plus juste ; pour un temps, le plus juste qui le tient. */
     private void choisir() {
-        int k = front.size() - 1;
-        while (souhait.temps > 0 && k > 0 && !tient(front.get(k))) {
+        int k = front.size();
+        do {
             k--;
-        }
-        choisi = front.get(k);
-        essai.chiffrer(choisi.finesse, choisi.limites, PART_DU_CHOIX * permis(choisi.prix) - depense());
-        choisi = new Reglage(choisi.finesse, choisi.limites);
-        tempsAttendu = souhait.temps > 0 ? fin(choisi) : 0;
+            choisi = front.get(k);
+            double reste = PART_DU_CHOIX * permis(choisi.prix) - depense();
+            // mieux connaître un prix ne doit pas prendre tout le temps qui le fait tenir
+            essai.chiffrer(choisi.finesse, choisi.limites, souhait.temps > 0 ? reste / 2 : reste);
+            choisi = new Reglage(choisi.finesse, choisi.limites);
+            tempsAttendu = fin(choisi);
+        } while (souhait.temps > 0 && k > 0 && tempsAttendu > souhait.temps);
         lancer = essais.prepare.avec(choisi.finesse.echantillonnage, choisi.seuil);
     }
 
@@ -270,7 +269,7 @@ public final class Auto {
     /** Trois lignes : le choix, pourquoi, et ce qu'il en est. */
     public List<String> getLignes() {
         double dessin = lancer.getDureeNs() / NS_PAR_S;
-        String duree = tempsAttendu > 0 ? Souhait.texte(" ; %.3f s, essais compris", tempsAttendu) : "";
+        String duree = souhait.temps > 0 ? Souhait.texte(" ; %.3f s, essais compris", tempsAttendu) : "";
         return Arrays.asList("auto, choisi : " + choisi,
                 Souhait.texte("auto, attendu : erreur d'au plus %.2f, sans doute %.2f ; %.2f rayons de l'écran par "
                         + "pixel, %.2f avec les ombres et les reflets%s ; %s", choisi.erreurAuPlus, choisi.erreur,

@@ -98,6 +98,9 @@ final class Essais {
      * @return ce qu'elles rendent ; {@code null} si elles se sont arrêtées
      */
     <T> T borner(double permis, Supplier<T> passes) {
+        if (permis <= 0) {
+            return null;
+        }
         long avant = rayons();
         borne = avant + permis;
         try {
@@ -106,7 +109,7 @@ final class Essais {
             if (rayons() <= borne) {
                 throw e;
             }
-            rayons.set(avant + (long) Math.max(0, permis));
+            rayons.set(avant + (long) permis);
             return null;
         } finally {
             borne = Double.POSITIVE_INFINITY;

@@ -7,10 +7,11 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.temoins.LancerSurveille;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Ce que « Vitesse ou précision… » mesure d'une image dessinée avec un de ses points. */
+/** Ce que disent les essais des réglages de l'anticrénelage : l'erreur attendue, et le temps promis. */
 class ErreurMesureeTest {
 
     private static final int L = 160;
@@ -28,6 +29,18 @@ class ErreurMesureeTest {
             double mesuree = auto.getErreurMesuree();
             assertTrue(mesuree >= reglage.mesureAuMoins && mesuree <= reglage.mesureAuPlus, reglage + " : de " + reglage.mesureAuMoins
                     + " à " + reglage.mesureAuPlus + ", mesuré " + mesuree);
+        }
+    }
+
+    /** Quelle que soit la machine : plus un temps est court, moins il promet. */
+    @Test
+    void unTempsQueRienNePrometDonneLePlusRapide() {
+        Scene scene = new Scene("scenes/scene1.ini");
+        for (double voulu = 0.3; voulu > 0.02; voulu /= 1.1) {
+            Auto auto = Auto.choisir(LancerSurveille.preparer(scene, 200, 150, false), Souhait.temps(voulu), 2,
+                    Collections.singletonList(new Antialias()), enCours -> { });
+            assertTrue(auto.estTenable() || auto.getChoisi().toString().equals(auto.getEssayes().get(0).toString()),
+                    auto.getChoisi() + " pour " + voulu + " s");
         }
     }
 }
