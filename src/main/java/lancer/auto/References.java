@@ -8,9 +8,10 @@ import lancer.contrat.Pave;
 import lancer.contrat.Vue;
 
 /**
- * Deux références de quelques blocs : les couleurs moyennes de leurs pixels, chacune à une erreur près, sans biais et
- * sans rapport avec celle de l'autre. Toujours les mêmes pour un bloc et tant de points, faits en une fois ou en
- * plusieurs.
+ * Deux références de quelques blocs : les couleurs moyennes de leurs pixels, chacune à une erreur près, sans rapport
+ * avec celle de l'autre, et sans biais si aucune moyenne ne passe 1 : un reflet bien plus vif, et trop petit pour être
+ * vu par tous les points, est limité trop tôt. Toujours les mêmes pour un bloc et tant de points, faits en une fois ou
+ * en plusieurs.
  */
 final class References {
 
