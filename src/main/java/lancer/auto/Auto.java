@@ -44,8 +44,6 @@ public final class Auto {
     private static final double PART_DU_CHRONOMETRE = 0.25;
     private static final double CHRONOMETRE_S = 0.2;
 
-    private static final double NS_PAR_S = 1e9;
-
     private final Souhait souhait;
     private final Essais essais;
     private final double pixels;
@@ -91,7 +89,7 @@ public final class Auto {
     }
 
     private double ecoule() {
-        return (System.nanoTime() - debut) / NS_PAR_S;
+        return (System.nanoTime() - debut) / Essais.NS_PAR_S;
     }
 
     /** Le temps qu'il faudrait pour dessiner à ce prix par pixel, en secondes. */
@@ -268,7 +266,7 @@ public final class Auto {
 
     /** Trois lignes : le choix, pourquoi, et ce qu'il en est. */
     public List<String> getLignes() {
-        double dessin = lancer.getDureeNs() / NS_PAR_S;
+        double dessin = lancer.getDureeNs() / Essais.NS_PAR_S;
         String duree = souhait.temps > 0 ? Souhait.texte(" ; %.3f s, essais compris", tempsAttendu) : "";
         return Arrays.asList("auto, choisi : " + choisi,
                 Souhait.texte("auto, attendu : erreur d'au plus %.2f, sans doute %.2f ; %.2f rayons de l'écran par "

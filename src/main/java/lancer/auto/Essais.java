@@ -28,7 +28,7 @@ final class Essais {
 
     private static final long GRAINE = 1;
     private static final int BLOCS_CHRONOMETRES = 500;
-    private static final double NS_PAR_S = 1e9;
+    static final double NS_PAR_S = 1e9;
 
     final Lancer prepare;
     final Camera camera;
