@@ -19,9 +19,8 @@ final class EssaiLimites {
             1000};
     private static final double[] SEUILS = {1.0 / 4, 1.0 / 16, 1.0 / 64, 1.0 / 256, Constantes.SEUIL, 1.0 / 4096};
 
-    /** Un produit des Ks sous lequel un reflet ne se voit ni ne se mesure ; un tel écart, en niveaux. */
+    /** Un produit des Ks sous lequel un reflet ne se voit ni ne se mesure. */
     private static final double SANS_LIMITE = 1e-9;
-    private static final double EXACT = 0.001;
 
     /** Blocs où s'essaient les limites et se cherche le contraste, et les rayons que chacun y lance de l'écran. */
     private static final int BLOCS_MIN = 50;
@@ -74,16 +73,9 @@ final class EssaiLimites {
         double[] seuils = new double[profondeurs.length];
         Arrays.fill(seuils, souhait.seuil == null ? 0 : souhait.seuil);
         List<LimitesDesReflets> toutes = essayer(profondeurs, seuils);
-        // un pas de plus qui ne coûte rien se fait : d'autres rayons le demandent peut-être
-        int n = 1;
-        while (n < toutes.size() && (n == 1 || toutes.get(n - 1).rayons > toutes.get(n - 2).rayons
-                && toutes.get(n - 1).erreur.erreur() > EXACT)) {
-            n++;
-        }
-        toutes = new ArrayList<>(toutes.subList(0, n));
-        if (souhait.seuil == null && profondeurs[n - 1] > 0) {
+        if (souhait.seuil == null && profondeurs[profondeurs.length - 1] > 0) {
             int[] derniere = new int[SEUILS.length];
-            Arrays.fill(derniere, profondeurs[n - 1]);
+            Arrays.fill(derniere, profondeurs[profondeurs.length - 1]);
             toutes.addAll(essayer(derniere, SEUILS));
         }
         Collections.sort(toutes);
