@@ -267,7 +267,8 @@ public final class Auto {
     /** Trois lignes : le choix, pourquoi, et ce qu'il en est. */
     public List<String> getLignes() {
         double dessin = lancer.getDureeNs() / Essais.NS_PAR_S;
-        String duree = souhait.temps > 0 ? Souhait.texte(" ; %.3f s, essais compris", tempsAttendu) : "";
+        String duree = souhait.temps > 0
+                ? Souhait.texte(" ; %.3f s à la vitesse des essais, eux compris", tempsAttendu) : "";
         return Arrays.asList("auto, choisi : " + choisi,
                 Souhait.texte("auto, attendu : erreur d'au plus %.2f, sans doute %.2f ; %.2f rayons de l'écran par "
                         + "pixel, %.2f avec les ombres et les reflets%s ; %s", choisi.erreurAuPlus, choisi.erreur,

@@ -64,8 +64,8 @@ class CommandeAutoTest extends EssaiCommande {
     @Test
     void unTempsVouluSeDitAussi() {
         Essai e = executer("--auto=temps=3600s", "--image=" + png);
-        assertTrue(e.erreur.matches("(?s).* s, essais compris ; le plus juste de \\d+ réglages essayés pour 3600.000 s\\R.* ; temps voulu "
-                + "tenu\\R"), e.erreur);
+        assertTrue(e.erreur.matches("(?s).* s à la vitesse des essais, eux compris ; le plus juste de \\d+ réglages essayés pour "
+                + "3600.000 s\\R.* ; temps voulu tenu\\R"), e.erreur);
     }
 
     /** Une image d'un seul bloc d'essai n'a pas d'autres pixels que ceux du choix ; les autres sont mesurées ailleurs. */
