@@ -8,6 +8,8 @@ essais=correction/src/test/resources
 ici=target/trente
 rm -rf $ici && mkdir -p $ici/rendus
 n=0
+# suivi de +, un commit n'est pas exactement celui des sources, comme dans vitesse.csv
+commit=$(git describe --always --exclude='*' --dirty=+)
 
 # rendre NUMÉRO [FAUTE…] : le rendu d'essai de ce numéro, avec les classes de ces fautes à la place des siennes
 rendre() {
@@ -51,7 +53,6 @@ wait $pid || { cat $ici/sortie.txt >&2; exit 1; }
     LC_ALL=C awk "BEGIN { printf \"%d,%d,%.0f,%d,\", $(nproc), $n, $fin - $debut, $max }"
     $JAVA -XshowSettings:properties -version 2>&1 | awk -F ' = ' -v ORS=, '/java.vm.name/ { nom = $2 } / java.version =/ { v = $2 }
         END { print nom " " v }'
-    # un commit suivi de + n'est pas exactement celui des sources, comme dans vitesse.csv
-    echo "$(date -u +%FT%T),$(git describe --always --exclude='*' --dirty=+)"
+    echo "$(date -u +%FT%T),$commit"
 } > mesures/resultats/corriger.csv
 cat mesures/resultats/corriger.csv
