@@ -140,6 +140,8 @@ class FenetreImageTest extends EssaiFenetre {
             banc.robot.mouseMove(coin.x + 100, coin.y + 60);
             return banc.pixel.getText().startsWith("pixel 100, 60 : ");
         });
+        // une fenêtre dit qu'elle a bougé avant d'apprendre où la souris était encore juste avant
+        banc.robot.waitForIdle();
         faire(() -> banc.cadre.setLocation(banc.cadre.getX() + 40, banc.cadre.getY() + 10));
         attendre("ce n'est plus le même pixel", () -> banc.pixel.getText().equals(" "));
     }
