@@ -123,6 +123,13 @@ class AutoTest {
         assertEquals(1 + attendue, auto.getChoisi().prix, 1e-9);
     }
 
+    /** Devant un seul miroir, aucun rayon ne se réfléchit deux fois : ne rien limiter ne coûte rien de plus. */
+    @Test
+    void aPrixEgalLesRefletsVontAuBout() {
+        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0.5)), Souhait.erreur(0.5));
+        assertTrue(auto.getChoisi().toString().endsWith("--reflets 1000 --seuil 0"), auto.getChoisi().toString());
+    }
+
     @Test
     void laProfondeurFixeeResteEtLeSeuilFaitLeReste() {
         Auto auto = autoEntreDeuxMurs(0.5, Souhait.erreur(1).fixer(1000, null));
