@@ -1,5 +1,6 @@
 package lancer.auto;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Collections;
@@ -32,15 +33,18 @@ class ErreurMesureeTest {
         }
     }
 
-    /** Quelle que soit la machine : plus un temps est court, moins il promet. */
+    /** Quelle que soit la machine : plus un temps est court, moins il promet, et une milliseconde ne promet rien. */
     @Test
     void unTempsQueRienNePrometDonneLePlusRapide() {
         Scene scene = new Scene("scenes/scene1.ini");
-        for (double voulu = 0.3; voulu > 0.02; voulu /= 1.1) {
+        boolean promis = true;
+        for (double voulu = 0.3; voulu > 0.001 / 1.1; voulu /= 1.1) {
             Auto auto = Auto.choisir(LancerSurveille.preparer(scene, 200, 150, false), Souhait.temps(voulu), 2,
                     Collections.singletonList(new Antialias()), enCours -> { });
             assertTrue(auto.estTenable() || auto.getChoisi().toString().equals(auto.getEssayes().get(0).toString()),
                     auto.getChoisi() + " pour " + voulu + " s");
+            promis = auto.estTenable();
         }
+        assertFalse(promis);
     }
 }
