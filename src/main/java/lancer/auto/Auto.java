@@ -97,7 +97,7 @@ public final class Auto {
         return PRUDENCE * prix * pixels * essais.parRayon;
     }
 
-    /** Les rayons permis aux essais, si le dessin est à ce prix par pixel : la moitié au plus, ou du temps. */
+    /** Les rayons permis aux essais, si le dessin est à ce prix par pixel ; d'un temps voulu, ceux de sa moitié. */
     private double permis(double prix) {
         return souhait.temps > 0
                 ? Math.max(0, Math.min(souhait.temps / 2, souhait.temps - dessin(prix))) / essais.parRayon
@@ -110,7 +110,9 @@ public final class Auto {
 
     /** Du moins cher au plus juste : à chaque pas, la plus grande des deux parts de l'erreur diminue. */
     private void monter(Consumer<Auto> suivi) {
-        essais.chronometrer(Math.min(CHRONOMETRE_S, PART_DU_CHRONOMETRE * (souhait.temps - DEMARRAGE_S)));
+        if (souhait.temps > DEMARRAGE_S) {
+            essais.chronometrer(Math.min(CHRONOMETRE_S, PART_DU_CHRONOMETRE * (souhait.temps - DEMARRAGE_S)));
+        }
         limites = new EssaiLimites(essais, souhait, () -> PART_DES_BLOCS * permis(1));
         essai = new EssaiFinesses(essais, limites.blocs, limites.exactes, PART_DES_TIRAGES * permis(1));
         int profondeur = 0;
