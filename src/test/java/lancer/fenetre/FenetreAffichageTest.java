@@ -18,8 +18,6 @@ import org.junit.jupiter.api.Test;
 /** Le menu Affichage : la taille où l'image se dessine, le plein écran, la loupe. */
 class FenetreAffichageTest extends EssaiFenetre {
 
-    private static final Dimension ECRAN = Toolkit.getDefaultToolkit().getScreenSize();
-
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
             ImageMemoire image = banc.atelier.getImageComplete();
@@ -46,13 +44,14 @@ class FenetreAffichageTest extends EssaiFenetre {
     void lePleinEcranNeGardeQueLImageEtLesFautes() throws Exception {
         int[] deuxReflets = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=2");
         ouvrir();
+        Dimension ecran = Toolkit.getDefaultToolkit().getScreenSize();
         Dimension avant = surFilEvenements(banc.cadre::getSize);
         banc.frapper(KeyEvent.VK_F11);
-        attendre("l'image prend tout l'écran", () -> banc.panneau.getSize().equals(ECRAN));
-        int largeur = (int) Math.round(ECRAN.height * (double) L / H);
-        attendreTaille("à ses proportions", largeur, ECRAN.height);
-        banc.attendreImage("dessinée, et non étirée", attendue(largeur, ECRAN.height));
-        BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(ECRAN));
+        attendre("l'image prend tout l'écran", () -> banc.panneau.getSize().equals(ecran));
+        int largeur = (int) Math.round(ecran.height * (double) L / H);
+        attendreTaille("à ses proportions", largeur, ecran.height);
+        banc.attendreImage("dessinée, et non étirée", attendue(largeur, ecran.height));
+        BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(ecran));
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(5, 5), "du gris autour");
         banc.frapper(KeyEvent.VK_SUBTRACT);
         attendre("les touches répondent", () -> banc.atelier.getReglages().getReflets() == 2);
