@@ -77,6 +77,7 @@ public abstract class Dessinateur implements Toile {
             throw new CancellationException("lecture abandonnée : la scène d'avant reste");
         }
         lectureNs = System.nanoTime() - debut;
+        lancer = null;
         scene = nouvelle;
         fichier = nomFichier;
         reglages = demandes;
@@ -103,7 +104,10 @@ public abstract class Dessinateur implements Toile {
      * @throws SceneFautive si ces réglages ne vont pas ; rien n'est alors changé
      */
     public void regler(ReglagesDessin voulus) {
-        scene = voulus.regler(scene);
+        Scene nouvelle = voulus.regler(scene);
+        lancer = null;
+        avancement = 0;
+        scene = nouvelle;
         reglages = voulus;
     }
 
@@ -134,7 +138,7 @@ public abstract class Dessinateur implements Toile {
         return image;
     }
 
-    /** Ce qui dessine cette image ; {@code null} tant que la scène se prépare. */
+    /** Ce qui dessine la scène lue, ainsi réglée ; {@code null} tant qu'elle ne se dessine pas. */
     public Lancer getLancer() {
         return lancer;
     }

@@ -132,7 +132,8 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** La part faite de l'image, de 0 à 1. */
     double getAvancement() {
-        return isBrouillonFait() ? getLancer().getAvancement() : getLancer() == null ? dessinateur.getAvancement() : 0;
+        Lancer lancer = getLancer();
+        return lancer == null ? dessinateur.getAvancement() : lancer.isBrouillonFait() ? lancer.getAvancement() : 0;
     }
 
     /** Où il en est, et depuis combien de temps. */

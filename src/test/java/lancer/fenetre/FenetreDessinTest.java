@@ -233,43 +233,54 @@ class FenetreDessinTest extends EssaiFenetre {
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
     }
 
+    /** Un programme dont la préparation ne finit pas d'elle-même, une fois retenue. */
+    private final class PreparationRetenue extends MainLent {
+        private final CountDownLatch suite = new CountDownLatch(1);
+        private volatile boolean retenue;
+
+        PreparationRetenue() {
+            super(args());
+        }
+
+        @Override
+        public void doTracerImage(int largeur, int hauteur) {
+            if (retenue) {
+                attendreSansEtreInterrompu(suite);
+                return;
+            }
+            super.doTracerImage(largeur, hauteur);
+        }
+    }
+
     @Test
     void echapPendantUnePreparationLaisseAussiLeCoutDeLImageMontree() throws Exception {
-        CountDownLatch preparation = new CountDownLatch(1);
         Path longue = dossier.resolve("longue.ini");
         Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
-        banc = new BancFenetre(new MainLent(args()) {
-            private volatile boolean seconde;
-
-            @Override
-            public void doTracerImage(int largeur, int hauteur) {
-                if (seconde) {
-                    attendreSansEtreInterrompu(preparation);
-                    return;
-                }
-                super.doTracerImage(largeur, hauteur);
-            }
-
-            @Override
-            public List<String> lireScene(String fichier) {
-                seconde = fichier.equals(longue.toString());
-                return super.lireScene(fichier);
-            }
-
-            @Override
-            public Lancer getLancer() {
-                return seconde ? null : super.getLancer();
-            }
-        });
+        PreparationRetenue programme = new PreparationRetenue();
+        banc = new BancFenetre(programme);
         banc.imageAchevee();
         String avant = surFilEvenements(banc.resume::getText);
+        programme.retenue = true;
         banc.frapperCtrl('O');
         choisir(longue);
         attendre("elle se prépare", () -> banc.avancement.getString().startsWith("préparation "));
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("la préparation est arrêtée", () -> banc.avancement.getString().startsWith("préparation arrêtée — "));
-        preparation.countDown();
+        programme.suite.countDown();
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         assertEquals(avant, surFilEvenements(banc.resume::getText));
+    }
+
+    @Test
+    void tantQuUnReglageSePrepareLeDessinDAvantNePasseNiPourLeSienNiPourAcheve() throws Exception {
+        PreparationRetenue programme = new PreparationRetenue();
+        banc = new BancFenetre(programme);
+        banc.imageAchevee();
+        programme.retenue = true;
+        banc.frapper(KeyEvent.VK_ADD);
+        attendre("il se prépare", () -> banc.avancement.getString().startsWith("préparation "));
+        assertNull(surFilEvenements(banc.atelier::getLancer));
+        assertEquals(0, surFilEvenements(() -> banc.atelier.getCourant().getAvancement()));
+        programme.suite.countDown();
     }
 }
