@@ -20,6 +20,7 @@ import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
 import lancer.temoins.LancerSurveille;
+import lancer.texte.Texte;
 
 /**
  * {@code --auto erreur=E} tient-il parole ? Sur les scènes livrées et sur cent scènes tirées au sort, l'erreur de l'image choisie,
@@ -44,13 +45,16 @@ public final class MesureAuto {
     }
 
     /** @param args le fichier, écrit à la fin ; la première graine et combien de scènes au sort, si l'on en veut d'autres */
-    public static void main(String[] args) throws IOException {
+    public static void main(String[] args) {
         try {
             int graine = args.length > 1 ? Integer.parseInt(args[1]) : GRAINE;
             mesurer(Paths.get(args[0]), graine, graine + (args.length > 2 ? Integer.parseInt(args[2]) : SCENES));
         } catch (IllegalArgumentException | ArrayIndexOutOfBoundsException e) {
             System.err.println("MesureAuto : " + e.getMessage() + " ; usage : MesureAuto FICHIER.csv [GRAINE COMBIEN]");
             System.exit(2);
+        } catch (IOException e) {
+            System.err.println("MesureAuto : " + args[0] + " : " + Texte.panne(e));
+            System.exit(1);
         }
     }
 
