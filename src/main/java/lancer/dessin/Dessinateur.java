@@ -77,10 +77,8 @@ public abstract class Dessinateur implements Toile {
             throw new CancellationException("lecture abandonnée : la scène d'avant reste");
         }
         lectureNs = System.nanoTime() - debut;
-        lancer = null;
-        scene = nouvelle;
         fichier = nomFichier;
-        reglages = demandes;
+        remplacer(nouvelle, demandes);
         return lu.getAvertissements();
     }
 
@@ -104,11 +102,15 @@ public abstract class Dessinateur implements Toile {
      * @throws SceneFautive si ces réglages ne vont pas ; rien n'est alors changé
      */
     public void regler(ReglagesDessin voulus) {
-        Scene nouvelle = voulus.regler(scene);
+        remplacer(voulus.regler(scene), voulus);
+    }
+
+    /** Le dessin d'avant n'est pas celui de cette scène, même avant qu'elle ne se prépare. */
+    private void remplacer(Scene nouvelle, ReglagesDessin siens) {
         lancer = null;
         avancement = 0;
         scene = nouvelle;
-        reglages = voulus;
+        reglages = siens;
     }
 
     /**

@@ -272,15 +272,17 @@ class FenetreDessinTest extends EssaiFenetre {
     }
 
     @Test
-    void tantQuUnReglageSePrepareLeDessinDAvantNePasseNiPourLeSienNiPourAcheve() throws Exception {
+    void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
         PreparationRetenue programme = new PreparationRetenue();
         banc = new BancFenetre(programme);
         banc.imageAchevee();
         programme.retenue = true;
         banc.frapper(KeyEvent.VK_ADD);
         attendre("il se prépare", () -> banc.avancement.getString().startsWith("préparation "));
-        assertNull(surFilEvenements(banc.atelier::getLancer));
-        assertEquals(0, surFilEvenements(() -> banc.atelier.getCourant().getAvancement()));
+        Lancer dAvant = surFilEvenements(banc.atelier::getLancer);
+        double avancement = surFilEvenements(() -> banc.atelier.getCourant().getAvancement());
         programme.suite.countDown();
+        assertNull(dAvant);
+        assertEquals(0, avancement);
     }
 }
