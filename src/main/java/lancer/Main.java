@@ -8,7 +8,7 @@ import lancer.contrat.PixelFautif;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 
 /**
  * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un

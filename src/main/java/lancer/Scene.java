@@ -12,8 +12,8 @@ import lancer.contrat.Origines;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Specularite;
-import lancer.lecture.LecteurScene;
-import lancer.precision.Jumelles;
+import lancer.scene.Jumelles;
+import lancer.scene.LecteurScene;
 
 /**
  * Les objets, les lampes, et ce qu'un rayon y voit (cours, « Scène de sphères »). Une scène appartient à un seul fil :
@@ -37,7 +37,7 @@ public final class Scene {
     /**
      * Lit une scène dans un fichier, et y installe les variantes présentes.
      *
-     * @param nomFichier voir {@link lancer.lecture.FichierScene#trouver}
+     * @param nomFichier voir {@link lancer.scene.FichierScene#trouver}
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {

@@ -87,7 +87,7 @@ class DependancesTest {
         String permis = JAVA + "|lancer\\.(contrat|precision)\\..*";
         verifier("lancer\\.(?!Main|Scene|Lancer)\\w+|lancer\\.SceneFautive", permis);
         verifier("lancer\\.Lancer", permis + "|lancer\\.fils\\.Equipe");
-        verifier("lancer\\.Scene", permis + "|lancer\\.lecture\\.LecteurScene");
+        verifier("lancer\\.Scene", permis + "|lancer\\.scene\\.(LecteurScene|Jumelles)");
     }
 
     @Test
@@ -117,24 +117,24 @@ class DependancesTest {
     @Test
     void seuleLaFenetreConnaitAwtEtImageIoNeLitQueLesImagesAComparer() {
         String sansAwt = "(?!java\\.awt|javax\\.|sun\\.|com\\.).*";
-        verifier("lancer\\.(?!fenetre\\.|sortie\\.LectureImage).*", sansAwt);
-        verifier("lancer\\.sortie\\.LectureImage", sansAwt + "|java\\.awt\\.image\\..*|javax\\.imageio\\..*");
+        verifier("lancer\\.(?!fenetre\\.|image\\.LectureImage).*", sansAwt);
+        verifier("lancer\\.image\\.LectureImage", sansAwt + "|java\\.awt\\.image\\..*|javax\\.imageio\\..*");
         verifier("lancer\\.(?!fenetre\\.|Main).*", "(?!lancer\\.fenetre\\.).*");
     }
 
     @Test
     void seuleLaLectureConnaitIni4jEtNEnPrendQueLeDecoupage() {
-        verifier("lancer\\.(?!lecture\\.).*", "(?!org\\.ini4j).*");
+        verifier("lancer\\.(?!scene\\.).*", "(?!org\\.ini4j).*");
         verifier(".*", "(?!org\\.).*|org\\.ini4j\\.(Config|InvalidFileFormatException|spi\\.IniHandler|spi\\.IniParser)");
         // la CVE-2022-41404 passe par ces méthodes-là
-        CODES.forEach((classe, code) -> assertFalse(classe.startsWith("lancer.lecture.")
+        CODES.forEach((classe, code) -> assertFalse(classe.startsWith("lancer.scene.")
                 && Pattern.compile("\\bfetch\\w*\\s*\\(|\\.\\s*(to|as|from)\\s*\\(").matcher(code).find(), classe));
     }
 
     @Test
     void laLectureEtLesSortiesNeSeConnaissentPas() {
-        verifier("lancer\\.lecture\\..*", COURS + "lancer\\.(contrat|texte)\\..*|org\\.ini4j\\..*");
-        verifier("lancer\\.sortie\\.(?!LectureImage).*", COURS + "lancer\\.(contrat|texte)\\..*|lancer\\.commande\\.Echec");
+        verifier("lancer\\.scene\\..*", COURS + "lancer\\.(contrat|texte)\\..*|org\\.ini4j\\..*");
+        verifier("lancer\\.image\\.(?!LectureImage).*", COURS + "lancer\\.(contrat|texte)\\..*|lancer\\.commande\\.Echec");
     }
 
     /** Celui du cours lui-même mis à part : il se sert de tous. */

@@ -18,8 +18,8 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Diagnostic;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
-import lancer.lecture.LecteurScene;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
+import lancer.scene.LecteurScene;
 import lancer.temoins.LancerSurveille;
 
 /** Une scène lue, comment la dessiner, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres regardent. */

@@ -16,8 +16,8 @@ import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.lecture.LecteurScene;
-import lancer.lecture.Services;
+import lancer.scene.LecteurScene;
+import lancer.scene.Services;
 import lancer.texte.Texte;
 
 /**

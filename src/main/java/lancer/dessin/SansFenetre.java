@@ -5,10 +5,10 @@ import lancer.Camera;
 import lancer.Lancer;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.image.ImageMemoire;
+import lancer.image.LectureImage;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
-import lancer.sortie.ImageMemoire;
-import lancer.sortie.LectureImage;
 
 /** Ce qui se fait sans fenêtre : une image dans un fichier, un pixel expliqué, une comparaison. */
 public final class SansFenetre {

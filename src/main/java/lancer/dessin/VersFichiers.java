@@ -7,17 +7,17 @@ import java.util.function.DoubleSupplier;
 import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.auto.Souhait;
+import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Toile;
-import lancer.lecture.FichierScene;
-import lancer.sortie.BarreProgression;
-import lancer.sortie.Comparaison;
-import lancer.sortie.Ecriture;
-import lancer.sortie.FichierPfm;
-import lancer.sortie.FichierPng;
-import lancer.sortie.ImageMemoire;
+import lancer.image.Comparaison;
+import lancer.image.Ecriture;
+import lancer.image.FichierPfm;
+import lancer.image.FichierPng;
+import lancer.image.ImageMemoire;
+import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
 /** Le travail sans fenêtre : les fichiers demandés, vérifiés avant de dessiner, et ce qu'il y a à dire du dessin. */

@@ -18,7 +18,7 @@ import lancer.SceneFautive;
 import lancer.commande.Pannes;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 
 /**
  * La vie d'un dessin dans la fenêtre : il commence, sa scène se lit, son brouillon puis son image se montrent, il

@@ -13,7 +13,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import lancer.Lancer;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 
 /** Le bas de la fenêtre : le pixel sous la souris, l'image, l'avancement, et un bouton pour arrêter ou reprendre. */
 final class BarreEtat extends JPanel {

@@ -7,10 +7,10 @@ import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import lancer.SceneFautive;
-import lancer.lecture.FichierScene;
-import lancer.sortie.Ecriture;
-import lancer.sortie.FichierPng;
-import lancer.sortie.ImageMemoire;
+import lancer.image.Ecriture;
+import lancer.image.FichierPng;
+import lancer.image.ImageMemoire;
+import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
 /**

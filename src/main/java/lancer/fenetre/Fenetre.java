@@ -28,7 +28,7 @@ import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import lancer.commande.Options;
 import lancer.dessin.Dessinateur;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 
 /**
  * La fenêtre : son cadre, ses menus, ses touches, et ce qui s'y lit du dessin que mène {@link Atelier}. Le fil des

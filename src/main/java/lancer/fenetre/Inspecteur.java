@@ -31,9 +31,9 @@ import lancer.Lancer;
 import lancer.fenetre.figures.Figure;
 import lancer.fenetre.figures.GrilleEchantillons;
 import lancer.fenetre.figures.VueDeCote;
+import lancer.image.ImageMemoire;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
-import lancer.sortie.ImageMemoire;
 
 /**
  * Pourquoi un pixel a sa couleur, dans une fenêtre à côté de l'image, qui suit ce pixel d'un dessin à l'autre. Tout se

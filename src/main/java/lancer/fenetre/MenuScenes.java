@@ -22,7 +22,7 @@ import javax.swing.ButtonGroup;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import lancer.SceneFautive;
-import lancer.lecture.FichierScene;
+import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
 /** Le menu des scènes : celles du dossier de la scène montrée, et les dernières ouvertes, d'une fois à l'autre. */

@@ -11,12 +11,12 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import lancer.SceneFautive;
+import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.dessin.Dessinateur;
-import lancer.lecture.Services;
-import lancer.sortie.BarreProgression;
+import lancer.scene.Services;
 
 /** De la ligne de commande à la fenêtre : lire la première scène, s'assurer d'un écran, et commencer à dessiner. */
 public final class Ouverture {

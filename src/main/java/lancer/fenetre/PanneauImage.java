@@ -3,8 +3,8 @@ package lancer.fenetre;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -23,7 +23,7 @@ import java.util.function.Consumer;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import lancer.fenetre.figures.Figure;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 
 /**
  * L'image au milieu d'un gris neutre qui ne fausse pas les couleurs, un de ses pixels sur chaque pixel de l'écran ;

@@ -25,7 +25,7 @@ import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 
 /**
  * « Vitesse ou précision » : les réglages que {@code --auto} essaierait sur la scène montrée, chacun à son prix et à

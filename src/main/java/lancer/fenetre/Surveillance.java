@@ -6,7 +6,7 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Timer;
 import java.util.TimerTask;
 import lancer.SceneFautive;
-import lancer.lecture.FichierScene;
+import lancer.scene.FichierScene;
 
 /**
  * Veille sur le fichier de la scène, dans un fil à elle. Elle regarde l'heure et la taille, car un éditeur qui

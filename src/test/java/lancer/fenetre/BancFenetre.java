@@ -46,7 +46,7 @@ import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import lancer.Main;
 import lancer.essai.Essai;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 
 /** Une fenêtre à l'essai, sur un vrai écran : on y frappe des touches, on y regarde, et on attend sans dormir pour rien. */
 final class BancFenetre {

@@ -12,7 +12,7 @@ import java.awt.Toolkit;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
 /** Le menu Affichage : la taille où l'image se dessine, le plein écran, la loupe. */

@@ -24,7 +24,7 @@ import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
 /** La vie d'un dessin dans la fenêtre : lecture, préparation, brouillon puis image, arrêt, panne ; elle ne l'attend jamais. */

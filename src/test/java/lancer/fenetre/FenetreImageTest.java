@@ -20,7 +20,7 @@ import java.nio.file.Files;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import lancer.Couleur;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
 /** L'image à l'écran, quelle que soit la taille de la fenêtre, et ce qui s'en lit : son coût, et la couleur d'un pixel. */

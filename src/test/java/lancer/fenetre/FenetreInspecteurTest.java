@@ -26,7 +26,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import lancer.essai.Essai;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image et par-dessus elle. */

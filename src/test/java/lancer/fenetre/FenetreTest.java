@@ -27,7 +27,7 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
 /** La fenêtre elle-même : ses menus, ses touches, son icône, et l'écran qui manque. */

@@ -15,7 +15,7 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.RechercheSimple;
 import lancer.essai.Essai;
-import lancer.sortie.ImageMemoire;
+import lancer.image.ImageMemoire;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -26,9 +26,9 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Specularite;
-import lancer.sortie.Ecriture;
-import lancer.sortie.FichierPng;
-import lancer.sortie.ImageMemoire;
+import lancer.image.Ecriture;
+import lancer.image.FichierPng;
+import lancer.image.ImageMemoire;
 
 /** {@code make reponses} : les figures et les nombres de la page, ceux du programme, qu'un test compare à ce qu'elle montre. */
 public final class Reponses {

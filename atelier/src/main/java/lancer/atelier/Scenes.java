@@ -10,8 +10,8 @@ import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Scene;
-import lancer.lecture.FichierScene;
-import lancer.lecture.LecteurScene;
+import lancer.scene.FichierScene;
+import lancer.scene.LecteurScene;
 
 /**
  * Des scènes par leur nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 », « etoiles-1000 »). Telles que

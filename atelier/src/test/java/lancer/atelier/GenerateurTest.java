@@ -17,7 +17,7 @@ import lancer.Camera;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.lecture.LecteurScene;
+import lancer.scene.LecteurScene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -7,9 +7,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Paths;
-import lancer.sortie.Comparaison;
-import lancer.sortie.ImageMemoire;
-import lancer.sortie.LectureImage;
+import lancer.image.Comparaison;
+import lancer.image.ImageMemoire;
+import lancer.image.LectureImage;
 import org.junit.jupiter.api.Test;
 
 /** docs/reponses.md et ses figures. */

@@ -9,7 +9,7 @@ import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
-import lancer.lecture.FichierScene;
+import lancer.scene.FichierScene;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 

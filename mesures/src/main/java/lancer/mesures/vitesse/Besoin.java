@@ -16,8 +16,8 @@ import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
+import lancer.image.ImageMemoire;
 import lancer.mesures.Gabarit;
-import lancer.sortie.ImageMemoire;
 import lancer.temoins.LancerSurveille;
 
 /** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */

@@ -7,13 +7,13 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import lancer.Scene;
 import lancer.atelier.Scenes;
-import lancer.lecture.FichierScene;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Vignettes;
+import lancer.scene.FichierScene;
 
 /** Où une image se trompe : l'écart de chaque pixel de la scène du cours à la vérité, en valeur absolue, amplifié. */
 final class FigureDifferences {

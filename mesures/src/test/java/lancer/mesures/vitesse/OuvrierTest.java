@@ -12,10 +12,10 @@ import java.io.StringReader;
 import java.nio.file.Path;
 import lancer.Scene;
 import lancer.atelier.Scenes;
+import lancer.image.Ecriture;
+import lancer.image.FichierPng;
+import lancer.image.ImageMemoire;
 import lancer.mesures.ImageLineaire;
-import lancer.sortie.Ecriture;
-import lancer.sortie.FichierPng;
-import lancer.sortie.ImageMemoire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

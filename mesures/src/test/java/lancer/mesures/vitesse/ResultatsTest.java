@@ -19,8 +19,8 @@ import lancer.atelier.FichierCsv;
 import lancer.atelier.PagesMesurees;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
-import lancer.lecture.FichierScene;
 import lancer.mesures.ImageLineaire;
+import lancer.scene.FichierScene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.image;
 
 import java.io.File;
 import java.io.IOException;

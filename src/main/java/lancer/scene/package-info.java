@@ -4,4 +4,4 @@
  *
  * <p>Y entre ce qui juge un texte : lignes, sections, nombres ; rien de ce qu'on fait de la scène ensuite.
  */
-package lancer.lecture;
+package lancer.scene;

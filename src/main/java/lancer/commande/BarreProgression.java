@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.commande;
 
 import java.io.IOException;
 import java.io.PrintStream;

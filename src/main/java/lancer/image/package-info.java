@@ -3,4 +3,4 @@
  *
  * <p>N'y entre rien qui sache ce qu'est une scène, ni qui décide d'une couleur.
  */
-package lancer.sortie;
+package lancer.image;

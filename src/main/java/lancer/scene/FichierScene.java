@@ -1,4 +1,4 @@
-package lancer.lecture;
+package lancer.scene;
 
 import java.io.FileInputStream;
 import java.io.FileNotFoundException;

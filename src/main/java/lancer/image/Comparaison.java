@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.image;
 
 import java.util.Locale;
 import lancer.Couleur;

@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.image;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,4 +1,4 @@
-package lancer.lecture;
+package lancer.scene;
 
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,4 +1,4 @@
-package lancer.precision;
+package lancer.scene;
 
 import java.util.ArrayList;
 import java.util.HashSet;

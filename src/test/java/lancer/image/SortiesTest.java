@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.image;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -92,7 +92,7 @@ class SortiesTest extends EssaiCommande {
         assertEquals("trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2",
                 Pannes.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
         assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Pannes.message(new OutOfMemoryError()));
-        assertEquals("échec du programme : java.lang.IllegalStateException: a\\nb (lancer.sortie.SortiesTest."
+        assertEquals("échec du programme : java.lang.IllegalStateException: a\\nb (lancer.image.SortiesTest."
                 + "unePanneDeLaMachineDitQuoiFaire, SortiesTest.java)",
                 Pannes.message(new RuntimeException(new IllegalStateException("a\nb"))).replaceAll("java:\\d+", "java"));
     }

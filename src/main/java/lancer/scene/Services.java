@@ -1,4 +1,4 @@
-package lancer.lecture;
+package lancer.scene;
 
 import java.util.ArrayList;
 import java.util.Arrays;

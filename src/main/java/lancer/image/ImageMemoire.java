@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.image;
 
 import lancer.Couleur;
 import lancer.contrat.Toile;

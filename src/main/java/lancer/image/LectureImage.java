@@ -1,4 +1,4 @@
-package lancer.sortie;
+package lancer.image;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.IndexColorModel;

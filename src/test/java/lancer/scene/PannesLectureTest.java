@@ -1,4 +1,4 @@
-package lancer.lecture;
+package lancer.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
