@@ -158,28 +158,14 @@ image-classe: $(CORRECTION)
 
 aide:
 	@echo "make                       construit, et dessine scenes/scene1.ini dans une fenêtre"
-	@echo "make run SCENE=fichier     une autre scène ; OPTIONS=\"--reflets 2\" pour le programme"
-	@echo "make run VARIANTES=\"brume blinn\"   avec des variantes : brume, antialias, blinn"
+	@echo "make run SCENE=fichier     une autre scène ; VARIANTES=\"brume blinn\" ; OPTIONS=\"--reflets 2\" pour le programme"
 	@echo "make test                  tous les tests de tous les modules"
-	@echo "make javadoc               la documentation des classes : target/reports/apidocs/index.html, et de même chaque module"
-	@echo "make lanceurs              lance les tests du cours par douze autres lanceurs JUnit, de la version 1.9.3 à la 1.14.4"
-	@echo "make images                refait les images du README"
-	@echo "make captures              refait les captures d'écran du README"
-	@echo "make scene-geante N=1000000   écrit une scène de N boules, target/geante.ini"
-	@echo "make bench                 dessine de 1 à 1000000 sphères, vérifie et mesure, face aux boucles du cours et à POV-Ray ; cinq à dix minutes"
-	@echo "make noyaux                mesure neuf façons de calculer une intersection, huit minutes ; JMH=\"-f 5\" pour les options de JMH"
-	@echo "make mesures               mesure vitesse et précision, et refait les courbes du README ; une demi-heure"
-	@echo "make mesures RAPIDE=1      une partie, en une minute ou deux, dans mesures/target/vitesse-rapide"
-	@echo "make juge                  compare nos images à celles de POV-Ray, pixel par pixel ; JUGE=\"scenes/tournesol.ini\" pour choisir"
-	@echo "make mesure-auto           vérifie, sur les scènes livrées et cent au hasard, que --auto tient l'erreur voulue"
-	@echo "make auto-a-froid          mesure ce que coûte --auto, et ce qu'il donne, quand le programme démarre à chaque image ; TOURS=…"
-	@echo "make mutations             met des fautes dans l'arithmétique et compte celles que les tests voient ; six à huit minutes"
-	@echo "make reponses              refait les figures et les nombres de docs/reponses.md"
-	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène ; OPTIONS=\"--tolerance 1 --image ecart.png\""
+	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène"
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
-	@echo "make corriger RENDUS=…     note les rendus d'une classe ; NOTES=feuille.csv de Moodle, BAREME=points.ini, SORTIE=dossier"
-	@echo "make mesure-corriger       note trente rendus différents, et dit en combien de temps et de mémoire"
+	@echo "make corrige DOSSIER=…     écrit le programme fini du cours ; VARIANTE=brume, antialias ou blinn pour une extension"
+	@echo "make corriger RENDUS=…     note les rendus d'une classe, ou un seul dossier ; NOTES=feuille.csv de Moodle"
 	@echo "make propre                efface ce qui est construit"
+	@echo "Options du programme : docs/options.md. Classe : docs/classe.md. Mesures, images, toutes les cibles : docs/construire.md"
 
 propre: outils
 	@$(MVN) -q -f ensemble.xml clean

@@ -21,7 +21,10 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -30,6 +33,7 @@ class FormeTest {
 
     private static final Path RACINE = Paths.get("");
     private static final List<Path> FICHIERS = new ArrayList<>();
+    private static final Pattern LIEN = Pattern.compile("\\]\\(([^)\\s]+)\\)|(?:src|href)=\"([^\"]+)\"");
 
     /** Chaque section de {@code .editorconfig} : à quels fichiers elle s'applique, et ce qu'elle en dit. */
     private static final Map<PathMatcher, Map<String, String>> SECTIONS = new LinkedHashMap<>();
@@ -147,6 +151,45 @@ class FormeTest {
             }
         }
         assertEquals("", String.join("\n", fautes));
+    }
+
+    @Test
+    void leReadmeTientEnDeuxPages() throws IOException {
+        List<String> lignes = Files.readAllLines(RACINE.resolve("README.md"));
+        assertTrue(lignes.size() <= 160, lignes.size() + " lignes");
+        int mots = String.join(" ", lignes).trim().split("\\s+").length;
+        assertTrue(mots <= 1800, mots + " mots");
+    }
+
+    /** Fichiers et titres : le nom d'un titre dans une adresse est celui que lui donne GitHub. */
+    @Test
+    void chaqueLienDUnePageMeneQuelquePart() throws IOException {
+        List<String> perdus = new ArrayList<>();
+        for (Path page : FICHIERS) {
+            // le projet que reçoivent les étudiants n'est pas à sa place ici
+            if (page.toString().endsWith(".md") && !page.startsWith("correction")) {
+                String texte = new String(Files.readAllBytes(RACINE.resolve(page)), StandardCharsets.UTF_8);
+                Matcher lien = LIEN.matcher(texte.replaceAll("(?m)^    .*$|`[^`\n]*`", ""));
+                while (lien.find()) {
+                    String adresse = lien.group(1) == null ? lien.group(2) : lien.group(1);
+                    if (!adresse.matches("https?:.*") && !mene(RACINE.toAbsolutePath().resolve(page), adresse)) {
+                        perdus.add(page + " : " + adresse);
+                    }
+                }
+            }
+        }
+        assertEquals("", String.join("\n", perdus));
+    }
+
+    private static boolean mene(Path page, String adresse) throws IOException {
+        String[] parts = adresse.split("#", 2);
+        Path but = parts[0].isEmpty() ? page : page.resolveSibling(parts[0]).normalize();
+        if (parts.length == 1 || !Files.isRegularFile(but)) {
+            return parts.length == 1 && Files.exists(but);
+        }
+        return Files.readAllLines(but).stream().filter(l -> l.matches("#+ .*"))
+                .map(l -> l.replaceAll("^#+ ", "").toLowerCase(Locale.ROOT).replaceAll("[^\\p{L}\\p{N}_ -]", "").replace(' ', '-'))
+                .anyMatch(parts[1]::equals);
     }
 
     /** Chaque paquet de la maison : la variante d'un étudiant n'y est pas tenue. */

@@ -19,8 +19,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Une forme d'étudiant ne demande qu'une classe et une ligne de services : ici, le plan du README. Il s'y appelle {@code Panneau}, pour
- * que ces tests restent vrais là où quelqu'un l'a copié dans la base.
+ * Une forme d'étudiant ne demande qu'une classe et une ligne de services : ici, le plan de docs/etendre.md. Il s'y appelle
+ * {@code Panneau}, pour que ces tests restent vrais là où quelqu'un l'a copié dans la base.
  */
 abstract class EssaiFormes {
 
@@ -39,8 +39,8 @@ abstract class EssaiFormes {
     Path scene;
 
     @BeforeAll
-    static void copierLeReadme() throws IOException {
-        String section = lireTexte(Paths.get("README.md")).split("\n## Une forme à soi\n")[1].split("\n## ")[0];
+    static void copierLaPage() throws IOException {
+        String section = lireTexte(Paths.get("docs/etendre.md")).split("\n## Une forme à soi\n")[1].split("\n## ")[0];
         blocs = new ArrayList<>();
         for (String paragraphe : section.split("\n(?=[^ \n])")) {
             int bloc = paragraphe.indexOf("\n    ");

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** La forme d'étudiant du README se voit, s'éclaire, se reflète et porte ombre comme une boule. */
+/** La forme d'étudiant de docs/etendre.md se voit, s'éclaire, se reflète et porte ombre comme une boule. */
 class FormesTest extends EssaiFormes {
 
     private float[] dessiner(String taille, String... lignes) throws IOException {

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Une variante de plus, faite en suivant le README à la lettre dans une copie du projet : rien de la base ne change. */
+/** Une variante de plus, faite en suivant docs/etendre.md à la lettre dans une copie du projet : rien de la base ne change. */
 class QuatriemeVarianteTest {
 
     private static final Pattern FICHIER = Pattern.compile("`([^`]+)` :");
@@ -41,18 +41,18 @@ class QuatriemeVarianteTest {
     @TempDir
     Path dossier;
 
-    /** Ce qu'a dit la dernière commande du README. */
+    /** Ce qu'a dit la dernière commande de la page. */
     private static String dit;
 
     @BeforeAll
-    static void suivreLeReadme() throws Exception {
+    static void suivreLaPage() throws Exception {
         for (String outil : new String[] {"make", "mvn", "sed"}) {
             assumeTrue(Arrays.stream(System.getenv("PATH").split(File.pathSeparator)).anyMatch(d -> new File(d, outil).canExecute()),
                     "pas de " + outil + " ici");
         }
         copier(Paths.get("..").toRealPath());
-        String readme = lireTexte(copie.resolve("README.md"));
-        String partie = readme.substring(readme.indexOf("### Une quatrième variante\n"), readme.indexOf("## Une forme à soi\n"));
+        String page = lireTexte(Paths.get("../docs/etendre.md"));
+        String partie = page.substring(page.indexOf("## Une quatrième variante\n"), page.indexOf("## Une forme à soi\n"));
         String prose = "";
         StringBuilder bloc = new StringBuilder();
         for (String ligne : (partie + "fin").split("\n")) {
@@ -68,7 +68,7 @@ class QuatriemeVarianteTest {
         }
     }
 
-    /** Un bloc du README est un fichier à écrire, des lignes à ajouter, ou des commandes : ce qui est dit juste avant le dit. */
+    /** Un bloc de la page est un fichier à écrire, des lignes à ajouter, ou des commandes : ce qui est dit juste avant le dit. */
     private static void suivre(String prose, String bloc) throws Exception {
         Matcher fichier = FICHIER.matcher(prose);
         Matcher insertion = INSERTION.matcher(prose);
@@ -98,7 +98,7 @@ class QuatriemeVarianteTest {
         return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
     }
 
-    /** Tout, sauf ce qu'aucune commande du README ne lit ici : les autres variantes, les mesures, la correction, les tests de la base. */
+    /** Tout, sauf ce qu'aucune commande de la page ne lit ici : les autres variantes, les mesures, la correction, les tests de la base. */
     private static void copier(Path projet) throws IOException {
         Files.walkFileTree(projet, new SimpleFileVisitor<Path>() {
             @Override
