@@ -3,21 +3,67 @@ package lancer;
 import lancer.contrat.Ecoute;
 
 /**
- * Une somme de couleurs en cours, noire au début : une seule sert à toutes les lampes d'un contact, et à son reflet.
+ * La lumière qu'un contact renvoie vers le rayon : une somme, noire au début. Elle dit chaque terme à qui écoute la
+ * scène, s'il y a quelqu'un ; en copie, car un vecteur ou une couleur ne doit sinon vivre que dans les registres.
  */
 final class Lumiere {
 
+    /** Qui écoute ; d'ordinaire {@code null}. */
     private final Ecoute ecoute;
+    private final double seuil;
     private double r;
     private double v;
     private double b;
 
-    Lumiere(Ecoute ecoute) {
+    /**
+     * @param N normale au contact
+     * @param R miroir du rayon incident
+     * @param seuil au-dessous duquel le produit des Ks ne vaut pas un reflet
+     */
+    Lumiere(Ecoute ecoute, Vecteur N, Vecteur R, double seuil) {
         this.ecoute = ecoute;
+        this.seuil = seuil;
+        if (ecoute != null) {
+            ecoute.auContact(new Vecteur(N.x, N.y, N.z), new Vecteur(R.x, R.y, R.z));
+        }
     }
 
+    /**
+     * Vrai si cette lampe est devant la surface.
+     *
+     * @param devant N·(lampe − contact), qui n'est pas normalisé : le signe seul compte
+     */
+    boolean estDevant(Lampe lampe, double devant) {
+        if (ecoute != null) {
+            ecoute.aLaLampe(lampe, devant);
+        }
+        return devant > 0;
+    }
+
+    /** Ce qu'une lampe apporterait si rien ne la cachait : diffus·cosinus + speculaire·éclat. */
+    Couleur apport(Couleur diffus, double cosinus, Couleur speculaire, double eclat) {
+        Couleur lambert = diffus.mul(cosinus);
+        Couleur reflet = speculaire.mul(eclat);
+        if (ecoute != null) {
+            ecoute.aLEclairement(cosinus, eclat, new Couleur(lambert.r, lambert.v, lambert.b),
+                    new Couleur(reflet.r, reflet.v, reflet.b));
+        }
+        return lambert.add(reflet);
+    }
+
+    /** Vrai si un rayon réfléchi vaut d'être lancé : la plus grande composante du produit des Ks atteint le seuil. */
+    boolean vautUnReflet(Couleur produitKs) {
+        if (ecoute != null) {
+            ecoute.auPoids(new Couleur(produitKs.r, produitKs.v, produitKs.b));
+        }
+        return produitKs.max() >= seuil;
+    }
+
+    /** Ajoute l'apport d'une lampe qui n'est pas cachée, ou ce que renvoie un reflet. */
     void ajouter(Couleur c) {
-        Ecoute.somme(ecoute, c);
+        if (ecoute != null) {
+            ecoute.aLaSomme(new Couleur(c.r, c.v, c.b));
+        }
         r += c.r;
         v += c.v;
         b += c.b;

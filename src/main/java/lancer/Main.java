@@ -8,6 +8,7 @@ import lancer.contrat.PixelFautif;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 
 /**
@@ -63,15 +64,15 @@ public class Main extends Dessinateur {
     @Override
     public void doTracerImage(int largeur, int hauteur) {
         boolean avecLineaire = (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE;
-        Lancer lancer = preparer(new ImageMemoire(largeur, hauteur, avecLineaire));
+        Traceur traceur = preparer(new ImageMemoire(largeur, hauteur, avecLineaire));
         try {
-            lancer.TracerImage(this, getReglages().getReflets(), options.fils);
+            traceur.TracerImage(this, getReglages().getReflets(), options.fils);
         } catch (PixelFautif e) {
             throw nommer(e);
         }
-        direEcart(lancer);
+        direEcart(traceur);
         if (options.statistiques) {
-            sortie.println(statistiques(lancer, lancer.getDureeNs()));
+            sortie.println(statistiques(traceur, traceur.getDureeNs()));
             sortie.flush();
         }
     }

@@ -1,7 +1,5 @@
 package lancer;
 
-import lancer.contrat.Ecoute;
-
 /**
  * Ce qu'un rayon peut rencontrer : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme
  * nouvelle n'a que deux méthodes à donner : {@link #getIntersectionDistance} et {@link #getNormale} ; une troisième,
@@ -41,22 +39,16 @@ public abstract class Objet3D {
         Vecteur V = incident.getV();
         Vecteur N = getNormale(contact);
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();
-        Ecoute.contact(scene.ecoute, N, R);
-        Lumiere lumiere = new Lumiere(scene.ecoute);
+        Lumiere lumiere = scene.getLumiere(N, R);
         for (Lampe lampe : scene.lampes) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
             // le signe de N·L se lit avant de normaliser : une lampe exactement sur le contact s'arrête ici aussi
-            double devant = N.dot(versLampe);
-            Ecoute.lampe(scene.ecoute, lampe, devant);
-            if (devant > 0) {
+            if (lumiere.estDevant(lampe, N.dot(versLampe))) {
                 Vecteur L = versLampe.normalized();
                 Couleur KL = lampe.getCouleur();
-                double eclat = Ks.estNoire() ? 0 : scene.getSpecularite().eclat(V, N, L, R, ns);
                 double cosinus = Math.min(1, N.dot(L));
-                Couleur diffus = Kd.mul(KL).mul(cosinus);
-                Couleur reflet = Ks.mul(KL).mul(eclat);
-                Ecoute.eclairement(scene.ecoute, cosinus, eclat, diffus, reflet);
-                Couleur apport = diffus.add(reflet);
+                double eclat = Ks.estNoire() ? 0 : scene.getModele().getSpecularite().eclat(V, N, L, R, ns);
+                Couleur apport = lumiere.apport(Kd.mul(KL), cosinus, Ks.mul(KL), eclat);
                 if (!apport.estNoire() && !scene.estCachee(lampe, contact, L, versLampe.norme(), this)) {
                     lumiere.ajouter(apport);
                 }
@@ -64,8 +56,7 @@ public abstract class Objet3D {
         }
         if (profondeur > 0 && !Ks.estNoire()) {
             Couleur produitKs = incident.getProduitKs().mul(Ks);
-            Ecoute.poids(scene.ecoute, produitKs);
-            if (produitKs.max() >= scene.getSeuil()) {
+            if (lumiere.vautUnReflet(produitKs)) {
                 scene.getCompteurs().reflechis++;
                 Rayon reflechi = new Rayon(contact, R, produitKs);
                 lumiere.ajouter(Ks.mul(scene.getCouleurVue(reflechi, this, profondeur - 1)));

@@ -3,36 +3,24 @@ package lancer;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
-import lancer.contrat.Echantillonnage;
 import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
-import lancer.contrat.Origines;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
-import lancer.contrat.Specularite;
 import lancer.scene.Jumelles;
 import lancer.scene.LecteurScene;
 
 /**
  * Les objets, les lampes, et ce qu'un rayon y voit (cours, « Scène de sphères »). Une scène appartient à un seul fil :
- * {@link #pourUnFil()} en donne une vue de plus, sur les mêmes objets.
+ * {@link #avec} en donne une vue de plus, sur les mêmes objets.
  */
 public final class Scene {
 
     private final List<Objet3D> objets;
     /** En tableau, que chaque contact parcourt. */
     final Lampe[] lampes;
-    /** Qui écoute ce fil calculer ; d'ordinaire {@code null}. */
-    final Ecoute ecoute;
-    private final Atmosphere atmosphere;
-    private final Specularite specularite;
-    private final Echantillonnage echantillonnage;
-    private final Origines origines;
+    private final Modele modele;
     private final Compteurs compteurs = new Compteurs();
-    private Recherche recherche;
-    private double seuil = Constantes.SEUIL;
 
     /**
      * Lit une scène dans un fichier, et y installe les variantes présentes.
@@ -41,12 +29,18 @@ public final class Scene {
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {
-        this(LecteurScene.lire(nomFichier));
+        this(nomFichier, new LecteurScene());
     }
 
-    /** La scène d'un fichier déjà lu. */
-    public Scene(LecteurScene lu) {
-        this(lu.getObjets(), lu.getLampes(), lu.getModele(), lu.getOrigines());
+    /**
+     * Lit une scène dans un fichier, ce lecteur disant où il en est, comment installer les variantes, et ce qu'il a
+     * laissé de côté.
+     *
+     * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
+     */
+    public Scene(String nomFichier, LecteurScene lecteur) {
+        this(lecteur.lire(nomFichier).getObjets(), lecteur.getLampes(), lecteur.getModele());
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente est laissée de côté. */
@@ -54,58 +48,19 @@ public final class Scene {
         this(objets, lampes, new Modele());
     }
 
-    /** Une scène sans fichier, où {@code modele} dit ce que des variantes changent. */
-    public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, Modele modele) {
-        this(objets, lampes, modele, new Origines());
+    private Scene(List<? extends Objet3D> objets, List<Lampe> lampes, Modele modele) {
+        this(Collections.unmodifiableList(Jumelles.sans(objets)), lampes.toArray(new Lampe[0]), modele);
     }
 
-    private Scene(List<? extends Objet3D> objets, List<Lampe> lampes, Modele modele, Origines origines) {
-        this.objets = Collections.unmodifiableList(Jumelles.sans(objets));
-        this.lampes = lampes.toArray(new Lampe[0]);
-        atmosphere = modele.getAtmosphere();
-        specularite = modele.getSpecularite();
-        echantillonnage = modele.getEchantillonnage();
-        this.origines = origines;
-        ecoute = null;
-        recherche = new RechercheSimple(this.objets, compteurs);
+    private Scene(List<Objet3D> objets, Lampe[] lampes, Modele modele) {
+        this.objets = objets;
+        this.lampes = lampes;
+        this.modele = modele.pourUnFil(objets, compteurs);
     }
 
-    private Scene(Scene autre, Atmosphere atmosphere, Specularite specularite, Echantillonnage echantillonnage,
-            double seuil, Ecoute ecoute) {
-        objets = autre.objets;
-        lampes = autre.lampes;
-        this.atmosphere = atmosphere;
-        this.specularite = specularite;
-        this.echantillonnage = echantillonnage;
-        recherche = autre.recherche.pourUnFil(compteurs);
-        this.seuil = seuil;
-        origines = autre.origines;
-        this.ecoute = ecoute;
-    }
-
-    /** La même scène pour un fil de plus, avec ses propres compteurs. */
-    public Scene pourUnFil() {
-        return avec(echantillonnage, seuil);
-    }
-
-    /**
-     * La même scène, à dessiner autrement : ce que compare {@code --auto}.
-     *
-     * @param seuil voir {@link #setSeuil}
-     */
-    public Scene avec(Echantillonnage echantillonnage, double seuil) {
-        return new Scene(this, atmosphere, specularite, echantillonnage, seuil, ecoute);
-    }
-
-    /** La même scène, qui dit à {@code ecoute} ce qu'elle calcule. */
-    public Scene ecoutee(Ecoute ecoute) {
-        return new Scene(this, atmosphere.ecoutee(ecoute), specularite, echantillonnage, seuil, ecoute);
-    }
-
-    /** De même, et ce que des variantes en changent est ce que dit {@code modele}. */
-    public Scene avec(Modele modele, double seuil) {
-        return new Scene(this, modele.getAtmosphere(), modele.getSpecularite(), modele.getEchantillonnage(), seuil,
-                ecoute);
+    /** La même scène pour un fil de plus, avec ses propres compteurs, et dessinée selon ce modèle. */
+    public Scene avec(Modele autre) {
+        return new Scene(objets, lampes, autre);
     }
 
     /** Le premier objet que rencontre ce rayon. Voir {@link #getClosestIntersection(Rayon, Objet3D)}. */
@@ -120,7 +75,7 @@ public final class Scene {
      * @return {@code null} si le rayon ne rencontre rien
      */
     public PointContact getClosestIntersection(Rayon incident, Objet3D saufLui) {
-        recherche.plusProche(incident, saufLui);
+        modele.getRecherche().plusProche(incident, saufLui);
         return incident.calcContact();
     }
 
@@ -134,7 +89,8 @@ public final class Scene {
      */
     public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
         compteurs.ombre++;
-        Ecoute.ombre(ecoute, L, distance);
+        Ecoute.ombre(modele.getEcoute(), L, distance);
+        Recherche recherche = modele.getRecherche();
         if (estLointaine(lampe)) {
             double milieu = distance / 2;
             return recherche.estCachee(lampe, contact, L, milieu, objet)
@@ -157,12 +113,17 @@ public final class Scene {
      */
     public Couleur getCouleurVue(Rayon rayon, Objet3D saufLui, int profondeur) {
         PointContact contact = getClosestIntersection(rayon, saufLui);
-        Ecoute.rayon(ecoute, contact);
+        Ecoute.rayon(modele.getEcoute(), contact);
         Couleur couleur = contact == null ? rayon.getSkyColor()
                 : contact.objet.getColor(this, rayon, contact, profondeur);
-        Couleur vue = atmosphere.traverser(couleur, contact == null ? Constantes.INFINI : contact.distance);
-        Ecoute.vue(ecoute, couleur, vue);
+        Couleur vue = modele.getAtmosphere().traverser(couleur, contact == null ? Constantes.INFINI : contact.distance);
+        Ecoute.vue(modele.getEcoute(), couleur, vue);
         return vue;
+    }
+
+    /** La somme des lumières d'un contact de normale N, où le rayon a R pour miroir : noire au début. */
+    Lumiere getLumiere(Vecteur N, Vecteur R) {
+        return new Lumiere(modele.getEcoute(), N, R, modele.getSeuil());
     }
 
     /** Les objets, dans l'ordre du fichier ; la liste ne change pas. */
@@ -175,43 +136,13 @@ public final class Scene {
         return Collections.unmodifiableList(Arrays.asList(lampes));
     }
 
-    /** De quelles sections viennent les objets et les lampes. */
-    public Origines getOrigines() {
-        return origines;
-    }
-
     /** Ce que ce fil a compté. */
     public Compteurs getCompteurs() {
         return compteurs;
     }
 
-    /** Un reflet est suivi si le produit des Ks, en sa plus grande composante, atteint ce seuil. */
-    public double getSeuil() {
-        return seuil;
-    }
-
-    /** @param seuil fini, positif ou nul ; 0 : toujours suivre */
-    public void setSeuil(double seuil) {
-        this.seuil = seuil;
-    }
-
-    public Recherche getRecherche() {
-        return recherche;
-    }
-
-    public void setRecherche(Recherche recherche) {
-        this.recherche = recherche;
-    }
-
-    public Atmosphere getAtmosphere() {
-        return atmosphere;
-    }
-
-    public Specularite getSpecularite() {
-        return specularite;
-    }
-
-    public Echantillonnage getEchantillonnage() {
-        return echantillonnage;
+    /** Comment cette scène se dessine, par ce fil. */
+    public Modele getModele() {
+        return modele;
     }
 }

@@ -85,8 +85,7 @@ class DependancesTest {
     @Test
     void lesClassesDuCoursNeDependentQueDesContratsEtDeLaPrecision() {
         String permis = JAVA + "|lancer\\.(contrat|precision)\\..*";
-        verifier("lancer\\.(?!Main|Scene|Lancer)\\w+|lancer\\.SceneFautive", permis);
-        verifier("lancer\\.Lancer", permis + "|lancer\\.fils\\.Equipe");
+        verifier("lancer\\.(?!Main|Scene)\\w+|lancer\\.SceneFautive", permis);
         verifier("lancer\\.Scene", permis + "|lancer\\.scene\\.(LecteurScene|Jumelles)");
     }
 
@@ -94,7 +93,8 @@ class DependancesTest {
     void lesContratsNeDependentQueDuCoursEtDesTextes() {
         verifier("lancer\\.contrat\\..*", COURS + "lancer\\.texte\\..*");
         verifier("lancer\\.precision\\..*", COURS);
-        verifier("lancer\\.(texte|fils)\\..*", JAVA);
+        verifier("lancer\\.texte\\..*", JAVA);
+        verifier("lancer\\.fils\\..*", COURS + "lancer\\.contrat\\..*");
     }
 
     @Test

@@ -13,6 +13,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lancer.essai.Ressources;
+import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui ne doit changer l'image d'aucun bit, et ce qu'en font le brouillon et l'arrêt. */
@@ -62,7 +63,7 @@ class DessinTest {
         long[] comptes = null;
         for (int fils : new int[] {1, 2, 3, 7, 64}) {
             Ressources.Image image = new Ressources.Image(100, 75);
-            Lancer lancer = new Lancer(scene, camera);
+            Traceur lancer = new Traceur(scene, camera);
             lancer.TracerPixels(image, 5, fils);
             long[] obtenus = {lancer.getCompteurs().primaires, lancer.getCompteurs().ombre, lancer.getCompteurs().reflechis,
                 lancer.getCompteurs().testsSpheres, lancer.getCompteurs().noeudsVisites};
@@ -83,7 +84,7 @@ class DessinTest {
         int hauteur = 22;
         Camera camera = new Camera(largeur, hauteur);
         Ressources.Image brouillon = new Ressources.Image(largeur, hauteur);
-        new Lancer(scene, camera).TracerBrouillon(brouillon, 5, 2);
+        new Traceur(scene, camera).TracerBrouillon(brouillon, 5, 2);
         Lancer temoin = new Lancer(scene, camera);
         for (int j = 0; j < hauteur; j++) {
             for (int i = 0; i < largeur; i++) {
@@ -99,7 +100,7 @@ class DessinTest {
     void leBrouillonLanceUnRayonParCarreDeQuatrePixelsMemeCoupeParLeBord() {
         Scene ciel = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
         for (int[] taille : new int[][] {{64, 32}, {32, 64}, {1, 1}, {33, 70}, {6, 3}}) {
-            Lancer lancer = new Lancer(ciel, new Camera(taille[0], taille[1]));
+            Traceur lancer = new Traceur(ciel, new Camera(taille[0], taille[1]));
             int[] peints = new int[1];
             lancer.TracerBrouillon((couleur, i, j) -> peints[0]++, 1, 1);
             assertEquals((taille[0] + 3) / 4 * ((taille[1] + 3) / 4), lancer.getCompteurs().primaires, taille[0] + " × " + taille[1]);
@@ -110,7 +111,7 @@ class DessinTest {
     @Test
     void unDessinArreteNeFinitPas() {
         Scene scene = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
-        Lancer lancer = new Lancer(scene, new Camera(64, 64));
+        Traceur lancer = new Traceur(scene, new Camera(64, 64));
         int[] pixels = new int[1];
         boolean arrete = false;
         try {

@@ -17,6 +17,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;
+import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -78,7 +79,7 @@ class EgalitesTest {
                 Camera camera = new CameraAgrandie(Math.scalb(1.0, k));
                 Scene grosse = agrandie(scene, Math.scalb(1.0, k));
                 Ressources.Image lisible = new Ressources.Image(64, 48);
-                new Lancer(grosse, camera).TracerPixels(lisible, 5, 2);
+                new Traceur(grosse, camera).TracerPixels(lisible, 5, 2);
                 assertTrue(memesBits(attendue, lisible), nom + " fois 2^" + k);
                 assertTrue(memesBits(attendue, imageRapide(grosse, camera, 5)), nom + " fois 2^" + k + ", recherche rapide");
             }
@@ -143,7 +144,8 @@ class EgalitesTest {
     void leDecoupageEnPavesNeChangePasUnBit() {
         Ressources.Image attendue = imageRapide(foule(), new Camera(90, 70), 5);
         for (int[] pas : new int[][] {{1, 1}, {5, 3}, {90, 1}, {1, 70}}) {
-            Scene scene = foule().avec((pave, vue, toile) -> {
+            Scene foule = foule();
+            Scene scene = foule.avec(foule.getModele().avec((pave, vue, toile) -> {
                 // de droite à gauche et de bas en haut, pour que l'ordre change aussi
                 for (int j = pave.j1; j > pave.j0; j -= pas[1]) {
                     for (int i = pave.i1; i > pave.i0; i -= pas[0]) {
@@ -152,7 +154,7 @@ class EgalitesTest {
                     }
                 }
                 return 0;
-            }, Constantes.SEUIL);
+            }, Constantes.SEUIL));
             assertTrue(memesBits(attendue, imageRapide(scene, new Camera(90, 70), 5)), Arrays.toString(pas));
         }
     }

@@ -78,8 +78,8 @@ class LampesLointainesTest {
         spheres.addAll(Arrays.asList(autour));
         Scene scene = new Scene(spheres, Collections.singletonList(lampe));
         Scene boucles = new Scene(spheres, Collections.singletonList(lampe));
-        boucles.setRecherche(new RechercheSimple(boucles.getObjets(), boucles.getCompteurs()));
-        scene.setRecherche(Preparation.pour(scene, new Camera(80, 60)));
+        boucles.getModele().setRecherche(new RechercheSimple(boucles.getObjets(), boucles.getCompteurs()));
+        scene.getModele().setRecherche(Preparation.pour(scene, new Camera(80, 60)));
         int cachees = 0;
         for (int k = 0; k < CONTACTS; k++) {
             Sphere eclairee = spheres.get(k % 3);

@@ -30,7 +30,7 @@ class LimitesEclairageTest {
     private static int pixelsFaux(Recherche recherche) {
         Scene scene = scene(Collections.singletonList(boule(0, 0, 5, 1.5, 0, 0.5, 1)));
         Ressources.Image juste = image(scene, 101, 101, 1, 1);
-        scene.setRecherche(recherche == null ? scene.getRecherche() : recherche);
+        scene.getModele().setRecherche(recherche == null ? scene.getModele().getRecherche() : recherche);
         Ressources.Image obtenue = image(scene, 101, 101, 1, 1);
         int faux = 0;
         for (int k = 0; k < juste.composantes.length; k += 3) {
@@ -140,9 +140,9 @@ class LimitesEclairageTest {
         fond.setKs(new Couleur(1, 0, 0));
         face.setKs(new Couleur(1, 0, 0));
         Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
-        scene.setSeuil(0.25);
+        scene.getModele().setSeuil(0.25);
         double clarte = 0.2126 * fond.getKs().r + 0.7152 * fond.getKs().v + 0.0722 * fond.getKs().b;
-        assertFalse(clarte >= scene.getSeuil(), "la clarté arrêterait au premier miroir");
+        assertFalse(clarte >= scene.getModele().getSeuil(), "la clarté arrêterait au premier miroir");
         // 21 contacts, chacun de rouge 0,8·(0,5 + 1)
         assertEquals(21 * 0.8 * 1.5, scene.getCouleurVue(DEVANT, null, 20).r, 1e-11);
     }

@@ -52,7 +52,7 @@ class LimitesOmbreTest {
     void sansExclureLaSurfaceDeDepartElleSOmbreElleMeme() {
         Scene scene = vueDeLaLampe(boule(0, 0, 5, 1.5, 1, 0, 1));
         assertEquals(0, noirs(scene));
-        scene.setRecherche(sansExclure(scene, 0));
+        scene.getModele().setRecherche(sansExclure(scene, 0));
         assertTrue(noirs(scene) > 200, noirs(scene) + " points noirs");
     }
 
@@ -60,17 +60,17 @@ class LimitesOmbreTest {
     @Test
     void unEpsilonFixeNeGueritQueLesScenesDeSaTaille() {
         Scene moyenne = vueDeLaLampe(boule(0, 0, 5, 1.5, 1, 0, 1));
-        moyenne.setRecherche(sansExclure(moyenne, 1e-6));
+        moyenne.getModele().setRecherche(sansExclure(moyenne, 1e-6));
         assertEquals(0, noirs(moyenne), "il guérit celle-ci");
         Scene grande = vueDeLaLampe(boule(6e10, -8e10 - 2.5, 5, 1e11, 1, 0, 1));
         assertEquals(0, noirs(grande));
-        grande.setRecherche(sansExclure(grande, 1e-6));
+        grande.getModele().setRecherche(sansExclure(grande, 1e-6));
         assertTrue(noirs(grande) > 50, noirs(grande) + " points noirs : de près, la racine du manuel se trompe de u·1e11 = 1e-5");
         // une bille posée à 2e-7 du contact devrait le cacher
         Sphere mur = boule(0, 0, 5, 1, 1, 0, 1);
         Scene petite = scene(Arrays.asList(mur, boule(0, 0, 4 - 3e-7, 1e-7, 1, 0, 1)), new Lampe(new Point(), new Couleur(1)));
         assertTrue(Ombre.cachee(petite, petite.getLampes().get(0), new Point(0, 0, 4), mur));
-        petite.setRecherche(sansExclure(petite, 1e-6));
+        petite.getModele().setRecherche(sansExclure(petite, 1e-6));
         assertFalse(Ombre.cachee(petite, petite.getLampes().get(0), new Point(0, 0, 4), mur), "la lumière passe à travers");
     }
 
@@ -98,7 +98,7 @@ class LimitesOmbreTest {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0, 1);
         Scene scene = vueDeLaLampe(boule, boule(0, 0, -9, 2, 1, 0, 1));
         assertEquals(0, noirs(scene));
-        scene.setRecherche(new RechercheNaive(scene.getObjets(), RechercheNaive.Ombre.SANS_DISTANCE, 0));
+        scene.getModele().setRecherche(new RechercheNaive(scene.getObjets(), RechercheNaive.Ombre.SANS_DISTANCE, 0));
         assertTrue(noirs(scene) > 3_000, noirs(scene) + " points noirs");
     }
 
@@ -112,7 +112,7 @@ class LimitesOmbreTest {
         Scene scene = vueDeLaLampe(boule, jumelle);
         assertEquals(0, noirs(scene));
         assertTrue(memesBits(image(vueDeLaLampe(boule), COTE, COTE, 0, 1), image(scene, COTE, COTE, 0, 1)));
-        scene.setRecherche(new RechercheSimple(Arrays.<Objet3D>asList(boule, jumelle), new Compteurs()));
+        scene.getModele().setRecherche(new RechercheSimple(Arrays.<Objet3D>asList(boule, jumelle), new Compteurs()));
         assertTrue(noirs(scene) > 20, noirs(scene) + " points noirs");
     }
 

@@ -109,7 +109,7 @@ class ProprietesScenesTest {
         for (int n = 0; n < 50; n++) {
             Scene scene = new Tirages(4300 + n).scene(1 + 2 * n);
             Ressources.Image rapide = imageRapide(scene, CAMERA, 8);
-            scene.setRecherche(simple(scene));
+            scene.getModele().setRecherche(simple(scene));
             Ressources.Image lisible = image(scene, CAMERA.getLargeur(), CAMERA.getHauteur(), 8, 2);
             for (int k = 0; k < rapide.composantes.length; k++) {
                 float c = rapide.composantes[k];
@@ -126,7 +126,7 @@ class ProprietesScenesTest {
         int auCiel = 0;
         for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
             Scene scene = scene(tirages.boules(2 + tirages.hasard.nextInt(20)));
-            scene.setRecherche(Preparation.pour(scene, CAMERA));
+            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA));
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Rayon premier = new Rayon(tirages.point(), tirages.direction());
                 Couleur vue = scene.getCouleurVue(copie(premier), null, 12);
@@ -168,8 +168,8 @@ class ProprietesScenesTest {
             }
             Scene scene = scene(boules);
             Scene grosse = scene(grosses);
-            scene.setRecherche(Preparation.pour(scene, CAMERA));
-            grosse.setRecherche(Preparation.pour(grosse, CAMERA));
+            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA));
+            grosse.getModele().setRecherche(Preparation.pour(grosse, CAMERA));
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Point p = tirages.point();
                 Point vers = tirages.point();

@@ -84,7 +84,7 @@ class TheorieTest {
         Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
         double limite = 2 * 0.8;
         for (double seuil : new double[] {0.5, 0.1, 1.0 / 1024, 1e-9}) {
-            scene.setSeuil(seuil);
+            scene.getModele().setSeuil(seuil);
             double oubli = limite - scene.getCouleurVue(DEVANT, null, 1000).r;
             assertTrue(oubli > 0 && oubli <= seuil * limite, "seuil " + seuil + ", oubli " + oubli);
         }
@@ -97,14 +97,14 @@ class TheorieTest {
         fond.setKs(new Couleur(1, 0.1, 0));
         face.setKs(new Couleur(1, 0, 0.1));
         Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
-        scene.setSeuil(1);
+        scene.getModele().setSeuil(1);
         scene.getCouleurVue(DEVANT, null, 40);
         assertEquals(40, scene.getCompteurs().reflechis, "le rouge continue");
         // égal au seuil : encore suivi
         fond.setKs(new Couleur(0.5));
         face.setKs(new Couleur(0.5));
         Scene demi = scene(Arrays.asList(fond, face), scene.getLampes().get(0));
-        demi.setSeuil(0.125);
+        demi.getModele().setSeuil(0.125);
         demi.getCouleurVue(DEVANT, null, 40);
         assertEquals(3, demi.getCompteurs().reflechis);
     }

@@ -6,10 +6,10 @@ import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.Consumer;
-import lancer.Lancer;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
+import lancer.fils.Traceur;
 
 /**
  * {@code --auto} : choisit comment dessiner une scène, d'après quelques pixels essayés de plusieurs façons, et contrôle
@@ -58,12 +58,12 @@ public final class Auto {
     private Reglage choisi;
     private double tempsAttendu;
     private double essaisS;
-    private Lancer lancer;
+    private Traceur lancer;
     private Reglage surveille;
     private Controle controle;
     private Estimation mesuree;
 
-    private Auto(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes) {
+    private Auto(Traceur prepare, Souhait souhait, int fils, List<Variante> variantes) {
         this.souhait = souhait;
         essais = new Essais(prepare, fils);
         pixels = (double) essais.camera.getLargeur() * essais.camera.getHauteur();
@@ -79,7 +79,7 @@ public final class Auto {
      * @throws lancer.SceneFautive si une variante propose un réglage fautif
      * @throws java.util.concurrent.CancellationException si ce fil est interrompu
      */
-    public static Auto choisir(Lancer prepare, Souhait souhait, int fils, List<Variante> variantes,
+    public static Auto choisir(Traceur prepare, Souhait souhait, int fils, List<Variante> variantes,
             Consumer<Auto> suivi) {
         Auto auto = new Auto(prepare, souhait, fils, variantes);
         auto.monter(suivi);
@@ -193,7 +193,7 @@ public final class Auto {
     }
 
     /** De quoi dessiner la scène comme il est choisi, à la profondeur que dit {@link #getChoisi()}. */
-    public Lancer getLancer() {
+    public Traceur getTraceur() {
         return lancer;
     }
 

@@ -14,6 +14,8 @@ import lancer.Lancer;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
+import lancer.fils.Regard;
+import lancer.fils.Traceur;
 
 /** De quoi essayer une scène préparée sur quelques blocs, avec tous les fils ; rien ne dépend de leur nombre. */
 final class Essais {
@@ -30,7 +32,7 @@ final class Essais {
     private static final int BLOCS_CHRONOMETRES = 500;
     static final double NS_PAR_S = 1e9;
 
-    final Lancer prepare;
+    final Traceur prepare;
     final Camera camera;
     private final int fils;
 
@@ -41,7 +43,7 @@ final class Essais {
     /** Secondes que demande un rayon, dans la passe la plus rapide. */
     double parRayon = Double.POSITIVE_INFINITY;
 
-    Essais(Lancer prepare, int fils) {
+    Essais(Traceur prepare, int fils) {
         this.prepare = prepare;
         this.fils = fils;
         camera = prepare.getCamera();
@@ -154,7 +156,7 @@ final class Essais {
     /** Un fil, qui voit la scène sous les limites qu'on lui dit. */
     final class Fil implements IntConsumer {
 
-        private final Lancer sien = prepare.avec(prepare.getScene().getEchantillonnage(), 0);
+        private final Lancer sien = new Lancer(prepare.getScene().avec(prepare.getScene().getModele()), camera);
         private final Equipe equipe;
         private final List<Pave> blocs;
         private final Essai essai;
@@ -180,12 +182,12 @@ final class Essais {
 
         /** Ce qu'il voit à cette profondeur et sous ce seuil. */
         Vue vue(int reflets, double seuil) {
+            Regard regard = new Regard(equipe, sien, reflets);
             return new Vue() {
                 @Override
                 public Couleur couleur(double xe, double ye) {
-                    equipe.verifier();
-                    sien.getScene().setSeuil(seuil);
-                    return sien.voir(xe, ye, reflets);
+                    sien.getScene().getModele().setSeuil(seuil);
+                    return regard.couleur(xe, ye);
                 }
 
                 @Override

@@ -55,7 +55,7 @@ final class Finesse {
 
     /** Celle de la scène. */
     static Finesse de(Scene scene) {
-        return new Finesse(null, scene.getEchantillonnage());
+        return new Finesse(null, scene.getModele().getEchantillonnage());
     }
 
     /** Comment l'obtenir soi-même. */

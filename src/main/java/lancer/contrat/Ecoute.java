@@ -27,6 +27,9 @@ public interface Ecoute {
     /** Ce que donnerait cette lampe, qui est devant. */
     void aLEclairement(double cosinus, double eclat, Couleur diffus, Couleur reflet);
 
+    /** La base et l'exposant du reflet d'une lampe : R·L et ns pour Phong. */
+    void auReflet(double base, double exposant);
+
     /** Est-elle cachée ? {@code L} va du contact à la lampe. */
     void aLOmbre(Vecteur L, double distance);
 
@@ -48,40 +51,15 @@ public interface Ecoute {
         }
     }
 
-    static void contact(Ecoute e, Vecteur N, Vecteur R) {
+    static void reflet(Ecoute e, double base, double exposant) {
         if (e != null) {
-            e.auContact(new Vecteur(N.x, N.y, N.z), new Vecteur(R.x, R.y, R.z));
-        }
-    }
-
-    static void lampe(Ecoute e, Lampe lampe, double devant) {
-        if (e != null) {
-            e.aLaLampe(lampe, devant);
-        }
-    }
-
-    static void eclairement(Ecoute e, double cosinus, double eclat, Couleur diffus, Couleur reflet) {
-        if (e != null) {
-            e.aLEclairement(cosinus, eclat, new Couleur(diffus.r, diffus.v, diffus.b),
-                    new Couleur(reflet.r, reflet.v, reflet.b));
+            e.auReflet(base, exposant);
         }
     }
 
     static void ombre(Ecoute e, Vecteur L, double distance) {
         if (e != null) {
             e.aLOmbre(new Vecteur(L.x, L.y, L.z), distance);
-        }
-    }
-
-    static void somme(Ecoute e, Couleur terme) {
-        if (e != null) {
-            e.aLaSomme(new Couleur(terme.r, terme.v, terme.b));
-        }
-    }
-
-    static void poids(Ecoute e, Couleur produitKs) {
-        if (e != null) {
-            e.auPoids(new Couleur(produitKs.r, produitKs.v, produitKs.b));
         }
     }
 

@@ -1,16 +1,64 @@
 package lancer.contrat;
 
+import java.util.List;
+import lancer.Constantes;
+import lancer.Objet3D;
 import lancer.SceneFautive;
 
 /**
- * Ce que les variantes peuvent changer d'une scène : l'air, le reflet des lampes, l'échantillonnage. Chaque contrat ne
- * se prend qu'une fois : deux variantes qui veulent le même ne vont pas ensemble.
+ * Comment dessiner une scène : l'air, le reflet des lampes, l'échantillonnage, que des variantes peuvent changer ; la
+ * recherche et le seuil des reflets ; et qui écoute. Un contrat ne se prend qu'une fois : deux variantes qui veulent le
+ * même ne vont pas ensemble.
  */
 public final class Modele {
 
     private Atmosphere atmosphere = Atmosphere.CLAIRE;
     private Specularite specularite = Specularite.PHONG;
     private Echantillonnage echantillonnage = Echantillonnage.CENTRE;
+    private Recherche recherche;
+    private double seuil = Constantes.SEUIL;
+    private Ecoute ecoute;
+
+    /** Le modèle de la base, dont la recherche est celle des boucles du cours. */
+    public Modele() {
+    }
+
+    private Modele(Modele autre) {
+        atmosphere = autre.atmosphere;
+        specularite = autre.specularite;
+        echantillonnage = autre.echantillonnage;
+        recherche = autre.recherche;
+        seuil = autre.seuil;
+        ecoute = autre.ecoute;
+    }
+
+    /** Le même modèle pour un fil de plus, dont la recherche, dans ces objets, comptera dans {@code compteurs}. */
+    public Modele pourUnFil(List<Objet3D> objets, Compteurs compteurs) {
+        Modele sien = new Modele(this);
+        sien.recherche = recherche == null ? new RechercheSimple(objets, compteurs) : recherche.pourUnFil(compteurs);
+        return sien;
+    }
+
+    /**
+     * Le même modèle, à un autre échantillonnage et un autre seuil.
+     *
+     * @param seuil voir {@link #setSeuil}
+     */
+    public Modele avec(Echantillonnage echantillonnage, double seuil) {
+        Modele autre = new Modele(this);
+        autre.echantillonnage = echantillonnage;
+        autre.seuil = seuil;
+        return autre;
+    }
+
+    /** Le même modèle, qui dit à {@code ecoute} ce qu'il calcule. */
+    public Modele ecoute(Ecoute ecoute) {
+        Modele autre = new Modele(this);
+        autre.atmosphere = atmosphere.ecoutee(ecoute);
+        autre.specularite = specularite.quiDit(ecoute);
+        autre.ecoute = ecoute;
+        return autre;
+    }
 
     public Atmosphere getAtmosphere() {
         return atmosphere;
@@ -40,6 +88,30 @@ public final class Modele {
                 "l'échantillonnage");
     }
 
+    /** Ce que les rayons demandent à la scène. */
+    public Recherche getRecherche() {
+        return recherche;
+    }
+
+    public void setRecherche(Recherche recherche) {
+        this.recherche = recherche;
+    }
+
+    /** Un reflet est suivi si le produit des Ks, en sa plus grande composante, atteint ce seuil. */
+    public double getSeuil() {
+        return seuil;
+    }
+
+    /** @param seuil fini, positif ou nul ; 0 : toujours suivre */
+    public void setSeuil(double seuil) {
+        this.seuil = seuil;
+    }
+
+    /** Qui écoute la scène calculer ; d'ordinaire {@code null}. */
+    public Ecoute getEcoute() {
+        return ecoute;
+    }
+
     private static <T> T libre(T present, T defaut, T nouveau, String quoi) {
         if (nouveau == null) {
             throw new IllegalArgumentException("une variante a changé " + quoi + " en null");
@@ -52,7 +124,7 @@ public final class Modele {
     }
 
     /** Le nom de la classe, sans ce que Java ajoute à celui d'une lambda. */
-    static String nom(Object contrat) {
+    public static String nom(Object contrat) {
         return contrat.getClass().getName().replaceAll("\\$\\$Lambda.*", "");
     }
 }

@@ -9,7 +9,7 @@ import lancer.Vecteur;
 public interface Specularite {
 
     /** Le reflet de la base : max(0, R·L)^ns. */
-    Specularite PHONG = new Phong();
+    Specularite PHONG = new Phong(null);
 
     /** Au-delà, la puissance entière perdrait plus de chiffres qu'elle ne gagnerait de temps. */
     int EXPOSANT_ENTIER_MAX = 1024;
@@ -60,11 +60,33 @@ public interface Specularite {
         }
     }
 
+    /**
+     * Le même reflet, qui dit à {@code ecoute} sa base et son exposant ({@link Ecoute#auReflet}) ; par défaut, il ne dit
+     * rien.
+     */
+    default Specularite quiDit(Ecoute ecoute) {
+        return this;
+    }
+
     /** Phong, 1975. */
     final class Phong implements Specularite {
+
+        private final Ecoute ecoute;
+
+        private Phong(Ecoute ecoute) {
+            this.ecoute = ecoute;
+        }
+
         @Override
         public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
-            return puissance(R.dot(L), ns);
+            double base = R.dot(L);
+            Ecoute.reflet(ecoute, base, ns);
+            return puissance(base, ns);
+        }
+
+        @Override
+        public Specularite quiDit(Ecoute autre) {
+            return new Phong(autre);
         }
     }
 }

@@ -5,21 +5,24 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
-import lancer.Camera;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Compteurs;
-import lancer.contrat.Diagnostic;
+import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Section;
 import lancer.contrat.Toile;
+import lancer.contrat.Variante;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.scene.LecteurScene;
+import lancer.scene.Origines;
 import lancer.temoins.LancerSurveille;
 
 /** Une scène lue, comment la dessiner, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres regardent. */
@@ -31,10 +34,11 @@ public abstract class Dessinateur implements Toile {
     protected final PrintStream sortie;
     protected final PrintStream erreur;
     private volatile Scene scene;
+    private volatile Origines origines;
     private volatile String fichier;
     private volatile ReglagesDessin reglages;
     private volatile ImageMemoire image;
-    private volatile Lancer lancer;
+    private volatile Traceur lancer;
     private volatile double avancement;
     // une classe, car la première lambda d'un programme coûte cher à son démarrage
     private final DoubleConsumer suivi = new DoubleConsumer() {
@@ -53,7 +57,7 @@ public abstract class Dessinateur implements Toile {
     }
 
     /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
-    protected void direEcart(Lancer dessine) {
+    protected void direEcart(Traceur dessine) {
         if (dessine.getEcart() != null) {
             Pannes.avertir(Collections.singletonList(dessine.getEcart()), erreur);
         }
@@ -70,20 +74,43 @@ public abstract class Dessinateur implements Toile {
     public List<String> lireScene(String nomFichier) {
         avancement = 0;
         long debut = System.nanoTime();
-        LecteurScene lu = LecteurScene.lire(nomFichier, suivi);
-        ReglagesDessin demandes = ReglagesDessin.de(lu, options);
-        Scene nouvelle = demandes.regler(new Scene(lu));
+        Lecture lecture = new Lecture();
+        Scene nouvelle = new Scene(nomFichier, lecture);
+        lecture.reglages.verifier(options);
         if (Thread.currentThread().isInterrupted()) {
             throw new CancellationException("lecture abandonnée : la scène d'avant reste");
         }
         lectureNs = System.nanoTime() - debut;
         fichier = nomFichier;
-        remplacer(nouvelle, demandes);
-        return lu.getAvertissements();
+        origines = lecture.getOrigines();
+        remplacer(nouvelle, lecture.reglages);
+        return lecture.getAvertissements();
+    }
+
+    /** Une lecture, qui dit où elle en est et installe les variantes selon la ligne de commande. */
+    private final class Lecture extends LecteurScene {
+
+        private ReglagesDessin reglages;
+
+        @Override
+        protected void avancer(double part) {
+            avancement = part;
+        }
+
+        @Override
+        protected Modele installer(Map<Variante, Section> variantes) {
+            reglages = ReglagesDessin.de(variantes, options);
+            return reglages.getModele();
+        }
     }
 
     public Scene getScene() {
         return scene;
+    }
+
+    /** De quelles sections viennent les objets et les lampes de la scène lue. */
+    public Origines getOrigines() {
+        return origines;
     }
 
     /** La part faite de la lecture, ou de la préparation, de 0 à 1. */
@@ -102,7 +129,7 @@ public abstract class Dessinateur implements Toile {
      * @throws SceneFautive si ces réglages ne vont pas ; rien n'est alors changé
      */
     public void regler(ReglagesDessin voulus) {
-        remplacer(voulus.regler(scene), voulus);
+        remplacer(scene.avec(voulus.getModele()), voulus);
     }
 
     /** Le dessin d'avant n'est pas celui de cette scène, même avant qu'elle ne se prépare. */
@@ -122,13 +149,13 @@ public abstract class Dessinateur implements Toile {
     public abstract void doTracerImage(int largeur, int hauteur);
 
     /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */
-    protected Lancer preparer(ImageMemoire vierge) {
+    protected Traceur preparer(ImageMemoire vierge) {
         // dans cet ordre : qui voit la nouvelle image ne voit plus l'ancien lancer
         lancer = null;
         image = vierge;
         avancement = 0;
         long debut = System.nanoTime();
-        Lancer nouveau = LancerSurveille.preparer(scene, vierge.getLargeur(), vierge.getHauteur(), options.simple,
+        Traceur nouveau = LancerSurveille.preparer(scene, vierge.getLargeur(), vierge.getHauteur(), options.simple,
                 suivi);
         preparationNs = System.nanoTime() - debut;
         lancer = nouveau;
@@ -141,7 +168,7 @@ public abstract class Dessinateur implements Toile {
     }
 
     /** Ce qui dessine la scène lue, ainsi réglée ; {@code null} tant qu'elle ne se dessine pas. */
-    public Lancer getLancer() {
+    public Traceur getTraceur() {
         return lancer;
     }
 
@@ -151,7 +178,7 @@ public abstract class Dessinateur implements Toile {
      *
      * @param tracesNs le temps de chaque dessin, dans l'ordre, en nanosecondes
      */
-    protected String statistiques(Lancer dessine, long... tracesNs) {
+    protected String statistiques(Traceur dessine, long... tracesNs) {
         Compteurs c = dessine.getCompteurs();
         double traceNs = mediane(tracesNs);
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
@@ -174,7 +201,6 @@ public abstract class Dessinateur implements Toile {
     protected Echec nommer(PixelFautif panne) {
         int largeur = image == null ? options.largeur : image.getLargeur();
         int hauteur = image == null ? options.hauteur : image.getHauteur();
-        PixelFautif precise = Diagnostic.preciser(panne, scene, new Camera(largeur, hauteur), reglages.getReflets());
-        return Echec.panne(Pannes.duPixel(precise, reglages.getOptions(), fichier, largeur, hauteur));
+        return Echec.panne(Pannes.duPixel(Diagnostic.situer(panne, scene), reglages.getOptions(), fichier, largeur, hauteur));
     }
 }

@@ -9,14 +9,12 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import lancer.Constantes;
-import lancer.Scene;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.scene.LecteurScene;
 import lancer.scene.Services;
 import lancer.texte.Texte;
 
@@ -47,26 +45,26 @@ public final class ReglagesDessin {
         this.initiaux = initiaux;
     }
 
-    /**
-     * Ceux que demandent la ligne de commande et le fichier.
-     *
-     * @throws Echec si une variante à débrancher n'existe pas
-     */
-    public static ReglagesDessin de(LecteurScene lu, Options options) {
+    /** Ceux que demandent la ligne de commande et le fichier, dont voici la section de chaque variante présente. */
+    static ReglagesDessin de(Map<Variante, Section> lues, Options options) {
         SortedSet<String> debranchees = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+        debranchees.addAll(options.sans);
+        return new ReglagesDessin(options.reflets, options.seuil, lues, new TreeMap<>(String.CASE_INSENSITIVE_ORDER),
+                debranchees, null);
+    }
+
+    /** @throws Echec si une variante que la ligne de commande débranche n'existe pas */
+    void verifier(Options options) {
         for (String type : options.sans) {
             boolean connue = Services.varianteConnue(type);
-            for (Variante presente : lu.getVariantes().keySet()) {
+            for (Variante presente : lues.keySet()) {
                 connue |= Texte.memeMot(presente.getSection(), type);
             }
             if (!connue) {
                 throw Echec.demande("valeur impossible pour --sans : " + Texte.cite(type)
                         + " ; attendu : une variante, par exemple Brume");
             }
-            debranchees.add(type);
         }
-        return new ReglagesDessin(options.reflets, options.seuil, lu.getVariantes(),
-                new TreeMap<>(String.CASE_INSENSITIVE_ORDER), debranchees, null);
     }
 
     /** Ceux de la ligne de commande et du fichier. */
@@ -167,19 +165,22 @@ public final class ReglagesDessin {
     }
 
     /**
-     * La même scène, dessinée ainsi.
+     * Le modèle d'une scène dessinée ainsi, où chaque variante branchée est installée. La section du fichier d'une
+     * variante débranchée doit aller aussi.
      *
      * @throws lancer.SceneFautive si une section ne va pas
      */
-    public Scene regler(Scene scene) {
+    public Modele getModele() {
         Modele modele = new Modele();
+        modele.setSeuil(seuil);
         for (Variante variante : lues.keySet()) {
-            if (estBranchee(variante)) {
-                variante.installer(getSection(variante), modele);
-                getSection(variante).verifierCles();
+            Section section = getSection(variante);
+            if (estBranchee(variante) || section == lues.get(variante)) {
+                variante.installer(section, estBranchee(variante) ? modele : new Modele());
+                section.verifierCles();
             }
         }
-        return scene.avec(modele, seuil);
+        return modele;
     }
 
     /** Les sections à mettre dans le fichier pour dessiner ainsi, à la place des siennes. */

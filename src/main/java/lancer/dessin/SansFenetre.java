@@ -2,9 +2,9 @@ package lancer.dessin;
 
 import java.util.List;
 import lancer.Camera;
-import lancer.Lancer;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.image.LectureImage;
 import lancer.inspection.Inspection;
@@ -38,7 +38,7 @@ public final class SansFenetre {
     private void versFichiers() {
         VersFichiers fichiers = new VersFichiers(options, dessinateur.sortie, dessinateur.erreur);
         List<String> avertissements = dessinateur.lireScene(options.scene);
-        Lancer dessine = fichiers.dessiner(dessinateur, dessinateur.preparer(fichiers.creerImage()));
+        Traceur dessine = fichiers.dessiner(dessinateur, dessinateur.preparer(fichiers.creerImage()));
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
         Pannes.avertir(avertissements, dessinateur.erreur);
         dessinateur.direEcart(dessine);
@@ -47,8 +47,8 @@ public final class SansFenetre {
     private void dessinerUnPixel() {
         List<String> avertissements = dessinateur.lireScene(options.scene);
         Camera camera = new Camera(options.largeur, options.hauteur);
-        Inspection pixel = new Inspection(dessinateur.getScene(), camera, options.reflets, options.pixelX,
-                options.pixelY);
+        Inspection pixel = new Inspection(dessinateur.getScene(), dessinateur.getOrigines(), camera,
+                options.reflets, options.pixelX, options.pixelY);
         pixel.faire();
         Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), dessinateur.sortie);
         Pannes.avertir(avertissements, dessinateur.erreur);

@@ -4,7 +4,6 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.function.DoubleSupplier;
-import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.auto.Souhait;
 import lancer.commande.BarreProgression;
@@ -12,6 +11,7 @@ import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Toile;
+import lancer.fils.Traceur;
 import lancer.image.Comparaison;
 import lancer.image.Ecriture;
 import lancer.image.FichierPfm;
@@ -68,10 +68,10 @@ public final class VersFichiers {
      * @param prepare la scène, prête à être dessinée
      * @return ce qui a dessiné : {@code prepare}, ou ce qu'a choisi {@code --auto}
      */
-    public Lancer dessiner(Dessinateur dessinateur, Lancer prepare) {
+    public Traceur dessiner(Dessinateur dessinateur, Traceur prepare) {
         Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils,
                 dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
-        Lancer lancer = auto == null ? prepare : auto.getLancer();
+        Traceur lancer = auto == null ? prepare : auto.getTraceur();
         long[] traces = auto == null ? tracer(lancer, dessinateur, options.reflets)
                 : tracer(lancer, auto.surveiller(dessinateur, auto.getChoisi()), auto.getChoisi().reflets);
         if (auto != null) {
@@ -101,7 +101,7 @@ public final class VersFichiers {
     }
 
     /** @return le temps de chaque dessin, en nanosecondes */
-    private long[] tracer(Lancer lancer, Toile toile, int reflets) {
+    private long[] tracer(Traceur lancer, Toile toile, int reflets) {
         long[] traces = new long[options.repeter];
         // une classe : la première lambda d'un programme coûte cher à son démarrage
         BarreProgression barre = BarreProgression.commencer(new DoubleSupplier() {

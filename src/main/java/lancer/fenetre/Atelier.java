@@ -13,12 +13,13 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import lancer.Lancer;
 import lancer.SceneFautive;
 import lancer.commande.Pannes;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
+import lancer.scene.Origines;
 
 /**
  * La vie d'un dessin dans la fenêtre : il commence, sa scène se lit, son brouillon puis son image se montrent, il
@@ -148,9 +149,14 @@ final class Atelier {
         return couts.get(image);
     }
 
+    /** D'où viennent les objets et les lampes de la scène lue. */
+    Origines getOrigines() {
+        return dessinateur.getOrigines();
+    }
+
     /** Ce qui a dessiné l'image achevée ou la dessine, scène préparée comprise ; {@code null} s'il n'y en a pas. */
-    Lancer getLancer() {
-        return courant == null ? null : courant.getLancer();
+    Traceur getTraceur() {
+        return courant == null ? null : courant.getTraceur();
     }
 
     /** Suit un dessin déjà commencé, dont la scène est lue. */
@@ -262,7 +268,7 @@ final class Atelier {
         lu = courant.getAvertissements() != null ? courant.fichier : lu;
         // l'image d'abord : vue avec le lancer d'après, elle a au moins son brouillon
         ImageMemoire image = dessinateur.getImage();
-        Lancer lancer = courant.getLancer();
+        Traceur lancer = courant.getTraceur();
         if (lancer != null && panneau.montrer(image, lancer.isBrouillonFait(), courant.getDureeNs() > PATIENCE_NS)
                 && courant.fichier != null && courant != adopte) {
             adopter();
@@ -295,9 +301,9 @@ final class Atelier {
             // les sections laissées de côté, sans le reste de leur avertissement
             String ignorees = String.join("\n", adopte.getAvertissements())
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            couts.put(complete, BarreEtat.cout(courant.getLancer()) + ", " + courant.getReglages() + ignorees);
+            couts.put(complete, BarreEtat.cout(courant.getTraceur()) + ", " + courant.getReglages() + ignorees);
             panneau.bandeau.effacerErreur();
-            String ecart = courant.getLancer().getEcart();
+            String ecart = courant.getTraceur().getEcart();
             if (ecart != null) {
                 panneau.bandeau.avis(ecart);
             }

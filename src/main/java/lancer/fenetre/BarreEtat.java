@@ -12,7 +12,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
-import lancer.Lancer;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 
 /** Le bas de la fenêtre : le pixel sous la souris, l'image, l'avancement, et un bouton pour arrêter ou reprendre. */
@@ -95,7 +95,7 @@ final class BarreEtat extends JPanel {
     }
 
     /** Ce qu'a coûté un dessin. */
-    static String cout(Lancer lancer) {
+    static String cout(Traceur lancer) {
         // l'espace fine des nombres français manque à bien des polices
         String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
                 .replace('\u202F', '\u00A0');

@@ -27,10 +27,10 @@ import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultHighlighter;
 import lancer.Camera;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.fenetre.figures.Figure;
 import lancer.fenetre.figures.GrilleEchantillons;
 import lancer.fenetre.figures.VueDeCote;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
@@ -169,7 +169,7 @@ final class Inspecteur extends JDialog {
 
     /** Explique le pixel, tel que le dessine ce qui dessine maintenant. */
     private void calculer() {
-        Lancer lancer = atelier.getLancer();
+        Traceur lancer = atelier.getTraceur();
         abandonner();
         if (!isVisible() || lancer == null) {
             verdict.setText(INACHEVEE);
@@ -179,8 +179,8 @@ final class Inspecteur extends JDialog {
         pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, pixel.x)),
                 Math.max(0, Math.min(camera.getHauteur() - 1, pixel.y)));
         setTitle("Rayons du pixel " + pixel.x + ", " + pixel.y);
-        Inspection nouvelle = new Inspection(lancer.getScene(), camera, atelier.getReglages().getReflets(), pixel.x,
-                pixel.y);
+        Inspection nouvelle = new Inspection(lancer.getScene(), atelier.getOrigines(), camera,
+                atelier.getReglages().getReflets(), pixel.x, pixel.y);
         int voulu = rang;
         enCours = nouvelle;
         Atelier.confier(fil, () -> {

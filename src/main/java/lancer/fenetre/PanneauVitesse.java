@@ -15,7 +15,6 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.auto.Reglage;
 import lancer.auto.Souhait;
@@ -25,6 +24,7 @@ import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 
 /**
@@ -96,7 +96,7 @@ final class PanneauVitesse extends JDialog {
 
     /** Un dessin commence ou finit, ou une scène est lue. */
     private void suivre() {
-        Lancer lancer = atelier.getLancer();
+        Traceur lancer = atelier.getTraceur();
         ReglagesDessin reglages = atelier.getReglages();
         if (!isVisible() || lancer == null || reglages == null) {
             return;
@@ -118,7 +118,7 @@ final class PanneauVitesse extends JDialog {
     }
 
     /** Ce dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
-    private static List<Object> scene(Lancer lancer, ReglagesDessin reglages) {
+    private static List<Object> scene(Traceur lancer, ReglagesDessin reglages) {
         List<Object> scene = new ArrayList<>(Arrays.asList(lancer.getScene().getObjets(),
                 lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur()));
         for (Variante variante : reglages.getVariantes()) {
@@ -147,7 +147,7 @@ final class PanneauVitesse extends JDialog {
         return libres(reglages).stream().map(reglages::getSection).findFirst().orElse(null);
     }
 
-    private void essayer(Lancer lancer, ReglagesDessin reglages) {
+    private void essayer(Traceur lancer, ReglagesDessin reglages) {
         List<Object> scene = essayee;
         List<Variante> libres = libres(reglages);
         int fils = atelier.fils;
@@ -195,7 +195,7 @@ final class PanneauVitesse extends JDialog {
         atelier.dessiner(reglages, false);
     }
 
-    private void mesurer(Auto fait, Reglage reglage, Lancer lancer, ImageMemoire image) {
+    private void mesurer(Auto fait, Reglage reglage, Traceur lancer, ImageMemoire image) {
         List<Object> scene = essayee;
         double rayons = lancer.getCompteurs().rayons() / (double) image.getCodes().length;
         double secondes = lancer.getDureeNs() / NS_PAR_S;

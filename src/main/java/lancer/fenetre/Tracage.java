@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import javax.swing.SwingWorker;
-import lancer.Lancer;
 import lancer.SceneFautive;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
+import lancer.fils.Traceur;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
@@ -96,13 +96,13 @@ final class Tracage extends SwingWorker<Void, Void> {
     }
 
     /** Ce qui dessine ; {@code null} tant que la scène se lit et se prépare. */
-    Lancer getLancer() {
-        return dessine ? dessinateur.getLancer() : null;
+    Traceur getTraceur() {
+        return dessine ? dessinateur.getTraceur() : null;
     }
 
     /** Vrai si chaque pixel de l'image a une couleur. */
     boolean isBrouillonFait() {
-        Lancer lancer = getLancer();
+        Traceur lancer = getTraceur();
         return lancer != null && lancer.isBrouillonFait();
     }
 
@@ -132,7 +132,7 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** La part faite de l'image, de 0 à 1. */
     double getAvancement() {
-        Lancer lancer = getLancer();
+        Traceur lancer = getTraceur();
         return lancer == null ? dessinateur.getAvancement() : lancer.isBrouillonFait() ? lancer.getAvancement() : 0;
     }
 
@@ -145,7 +145,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     }
 
     private String getEtape() {
-        Lancer lancer = getLancer();
+        Traceur lancer = getTraceur();
         if (isAcheve()) {
             return "terminé";
         }

@@ -55,6 +55,14 @@ final class Chaine implements Ecoute {
     }
 
     @Override
+    public void auReflet(double base, double exposant) {
+        if (!ouvertes.peek().lampes.isEmpty()) {
+            enCours().base = base;
+            enCours().exposant = exposant;
+        }
+    }
+
+    @Override
     public void aLOmbre(Vecteur L, double distance) {
         // une forme qui se colore à sa façon demande ses ombres sans nommer la lampe
         if (!ouvertes.peek().lampes.isEmpty()) {

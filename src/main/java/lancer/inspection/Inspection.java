@@ -11,12 +11,13 @@ import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
+import lancer.fils.Traceur;
+import lancer.scene.Origines;
 
 /**
  * Un pixel de l'image, dessiné comme le veut l'échantillonnage de la scène, sans les autres ou avec ceux de son pavé
@@ -28,13 +29,14 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
     public static final int AU_CENTRE = -1;
 
     public final Scene scene;
+    private final Origines origines;
     public final Camera camera;
     public final int profondeur;
     public final int x;
     public final int y;
     private final Echantillonnage entier;
     private final Chaine chaine = new Chaine();
-    private final Lancer lancer;
+    private final Traceur lancer;
     private Vue vue;
     private Couleur couleur;
     private List<Echantillon> echantillons;
@@ -49,18 +51,20 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
     double diviseur;
 
     /**
+     * @param origines d'où viennent ses objets et ses lampes
      * @param profondeur nombre de réflexions permises
      * @param x colonne, de 0 à largeur − 1
      * @param y ligne, de 0 (en haut) à hauteur − 1
      */
-    public Inspection(Scene scene, Camera camera, int profondeur, int x, int y) {
+    public Inspection(Scene scene, Origines origines, Camera camera, int profondeur, int x, int y) {
         this.scene = scene;
+        this.origines = origines;
         this.camera = camera;
         this.profondeur = profondeur;
         this.x = x;
         this.y = y;
-        entier = scene.getEchantillonnage();
-        lancer = new Lancer(scene.avec(this, scene.getSeuil()).ecoutee(chaine), camera);
+        entier = scene.getModele().getEchantillonnage();
+        lancer = new Traceur(scene.avec(scene.getModele().avec(this, scene.getModele().getSeuil()).ecoute(chaine)), camera);
     }
 
     /** Explique, une fois, l'échantillon le plus proche du centre. @throws CancellationException si on l'arrête */
@@ -100,7 +104,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
 
     /** Par exemple {@code [Sphere ambre] ligne 52}, ou le rang dans la scène s'il n'y a pas de fichier. */
     public String nom(Object chose) {
-        String origine = scene.getOrigines().de(chose);
+        String origine = origines.de(chose);
         return origine != null ? origine : chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))
                 : "objet " + (1 + scene.getObjets().indexOf(chose));
     }
@@ -120,7 +124,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
             choisi = voulu == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))
                     : echantillons.get(Math.min(voulu, echantillons.size() - 1));
             vue.couleur(choisi.xe, choisi.ye);
-            chaine.nommerCaches(scene.pourUnFil());
+            chaine.nommerCaches(scene.avec(scene.getModele()));
         }
         return 0;
     }

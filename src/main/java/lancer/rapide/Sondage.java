@@ -123,8 +123,8 @@ final class Sondage {
             couts = new long[OMBRES + lampes.length];
             nombres = new long[couts.length];
             recherche = new RechercheRapide(structures, compteurs);
-            Scene vue = scene.pourUnFil();
-            vue.setRecherche(this);
+            Scene vue = scene.avec(scene.getModele());
+            vue.getModele().setRecherche(this);
             Lancer lancer = new Lancer(vue, camera);
             for (int p = 0; p < pixels.length && examines() < EXAMENS && questions < questionsMax; p++) {
                 if (Thread.currentThread().isInterrupted()) {

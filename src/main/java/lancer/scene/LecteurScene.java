@@ -21,7 +21,6 @@ import lancer.Objet3D;
 import lancer.SceneFautive;
 import lancer.contrat.Forme;
 import lancer.contrat.Modele;
-import lancer.contrat.Origines;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Nombre;
@@ -35,7 +34,7 @@ import org.ini4j.spi.IniParser;
  * D'un fichier INI aux objets, aux lampes et aux sections des variantes. ini4j ne sert ici qu'à découper les lignes
  * ({@code IniParser}) ; ses substitutions, par où passe la CVE-2022-41404, ne sont jamais appelées.
  */
-public final class LecteurScene {
+public class LecteurScene {
 
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
@@ -60,41 +59,31 @@ public final class LecteurScene {
     private final Map<Forme, String[]> cles = new IdentityHashMap<>();
     /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
-    private final Modele modele = new Modele();
-    private final Map<Variante, Section> variantes = new LinkedHashMap<>();
+    private Modele modele;
     private Lignes lignes;
     private Section courante;
 
-    private LecteurScene(String fichier) {
-        this.fichier = fichier;
-    }
-
     /**
-     * Lit un fichier en entier, et installe les variantes présentes, chacune avec sa section.
+     * Lit un fichier en entier. Un lecteur ne lit qu'une scène.
      *
-     * @throws SceneFautive si le fichier ne peut être utilisé, ou si deux variantes veulent le même contrat
+     * @return ce lecteur
+     * @throws SceneFautive si le fichier ne peut être utilisé
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
-    public static LecteurScene lire(String fichier) {
-        return lire(fichier, part -> { });
-    }
-
-    /** De même, en disant à {@code suivi} la part lue du fichier, de 0 à 1. */
-    public static LecteurScene lire(String fichier, DoubleConsumer suivi) {
-        LecteurScene lecteur = new LecteurScene(fichier);
-        lecteur.lire(suivi);
-        lecteur.origines.finir();
-        lecteur.installer();
-        return lecteur;
-    }
-
-    private void lire(DoubleConsumer suivi) {
+    public LecteurScene lire(String nomFichier) {
+        fichier = nomFichier;
         Path chemin = FichierScene.trouver(fichier);
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
         }
         try (InputStream entree = FichierScene.ouvrir(chemin)) {
-            lignes = new Lignes(entree, chemin.toFile().length(), suivi);
+            // une classe, car la première lambda d'un programme coûte cher à son démarrage
+            lignes = new Lignes(entree, chemin.toFile().length(), new DoubleConsumer() {
+                @Override
+                public void accept(double part) {
+                    avancer(part);
+                }
+            });
             new Decoupeur().parse(lignes, new Sections());
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
@@ -108,19 +97,32 @@ public final class LecteurScene {
             throw FichierScene.inutilisable(fichier,
                     FichierScene.pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), e);
         }
+        Map<Variante, Section> variantes = new LinkedHashMap<>();
+        for (Map.Entry<String, Variante> presente : services.variantes().entrySet()) {
+            Section donnee = sectionsVariantes.get(presente.getKey());
+            variantes.put(presente.getValue(), donnee != null ? donnee
+                    : new Section(fichier, presente.getValue().getSection(), 0));
+        }
+        modele = installer(variantes);
+        return this;
     }
 
-    private void installer() {
-        for (Map.Entry<String, Variante> presente : services.variantes().entrySet()) {
-            Variante variante = presente.getValue();
-            Section section = sectionsVariantes.get(presente.getKey());
-            if (section == null) {
-                section = new Section(fichier, variante.getSection(), 0);
-            }
-            variantes.put(variante, section);
-            variante.installer(section, modele);
-            section.verifierCles();
+    /** Appelé à mesure de la lecture, avec la part lue du fichier, de 0 à 1. */
+    protected void avancer(double part) {
+    }
+
+    /**
+     * Installe les variantes présentes, chacune avec sa section, de ligne 0 si le fichier ne l'a pas.
+     *
+     * @throws SceneFautive si une section ne va pas, ou si deux variantes veulent le même contrat
+     */
+    protected Modele installer(Map<Variante, Section> variantes) {
+        Modele modele = new Modele();
+        for (Map.Entry<Variante, Section> presente : variantes.entrySet()) {
+            presente.getKey().installer(presente.getValue(), modele);
+            presente.getValue().verifierCles();
         }
+        return modele;
     }
 
     public List<Objet3D> getObjets() {
@@ -136,7 +138,7 @@ public final class LecteurScene {
         return origines;
     }
 
-    /** Ce que les variantes présentes ont changé. */
+    /** Comment dessiner cette scène : ce qu'a rendu {@link #installer}. */
     public Modele getModele() {
         return modele;
     }
@@ -144,11 +146,6 @@ public final class LecteurScene {
     /** Ce que la lecture a laissé de côté, une ligne chacun. */
     public List<String> getAvertissements() {
         return avertissements;
-    }
-
-    /** Les variantes présentes, chacune avec sa section, de ligne 0 si le fichier ne l'a pas. */
-    public Map<Variante, Section> getVariantes() {
-        return variantes;
     }
 
     /** Ini4j sans ses échappements ; le constructeur évite la recherche de services. */

@@ -3,18 +3,17 @@ package lancer.temoins;
 import java.util.Collections;
 import java.util.function.DoubleConsumer;
 import lancer.Camera;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Toile;
-import lancer.fils.Equipe;
+import lancer.fils.Traceur;
 import lancer.rapide.Preparation;
 import lancer.rapide.RechercheRapide;
 
-/** Un {@link Lancer} dont des {@link Temoins} jugent la recherche ; si elle se trompe, les boucles dessinent. */
-public final class LancerSurveille extends Lancer {
+/** Un {@link Traceur} dont des {@link Temoins} jugent la recherche ; si elle se trompe, les boucles dessinent. */
+public final class LancerSurveille extends Traceur {
 
     private volatile String ecart;
     /** Ceux du dessin en cours, {@code null} s'ils ne sont pas tirés, ou n'ont plus rien à dire. */
@@ -36,21 +35,21 @@ public final class LancerSurveille extends Lancer {
      * @param simple vrai pour les boucles du cours
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
-    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple) {
+    public static Traceur preparer(Scene scene, int largeur, int hauteur, boolean simple) {
         return preparer(scene, largeur, hauteur, simple, part -> { });
     }
 
     /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
-    public static Lancer preparer(Scene scene, int largeur, int hauteur, boolean simple, DoubleConsumer suivi) {
+    public static Traceur preparer(Scene scene, int largeur, int hauteur, boolean simple, DoubleConsumer suivi) {
         Camera camera = new Camera(largeur, hauteur);
-        scene.setRecherche(simple ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
+        scene.getModele().setRecherche(simple ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
                 : Preparation.pour(scene, camera, suivi));
         return new LancerSurveille(scene, camera);
     }
 
     @Override
-    public Lancer avec(Echantillonnage echantillonnage, double seuil) {
-        return new LancerSurveille(getScene().avec(echantillonnage, seuil), getCamera());
+    public Traceur avec(Echantillonnage echantillonnage, double seuil) {
+        return new LancerSurveille(getScene().avec(getScene().getModele().avec(echantillonnage, seuil)), getCamera());
     }
 
     /** {@inheritDoc} Des témoins sont tirés au hasard avant le brouillon, que l'on regarde déjà. */
@@ -82,11 +81,11 @@ public final class LancerSurveille extends Lancer {
     /** Tire des témoins au hasard, si cette recherche en a besoin. */
     private void tirer(int profondeur) {
         jugementNs = 0;
-        Recherche recherche = getScene().getRecherche();
+        Recherche recherche = getScene().getModele().getRecherche();
         if (recherche instanceof RechercheRapide && (recherche != jugee || profondeur != profondeurJugee)) {
             jugee = (RechercheRapide) recherche;
             profondeurJugee = profondeur;
-            temoins = new Temoins(jugee, this, profondeur);
+            temoins = new Temoins(jugee, getLancer(), profondeur);
             juger();
         }
     }
@@ -98,12 +97,12 @@ public final class LancerSurveille extends Lancer {
      */
     private void juger() {
         long debut = System.nanoTime();
-        new Equipe("temoins").faire(1, Collections.singletonList(temoins));
+        temoins.equipe.faire(1, Collections.singletonList(temoins));
         nombre = temoins.nombre;
         ecart = temoins.ecart;
         if (ecart != null) {
             temoins = null;
-            getScene().setRecherche(new RechercheSimple(getScene().getObjets(), getScene().getCompteurs()));
+            getScene().getModele().setRecherche(new RechercheSimple(getScene().getObjets(), getScene().getCompteurs()));
         }
         jugementNs += System.nanoTime() - debut;
     }

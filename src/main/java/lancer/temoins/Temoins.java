@@ -18,6 +18,8 @@ import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
+import lancer.fils.Equipe;
+import lancer.fils.Regard;
 import lancer.rapide.RechercheRapide;
 
 /**
@@ -47,6 +49,7 @@ final class Temoins implements IntConsumer {
 
     private static final long GRAINE = 20;
 
+    final Equipe equipe = new Equipe("temoins");
     private final Camera camera;
     private final int profondeur;
     private final int objets;
@@ -71,11 +74,11 @@ final class Temoins implements IntConsumer {
         camera = lancer.getCamera();
         pixels = (long) camera.getLargeur() * camera.getHauteur();
         objets = lancer.getScene().getObjets().size();
-        rapide = new Lancer(lancer.getScene().pourUnFil(), camera);
-        Scene scene = rapide.getScene().pourUnFil();
-        jugee = scene.getRecherche();
+        rapide = new Lancer(lancer.getScene().avec(lancer.getScene().getModele()), camera);
+        Scene scene = lancer.getScene().avec(lancer.getScene().getModele());
+        jugee = scene.getModele().getRecherche();
         boucles = new RechercheSimple(scene.getObjets(), new Compteurs());
-        scene.setRecherche(recherche.remplacee(confrontation));
+        scene.getModele().setRecherche(recherche.remplacee(confrontation));
         confronte = new Lancer(scene, camera);
     }
 
@@ -193,7 +196,7 @@ final class Temoins implements IntConsumer {
     }
 
     private Couleur voir(Lancer lancer, long pixel) {
-        return lancer.voir(x(pixel) + 0.5, y(pixel) + 0.5, profondeur);
+        return new Regard(equipe, lancer, profondeur).couleur(x(pixel) + 0.5, y(pixel) + 0.5);
     }
 
     private int x(long pixel) {

@@ -12,7 +12,6 @@ import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
@@ -23,6 +22,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
+import lancer.fils.Traceur;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -210,7 +210,7 @@ class AutoTest {
     void lErreurMesureeEstCelleDeToutePart() {
         // une erreur égale sur tous les pixels se mesure sans incertitude
         Auto auto = autoEntreDeuxMurs(0.5, Souhait.erreur(255).fixer(2, 0.0));
-        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
+        auto.getTraceur().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
         auto.controler();
         // à ce que vaut « sans limite » près
         assertEquals(255 * 0.9 / 8, auto.getErreurMesuree(), 1e-3);
@@ -220,7 +220,7 @@ class AutoTest {
     @CsvSource({"1, 1", "1, 7", "2, 2", "3, 1", "33, 65", "201, 151"})
     void touteTailleDImageConvient(int largeur, int hauteur) {
         Auto auto = auto(scene(boule(0, 0, 8, 2, 0.5)), largeur, hauteur, GRILLES, Souhait.erreur(1));
-        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
+        auto.getTraceur().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
         auto.controler();
         assertEquals(3, auto.getLignes().size());
         assertTrue(auto.getErreurMesuree() < 10, auto.getLignes().toString());
@@ -289,15 +289,15 @@ class AutoTest {
     }
 
     private static void verifierLeCoutDesEssais(Auto auto) {
-        auto.getLancer().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
+        auto.getTraceur().TracerPixels(auto.surveiller((couleur, xe, ye) -> { }, auto.getChoisi()), auto.getChoisi().reflets, 2);
         auto.controler();
-        double permis = Math.max(550_000, auto.getLancer().getCompteurs().rayons() / 2.0);
+        double permis = Math.max(550_000, auto.getTraceur().getCompteurs().rayons() / 2.0);
         assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis + ", " + auto.getChoisi());
     }
 
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Traceur lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> fautive = Collections.singletonList(
                 new GrilleDEssai(Collections.singletonList(Section.reglage("Grille", "m", "3"))));
         SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, Souhait.erreur(1), 1, fautive, enCours -> { }));
@@ -306,7 +306,7 @@ class AutoTest {
 
     @Test
     void uneVarianteSansListeDeReglagesEstNommee() {
-        Lancer lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Traceur lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> muette = Collections.singletonList(new GrilleDEssai(null));
         NullPointerException e = assertThrows(NullPointerException.class,
                 () -> Auto.choisir(lancer, Souhait.erreur(1), 1, muette, enCours -> { }));

@@ -18,12 +18,12 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import lancer.Camera;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Pave;
+import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -51,7 +51,7 @@ class SemisTest {
 
     private static Essais essais(int largeur, int hauteur) {
         Scene vide = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
-        return new Essais(new Lancer(vide, new Camera(largeur, hauteur)), 1);
+        return new Essais(new Traceur(vide, new Camera(largeur, hauteur)), 1);
     }
 
     @Test
@@ -119,7 +119,7 @@ class SemisTest {
     void deuxReferencesDifferentEntreEllesEtSontLesMemesFaitesEnUneFoisOuEnPlusieurs() {
         Scene boule = new Scene(Collections.<Objet3D>singletonList(new Sphere(new Point(0, 0, 8), 2)),
                 Collections.<Lampe>emptyList());
-        Essais essais = new Essais(new Lancer(boule, new Camera(101, 101)), 2);
+        Essais essais = new Essais(new Traceur(boule, new Camera(101, 101)), 2);
         LimitesDesReflets limites = new LimitesDesReflets(0, 0, new Estimation(0, 0), 1);
         // du ciel, dont la couleur change partout ; le dernier bloc d'une ligne n'a que deux pixels
         List<Pave> blocs = Arrays.asList(Pave.deRang(7, 101, 101, Essais.COTE), Pave.deRang(50, 101, 101, Essais.COTE));

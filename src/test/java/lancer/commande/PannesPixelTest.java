@@ -9,7 +9,6 @@ import java.util.Collections;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
@@ -18,6 +17,7 @@ import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
+import lancer.fils.Traceur;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 
@@ -58,9 +58,9 @@ class PannesPixelTest {
     private static PixelFautif panne(Vecteur normale, int fils) {
         Scene scene = new Scene(Collections.singletonList(new Mur(normale)),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
-        scene.setRecherche(Preparation.pour(scene, CAMERA));
+        scene.getModele().setRecherche(Preparation.pour(scene, CAMERA));
         Toile toile = (couleur, i, j) -> assertTrue(i < 20, "un pixel faux est arrivé à l'image");
-        return assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels(toile, 5, fils));
+        return assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels(toile, 5, fils));
     }
 
     @Test
@@ -88,7 +88,7 @@ class PannesPixelTest {
     void uneReponseNulleNommeLePixelAussi() {
         Modele modele = new Modele();
         modele.setAtmosphere((vue, distance) -> null);
-        Scene scene = new Scene(Collections.singletonList(new Mur(new Vecteur(0, 0, -1))), Collections.<Lampe>emptyList(), modele);
-        assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((couleur, i, j) -> { }, 5, 2));
+        Scene scene = new Scene(Collections.singletonList(new Mur(new Vecteur(0, 0, -1))), Collections.<Lampe>emptyList()).avec(modele);
+        assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels((couleur, i, j) -> { }, 5, 2));
     }
 }

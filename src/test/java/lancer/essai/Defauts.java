@@ -21,6 +21,7 @@ import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Vue;
 import lancer.essai.RechercheNaive.Ombre;
+import lancer.fils.Traceur;
 
 /**
  * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser. Les mêmes défauts sont dans les classes
@@ -141,8 +142,8 @@ public final class Defauts {
 
     private Couleur[] naive(Scene scene, int reflets, Recherche recherche) {
         Scene naive = new Scene(scene.getObjets(), scene.getLampes());
-        naive.setRecherche(recherche);
-        naive.setSeuil(0);
+        naive.getModele().setRecherche(recherche);
+        naive.getModele().setSeuil(0);
         return image(naive, reflets);
     }
 
@@ -216,7 +217,7 @@ public final class Defauts {
         Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
         Vue points = deLaLampe(boule, 10);
-        noter("limiter", "limiter avant de moyenner", scene.avec(neufPoints, scene.getSeuil()), 0,
+        noter("limiter", "limiter avant de moyenner", scene.avec(scene.getModele().avec(neufPoints, scene.getModele().getSeuil())), 0,
                 image((xe, ye) -> moyenne(points, xe, ye, 1)), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
     }
 
@@ -240,14 +241,14 @@ public final class Defauts {
     }
 
     private void noter(String cle, String nom, Scene scene, int reflets, Couleur[] naive, Vue juste) {
-        scene.setSeuil(0);
+        scene.getModele().setSeuil(0);
         defauts.add(new Defaut(cle, nom, camera.getLargeur(), image(juste), naive, image(scene, reflets)));
     }
 
     private Couleur[] image(Scene scene, int reflets) {
         int largeur = camera.getLargeur();
         Couleur[] image = new Couleur[largeur * camera.getHauteur()];
-        new Lancer(scene, camera).TracerPixels((couleur, i, j) -> image[largeur * j + i] = couleur, reflets, 1);
+        new Traceur(scene, camera).TracerPixels((couleur, i, j) -> image[largeur * j + i] = couleur, reflets, 1);
         return image;
     }
 

@@ -25,6 +25,7 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.scene.Origines;
 
 /**
  * Ce que dit {@code --pixel}, refait à part sur des triplets de nombres : chaque terme par les équations de l'énoncé, chaque somme
@@ -35,6 +36,7 @@ public final class EssaiRecit {
     private static final double[] BLANC = {1, 1, 1};
 
     private final Scene scene;
+    private final Origines origines;
     private final int largeur;
     private final int hauteur;
     private final int reflets;
@@ -60,16 +62,17 @@ public final class EssaiRecit {
     public int cachees;
     public final Map<String, Integer> arrets = new HashMap<>();
 
-    public EssaiRecit(Scene scene, int largeur, int hauteur, int reflets, DoubleUnaryOperator k, double[] air, double blinn) {
+    public EssaiRecit(Scene scene, Origines origines, int largeur, int hauteur, int reflets, DoubleUnaryOperator k, double[] air, double blinn) {
         this.scene = scene;
+        this.origines = origines;
         this.largeur = largeur;
         this.hauteur = hauteur;
         this.reflets = reflets;
         this.k = k;
         this.air = air;
         this.blinn = blinn;
-        scene.getObjets().forEach(o -> parNom.put(scene.getOrigines().de(o), o));
-        scene.getLampes().forEach(l -> parNom.put(scene.getOrigines().de(l), l));
+        scene.getObjets().forEach(o -> parNom.put(origines.de(o), o));
+        scene.getLampes().forEach(l -> parNom.put(origines.de(l), l));
     }
 
     public void verifier(int x, int y, String sortie) {
@@ -157,7 +160,7 @@ public final class EssaiRecit {
             somme = nombres(lignes.get(suivante - 1).replaceAll(".*=", ""));
         } else {
             contacts++;
-            String debut = numero + "  " + scene.getOrigines().de(proche) + "  d = ";
+            String debut = numero + "  " + origines.de(proche) + "  d = ";
             assertTrue(titre.startsWith(debut), titre + " au lieu de " + debut + d);
             proche(new double[] {d}, nombres(titre.substring(debut.length())));
             double[] X = lire("   contact = ");
@@ -186,7 +189,7 @@ public final class EssaiRecit {
                 double[] vue = etape(numero + 1, proche);
                 assertTrue(lignes.get(memoire).matches("       Ks ⊗ (somme|vue) " + (numero + 1) + " = .*"), lignes.get(memoire));
                 assertArrayEquals(fois(ks, vue), reflet, lignes.get(memoire));
-                assertTrue(numero <= reflets && poids >= scene.getSeuil());
+                assertTrue(numero <= reflets && poids >= scene.getModele().getSeuil());
                 return fini;
             }
             double[] dite = finir(numero, total, d);
@@ -199,10 +202,10 @@ public final class EssaiRecit {
         String raison = lignes.get(suivante++).replaceFirst("   arrêt : ", "");
         boolean noir = objet != null && new Couleur().equals(objet.getKs());
         assertEquals(objet == null ? "ciel" : noir ? "Ks nul" : numero > reflets ? reflets + (reflets > 1 ? " réflexions" : " réflexion")
-                : "poids " + nombres(raison + " ")[0] + " < seuil " + scene.getSeuil(), raison);
+                : "poids " + nombres(raison + " ")[0] + " < seuil " + scene.getModele().getSeuil(), raison);
         if (raison.startsWith("poids")) {
             proche(new double[] {poids}, Arrays.copyOf(nombres(raison), 1));
-            assertTrue(poids < scene.getSeuil());
+            assertTrue(poids < scene.getModele().getSeuil());
         }
         arrets.merge(raison.replaceAll("^\\d+|s?\\d.*|s$", ""), 1, Integer::sum);
         return vue;
@@ -236,7 +239,7 @@ public final class EssaiRecit {
     /** @return ce que cette lampe ajoute */
     private double[] lampe(Lampe lampe, Sphere objet, double[] X, double[] N, double[] R) {
         String titre = lignes.get(suivante++);
-        String nom = "     " + scene.getOrigines().de(lampe) + "  ";
+        String nom = "     " + origines.de(lampe) + "  ";
         assertTrue(titre.startsWith(nom), titre);
         double[] S = t(lampe.getPosition());
         double[] versLampe = moins(S, X);
@@ -259,7 +262,7 @@ public final class EssaiRecit {
         }
         if (cache != null) {
             cachees++;
-            assertTrue(titre.endsWith("cachée par " + scene.getOrigines().de(cache)), titre);
+            assertTrue(titre.endsWith("cachée par " + origines.de(cache)), titre);
             return new double[3];
         }
         double[] kl = t(lampe.getCouleur());

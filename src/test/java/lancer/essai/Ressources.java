@@ -8,12 +8,12 @@ import java.util.List;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Toile;
+import lancer.fils.Traceur;
 import lancer.rapide.Preparation;
 
 /** Les fichiers des tests, de quoi composer une scène, et une image dessinée en couleurs non limitées. */
@@ -77,21 +77,21 @@ public final class Ressources {
 
     public static Scene scene(List<? extends Objet3D> objets, Lampe... lampes) {
         Scene scene = new Scene(objets, Arrays.asList(lampes));
-        scene.setSeuil(0);
+        scene.getModele().setSeuil(0);
         return scene;
     }
 
     public static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {
         Image image = new Image(largeur, hauteur);
-        new Lancer(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
+        new Traceur(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
         return image;
     }
 
     /** La même, par la recherche rapide : celle que montre le programme sans {@code --simple}. */
     public static Image imageRapide(Scene scene, Camera camera, int reflets) {
-        scene.setRecherche(Preparation.pour(scene, camera));
+        scene.getModele().setRecherche(Preparation.pour(scene, camera));
         Image image = new Image(camera.getLargeur(), camera.getHauteur());
-        new Lancer(scene, camera).TracerPixels(image, reflets, 2);
+        new Traceur(scene, camera).TracerPixels(image, reflets, 2);
         return image;
     }
 

@@ -22,8 +22,8 @@ import javax.swing.AbstractButton;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.Scene;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
@@ -32,7 +32,7 @@ class FenetreDessinTest extends EssaiFenetre {
 
     @Test
     void leBrouillonParaitPuisLImageSAcheve() throws Exception {
-        Lancer lancer = new Lancer(new Scene(scene.toString()), new Camera(L, H));
+        Traceur lancer = new Traceur(new Scene(scene.toString()), new Camera(L, H));
         ImageMemoire brouillon = new ImageMemoire(L, H, false);
         lancer.TracerBrouillon(brouillon, Constantes.MAX_REFLETS, 1);
         banc = new BancFenetre(lente().lent());
@@ -78,7 +78,7 @@ class FenetreDessinTest extends EssaiFenetre {
         int[] avant = attendue(L, H);
         attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.atelier.enCours() && banc.main.getLancer() != null);
+        attendre("le dessin suivant a commencé", () -> banc.atelier.enCours() && banc.main.getTraceur() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertEquals(" ", surFilEvenements(banc.resume::getText), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
@@ -88,7 +88,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void echapArreteEtF5Recommence() throws Exception {
         banc = new BancFenetre(lente().lent());
-        attendre("le brouillon est fait", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
+        attendre("le brouillon est fait", () -> banc.main.getTraceur() != null && banc.main.getTraceur().isBrouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("le dessin est arrêté", () -> !banc.atelier.enCours());
         assertTrue(surFilEvenements(banc.avancement::getString).startsWith("arrêté à "));
@@ -136,7 +136,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void fermerNeLaisseAucunFil() throws Exception {
         banc = new BancFenetre(lente().lent());
-        attendre("le brouillon est fait", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
+        attendre("le brouillon est fait", () -> banc.main.getTraceur() != null && banc.main.getTraceur().isBrouillonFait());
         banc.fermer();
         assertFalse(surFilEvenements(banc.cadre::isDisplayable));
         attendre("plus aucun fil du programme", () -> !BancFenetre.vivent("lancer-"));
@@ -157,7 +157,7 @@ class FenetreDessinTest extends EssaiFenetre {
                 return super.lireScene(fichier);
             }
         }.lent());
-        attendre("le dessin a commencé", () -> banc.main.getLancer() != null);
+        attendre("le dessin a commencé", () -> banc.main.getTraceur() != null);
         repondA(50);
         assertTrue(banc.atelier.enCours(), "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
@@ -279,7 +279,7 @@ class FenetreDessinTest extends EssaiFenetre {
         programme.retenue = true;
         banc.frapper(KeyEvent.VK_ADD);
         attendre("il se prépare", () -> banc.avancement.getString().startsWith("préparation "));
-        Lancer dAvant = surFilEvenements(banc.atelier::getLancer);
+        Traceur dAvant = surFilEvenements(banc.atelier::getTraceur);
         double avancement = surFilEvenements(() -> banc.atelier.getCourant().getAvancement());
         programme.suite.countDown();
         assertNull(dAvant);

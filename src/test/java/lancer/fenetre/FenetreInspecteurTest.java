@@ -272,7 +272,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
     @Test
     void pendantUnDessinLentLaChaineSeLitDeja() throws Exception {
         banc = new BancFenetre(lente().lent());
-        attendre("le brouillon est là", () -> banc.main.getLancer() != null && banc.main.getLancer().isBrouillonFait());
+        attendre("le brouillon est là", () -> banc.main.getTraceur() != null && banc.main.getTraceur().isBrouillonFait());
         attendre("et se voit", () -> banc.panneau.getImage() != null);
         cliquer(150, 100);
         attendreTitre(150, 100);

@@ -3,9 +3,9 @@ package lancer.fenetre;
 import java.io.ByteArrayOutputStream;
 import java.util.concurrent.locks.LockSupport;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.Main;
 import lancer.commande.Options;
+import lancer.fils.Traceur;
 
 /** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
 class MainLent extends Main {
@@ -35,7 +35,7 @@ class MainLent extends Main {
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
         super.drawPixel(coul, xe, ye);
-        Lancer lancer = getLancer();
+        Traceur lancer = getTraceur();
         if (lent && lancer != null && lancer.isBrouillonFait()) {
             LockSupport.parkNanos(PAUSE_NS);
         }

@@ -16,7 +16,6 @@ import java.util.Collections;
 import java.util.List;
 import lancer.Camera;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
@@ -24,9 +23,11 @@ import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
 import lancer.essai.EssaiPixel;
 import lancer.essai.Ressources;
+import lancer.fils.Traceur;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.rapide.Preparation;
+import lancer.scene.Origines;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -46,9 +47,9 @@ class PixelTest extends EssaiCommande {
     void saCouleurEstDiteToutEntiere() {
         Scene scene = new Scene(SCENE);
         Camera camera = new Camera(20, 15);
-        scene.setRecherche(Preparation.pour(scene, camera));
+        scene.getModele().setRecherche(Preparation.pour(scene, camera));
         String[] attendus = new String[20 * 15];
-        new Lancer(scene, camera).TracerPixels((c, i, j) -> attendus[20 * j + i] = "somme " + c.r + " " + c.v + " " + c.b + " = #"
+        new Traceur(scene, camera).TracerPixels((c, i, j) -> attendus[20 * j + i] = "somme " + c.r + " " + c.v + " " + c.b + " = #"
                 + Integer.toHexString(c.getCode()).substring(2).toUpperCase(), 3, 2);
         for (int k = 0; k < attendus.length; k++) {
             Essai e = Essai.executer("--taille=20x15", "--reflets=3", "--pixel", k % 20 + "," + k / 20, SCENE);
@@ -65,7 +66,7 @@ class PixelTest extends EssaiCommande {
             rayons[0]++;
             return vue;
         });
-        new Inspection(new Scene(Collections.emptyList(), Collections.emptyList(), modele), new Camera(40, 70), 5, 31, 31).faire();
+        new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele), new Origines(), new Camera(40, 70), 5, 31, 31).faire();
         assertEquals(2, rayons[0]);
     }
 
@@ -80,14 +81,15 @@ class PixelTest extends EssaiCommande {
             }
             return 0;
         };
-        Scene scene = new Scene(SCENE).avec(voisins, 0);
+        Scene lue = new Scene(SCENE);
+        Scene scene = lue.avec(lue.getModele().avec(voisins, 0));
         Camera camera = new Camera(40, 70);
         assertEquals(Arrays.asList("pixel 31, 31", "somme 1024.0 1024.0 1024.0 = #FFFFFF"), recit(scene, camera, 31, 31));
         assertEquals(Arrays.asList("pixel 32, 69", "somme 48.0 48.0 48.0 = #FFFFFF"), recit(scene, camera, 32, 69));
     }
 
     private static List<String> recit(Scene scene, Camera camera, int x, int y) {
-        Inspection pixel = new Inspection(scene, camera, 5, x, y);
+        Inspection pixel = new Inspection(scene, new Origines(), camera, 5, x, y);
         pixel.faire();
         return new Recit(pixel, Double::toString).lignes();
     }

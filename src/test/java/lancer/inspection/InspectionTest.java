@@ -20,11 +20,12 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
-import lancer.contrat.Origines;
 import lancer.essai.Essai;
 import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
 import lancer.rapide.Preparation;
+import lancer.scene.LecteurScene;
+import lancer.scene.Origines;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -42,14 +43,16 @@ class InspectionTest {
         "p4-foule, 1, 0.0009765625, ' réflexion'", "p4-foule, 0, 0, ' réflexion'"})
     void chaqueTermeEstCeluiDesEquationsEtChaqueSommeSeFerme(String nom, int reflets, double seuil, String arret) {
         String fichier = Ressources.chemin("reference/" + nom + ".ini");
-        Scene scene = new Scene(fichier);
-        scene.setSeuil(seuil);
-        EssaiRecit recit = new EssaiRecit(scene, 80, 60, reflets, null, null, 0);
+        LecteurScene lecteur = new LecteurScene();
+        Scene scene = new Scene(fichier, lecteur);
+        scene.getModele().setSeuil(seuil);
+        Origines origines = lecteur.getOrigines();
+        EssaiRecit recit = new EssaiRecit(scene, origines, 80, 60, reflets, null, null, 0);
         Random hasard = new Random(5);
         for (int k = 0; k < 200; k++) {
             int x = hasard.nextInt(80);
             int y = hasard.nextInt(60);
-            Inspection pixel = new Inspection(scene, new Camera(80, 60), reflets, x, y);
+            Inspection pixel = new Inspection(scene, origines, new Camera(80, 60), reflets, x, y);
             pixel.faire();
             recit.verifier(x, y, String.join("\n", new Recit(pixel, Double::toString).lignes()));
         }
@@ -63,10 +66,11 @@ class InspectionTest {
     @Test
     void laLigneDeCommandeDitLaMemeChoseQueLaRechercheSoitRapideOuNon() {
         String fichier = Ressources.chemin("reference/p4-foule.ini");
-        Scene rapide = new Scene(fichier);
-        rapide.setRecherche(Preparation.pour(rapide, new Camera(80, 60)));
+        LecteurScene lecteur = new LecteurScene();
+        Scene rapide = new Scene(fichier, lecteur);
+        rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60)));
         for (int x = 5; x < 80; x += 9) {
-            Inspection pixel = new Inspection(rapide, new Camera(80, 60), 5, x, 30);
+            Inspection pixel = new Inspection(rapide, lecteur.getOrigines(), new Camera(80, 60), 5, x, 30);
             pixel.faire();
             Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);
             assertEquals(new Recit(pixel, Double::toString).lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
@@ -93,7 +97,7 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p3-miroirs.ini"));
         List<Integer> etapes = new ArrayList<>();
         for (int reflets : new int[] {0, 1, 3}) {
-            Inspection pixel = new Inspection(scene, new Camera(80, 60), reflets, 40, 30);
+            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), reflets, 40, 30);
             pixel.faire();
             etapes.add(pixel.getEtapes().size());
             List<String> lignes = new Recit(pixel, Double::toString).lignes();
@@ -110,7 +114,7 @@ class InspectionTest {
         sphere.setKd(new Couleur(1));
         Scene scene = new Scene(Collections.singletonList(sphere),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
-        Inspection pixel = new Inspection(scene, new Camera(9, 9), 5, 4, 4);
+        Inspection pixel = new Inspection(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
         pixel.faire();
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertTrue(lignes.get(1).startsWith("1  objet 1  d = "), lignes.toString());
@@ -139,8 +143,8 @@ class InspectionTest {
             return 0;
         });
         Scene scene = new Scene(Collections.singletonList(sphere),
-                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))), modele);
-        Inspection pixel = new Inspection(scene, new Camera(9, 9), 5, 4, 4);
+                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(modele);
+        Inspection pixel = new Inspection(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
         pixel.faire();
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertEquals("9 échantillons", lignes.get(1));
@@ -148,35 +152,5 @@ class InspectionTest {
         assertTrue(lignes.get(14).startsWith("   contact = "), lignes.toString());
         assertEquals(Arrays.asList("   somme 1 = 0.25 0.5 0.75", "   arrêt : Ks nul", "somme 0.25 0.5 0.75 = #4080BF"),
                 lignes.subList(15, lignes.size()));
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"Sphere %d", "sphère n° %06d", "Sphere %d du fond", "Sphere"})
-    void chaqueObjetRetrouveSonNomEtSaLigne(String nom) {
-        Origines origines = new Origines();
-        List<Object> choses = new ArrayList<>();
-        for (int k = 0; k < 3000; k++) {
-            choses.add(new Object());
-            origines.ajouter(choses.get(k), String.format(nom, k), 7 * k + k % 5);
-        }
-        origines.finir();
-        for (int k = 0; k < 3000; k += 17) {
-            assertEquals("[" + String.format(nom, k) + "] ligne " + (7 * k + k % 5), origines.de(choses.get(k)));
-        }
-        assertNull(origines.de(new Object()));
-    }
-
-    @Test
-    void desNomsSansRapportLaissentLaLigneSeule() {
-        Origines origines = new Origines();
-        List<Object> choses = new ArrayList<>();
-        Random hasard = new Random(1);
-        for (int k = 0; k < 3000; k++) {
-            choses.add(new Object());
-            origines.ajouter(choses.get(k), Long.toHexString(hasard.nextLong()) + Long.toHexString(hasard.nextLong()), 1 + 5 * k);
-        }
-        origines.finir();
-        assertTrue(origines.de(choses.get(3)).matches("\\[[0-9a-f]+] ligne 16"), origines.de(choses.get(3)));
-        assertEquals("ligne 14996", origines.de(choses.get(2999)));
     }
 }

@@ -13,11 +13,11 @@ import java.util.concurrent.CancellationException;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
+import lancer.fils.Traceur;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -68,7 +68,7 @@ class ComptesTest {
     void pasDeRefletSousLeSeuil() {
         Scene scene = new Scene(Arrays.asList(boule(6, 1, 0.0009), boule(12, 1, 0.0009)), Collections.<Lampe>emptyList());
         assertEquals(0, compter(scene, 5).reflechis);
-        scene.setSeuil(0);
+        scene.getModele().setSeuil(0);
         assertTrue(compter(scene, 5).reflechis > 0);
         assertEquals(0, compter(scene, 0).reflechis, "profondeur nulle");
     }
@@ -111,7 +111,7 @@ class ComptesTest {
             if (cout(rapide.compteurs) > permis) {
                 fautes.add(e.getKey() + " : " + cout(rapide.compteurs) / (double) rapide.compteurs.rayons()
                         + " examens par rayon, arbre simple " + cout(oracle.compteurs) / (double) rapide.compteurs.rayons() + ", "
-                        + scene.getRecherche());
+                        + scene.getModele().getRecherche());
             }
         }
         assertEquals(Collections.emptyList(), fautes);
@@ -153,7 +153,7 @@ class ComptesTest {
     @Test
     void lesEssaisDuChoixSeComptentAPart() {
         Scene foule = ScenesDEssai.foule(7, 3000, 0).scene();
-        Lancer lancer = LancerSurveille.preparer(foule, 80, 60, false);
+        Traceur lancer = LancerSurveille.preparer(foule, 80, 60, false);
         lancer.TracerPixels((couleur, i, j) -> { }, 3, 1);
         assertTrue(lancer.getCompteurs().examensEssais > 500, lancer.getCompteurs().examensEssais + " examens");
         Scene petite = new Scene(Collections.singletonList(boule(6, 1, 0)), Collections.<Lampe>emptyList());

@@ -21,6 +21,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Specularite;
+import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 
 /** L'image rapide est l'image lisible, au bit près, pour autant de rayons, quel que soit le nombre de fils. */
@@ -56,7 +57,7 @@ class IdentiteTest {
     @Test
     void reflexionsSansFin() {
         Scene scene = ScenesDEssai.toutes(FOULE).get("tout dans une sphère");
-        scene.setSeuil(0);
+        scene.getModele().setSeuil(0);
         comparer("mille réflexions", scene, 1000);
         comparer("aucune réflexion", scene, 0);
     }
@@ -74,9 +75,9 @@ class IdentiteTest {
         for (int k = 0; k < 2000; k++) {
             double xe = 400 + k % 50 * 2.5 + 0.5;
             double ye = 300 - 50 + k / 50 * 2.5 + 0.5;
-            scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
+            scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
             Couleur lisible = new Lancer(scene, camera).getCouleurPixel(xe, ye, 5);
-            scene.setRecherche(Preparation.pour(scene, camera));
+            scene.getModele().setRecherche(Preparation.pour(scene, camera));
             assertEquals(lisible, new Lancer(scene, camera).getCouleurPixel(xe, ye, 5), xe + ", " + ye);
         }
     }
@@ -87,7 +88,7 @@ class IdentiteTest {
         Modele modele = new Modele();
         modele.setAtmosphere(new Voile());
         modele.setSpecularite((V, N, L, R, ns) -> Specularite.puissance(N.dot(L.sub(V).normalized()), ns / 2));
-        comparer("voile et autre reflet", new Scene(foule.getObjets(), foule.getLampes(), modele), 5);
+        comparer("voile et autre reflet", foule.avec(modele), 5);
     }
 
     /** Une atmosphère qui ne commute avec rien. */
@@ -101,7 +102,7 @@ class IdentiteTest {
 
     static void comparer(String nom, Scene scene, int profondeur) {
         Camera camera = new Camera(LARGEUR, HAUTEUR);
-        scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
+        scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
         Dessin lisible = new Dessin(scene, camera, profondeur, 2);
         Compteurs premiers = null;
         for (Preparation.Genre genre : Preparation.Genre.values()) {
@@ -109,7 +110,7 @@ class IdentiteTest {
             impose.verifier(nom + ", structures imposées : " + genre, lisible);
         }
         for (int fils : new int[] {1, 2, 7}) {
-            scene.setRecherche(Preparation.pour(scene, camera));
+            scene.getModele().setRecherche(Preparation.pour(scene, camera));
             Dessin rapide = new Dessin(scene, camera, profondeur, fils);
             rapide.verifier(nom + ", " + fils + " fils", lisible);
             premiers = premiers == null ? rapide.compteurs : premiers;
@@ -129,13 +130,13 @@ class IdentiteTest {
         Dessin(Scene scene, Camera camera, int profondeur, int fils) {
             largeur = camera.getLargeur();
             pixels = new Couleur[largeur * camera.getHauteur()];
-            Lancer lancer = new Lancer(scene, camera);
+            Traceur lancer = new Traceur(scene, camera);
             lancer.TracerPixels((couleur, i, j) -> pixels[j * largeur + i] = couleur, profondeur, fils);
             compteurs = lancer.getCompteurs();
         }
 
         static Dessin de(Scene scene, Camera camera, Recherche recherche, int profondeur) {
-            scene.setRecherche(recherche);
+            scene.getModele().setRecherche(recherche);
             return new Dessin(scene, camera, profondeur, 2);
         }
 

@@ -56,7 +56,7 @@ class ModificationsTest {
 
     @ParameterizedTest(name = "{0} : {2}")
     @CsvSource(delimiter = '|', value = {
-        "Objet3D | new Lumiere(scene.ecoute); | new Lumiere(scene.ecoute); lumiere.ajouter(Kd.mul(0.1));",
+        "Objet3D | scene.getLumiere(N, R); | scene.getLumiere(N, R); lumiere.ajouter(Kd.mul(0.1));",
         "Objet3D | && !scene.estCachee(lampe, contact, L, versLampe.norme(), this) | ",
         "Objet3D | Math.min(1, N.dot(L)) | 1",
         "Objet3D | V.add(-2 * V.dot(N), N) | V.add(-1.9 * V.dot(N), N)",
@@ -70,8 +70,8 @@ class ModificationsTest {
         "Rayon | P.add(distance, V) | P.add(0.99 * distance, V)",
         "Rayon | Constantes.CIEL.b * bas + V.y | Constantes.CIEL.b * bas",
         "Rayon | Constantes.SOL.v + Constantes | Constantes.SOL.v - Constantes",
-        "Scene | recherche.plusProche(incident, saufLui) | recherche.plusProche(incident, null)",
-        "Scene | atmosphere.traverser(couleur, | atmosphere.traverser(couleur.mul(0.5),",
+        "Scene | getRecherche().plusProche(incident, saufLui) | getRecherche().plusProche(incident, null)",
+        "Scene | .traverser(couleur, | .traverser(couleur.mul(0.5),",
         "Scene | return recherche.estCachee( | return !recherche.estCachee(",
         "Lancer | camera.getRayon(xe, ye) | camera.getRayon(xe + 0.3, ye)",
         "Camera | new Point(getX(xe), getY(ye), 0) | new Point(getX(xe), getY(ye), 0.1)",
@@ -88,6 +88,8 @@ class ModificationsTest {
         "Couleur | new Couleur(r * c.r, v * c.v, b * c.b) | new Couleur(r * c.r, v * c.v, 0)",
         "Couleur | new Couleur(r + c.r, v + c.v, b + c.b) | new Couleur(r + c.r, v, b + c.b)",
         "Lumiere | r += c.r | r += 0.5 * c.r",
+        "Lumiere | diffus.mul(cosinus) | diffus.mul(0.5 * cosinus)",
+        "Lumiere | speculaire.mul(eclat) | speculaire.mul(0.5 * eclat)",
         "Lampe | return couleur; | return couleur.mul(0.5);",
         "Scene | lampe.getPosition(), L.neg(), distance | lampe.getPosition(), L, distance"})
     void uneLigneChangeeDUneClasseDuCoursSeVoit(String classe, String ancienne, String nouvelle) throws IOException {

@@ -11,10 +11,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 import lancer.Constantes;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.RechercheSimple;
 import lancer.essai.Essai;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
@@ -61,8 +61,8 @@ class PreparerTest {
     @Test
     void simpleDonneLesBouclesDuCours() {
         Scene scene = new Scene(SCENE.toString());
-        Lancer lancer = LancerSurveille.preparer(scene, 64, 48, true);
-        assertTrue(scene.getRecherche() instanceof RechercheSimple);
+        Traceur lancer = LancerSurveille.preparer(scene, 64, 48, true);
+        assertTrue(scene.getModele().getRecherche() instanceof RechercheSimple);
         assertEquals(64, lancer.getCamera().getLargeur());
         assertEquals(48, lancer.getCamera().getHauteur());
     }

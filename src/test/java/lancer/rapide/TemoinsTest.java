@@ -13,7 +13,6 @@ import java.util.Map;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
@@ -22,6 +21,7 @@ import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
 import lancer.fils.Equipe;
+import lancer.fils.Traceur;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
@@ -31,7 +31,7 @@ class TemoinsTest {
     private static final Camera CAMERA = new Camera(97, 61);
 
     private static Scene rapide(Scene scene, Camera camera) {
-        scene.setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX, part -> { }));
+        scene.getModele().setRecherche(Preparation.pour(scene, camera, Preparation.Genre.AU_CHOIX, part -> { }));
         return scene;
     }
 
@@ -44,14 +44,14 @@ class TemoinsTest {
             plates.geometrie[Spheres.PAS * k + 3] *= part;
         }
         Arbre arbre = new Arbre(plates, new Equipe("essai"));
-        autre.setRecherche(new RechercheRapide(new Structures(plates, arbre, autre.getLampes()), new Compteurs()));
+        autre.getModele().setRecherche(new RechercheRapide(new Structures(plates, arbre, autre.getLampes()), new Compteurs()));
         return autre;
     }
 
     @Test
     void uneRechercheJusteALeNombreDeTemoinsPromisEtAucunEcart() {
         for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(60).entrySet()) {
-            Lancer lancer = new LancerSurveille(rapide(e.getValue(), CAMERA), CAMERA);
+            Traceur lancer = new LancerSurveille(rapide(e.getValue(), CAMERA), CAMERA);
             lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
             assertNull(lancer.getEcart(), e.getKey());
             assertEquals(64, lancer.getCompteurs().pixelsTemoins, e.getKey());
@@ -63,7 +63,7 @@ class TemoinsTest {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).scene();
         Compteurs premiers = null;
         for (int fils : new int[] {1, 3}) {
-            Lancer lancer = new LancerSurveille(rapide(scene, CAMERA), CAMERA);
+            Traceur lancer = new LancerSurveille(rapide(scene, CAMERA), CAMERA);
             for (int fois = 0; fois < 2; fois++) {
                 lancer.TracerPixels((couleur, i, j) -> { }, 5, fils);
                 Compteurs c = lancer.getCompteurs();
@@ -79,7 +79,7 @@ class TemoinsTest {
     @Test
     void uneImageDUnPixelAUnTemoin() {
         Camera une = new Camera(1, 1);
-        Lancer lancer = new LancerSurveille(rapide(ScenesDEssai.toutes(60).get("foule"), une), une);
+        Traceur lancer = new LancerSurveille(rapide(ScenesDEssai.toutes(60).get("foule"), une), une);
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 1);
         assertEquals(1, lancer.getCompteurs().pixelsTemoins);
         assertNull(lancer.getEcart());
@@ -88,7 +88,7 @@ class TemoinsTest {
     @Test
     void uneEquationChangeeSeVoitEtCeSontLesBouclesQuiDessinent() {
         Scene scene = modifiee(ScenesDEssai.toutes(60).get("foule"), 0.98);
-        Lancer lancer = new LancerSurveille(scene, CAMERA);
+        Traceur lancer = new LancerSurveille(scene, CAMERA);
         Couleur[] image = new Couleur[CAMERA.getLargeur() * CAMERA.getHauteur()];
         lancer.TracerPixels((couleur, i, j) -> image[j * CAMERA.getLargeur() + i] = couleur, 5, 2);
         assertNotNull(lancer.getEcart());
@@ -97,7 +97,7 @@ class TemoinsTest {
         lancer.TracerPixels((couleur, i, j) -> assertEquals(image[j * CAMERA.getLargeur() + i], couleur), 5, 2);
         assertNotNull(lancer.getEcart());
         assertEquals(64, lancer.getCompteurs().pixelsTemoins);
-        assertFalse(scene.getRecherche() instanceof RechercheRapide);
+        assertFalse(scene.getModele().getRecherche() instanceof RechercheRapide);
         Scene lisible = new Scene(scene.getObjets(), scene.getLampes());
         IdentiteTest.Dessin attendu = new IdentiteTest.Dessin(lisible, CAMERA, 5, 1);
         for (int k = 0; k < image.length; k++) {
@@ -109,8 +109,8 @@ class TemoinsTest {
     @Test
     void dansLaFenetreLeBrouillonEstDejaCeluiDesBoucles() {
         Scene scene = modifiee(ScenesDEssai.toutes(60).get("foule"), 0.9);
-        Lancer lancer = new LancerSurveille(scene, CAMERA);
-        lancer.TracerImage((couleur, i, j) -> assertFalse(scene.getRecherche() instanceof RechercheRapide), 5, 1);
+        Traceur lancer = new LancerSurveille(scene, CAMERA);
+        lancer.TracerImage((couleur, i, j) -> assertFalse(scene.getModele().getRecherche() instanceof RechercheRapide), 5, 1);
         assertNotNull(lancer.getEcart());
     }
 
@@ -119,7 +119,7 @@ class TemoinsTest {
     void surUneGrandeSceneUneQuestionSuffitAVoirUneRechercheQuiNeVoitRien() {
         Camera petite = new Camera(16, 12);
         Scene scene = ScenesDEssai.foule(11, 100_000, 0).scene();
-        Lancer juste = new LancerSurveille(rapide(scene, petite), petite);
+        Traceur juste = new LancerSurveille(rapide(scene, petite), petite);
         juste.TracerPixels((couleur, i, j) -> { }, 2, 2);
         assertNull(juste.getEcart());
         assertTrue(juste.getCompteurs().pixelsTemoins >= 1);
@@ -128,8 +128,8 @@ class TemoinsTest {
     @Test
     void lesBouclesDuCoursNeSeJugentPas() {
         Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 6), 1)), Collections.<Lampe>emptyList());
-        scene.setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
-        Lancer lancer = new LancerSurveille(scene, CAMERA);
+        scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
+        Traceur lancer = new LancerSurveille(scene, CAMERA);
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
         assertEquals(0, lancer.getCompteurs().pixelsTemoins);
         assertNull(lancer.getEcart());
@@ -147,7 +147,7 @@ class TemoinsTest {
                 Rayon rayon = new Rayon(ailleurs,
                         new Point(3 * hasard.nextGaussian(), 3 * hasard.nextGaussian(), 6 + hasard.nextGaussian()));
                 Objet3D depart = k % 2 == 0 || scene.getObjets().isEmpty() ? null : scene.getObjets().get(k % scene.getObjets().size());
-                scene.getRecherche().plusProche(rayon, depart);
+                scene.getModele().getRecherche().plusProche(rayon, depart);
                 double distance = rayon.getDistance();
                 Objet3D objet = rayon.getObjet();
                 boucles.plusProche(rayon, depart);
@@ -156,7 +156,7 @@ class TemoinsTest {
                 for (Lampe lampe : scene.getLampes()) {
                     if (depart != null) {
                         assertEquals(boucles.estCachee(lampe, ailleurs, rayon.getV(), 5, depart),
-                                scene.getRecherche().estCachee(lampe, ailleurs, rayon.getV(), 5, depart), e.getKey() + ", ombre " + k);
+                                scene.getModele().getRecherche().estCachee(lampe, ailleurs, rayon.getV(), 5, depart), e.getKey() + ", ombre " + k);
                     }
                 }
             }

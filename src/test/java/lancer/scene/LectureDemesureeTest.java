@@ -117,7 +117,12 @@ class LectureDemesureeTest {
     void laPartLueSeDitDuDebutALaFin() throws IOException {
         Path fichier = ecrire(DEBUT + "rayon=1\n", ";\n", 200_000, "");
         List<Double> parts = new ArrayList<>();
-        LecteurScene.lire(fichier.toString(), parts::add);
+        new LecteurScene() {
+            @Override
+            protected void avancer(double part) {
+                parts.add(part);
+            }
+        }.lire(fichier.toString());
         assertTrue(parts.size() >= 6, parts.toString());
         assertEquals(65536.0 / Files.size(fichier), parts.get(0));
         assertEquals(1, parts.get(parts.size() - 1));

@@ -22,7 +22,6 @@ import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
@@ -30,6 +29,7 @@ import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.essai.Essai;
 import lancer.essai.Ressources;
+import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -124,7 +124,7 @@ class LectureTest {
 
     private static Ressources.Image dessin(Scene scene) {
         Ressources.Image image = new Ressources.Image(40, 30);
-        new Lancer(scene, new Camera(40, 30)).TracerPixels(image, 5, 1);
+        new Traceur(scene, new Camera(40, 30)).TracerPixels(image, 5, 1);
         return image;
     }
 

@@ -10,13 +10,13 @@ import java.util.Random;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
+import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -96,9 +96,9 @@ class LimitesAntialiasTest {
     }
 
     private static Couleur[] image(Scene modele, Echantillonnage echantillonnage, int cote) {
-        Scene scene = echantillonnage == null ? modele : modele.avec(echantillonnage, modele.getSeuil());
+        Scene scene = echantillonnage == null ? modele : modele.avec(modele.getModele().avec(echantillonnage, modele.getModele().getSeuil()));
         Couleur[] image = new Couleur[cote * cote];
-        new Lancer(scene, new Camera(cote, cote)).TracerPixels((couleur, i, j) -> image[cote * j + i] = couleur, 3, 2);
+        new Traceur(scene, new Camera(cote, cote)).TracerPixels((couleur, i, j) -> image[cote * j + i] = couleur, 3, 2);
         return image;
     }
 

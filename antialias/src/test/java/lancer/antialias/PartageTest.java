@@ -12,7 +12,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
@@ -22,7 +21,9 @@ import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
+import lancer.fils.Traceur;
 import lancer.inspection.Inspection;
+import lancer.scene.Origines;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -70,7 +71,7 @@ class PartageTest {
             return new Couleur();
         });
         modele.setEchantillonnage(methode.equals("coins") ? Antialias.coins(n, seuil) : Antialias.partage(n, seuil));
-        new Inspection(new Scene(Collections.emptyList(), Collections.emptyList(), modele), new Camera(64, 64), 0, 40, 40).faire();
+        new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele), new Origines(), new Camera(64, 64), 0, 40, 40).faire();
         assertEquals(attendus + 1, rayons.get(), "et un de nouveau, pour sa chaîne");
     }
 
@@ -181,7 +182,7 @@ class PartageTest {
         }
         Scene scene = new Scene(Arrays.asList(boules), Collections.singletonList(new Lampe(new Point(-5, 6, -3), new Couleur(0.9))));
         double[] image = new double[60 * 45];
-        Lancer lancer = new Lancer(scene.avec(echantillonnage, scene.getSeuil()), new Camera(60, 45));
+        Traceur lancer = new Traceur(scene.avec(scene.getModele().avec(echantillonnage, scene.getModele().getSeuil())), new Camera(60, 45));
         lancer.TracerPixels((couleur, i, j) -> image[60 * j + i] = Math.min(1, couleur.r), 5, 2);
         compteurs.ajouter(lancer.getCompteurs());
         return image;

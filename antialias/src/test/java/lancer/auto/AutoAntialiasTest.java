@@ -16,12 +16,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.contrat.Pave;
 import lancer.contrat.Variante;
 import lancer.essai.Essai;
+import lancer.fils.Traceur;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -56,7 +56,7 @@ class AutoAntialiasTest {
     @Test
     void ceQuiEstEssayeEstCeQuiSeraDessine() {
         Scene lue = new Scene(scene.toString());
-        Lancer prepare = LancerSurveille.preparer(lue, 90, 70, false);
+        Traceur prepare = LancerSurveille.preparer(lue, 90, 70, false);
         Essais essais = new Essais(prepare, 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
         assertEquals(9, finesses.size());
@@ -82,13 +82,13 @@ class AutoAntialiasTest {
     @Test
     void lesRayonsAttendusSontCeuxDuDessin() {
         Scene lue = new Scene(scene.toString());
-        Lancer prepare = LancerSurveille.preparer(lue, 80, 60, false);
+        Traceur prepare = LancerSurveille.preparer(lue, 80, 60, false);
         Essais essais = new Essais(prepare, 2);
         List<Finesse> finesses = Finesse.possibles(lue, Collections.<Variante>singletonList(new Antialias()));
         EssaiFinesses essai = new EssaiFinesses(essais, essais.semer(4000, false), limites(), 1e7);
         for (Finesse finesse : finesses) {
             assertTrue(essai.essayer(finesse, 1e7, dessinee -> 1e7));
-            Lancer lancer = prepare.avec(finesse.echantillonnage, 1.0 / 1024);
+            Traceur lancer = prepare.avec(finesse.echantillonnage, 1.0 / 1024);
             lancer.TracerPixels((couleur, xe, ye) -> { }, 5, 2);
             double rayons = lancer.getCompteurs().primaires / (80.0 * 60);
             assertEquals(1, finesse.rayons / rayons, 0.2, finesse.toString());

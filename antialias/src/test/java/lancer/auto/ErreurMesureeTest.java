@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Collections;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
+import lancer.fils.Traceur;
 import lancer.temoins.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,7 +21,7 @@ class ErreurMesureeTest {
     @ParameterizedTest
     @ValueSource(strings = {"bowling", "brume", "diffus", "miroirs", "ombres", "scene1", "tournesol"})
     void lErreurMesureeEstEntreCellesQuiEtaientAttendues(String nom) {
-        Lancer prepare = LancerSurveille.preparer(new Scene("scenes/" + nom + ".ini"), L, H, false);
+        Traceur prepare = LancerSurveille.preparer(new Scene("scenes/" + nom + ".ini"), L, H, false);
         Auto auto = Auto.choisir(prepare, Souhait.erreur(4), 2, Collections.singletonList(new Antialias()), enCours -> { });
         for (Reglage reglage : auto.getFront()) {
             prepare.avec(reglage.finesse.echantillonnage, reglage.seuil)

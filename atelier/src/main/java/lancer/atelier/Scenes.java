@@ -39,7 +39,7 @@ public final class Scenes {
 
     /** Une scène, sans variante. @throws lancer.SceneFautive si le fichier ne peut être utilisé */
     public static Scene lire(Path fichier) {
-        LecteurScene lu = LecteurScene.lire(fichier.toString());
+        LecteurScene lu = new LecteurScene().lire(fichier.toString());
         return new Scene(lu.getObjets(), lu.getLampes());
     }
 

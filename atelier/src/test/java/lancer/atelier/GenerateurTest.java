@@ -38,10 +38,10 @@ class GenerateurTest {
     private Scene lire(String... args) throws IOException {
         Path fichier = dossier.resolve("scene.ini");
         Files.write(fichier, engendrer(args).getBytes(StandardCharsets.UTF_8));
-        LecteurScene lu = LecteurScene.lire(fichier.toString());
+        LecteurScene lu = new LecteurScene().lire(fichier.toString());
         assertEquals(2, lu.getLampes().size());
         assertTrue(lu.getAvertissements().isEmpty());
-        return new Scene(lu);
+        return new Scene(lu.getObjets(), lu.getLampes());
     }
 
     @ParameterizedTest(name = "{0}")

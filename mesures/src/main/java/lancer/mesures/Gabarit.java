@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Vue;
+import lancer.fils.Traceur;
 import lancer.temoins.LancerSurveille;
 
 /**
@@ -67,7 +67,7 @@ public final class Gabarit {
             }
             return 0;
         };
-        Lancer lancer = LancerSurveille.preparer(scene.avec(auHasard, 0), largeur, hauteur, false);
+        Traceur lancer = LancerSurveille.preparer(scene.avec(scene.getModele().avec(auHasard, 0)), largeur, hauteur, false);
         return ImageLineaire.de(lancer, PROFONDEUR, Runtime.getRuntime().availableProcessors());
     }
 

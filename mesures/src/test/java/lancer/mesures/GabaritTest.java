@@ -61,7 +61,7 @@ class GabaritTest {
     void leGabaritMesureLErreurContreLaVeriteEtLaVeriteNEnAPas() {
         for (long graine : new long[] {1, 2}) {
             Scene scene = SceneAuHasard.de(graine);
-            ImageLineaire verite = image(scene.avec(Antialias.coins(32, 0), 0), L, H, Gabarit.PROFONDEUR);
+            ImageLineaire verite = image(scene.avec(scene.getModele().avec(Antialias.coins(32, 0), 0)), L, H, Gabarit.PROFONDEUR);
             Gabarit gabarit = new Gabarit(scene, L, H, 1);
             for (int reflets : new int[] {0, 5}) {
                 ImageLineaire image = image(scene, L, H, reflets);

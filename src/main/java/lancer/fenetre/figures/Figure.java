@@ -55,7 +55,7 @@ public final class Figure {
     /** À calculer ailleurs que dans le fil des événements : ce qui est devant se demande à la scène. */
     public Figure(Inspection pixel) {
         camera = pixel.camera;
-        scene = pixel.scene.pourUnFil();
+        scene = pixel.scene.avec(pixel.scene.getModele());
         Point depart = null;
         Vecteur V = null;
         for (Etape etape : pixel.getEtapes()) {

@@ -3,8 +3,8 @@ package lancer.mesures.juge;
 import java.awt.image.Raster;
 import java.io.IOException;
 import lancer.Camera;
-import lancer.Lancer;
 import lancer.Scene;
+import lancer.fils.Traceur;
 import lancer.mesures.ImageLineaire;
 import lancer.temoins.LancerSurveille;
 
@@ -14,7 +14,7 @@ public final class SceneJugee {
     private static final double NIVEAUX_16 = 65535;
 
     /** De quoi la dessiner nous-mêmes, au seuil que le juge peut tenir. */
-    public final Lancer lancer;
+    public final Traceur lancer;
 
     /** 1, ou 3 si un Ks est coloré : l'éclat d'une lampe est pour POV-Ray d'une seule couleur. */
     final int dessins;
@@ -35,7 +35,7 @@ public final class SceneJugee {
         dessins = noms.length;
         if (dessins > 1) {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
-            scene.setSeuil(0);
+            scene.getModele().setSeuil(0);
         }
         lancer = LancerSurveille.preparer(scene, largeur, hauteur, false);
         camera = lancer.getCamera();

@@ -136,7 +136,7 @@ final class TraductionPov {
     String texte(int juste) {
         String entete = "#version 3.7;\n"
                 + "global_settings { assumed_gamma 1 ambient_light 0 max_trace_level " + (reflets + 1)
-                + " adc_bailout " + scene.getSeuil() + " }\n"
+                + " adc_bailout " + scene.getModele().getSeuil() + " }\n"
                 + "camera { perspective location " + position(Camera.OEIL) + " direction <0, 0, " + Camera.FOCALE + ">"
                 + " right <" + Constantes.ECHELLE + ", 0, 0>"
                 + " up <0, " + Constantes.ECHELLE * camera.getHauteur() / camera.getLargeur() + ", 0> }\n";

@@ -8,7 +8,6 @@ import java.util.concurrent.atomic.LongAdder;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
@@ -16,6 +15,7 @@ import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
+import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.mesures.Gabarit;
 import lancer.temoins.LancerSurveille;
@@ -39,7 +39,7 @@ final class Besoin {
         this.taille = taille;
         nom = fichier.getFileName().toString().replace(".ini", "");
         scene = Scenes.lire(fichier);
-        Lancer lancer = preparer(scene.pourUnFil(), Constantes.SEUIL);
+        Traceur lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
         codes = codes(lancer, Constantes.MAX_REFLETS);
         compteurs = lancer.getCompteurs();
     }
@@ -50,15 +50,15 @@ final class Besoin {
                 compteurs.rayons(), rayonsSansEconomie(), rayonsUtiles());
     }
 
-    private Lancer preparer(Scene copie, double seuil) {
-        copie.setSeuil(seuil);
+    private Traceur preparer(Scene copie, double seuil) {
+        copie.getModele().setSeuil(seuil);
         return LancerSurveille.preparer(copie, taille.largeur, taille.hauteur, false);
     }
 
-    private int[] codes(Lancer lancer, int profondeur) {
+    private int[] codes(Traceur lancer, int profondeur) {
         ImageMemoire image = new ImageMemoire(taille.largeur, taille.hauteur, false);
         // sans témoins : seuls se comptent les rayons de l'image
-        lancer.parcourir(lancer.getScene().getEchantillonnage(), image, profondeur, taille.fils);
+        lancer.parcourir(lancer.getScene().getModele().getEchantillonnage(), image, profondeur, taille.fils);
         return image.getCodes();
     }
 
@@ -67,7 +67,7 @@ final class Besoin {
      * de la lumière : une profondeur de plus ne rend pas une image moins juste, et la recherche peut couper en deux.
      */
     int profondeurUtile() {
-        Lancer lancer = preparer(scene.pourUnFil(), 0);
+        Traceur lancer = preparer(scene.avec(scene.getModele()), 0);
         int[] limite = codes(lancer, Gabarit.PROFONDEUR);
         int bas = 0;
         int haut = Gabarit.PROFONDEUR;
@@ -96,7 +96,7 @@ final class Besoin {
 
     /** Les rayons de chaque pixel, jusqu'à la dernière réflexion qui change sa couleur à l'écran. */
     long rayonsUtiles() {
-        Lancer lancer = preparer(scene.pourUnFil(), Constantes.SEUIL);
+        Traceur lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
         Compteurs siens = lancer.getScene().getCompteurs();
         long utiles = 0;
         for (int k = 0; k < codes.length; k++) {
@@ -105,7 +105,7 @@ final class Besoin {
             int reflets = 0;
             do {
                 avant = siens.rayons();
-                code = lancer.getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets++).getCode();
+                code = lancer.getLancer().getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets++).getCode();
             } while (code != codes[k]);
             utiles += siens.rayons() - avant;
         }
@@ -132,8 +132,8 @@ final class Besoin {
             neuve.setNs(objet.getNs());
             brillantes.add(neuve);
         }
-        Scene naive = new Scene(brillantes, scene.getLampes(), modele);
-        Lancer lancer = preparer(naive, 0);
+        Scene naive = new Scene(brillantes, scene.getLampes()).avec(modele);
+        Traceur lancer = preparer(naive, 0);
         codes(lancer, Constantes.MAX_REFLETS);
         Compteurs c = lancer.getCompteurs();
         return c.primaires + c.reflechis + contacts.sum() * scene.getLampes().size();

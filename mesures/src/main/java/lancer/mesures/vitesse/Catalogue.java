@@ -178,7 +178,7 @@ final class Catalogue {
     private static Scene variee(Scene scene, Consumer<Modele> variante) {
         Modele modele = new Modele();
         variante.accept(modele);
-        return new Scene(scene.getObjets(), scene.getLampes(), modele);
+        return scene.avec(modele);
     }
 
     /** La première lampe, de l'autre côté. */

@@ -3,7 +3,6 @@ package lancer.mesures.vitesse;
 import java.util.Collections;
 import java.util.function.UnaryOperator;
 import lancer.Constantes;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.auto.Auto;
@@ -11,6 +10,7 @@ import lancer.auto.Souhait;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
+import lancer.fils.Traceur;
 import lancer.temoins.LancerSurveille;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
@@ -87,16 +87,17 @@ final class Methode {
 
         /** Ce qui a été choisi, si c'était à choisir. */
         final String choix;
-        final Lancer lancer;
+        final Traceur lancer;
         private final int reflets;
 
         Dessin(Scene lue, int largeur, int hauteur) {
-            Scene scene = changement.apply(lue).avec(echantillonnage, seuil);
-            Lancer prepare = LancerSurveille.preparer(scene, largeur, hauteur, boucles);
+            Scene changee = changement.apply(lue);
+            Scene scene = changee.avec(changee.getModele().avec(echantillonnage, seuil));
+            Traceur prepare = LancerSurveille.preparer(scene, largeur, hauteur, boucles);
             if (erreurVoulue > 0) {
                 Auto auto = Auto.choisir(prepare, Souhait.erreur(erreurVoulue), Runtime.getRuntime().availableProcessors(),
                         Collections.<Variante>singletonList(new Antialias()), enCours -> { });
-                lancer = auto.getLancer();
+                lancer = auto.getTraceur();
                 reflets = auto.getChoisi().reflets;
                 choix = auto.getChoisi().toString();
             } else {
@@ -114,8 +115,8 @@ final class Methode {
         /** Par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Scene scene = lancer.getScene();
-            Echantillonnage partiel = filtre.apply(scene.getEchantillonnage());
-            LancerSurveille.preparer(scene.avec(partiel, scene.getSeuil()), lancer.getCamera().getLargeur(),
+            Echantillonnage partiel = filtre.apply(scene.getModele().getEchantillonnage());
+            LancerSurveille.preparer(scene.avec(scene.getModele().avec(partiel, scene.getModele().getSeuil())), lancer.getCamera().getLargeur(),
                     lancer.getCamera().getHauteur(), true).parcourir(partiel, toile, reflets, fils);
         }
     }

@@ -16,11 +16,11 @@ import java.util.Random;
 import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import lancer.Constantes;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
+import lancer.fils.Traceur;
 import lancer.mesures.ImageLineaire;
 import lancer.temoins.LancerSurveille;
 
@@ -122,12 +122,12 @@ final class Ouvrier {
      * @return combien de sphères ils ont fait essayer
      */
     static long pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
-        Lancer lancer = LancerSurveille.preparer(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
+        Traceur lancer = LancerSurveille.preparer(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
         BufferedImage image = png == null ? null : ImageIO.read(png.toFile());
         for (int k : new Random(GRAINE).ints(nombre, 0, taille.pixels()).toArray()) {
             int i = k % taille.largeur;
             int j = k / taille.largeur;
-            int code = lancer.getCouleurPixel(i + 0.5, j + 0.5, Constantes.MAX_REFLETS).getCode();
+            int code = lancer.getLancer().getCouleurPixel(i + 0.5, j + 0.5, Constantes.MAX_REFLETS).getCode();
             if (image != null && image.getRGB(i, j) != code) {
                 throw new IllegalStateException("image fausse : " + png + ", pixel (" + i + ", " + j + ")");
             }

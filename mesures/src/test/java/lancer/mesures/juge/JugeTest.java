@@ -47,7 +47,7 @@ class JugeTest {
     /** Par une commande qui dessine toujours {@code dessinee}, comme nous, avec {@code ecart} niveaux de plus au rouge d'un pixel. */
     private int comparer(Path dessinee, double seuil, int ecart, String... args) throws IOException {
         Scene scene = Scenes.lire(dessinee);
-        scene.setSeuil(seuil);
+        scene.getModele().setSeuil(seuil);
         WritableRaster image = ScenesJugees.image(scene);
         image.setSample(5, 5, 0, image.getSample(5, 5, 0) + ecart);
         ScenesJugees.preparer(dossier, 0, image);

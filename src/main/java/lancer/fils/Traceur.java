@@ -1,0 +1,147 @@
+package lancer.fils;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Pave;
+import lancer.contrat.PixelFautif;
+import lancer.contrat.Toile;
+
+/**
+ * Le dessin d'une scène par plusieurs fils : le partage de l'image en pavés, l'arrêt, l'avancement, les comptes. Un
+ * traceur dessine une image à la fois ; elle ne dépend pas du nombre de fils.
+ */
+public class Traceur {
+
+    private final Lancer lancer;
+    private final Equipe equipe = new Equipe("lancer");
+    private volatile boolean brouillonFait;
+    private Compteurs compteurs = new Compteurs();
+    private long dureeNs;
+
+    public Traceur(Scene scene, Camera camera) {
+        lancer = new Lancer(scene, camera);
+    }
+
+    /** L'algorithme, pour un seul fil. */
+    public Lancer getLancer() {
+        return lancer;
+    }
+
+    public Scene getScene() {
+        return lancer.getScene();
+    }
+
+    public Camera getCamera() {
+        return lancer.getCamera();
+    }
+
+    /** De quoi dessiner la même scène autrement : ce que compare {@code --auto}. */
+    public Traceur avec(Echantillonnage echantillonnage, double seuil) {
+        return new Traceur(getScene().avec(getScene().getModele().avec(echantillonnage, seuil)), getCamera());
+    }
+
+    /**
+     * Dessine un brouillon, puis tous les pixels ({@link Lancer#TracerImage}).
+     *
+     * @param profondeur nombre de réflexions permises
+     * @param fils nombre de fils d'exécution, au moins 1
+     * @throws CancellationException si {@link #arreter()} a été appelé
+     * @throws PixelFautif si un pixel ne peut être calculé
+     */
+    public void TracerImage(Toile toile, int profondeur, int fils) {
+        lancer.TracerImage((echantillonnage, permises) -> {
+            if (echantillonnage == Echantillonnage.BROUILLON) {
+                parcourir(echantillonnage, toile, permises, fils);
+                brouillonFait = true;
+            } else {
+                TracerPixels(toile, permises, fils);
+            }
+        }, profondeur);
+    }
+
+    /** Dessine des carrés de 4 × 4 pixels, chacun de la couleur de son centre, avec une réflexion au plus. */
+    public void TracerBrouillon(Toile toile, int profondeur, int fils) {
+        parcourir(Echantillonnage.BROUILLON, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+    }
+
+    /** Dessine tous les pixels, sans brouillon. */
+    public void TracerPixels(Toile toile, int profondeur, int fils) {
+        parcourir(getScene().getModele().getEchantillonnage(), toile, profondeur, fils);
+    }
+
+    /** Abandonne le dessin en cours, au prochain rayon de chaque fil, et tous les suivants. */
+    public void arreter() {
+        equipe.arreter();
+    }
+
+    /** La part faite de l'image (ou du brouillon) en cours, de 0 à 1. */
+    public double getAvancement() {
+        return (double) equipe.getFaites() / Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur());
+    }
+
+    /** Vrai dès que {@link #TracerImage} a fini le brouillon : chaque pixel de l'image a une couleur. */
+    public boolean isBrouillonFait() {
+        return brouillonFait;
+    }
+
+    /** Le premier écart que des pixels témoins ont vu, en une phrase qui nomme le pixel ; {@code null} si aucun. */
+    public String getEcart() {
+        return null;
+    }
+
+    /** Ce que le dernier dessin achevé a compté, tous fils ensemble. */
+    public Compteurs getCompteurs() {
+        return compteurs;
+    }
+
+    /** Le temps du dernier dessin achevé, en nanosecondes. */
+    public long getDureeNs() {
+        return dureeNs;
+    }
+
+    /** Dessine toute l'image par cet échantillonnage. */
+    public void parcourir(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
+        long debut = System.nanoTime();
+        int nombre = Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur());
+        List<Fil> ouvriers = new ArrayList<>();
+        for (int k = 0; k < Math.min(fils, nombre); k++) {
+            ouvriers.add(new Fil(echantillonnage, toile, profondeur));
+        }
+        equipe.faire(nombre, ouvriers);
+        Compteurs total = new Compteurs();
+        for (Fil fil : ouvriers) {
+            total.ajouter(fil.sien.getScene().getCompteurs());
+        }
+        compteurs = total;
+        dureeNs = System.nanoTime() - debut;
+    }
+
+    /** Le travail d'un fil : des pavés, vus à travers sa propre vue de la scène. */
+    private final class Fil implements IntConsumer {
+
+        private final Lancer sien = new Lancer(getScene().avec(getScene().getModele()), getCamera());
+        private final Echantillonnage echantillonnage;
+        private final Toile toile;
+        private final Regard regard;
+
+        Fil(Echantillonnage echantillonnage, Toile toile, int profondeur) {
+            this.echantillonnage = echantillonnage;
+            this.toile = toile;
+            regard = new Regard(equipe, sien, profondeur);
+        }
+
+        @Override
+        public void accept(int rang) {
+            Pave pave = Pave.eparpille(rang, getCamera().getLargeur(), getCamera().getHauteur());
+            sien.getScene().getCompteurs().pixelsRaffines += echantillonnage.tracer(pave, regard, toile);
+        }
+    }
+}

@@ -1,0 +1,111 @@
+package lancer.dessin;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Collections;
+import java.util.function.Consumer;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
+import lancer.contrat.Modele;
+import lancer.contrat.PixelFautif;
+import lancer.fils.Traceur;
+import lancer.texte.Texte;
+import org.junit.jupiter.api.Test;
+
+/** Un pixel qui échoue est situé dans la classe de la scène, ou de la variante, qui n'a pas tenu. */
+class DiagnosticTest {
+
+    private static final Camera CAMERA = new Camera(4, 3);
+
+    /** Un mur en z = 8, et ce qu'on lui fait dire de faux. */
+    private static class Mur extends Objet3D {
+
+        Mur() {
+            setKd(new Couleur(0.5));
+            setKs(new Couleur(0.5));
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            double d = incident.getV().z > 0 ? (8 - incident.getP().z) / incident.getV().z : Double.POSITIVE_INFINITY;
+            incident.setContact(this, d);
+            return d;
+        }
+
+        @Override
+        public Vecteur getNormale(Point contact) {
+            return new Vecteur(0, 0, -1);
+        }
+    }
+
+    /** Son erreur se voit dans une méthode de {@link Vecteur}. */
+    private static final class Distrait extends Mur {
+        @Override
+        public Vecteur getNormale(Point contact) {
+            return new Vecteur().normalized();
+        }
+    }
+
+    private static final class SansNormale extends Mur {
+        @Override
+        public Vecteur getNormale(Point contact) {
+            return null;
+        }
+    }
+
+    private static Scene scene(Objet3D objet) {
+        return new Scene(Collections.singletonList(objet), Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
+    }
+
+    /** Ce que dit l'échec d'un dessin, sans le nom de cette classe-ci ni le numéro de la ligne. */
+    private static String dit(Objet3D objet, Consumer<Modele> variante) {
+        Modele modele = new Modele();
+        variante.accept(modele);
+        Scene scene = scene(objet).avec(modele);
+        PixelFautif panne = assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
+        PixelFautif situee = Diagnostic.situer(panne, scene);
+        assertEquals(panne.getMessage(), situee.getMessage());
+        return Texte.cause(situee, "(?!java\\.).*").replace(DiagnosticTest.class.getName(), "").replaceAll("java:\\d+", "java");
+    }
+
+    @Test
+    void unePanneEstSitueeDansLaClasseDeLaScene() {
+        assertEquals("java.lang.ArithmeticException: vecteur sans direction, impossible à normaliser : Vecteur(0.0, 0.0, 0.0) "
+                + "($Distrait.getNormale, DiagnosticTest.java)", dit(new Distrait(), modele -> { }));
+    }
+
+    @Test
+    void uneReponseNulleEstSitueeLaOuLeCoursSEnSert() {
+        String dit = dit(new SansNormale(), modele -> { });
+        assertTrue(dit.startsWith("java.lang.NullPointerException") && dit.endsWith("(lancer.Vecteur.dot, Vecteur.java)"), dit);
+        dit = dit(new Mur(), modele -> modele.setSpecularite((V, N, L, R, ns) -> Double.NaN));
+        assertTrue(dit.startsWith("java.lang.ArithmeticException: ce n'est pas une couleur aux composantes finies : "), dit);
+    }
+
+    @Test
+    void uneCouleurFausseDUnEchantillonnageNArrivePasALImageEtSaLigneEstDite() {
+        for (Couleur fausse : new Couleur[] {null, new Couleur(1, Double.NaN, 1), new Couleur(1 / 0.0)}) {
+            String dit = dit(new Mur(), modele -> modele.setEchantillonnage((pave, vue, toile) -> {
+                PixelFautif.verifier(fausse, 2.5, 1.5);
+                return 0;
+            }));
+            assertTrue(dit.startsWith("java.lang.ArithmeticException: ce n'est pas une couleur aux composantes finies : " + fausse
+                    + " (.lambda$"), dit);
+        }
+    }
+
+    @Test
+    void unEchecGardeSaPremiereCause() {
+        PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
+        assertSame(panne.getCause(), Diagnostic.situer(panne, scene(new Mur())).getCause());
+    }
+}
