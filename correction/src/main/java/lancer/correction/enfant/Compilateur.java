@@ -1,9 +1,10 @@
 package lancer.correction.enfant;
 
-import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
@@ -11,8 +12,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -22,33 +26,35 @@ import javax.tools.JavaFileObject;
 import javax.tools.StandardJavaFileManager;
 
 /**
- * Compile, dans une machine virtuelle à part, avec le compilateur d'Eclipse, qui écrit toutes les classes même
- * fautives. Sur l'entrée standard, une ligne par dossier : {@code sources<tab>classes} ; sur la sortie, une ligne par
- * faute, puis {@code FIN}.
+ * Compile, dans une machine virtuelle à part, avec le compilateur d'Eclipse, qui écrit toutes les classes même fautives.
+ * Les sources viennent dans la demande, par leur nom, et la réponse a les fautes, puis les classes : de ce qu'il lui faut
+ * écrire entre temps, il ne reste rien.
  */
 public final class Compilateur {
 
     /** La dernière version de Java que ce compilateur connaisse. */
     private static final int NIVEAU_MAX = 25;
 
+    private static final int FAUTES_MAX = 500;
+
     private Compilateur() {
     }
 
     public static void main(String[] args) throws IOException {
-        PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
+        PrintStream sortie = System.out;
         System.setOut(System.err);
         JavaCompiler compilateur = eclipse();
-        BufferedReader demandes = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
         // un seul pour tous : il garde ouvertes les archives où il trouve les classes
         StandardJavaFileManager gestion = compilateur.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8);
-        for (String ligne = demandes.readLine(); ligne != null; ligne = demandes.readLine()) {
-            String[] mots = ligne.split("\t");
-            try {
-                compiler(compilateur, gestion, Paths.get(mots[0]), Paths.get(mots[1]), sortie);
-            } catch (RuntimeException | StackOverflowError e) {
-                sortie.println("FAUTE\t?\t0\tle compilateur a échoué : " + Echange.protege(String.valueOf(e)));
-            }
-            sortie.println("FIN");
+        DataInputStream demandes = new DataInputStream(System.in);
+        while (true) {
+            int numero = demandes.readInt();
+            byte[] demande = demandes.readNBytes(demandes.readInt());
+            Path dossier = Files.createTempDirectory("compilation");
+            // ce que le compilateur ne supporte pas le fait mourir : il ne sert plus à personne
+            Echange.envoyer(sortie, numero, compiler(compilateur, gestion, dossier.toRealPath(),
+                    Echange.lireTout(new DataInputStream(new ByteArrayInputStream(demande)))));
+            effacer(dossier);
         }
     }
 
@@ -62,35 +68,80 @@ public final class Compilateur {
         throw new IllegalStateException("le compilateur d'Eclipse n'est pas là");
     }
 
-    private static void compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Path sources, Path classes,
-            PrintStream sortie) throws IOException {
-        List<File> fichiers;
-        try (Stream<Path> flux = Files.walk(sources)) {
-            // nos propres classes d'abord : de deux classes de même nom, la première est la bonne
-            fichiers = flux.filter(f -> f.toString().endsWith(".java"))
-                    .sorted((a, b) -> rang(a) != rang(b) ? rang(a) - rang(b) : a.compareTo(b))
-                    .map(Path::toFile).collect(Collectors.toList());
+    private static byte[] compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Path dossier,
+            Map<String, byte[]> textes) throws IOException {
+        Path sources = Files.createDirectory(dossier.resolve("sources"));
+        Path classes = Files.createDirectory(dossier.resolve("classes"));
+        List<Path> fichiers = new ArrayList<>();
+        for (Map.Entry<String, byte[]> texte : textes.entrySet()) {
+            Path fichier = sous(sources, texte.getKey() + ".java");
+            Files.createDirectories(fichier.getParent());
+            fichiers.add(Files.write(fichier, texte.getValue()));
         }
-        Files.createDirectories(classes);
+        // nos propres classes d'abord : de deux classes de même nom, la première est la bonne
+        fichiers.sort(Comparator.comparing((Path f) -> !f.getFileName().toString().matches("(Appels|Sonde\\w+)\\.java"))
+                .thenComparing(f -> f));
         String niveau = String.valueOf(Math.min(NIVEAU_MAX, Runtime.version().feature()));
-        List<String> options = new ArrayList<>(List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8",
-                "-g", "-nowarn",
+        List<String> options = List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8", "-g", "-nowarn",
                 "-proc:none", "-proceedOnError", "-classpath", System.getProperty("java.class.path"), "-d",
-                classes.toString()));
+                classes.toString());
+        List<Diagnostic<? extends JavaFileObject>> fautes = new ArrayList<>();
         compilateur.getTask(new StringWriter(), gestion, faute -> {
-            if (faute.getKind() == Diagnostic.Kind.ERROR) {
-                sortie.println("FAUTE\t" + nom(sources, faute) + "\t" + faute.getLineNumber() + "\t"
-                        + Echange.protege(faute.getMessage(Locale.ROOT)));
+            if (faute.getKind() == Diagnostic.Kind.ERROR && fautes.size() < FAUTES_MAX) {
+                fautes.add(faute);
             }
-        }, options, null, gestion.getJavaFileObjectsFromFiles(fichiers)).call();
+        }, options, null, gestion.getJavaFileObjectsFromFiles(fichiers.stream().map(Path::toFile)
+                .collect(Collectors.toList()))).call();
+        Map<String, byte[]> ecrites = new LinkedHashMap<>();
+        for (Path classe : contenu(classes)) {
+            if (Files.isRegularFile(classe)) {
+                String nom = classes.relativize(classe).toString().replaceFirst("\\.class$", "");
+                ecrites.put(nom.replace(File.separatorChar, '.'), Files.readAllBytes(classe));
+            }
+        }
+        return Echange.message(reponse -> {
+            reponse.writeInt(fautes.size());
+            for (Diagnostic<? extends JavaFileObject> faute : fautes) {
+                ecrire(reponse, faute, sources);
+            }
+            Echange.ecrireTout(reponse, ecrites);
+        });
     }
 
-    private static int rang(Path fichier) {
-        return fichier.getFileName().toString().matches("(Appels|Sonde\\w+)\\.java") ? 0 : 1;
+    private static void ecrire(DataOutputStream reponse, Diagnostic<? extends JavaFileObject> faute, Path sources)
+            throws IOException {
+        Echange.ecrireTexte(reponse, faute.getSource() == null ? "?" : sources.relativize(Paths.get(faute.getSource()
+                .toUri())).toString().replace('\\', '/'));
+        reponse.writeInt((int) faute.getLineNumber());
+        Echange.ecrireTexte(reponse, Echange.protege(faute.getMessage(Locale.ROOT)));
     }
 
-    private static String nom(Path sources, Diagnostic<? extends JavaFileObject> faute) {
-        return faute.getSource() == null ? "?" : sources.relativize(Paths.get(faute.getSource().toUri())).toString()
-                .replace('\\', '/');
+    /**
+     * Le fichier de ce nom, dans ce dossier. Tout chemin fait de ce que dit un rendu passe par ici.
+     *
+     * @throws IllegalArgumentException s'il n'est pas dans ce dossier
+     */
+    public static Path sous(Path dossier, String nom) {
+        Path fichier = dossier.resolve(nom).normalize();
+        if (!fichier.startsWith(dossier) || fichier.equals(dossier)) {
+            throw new IllegalArgumentException("hors de son dossier : " + nom);
+        }
+        return fichier;
+    }
+
+    /** Efface un dossier, s'il existe, et tout ce qu'il contient. */
+    public static void effacer(Path dossier) throws IOException {
+        if (Files.exists(dossier)) {
+            List<Path> contenu = contenu(dossier);
+            for (int k = contenu.size() - 1; k >= 0; k--) {
+                Files.delete(contenu.get(k));
+            }
+        }
+    }
+
+    private static List<Path> contenu(Path dossier) throws IOException {
+        try (Stream<Path> flux = Files.walk(dossier)) {
+            return flux.sorted().collect(Collectors.toList());
+        }
     }
 }

@@ -1,19 +1,95 @@
 package lancer.correction.enfant;
 
-/** Ce que le correcteur et la machine virtuelle où tourne un rendu se disent, une ligne à la fois. */
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Ce que le correcteur et une machine virtuelle à part se disent : des messages numérotés, dont la longueur est dite
+ * d'abord. Rien n'y est reconnu à ce qui l'entoure : aucun texte ne peut passer pour la fin d'un autre.
+ */
 public final class Echange {
 
-    /** Ce par quoi commence une réponse ; une autre ligne n'en est pas une. Ce n'est pas un secret. */
-    public static final String REPONSE = "réponse\t";
+    /** Ce que peut peser, en octets, une réponse ordinaire. */
+    public static final int REPONSE_MAX = 1 << 16;
 
-    private static final int LONGUEUR_MAX = 2000;
+    /** La même chose, où l'on attend une image ou des classes. */
+    public static final int GROSSE_REPONSE_MAX = 8 << 20;
+
+    private static final int TEXTE_MAX = 2000;
 
     private Echange() {
     }
 
-    /** Un texte en une ligne, sans tabulation, et pas trop long. */
+    /** Ce qu'il y a à dire dans un message. */
+    public interface Redaction {
+        void ecrire(DataOutputStream message) throws IOException;
+    }
+
+    /** Les octets d'un message. */
+    public static byte[] message(Redaction redaction) throws IOException {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        redaction.ecrire(new DataOutputStream(octets));
+        return octets.toByteArray();
+    }
+
+    /** Envoie un message, d'une seule écriture. */
+    public static void envoyer(OutputStream flux, int numero, byte[] message) throws IOException {
+        flux.write(message(m -> {
+            m.writeInt(numero);
+            m.writeInt(message.length);
+            m.write(message);
+        }));
+        flux.flush();
+    }
+
+    public static void ecrireTexte(DataOutputStream message, String texte) throws IOException {
+        byte[] octets = texte.getBytes(StandardCharsets.UTF_8);
+        message.writeInt(octets.length);
+        message.write(octets);
+    }
+
+    public static String lireTexte(DataInputStream message) throws IOException {
+        return new String(lireOctets(message), StandardCharsets.UTF_8);
+    }
+
+    /** @throws EOFException si le message est plus court qu'il ne le dit : rien n'est réservé pour ce qui n'y est pas */
+    public static byte[] lireOctets(DataInputStream message) throws IOException {
+        int longueur = message.readInt();
+        if (longueur < 0 || longueur > message.available()) {
+            throw new EOFException();
+        }
+        return message.readNBytes(longueur);
+    }
+
+    /** Des fichiers, ou des classes, par leur nom. */
+    public static void ecrireTout(DataOutputStream message, Map<String, byte[]> tout) throws IOException {
+        message.writeInt(tout.size());
+        for (Map.Entry<String, byte[]> un : tout.entrySet()) {
+            ecrireTexte(message, un.getKey());
+            message.writeInt(un.getValue().length);
+            message.write(un.getValue());
+        }
+    }
+
+    public static Map<String, byte[]> lireTout(DataInputStream message) throws IOException {
+        Map<String, byte[]> tout = new LinkedHashMap<>();
+        for (int reste = message.readInt(); reste > 0; reste--) {
+            String nom = lireTexte(message);
+            tout.put(nom, lireOctets(message));
+        }
+        return tout;
+    }
+
+    /** Un texte en une ligne, et pas trop long. */
     public static String protege(String texte) {
-        String court = texte.length() > LONGUEUR_MAX ? texte.substring(0, LONGUEUR_MAX) + "…" : texte;
+        String court = texte.length() > TEXTE_MAX ? texte.substring(0, TEXTE_MAX) + "…" : texte;
         return court.replaceAll("[\\p{Cntrl}\\s]+", " ").trim();
     }
 }

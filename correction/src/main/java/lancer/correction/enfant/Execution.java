@@ -1,21 +1,23 @@
 package lancer.correction.enfant;
 
-import java.io.BufferedReader;
-import java.io.File;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.FileDescriptor;
+import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
-import java.net.URL;
-import java.net.URLClassLoader;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -25,139 +27,231 @@ import java.util.Map;
  * elle dit ce que la méthode a rendu. Ni valeur attendue, ni verdict, ni secret n'y entre ; ce qu'un rendu peut y
  * falsifier n'est jamais que sa propre réponse.
  *
- * <p>Une demande par ligne : {@code A}, un appel, par son numéro dans {@code lancer.Appels} ; {@code S}, une méthode
- * d'une sonde ; {@code N}, oublier les objets déjà rendus, et dire combien de fils le rendu a laissés.
+ * <p>Une demande commence par sa sorte : {@link #CLASSES}, celles du rendu, une fois pour toutes ; {@link #APPEL}, d'une
+ * méthode, par son numéro dans {@code lancer.Appels} ; {@link #SONDE}, une méthode d'une sonde, et la scène qu'elle lit ;
+ * {@link #OUBLI} des objets déjà rendus, et la réponse dit combien de fils le rendu a laissés.
  */
 public final class Execution {
 
-    private final ClassLoader chargeur;
+    public static final char CLASSES = 'C';
+    public static final char APPEL = 'A';
+    public static final char SONDE = 'S';
+    public static final char OUBLI = 'N';
+
+    /** Ce par quoi commence une réponse : ce que rend la méthode… */
+    public static final char RENDU = 'R';
+    /** … une exception, des appels sans fin, une faute de compilation : où, et ce qu'elle en dit. */
+    public static final char EXCEPTION = 'E';
+    public static final char SANS_FIN = 'D';
+    public static final char FAUTE = 'C';
+
+    private final Classes classes;
     private final List<Object> objets = new ArrayList<>();
     private final Map<Object, Integer> numeros = new IdentityHashMap<>();
 
-    private Execution(ClassLoader chargeur) {
-        this.chargeur = chargeur;
+    private Execution(Classes classes) {
+        this.classes = classes;
     }
 
-    /** @param args le dossier des classes du rendu */
-    public static void main(String[] args) throws IOException {
-        PrintStream reponses = new PrintStream(new FileOutputStream(FileDescriptor.out), true, "UTF-8");
-        BufferedReader demandes = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+    /** Les classes du rendu. Toutes sont définies d'abord, puis leurs octets oubliés : aucune ne peut lire les autres. */
+    private static final class Classes extends ClassLoader {
+
+        private final Map<String, byte[]> octets;
+
+        Classes(Map<String, byte[]> octets) {
+            super(Execution.class.getClassLoader());
+            this.octets = octets;
+            for (String nom : new ArrayList<>(octets.keySet())) {
+                try {
+                    loadClass(nom);
+                } catch (ClassNotFoundException | LinkageError e) {
+                    // il n'est rien resté de cette classe : ce qui la nomme le dira
+                }
+            }
+            octets.clear();
+        }
+
+        @Override
+        protected Class<?> findClass(String nom) throws ClassNotFoundException {
+            byte[] classe = octets.remove(nom);
+            if (classe == null) {
+                throw new ClassNotFoundException(nom);
+            }
+            return defineClass(nom, classe, 0, classe.length);
+        }
+    }
+
+    public static void main(String[] args) throws IOException, ReflectiveOperationException {
+        DataInputStream demandes = new DataInputStream(new FileInputStream(FileDescriptor.in));
+        OutputStream reponses = new FileOutputStream(aPart());
         System.setIn(InputStream.nullInputStream());
         // ce qu'un rendu affiche pour se mettre au point ne coûte rien
         PrintStream puits = new PrintStream(OutputStream.nullOutputStream());
         System.setOut(puits);
         System.setErr(puits);
-        ClassLoader chargeur = new URLClassLoader(new URL[] {new File(args[0]).toURI().toURL()},
-                Execution.class.getClassLoader());
-        Thread.currentThread().setContextClassLoader(chargeur);
-        Execution execution = new Execution(chargeur);
-        for (String ligne = demandes.readLine(); ligne != null; ligne = demandes.readLine()) {
-            String[] mots = ligne.split("\t");
-            // une seule écriture : un texte du rendu ne peut couper une réponse
-            reponses.print(Echange.REPONSE + execution.repondre(mots) + "\n");
-            reponses.flush();
-        }
-        // les fils que le rendu a laissés ne retiennent personne
-        Runtime.getRuntime().halt(0);
-    }
-
-    private String repondre(String[] mots) {
-        if (mots[0].equals("N")) {
-            objets.clear();
-            numeros.clear();
-            return "R\t" + (Thread.currentThread().getThreadGroup().activeCount() - 1);
-        }
+        Execution execution = null;
         try {
-            return "R\t" + (mots[0].equals("A") ? appeler(mots)
-                    : invoquer("lancer." + mots[1], mots[2], new Class<?>[] {String[].class},
-                            (Object) Arrays.copyOfRange(mots, 3, mots.length)));
-        } catch (StackOverflowError e) {
-            return "D\t" + Echange.protege("appels sans fin (StackOverflowError)" + ou(e));
-        } catch (Throwable e) {
-            return cause(e);
+            while (true) {
+                int numero = demandes.readInt();
+                DataInputStream demande = new DataInputStream(new ByteArrayInputStream(demandes.readNBytes(
+                        demandes.readInt())));
+                char sorte = demande.readChar();
+                byte[] reponse = new byte[0];
+                if (sorte == CLASSES) {
+                    execution = new Execution(new Classes(Echange.lireTout(demande)));
+                    Thread.currentThread().setContextClassLoader(execution.classes);
+                } else {
+                    reponse = execution.repondre(sorte, demande);
+                }
+                Echange.envoyer(reponses, numero, reponse);
+            }
+        } finally {
+            // les fils que le rendu a laissés ne retiennent personne
+            Runtime.getRuntime().halt(0);
         }
     }
 
-    private String appeler(String[] mots) throws Throwable {
-        Object[] arguments = new Object[mots.length - 2];
-        for (int k = 0; k < arguments.length; k++) {
-            arguments[k] = decoder(mots[k + 2]);
+    /** La sortie, où un rendu ne peut écrire par mégarde : {@code FileDescriptor.out} est désormais celle des erreurs. */
+    private static FileDescriptor aPart() throws ReflectiveOperationException {
+        Field numero = FileDescriptor.class.getDeclaredField("fd");
+        numero.setAccessible(true);
+        FileDescriptor sortie = new FileDescriptor();
+        numero.setInt(sortie, numero.getInt(FileDescriptor.out));
+        numero.setInt(FileDescriptor.out, numero.getInt(FileDescriptor.err));
+        return sortie;
+    }
+
+    private byte[] repondre(char sorte, DataInputStream demande) throws IOException {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        DataOutputStream reponse = new DataOutputStream(octets);
+        try {
+            reponse.writeChar(RENDU);
+            if (sorte == APPEL) {
+                appeler(demande, reponse);
+            } else if (sorte == SONDE) {
+                sonder(demande, reponse);
+            } else {
+                objets.clear();
+                numeros.clear();
+                reponse.writeInt(Thread.currentThread().getThreadGroup().activeCount() - 1);
+            }
+        } catch (Throwable e) {
+            octets.reset();
+            cause(e, reponse);
         }
-        Object rendu = invoquer("lancer.Appels", "appeler", new Class<?>[] {int.class, Object[].class},
-                Integer.parseInt(mots[1]), arguments);
-        StringBuilder texte = new StringBuilder(coder(rendu));
-        if (texte.charAt(0) == 'o') {
-            for (Object champ : decrire(rendu)) {
-                texte.append('\t').append(coder(champ));
+        return octets.toByteArray();
+    }
+
+    private void appeler(DataInputStream demande, DataOutputStream reponse) throws Throwable {
+        int methode = demande.readInt();
+        Object rendu = invoquer("lancer.Appels", "appeler", new Class<?>[] {int.class, Object[].class}, methode,
+                lire(demande).toArray());
+        coder(rendu, reponse);
+        if (numeros.containsKey(rendu)) {
+            Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", new Class<?>[] {Object.class}, rendu);
+            reponse.writeInt(champs.length);
+            for (Object champ : champs) {
+                coder(champ, reponse);
             }
         }
-        return texte.toString();
+    }
+
+    /** Le premier argument d'une sonde est une scène, qu'elle lit dans un fichier : le voici. */
+    private void sonder(DataInputStream demande, DataOutputStream reponse) throws Throwable {
+        String sonde = Echange.lireTexte(demande);
+        String methode = Echange.lireTexte(demande);
+        Path scene = Paths.get(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
+        Files.write(scene, Echange.lireOctets(demande));
+        String[] arguments = new String[demande.readInt() + 1];
+        arguments[0] = scene.toString();
+        for (int k = 1; k < arguments.length; k++) {
+            arguments[k] = Echange.lireTexte(demande);
+        }
+        try {
+            Echange.ecrireTexte(reponse, (String) invoquer("lancer." + sonde, methode, new Class<?>[] {String[].class},
+                    (Object) arguments));
+        } finally {
+            Files.deleteIfExists(scene);
+        }
     }
 
     private Object invoquer(String classe, String methode, Class<?>[] types, Object... arguments) throws Throwable {
         try {
-            Method appel = Class.forName(classe, true, chargeur).getMethod(methode, types);
+            Method appel = Class.forName(classe, true, classes).getMethod(methode, types);
             return appel.invoke(null, arguments);
         } catch (InvocationTargetException e) {
             throw e.getCause();
         }
     }
 
-    private Object[] decrire(Object objet) throws Throwable {
-        return (Object[]) invoquer("lancer.Appels", "champs", new Class<?>[] {Object.class}, objet);
-    }
-
-    private Object decoder(String mot) {
-        String suite = mot.substring(1);
-        switch (mot.charAt(0)) {
-            case 'd':
-                return Double.valueOf(suite);
-            case 'i':
-                return Integer.valueOf(suite);
-            case 'o':
-                return objets.get(Integer.parseInt(suite));
-            case 'l':
-                List<Object> liste = new ArrayList<>();
-                for (String element : suite.isEmpty() ? new String[0] : suite.split(",")) {
-                    liste.add(decoder(element));
-                }
-                return liste;
-            default:
-                return null;
+    private List<Object> lire(DataInputStream demande) throws IOException {
+        List<Object> valeurs = new ArrayList<>();
+        for (int reste = demande.readInt(); reste > 0; reste--) {
+            switch (demande.readChar()) {
+                case 'd':
+                    valeurs.add(demande.readDouble());
+                    break;
+                case 'i':
+                    valeurs.add(demande.readInt());
+                    break;
+                case 'o':
+                    valeurs.add(objets.get(demande.readInt()));
+                    break;
+                case 'l':
+                    valeurs.add(lire(demande));
+                    break;
+                default:
+                    valeurs.add(null);
+            }
         }
+        return valeurs;
     }
 
-    private String coder(Object valeur) throws Throwable {
+    private void coder(Object valeur, DataOutputStream reponse) throws Throwable {
         if (valeur == null) {
-            return "n";
+            reponse.writeChar('n');
         } else if (valeur instanceof Boolean) {
-            return "b" + valeur;
+            reponse.writeChar('b');
+            reponse.writeBoolean((Boolean) valeur);
         } else if (valeur instanceof Number) {
-            return "d" + ((Number) valeur).doubleValue();
+            reponse.writeChar('d');
+            reponse.writeDouble(((Number) valeur).doubleValue());
         } else if (valeur instanceof CharSequence) {
-            return "s" + Echange.protege(valeur.toString());
+            reponse.writeChar('s');
+            Echange.ecrireTexte(reponse, Echange.protege(valeur.toString()));
+        } else {
+            Integer numero = numeros.get(valeur);
+            if (numero == null) {
+                numero = objets.size();
+                numeros.put(valeur, numero);
+                objets.add(valeur);
+            }
+            reponse.writeChar('o');
+            reponse.writeInt(numero);
+            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Appels", "nom", new Class<?>[] {Object.class}, valeur));
         }
-        Integer numero = numeros.get(valeur);
-        if (numero == null) {
-            numero = objets.size();
-            numeros.put(valeur, numero);
-            objets.add(valeur);
-        }
-        return "o" + numero + ":" + invoquer("lancer.Appels", "nom", new Class<?>[] {Object.class}, valeur);
     }
 
     /** Une exception du rendu : son nom, la première ligne de son code ; une faute de compilation, ce qu'elle est. */
-    private static String cause(Throwable e) {
+    private static void cause(Throwable e, DataOutputStream reponse) throws IOException {
         String message = String.valueOf(e.getMessage());
         String nom = e.getClass().getName();
         boolean compile = nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem");
-        if (compile || e instanceof LinkageError) {
+        if (e instanceof StackOverflowError) {
+            repondre(reponse, SANS_FIN, "appels sans fin (StackOverflowError)" + ou(e), "");
+        } else if (compile || e instanceof LinkageError) {
             // une classe dont il n'est rien resté manque à tout ce qui la nomme
-            return "C\t" + Echange.protege(ou(e)) + "\t"
-                    + (compile ? Echange.protege(message.replaceFirst("^[^\n]*\n", "").trim().split("\n")[0]) : "");
+            repondre(reponse, FAUTE, ou(e), compile ? message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0] : "");
+        } else {
+            repondre(reponse, EXCEPTION, nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message)
+                    + ou(e), "");
         }
-        return "E\t" + Echange.protege(nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message)
-                + ou(e));
+    }
+
+    private static void repondre(DataOutputStream reponse, char sorte, String ou, String quoi) throws IOException {
+        reponse.writeChar(sorte);
+        Echange.ecrireTexte(reponse, Echange.protege(ou));
+        Echange.ecrireTexte(reponse, Echange.protege(quoi));
     }
 
     private static String ou(Throwable e) {

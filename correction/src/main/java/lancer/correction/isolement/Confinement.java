@@ -7,9 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -23,6 +21,7 @@ public final class Confinement {
     private static final int DISQUE = 64 << 20;
     private static final int BLOC = 512;
     private static final int ESSAI_SECONDES = 20;
+    private static final String BOITE = "/boite.jar";
 
     private final boolean confine;
     private final String manque;
@@ -69,24 +68,29 @@ public final class Confinement {
     }
 
     /**
-     * La commande qui lance une classe dans une machine virtuelle à part.
+     * La commande qui lance, dans une machine virtuelle à part, une classe de cette archive. Confinée, elle n'a du disque
+     * que Java, une copie de l'archive et un dossier vide ; rien n'y dit comment s'appelle quoi que ce soit ici.
      *
-     * @param lus ce qu'elle voit du disque, en plus de Java et de ses classes
-     * @param ecrit ce qu'elle y écrit, {@code null} si rien
+     * @param temporaire où, à défaut de confinement, ces classes écrivent ce qu'elles effaceront
+     * @param visibles vrai si les archives de ce chemin se voient à leur place, parce qu'aucun code d'étudiant n'y tourne
      */
-    public List<String> java(Class<?> principale, String chemin, List<Path> lus, Path ecrit, Limites limites,
-            String... arguments) {
+    public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire,
+            Limites limites) {
         List<String> commande = new ArrayList<>();
+        String classes = chemin;
         if (confine) {
-            commande.addAll(enveloppe());
-            Set<String> visibles = new LinkedHashSet<>(List.of(chemin.split(File.pathSeparator)));
-            visibles.add(accueil());
-            lus.forEach(l -> visibles.add(l.toString()));
-            visibles.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
-            if (ecrit != null) {
-                commande.addAll(List.of("--bind", ecrit.toString(), ecrit.toString()));
+            if (!visibles) {
+                // par un descripteur : un lien se lirait dans mountinfo, un argument dans la ligne de commande
+                commande.addAll(List.of("/bin/sh", "-c", "exec \"$@\" 9<\"$0\"", chemin));
+                classes = BOITE;
             }
-            commande.addAll(List.of("--chdir", "/tmp"));
+            commande.addAll(enveloppe());
+            List<String> vus = visibles ? List.of(chemin.split(File.pathSeparator)) : List.of();
+            vus.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
+            if (!visibles) {
+                commande.addAll(List.of("--ro-bind-data", "9", BOITE));
+            }
+            commande.addAll(List.of("--remount-ro", "/", "--remount-ro", "/dev", "--chdir", "/tmp"));
         } else if (Files.isExecutable(Paths.get("/bin/sh"))) {
             // à défaut d'un disque à part, au moins pas de fichier sans fin
             commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; exec \"$@\"", "sh"));
@@ -94,11 +98,12 @@ public final class Confinement {
         commande.addAll(List.of(accueil() + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m",
                 "-XX:MaxDirectMemorySize=32m",
                 "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
-                "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
-                "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr", "-Djava.io.tmpdir="
-                + (confine ? "/tmp" : lus.isEmpty() ? ecrit : lus.get(0).getParent()), "-cp", chemin,
+                "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData", "-XX:+DisplayVMOutputToStderr",
+                // la sortie est celle des réponses, et d'elles seules
+                "--add-opens", "java.base/java.io=ALL-UNNAMED",
+                "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr",
+                "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire), "-cp", classes,
                 principale.getName()));
-        commande.addAll(List.of(arguments));
         return commande;
     }
 
@@ -112,7 +117,7 @@ public final class Confinement {
 
     private static List<String> enveloppe() {
         List<String> commande = new ArrayList<>(List.of("bwrap", "--unshare-all", "--die-with-parent", "--new-session",
-                "--clearenv",
+                "--cap-drop", "ALL", "--hostname", "boite", "--clearenv",
                 "--setenv", "LANG", "C.UTF-8", "--setenv", "PATH", "/usr/bin", "--ro-bind", "/usr", "/usr"));
         for (String dossier : List.of("/lib", "/lib64", "/bin")) {
             Path ici = Paths.get(dossier);
@@ -131,8 +136,12 @@ public final class Confinement {
         } catch (IOException e) {
             // pas de /etc : rien à montrer
         }
-        commande.addAll(List.of("--proc", "/proc", "--dev", "/dev", "--size", String.valueOf(DISQUE), "--tmpfs",
-                "/tmp", "--dir", "/root"));
+        if (!accueil().startsWith("/usr/")) {
+            commande.addAll(List.of("--ro-bind", accueil(), accueil()));
+        }
+        // de /proc, Java n'a besoin que de savoir où il est ; le vrai dirait d'où vient ce qu'on voit
+        commande.addAll(List.of("--dir", "/proc/self", "--symlink", accueil() + "/bin/java", "/proc/self/exe",
+                "--dev", "/dev", "--size", String.valueOf(DISQUE), "--tmpfs", "/tmp"));
         return commande;
     }
 }

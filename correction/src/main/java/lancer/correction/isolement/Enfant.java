@@ -1,12 +1,9 @@
 package lancer.correction.isolement;
 
-import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.OutputStream;
-import java.io.Reader;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Paths;
 import java.time.Duration;
@@ -14,42 +11,51 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import lancer.correction.Panne;
+import lancer.correction.enfant.Echange;
 
 /**
  * Une machine virtuelle à part, à qui l'on demande une chose après l'autre. Elle est surveillée du dehors : ce qu'elle
  * calcule, ce qu'elle écrit, combien de processus elle lance. Le temps d'attente se compte en tours de la surveillance,
  * non à l'horloge : une machine suspendue puis reprise n'a pas attendu.
+ *
+ * <p>Les demandes sont numérotées. Ce qui vient sans avoir été demandé, ou plus gros qu'il n'est permis, n'est pas lu :
+ * c'est la fin de cette machine, qui ne répond plus à rien.
  */
 public final class Enfant implements AutoCloseable {
 
     private static final long TOUR_MS = 100;
-    private static final long SORTIE_MAX = 64 << 20;
     private static final long PAGE = 4096;
     /** Ce que prennent, en plus de la mémoire de Java, la machine virtuelle et les programmes qu'elle lance. */
     private static final long HORS_DU_TAS = 400;
-    private static final String FIN = "\0fin";
+    private static final byte[] FIN = new byte[0];
+    /** Le numéro attendu quand rien n'est demandé. */
+    private static final int RIEN = 0;
 
     private final Process processus;
     private final Limites limites;
-    private final BlockingQueue<String> lignes = new LinkedBlockingQueue<>();
-    private volatile boolean sortieDemesuree;
+    private final BlockingQueue<byte[]> reponses = new LinkedBlockingQueue<>();
+    /** Ce qui écrit les demandes : un rendu qui n'en lirait aucune ne doit bloquer que lui. */
+    private final ExecutorService ecrivain = Executors.newSingleThreadExecutor(tache -> fil(tache, "écrivain"));
+    private int demandes = RIEN;
+    private volatile int attendu = RIEN;
+    private volatile int longueurMax;
+    private volatile boolean inattendu;
     private double calculMax;
     /** Le temps de processeur au premier contrôle de la demande, et au dernier ; quand celui-ci a eu lieu. */
     private double debut;
     private double dernier;
     private long controle;
 
-    /** @param prefixe ce par quoi commencent les lignes qui comptent ; les autres sont laissées */
-    public Enfant(List<String> commande, String prefixe, Limites limites) {
+    public Enfant(List<String> commande, Limites limites) {
         this.limites = limites;
         CompletableFuture<Process> lancement = new CompletableFuture<>();
-        Thread lecteur = new Thread(() -> lancer(commande, prefixe, lancement), "lecteur");
-        lecteur.setDaemon(true);
-        lecteur.start();
+        fil(() -> lancer(commande, lancement), "lecteur").start();
         try {
             processus = lancement.join();
         } catch (CompletionException e) {
@@ -57,49 +63,37 @@ public final class Enfant implements AutoCloseable {
         }
     }
 
+    private static Thread fil(Runnable tache, String nom) {
+        Thread fil = new Thread(tache, nom);
+        fil.setDaemon(true);
+        return fil;
+    }
+
     /** Lance, et lit jusqu'à la fin, dans le même fil : bubblewrap est tué quand finit celui qui l'a lancé. */
-    private void lancer(List<String> commande, String prefixe, CompletableFuture<Process> lancement) {
+    private void lancer(List<String> commande, CompletableFuture<Process> lancement) {
         try {
             Process enfant = new ProcessBuilder(commande).redirectError(ProcessBuilder.Redirect.DISCARD).start();
             lancement.complete(enfant);
-            lire(enfant.getInputStream(), prefixe);
+            lire(enfant.getInputStream());
         } catch (IOException | RuntimeException e) {
             // lancé, il est mort : c'est la fin, elle aussi
             lancement.completeExceptionally(e);
         }
-        lignes.add(FIN);
+        reponses.add(FIN);
     }
 
-    private void lire(InputStream flux, String prefixe) throws IOException {
-        char[] tampon = new char[1 << 16];
-        long total = 0;
-        StringBuilder ligne = new StringBuilder();
-        try (Reader sortie = new BufferedReader(new InputStreamReader(flux, StandardCharsets.UTF_8))) {
-            for (int n = sortie.read(tampon); n >= 0 && !sortieDemesuree; n = sortie.read(tampon)) {
-                total += n;
-                for (int k = 0; k < n; k++) {
-                    if (tampon[k] != '\n') {
-                        ligne.append(tampon[k]);
-                        continue;
-                    }
-                    if (ligne.indexOf(prefixe) == 0) {
-                        lignes.add(ligne.substring(prefixe.length()));
-                    }
-                    ligne.setLength(0);
-                }
-                sortieDemesuree = total > SORTIE_MAX;
+    private void lire(InputStream flux) throws IOException {
+        DataInputStream sortie = new DataInputStream(flux);
+        while (!inattendu) {
+            int numero = sortie.readInt();
+            int longueur = sortie.readInt();
+            inattendu = numero == RIEN || numero != attendu || longueur < 0 || longueur > longueurMax;
+            if (!inattendu) {
+                byte[] reponse = new byte[longueur];
+                sortie.readFully(reponse);
+                attendu = RIEN;
+                reponses.add(reponse);
             }
-        }
-    }
-
-    /** Envoie une ligne. */
-    public void dire(String ligne) throws Arret {
-        try {
-            OutputStream entree = processus.getOutputStream();
-            entree.write((ligne + "\n").getBytes(StandardCharsets.UTF_8));
-            entree.flush();
-        } catch (IOException e) {
-            throw mort();
         }
     }
 
@@ -110,25 +104,44 @@ public final class Enfant implements AutoCloseable {
         controle = System.nanoTime();
     }
 
-    /** La ligne suivante, si elle vient dans les limites. */
-    public String attendre() throws Arret {
+    /**
+     * Envoie une demande, et attend sa réponse.
+     *
+     * @param max ce que la réponse peut peser, en octets
+     * @throws Arret si elle ne vient pas dans les limites ; la machine est alors arrêtée
+     */
+    public DataInputStream demander(byte[] demande, int max) throws Arret {
+        longueurMax = max;
+        int numero = ++demandes;
+        attendu = numero;
+        ecrivain.execute(() -> {
+            try {
+                Echange.envoyer(processus.getOutputStream(), numero, demande);
+            } catch (IOException e) {
+                // il est mort, ou ferme son entrée : l'attente le dira
+            }
+        });
+        return new DataInputStream(new ByteArrayInputStream(attendre()));
+    }
+
+    private byte[] attendre() throws Arret {
         int immobile = 0;
         while (true) {
-            String ligne;
+            byte[] reponse;
             try {
-                ligne = lignes.poll(TOUR_MS, TimeUnit.MILLISECONDS);
+                reponse = reponses.poll(TOUR_MS, TimeUnit.MILLISECONDS);
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
                 throw arreter("interrompu");
             }
-            if (FIN.equals(ligne)) {
+            if (reponse == FIN) {
                 throw mort();
             }
             if (System.nanoTime() - controle > TOUR_MS * 1_000_000) {
                 immobile = controler() ? 0 : immobile + 1;
             }
-            if (ligne != null) {
-                return ligne;
+            if (reponse != null) {
+                return reponse;
             }
             if (immobile * TOUR_MS > 1000 * limites.attente) {
                 throw arreter("arrêté : plus de " + (int) limites.attente + " s sans rien faire, bloqué ou endormi");
@@ -153,11 +166,8 @@ public final class Enfant implements AutoCloseable {
         if (maintenant - debut > calculMax) {
             throw arreter("arrêté après " + Math.round(calculMax) + " s de calcul : une boucle sans fin ?");
         }
-        if (sortieDemesuree) {
-            throw arreter("arrêté : imprime sans fin");
-        }
         if (tous.stream().mapToLong(Enfant::occupe).sum() > (limites.memoire + HORS_DU_TAS) << 20) {
-            throw arreter("mémoire épuisée");
+            throw arreter("arrêté : mémoire épuisée");
         }
         return travaille;
     }
@@ -172,7 +182,8 @@ public final class Enfant implements AutoCloseable {
         }
     }
 
-    private Arret arreter(String cause) {
+    /** Arrête la machine, qui n'a pas répondu comme il le fallait. */
+    public Arret arreter(String cause) {
         close();
         return new Arret(cause);
     }
@@ -186,15 +197,15 @@ public final class Enfant implements AutoCloseable {
             Thread.currentThread().interrupt();
             statut = -1;
         }
-        close();
-        return new Arret(sortieDemesuree ? "arrêté : imprime sans fin"
-                : statut == 3 ? "mémoire épuisée" : "le programme s'est arrêté de lui-même (System.exit ?), statut "
-                + statut);
+        return arreter(inattendu ? "arrêté : a répondu ce qu'on ne lui demandait pas"
+                : statut == 3 ? "arrêté : mémoire épuisée"
+                : "arrêté de lui-même (System.exit ?), statut " + statut);
     }
 
     /** Tue la machine virtuelle, et tout ce qu'elle a lancé. */
     @Override
     public void close() {
+        ecrivain.shutdownNow();
         List<ProcessHandle> descendance = processus.descendants().collect(Collectors.toList());
         processus.destroyForcibly();
         descendance.forEach(ProcessHandle::destroyForcibly);

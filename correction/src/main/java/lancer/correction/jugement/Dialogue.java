@@ -1,11 +1,16 @@
 package lancer.correction.jugement;
 
-import java.lang.reflect.Constructor;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Execution;
 import lancer.correction.isolement.Arret;
 
 /**
@@ -79,23 +84,21 @@ public final class Dialogue {
 
         private final int numero;
         private final String classe;
-        private final String[] champs;
+        private final List<Object> champs = new ArrayList<>();
 
-        private Recu(String[] mots) {
-            String[] tete = mots[0].substring(1).split(":", 2);
-            numero = Integer.parseInt(tete[0]);
-            classe = tete[1];
-            champs = mots;
+        private Recu(int numero, String classe) {
+            this.numero = numero;
+            this.classe = classe;
         }
 
         /** Un champ public, par son rang. */
         public <T> T champ(Class<T> type, int rang) {
-            return rang + 1 < champs.length ? lire(type, new String[] {champs[rang + 1]}) : null;
+            return rang < champs.size() ? rendre(type, champs.get(rang)) : null;
         }
 
         /** Un champ réel. @param attendue la classe, ou la mère, de l'objet */
         public double reel(String attendue, int rang) {
-            Double reel = rang + 1 < champs.length ? champ(Double.class, rang) : null;
+            Double reel = rang < champs.size() ? champ(Double.class, rang) : null;
             if (reel == null) {
                 throw new Echec("rend un " + classe + " au lieu d'un " + attendue);
             }
@@ -122,67 +125,76 @@ public final class Dialogue {
 
     /** Appelle une méthode du rendu. @param rend ce qu'elle doit rendre */
     public static <T> T appeler(Class<T> rend, int methode, Object... arguments) {
-        StringBuilder demande = new StringBuilder("A\t").append(methode);
-        for (Object argument : arguments) {
-            demande.append('\t').append(coder(argument));
-        }
         Dialogue ici = COURANT.get();
         if (ici.refus != null) {
             throw new Echec(ici.refus);
         }
         try {
-            return lire(rend, reponse(ici.machine.demander(demande.toString())).split("\t"));
+            return rendre(rend, ici.machine.demander(m -> {
+                m.writeChar(Execution.APPEL);
+                m.writeInt(methode);
+                ecrire(Arrays.asList(arguments), m);
+            }, Echange.REPONSE_MAX, r -> reponse(r, Dialogue::lireObjet)));
         } catch (Arret e) {
             ici.refus = e.getMessage();
             throw new Echec(ici.refus);
         }
     }
 
-    private static String coder(Object valeur) {
-        if (valeur instanceof Double) {
-            return "d" + valeur;
-        } else if (valeur instanceof Integer) {
-            return "i" + valeur;
-        } else if (valeur instanceof Doublure) {
-            return "o" + ((Doublure) valeur).numero;
-        } else if (valeur instanceof Recu) {
-            return "o" + ((Recu) valeur).numero;
-        } else if (valeur instanceof List) {
-            List<String> elements = new ArrayList<>();
-            ((List<?>) valeur).forEach(e -> elements.add(coder(e)));
-            return "l" + String.join(",", elements);
-        } else if (valeur == null) {
-            return "n";
+    private static void ecrire(List<?> valeurs, DataOutputStream demande) throws IOException {
+        demande.writeInt(valeurs.size());
+        for (Object valeur : valeurs) {
+            if (valeur instanceof Double) {
+                demande.writeChar('d');
+                demande.writeDouble((Double) valeur);
+            } else if (valeur instanceof Integer) {
+                demande.writeChar('i');
+                demande.writeInt((Integer) valeur);
+            } else if (valeur instanceof Doublure || valeur instanceof Recu) {
+                demande.writeChar('o');
+                demande.writeInt(valeur instanceof Recu ? ((Recu) valeur).numero : ((Doublure) valeur).numero);
+            } else if (valeur instanceof List) {
+                demande.writeChar('l');
+                ecrire((List<?>) valeur, demande);
+            } else if (valeur == null) {
+                demande.writeChar('n');
+            } else {
+                throw new IllegalArgumentException("une vérification passe un " + valeur.getClass());
+            }
         }
-        throw new IllegalArgumentException("une vérification passe un " + valeur.getClass());
     }
 
-    private static <T> T lire(Class<T> rend, String[] mots) {
-        Object valeur;
-        try {
-            String suite = mots[0].substring(1);
-            switch (mots[0].charAt(0)) {
-                case 'd':
-                    valeur = Double.valueOf(suite);
-                    break;
-                case 'b':
-                    valeur = Boolean.valueOf(suite);
-                    break;
-                case 's':
-                    valeur = suite;
-                    break;
-                case 'o':
-                    valeur = objet(rend, new Recu(mots));
-                    break;
-                default:
-                    valeur = null;
+    /** Ce qu'une méthode rend : si c'est un objet, ses champs le suivent. */
+    private static Object lireObjet(DataInputStream reponse) throws IOException {
+        Object valeur = lire(reponse);
+        if (valeur instanceof Recu) {
+            for (int reste = reponse.readInt(); reste > 0; reste--) {
+                ((Recu) valeur).champs.add(lire(reponse));
             }
-        } catch (NumberFormatException | IndexOutOfBoundsException e) {
-            throw new Echec("réponse incompréhensible");
         }
-        if (valeur instanceof Double && rend == Integer.class) {
-            valeur = ((Double) valeur).intValue();
+        return valeur;
+    }
+
+    private static Object lire(DataInputStream reponse) throws IOException {
+        switch (reponse.readChar()) {
+            case 'n':
+                return null;
+            case 'd':
+                return reponse.readDouble();
+            case 'b':
+                return reponse.readBoolean();
+            case 's':
+                return Echange.protege(Echange.lireTexte(reponse));
+            case 'o':
+                return new Recu(reponse.readInt(), Echange.protege(Echange.lireTexte(reponse)));
+            default:
+                throw new IOException();
         }
+    }
+
+    private static <T> T rendre(Class<T> rend, Object brut) {
+        Object valeur = brut instanceof Recu ? objet(rend, (Recu) brut)
+                : brut instanceof Double && rend == Integer.class ? Integer.valueOf(((Double) brut).intValue()) : brut;
         if (valeur == null && (rend == Double.class || rend == Integer.class || rend == Boolean.class)) {
             throw new Echec("rend null au lieu d'un nombre");
         } else if (valeur != null && !rend.isInstance(valeur)) {
@@ -197,37 +209,38 @@ public final class Dialogue {
         }
         Doublure connue = COURANT.get().doublures.get(recu.numero);
         if (connue != null) {
-            if (recu.champs.length > 1) {
+            if (!recu.champs.isEmpty()) {
                 connue.relire(recu);
             }
             return connue;
         }
         try {
-            Constructor<?> doublure = Class.forName("lancer." + recu.classe, true, rend.getClassLoader())
-                    .getConstructor(Recu.class);
-            return doublure.newInstance(recu);
+            Class<?> classe = Class.forName("lancer." + recu.classe, true, rend.getClassLoader());
+            return classe.asSubclass(Doublure.class).getConstructor(Recu.class).newInstance(recu);
         } catch (InvocationTargetException e) {
             throw e.getCause() instanceof Echec ? (Echec) e.getCause() : new IllegalStateException(e);
-        } catch (ReflectiveOperationException e) {
+        } catch (ReflectiveOperationException | ClassCastException | LinkageError e) {
             throw new Echec("rend un objet d'une classe inattendue, " + recu.classe);
         }
     }
 
     /** Ce que dit une réponse de la machine. @throws Echec si le rendu n'a pas su répondre */
-    static String reponse(String ligne) {
-        String[] mots = ligne.split("\t", 2);
-        String suite = mots.length > 1 ? mots[1] : "";
-        switch (mots[0]) {
-            case "R":
-                return suite;
-            case "C":
-                String[] ou = suite.split("\t", 2);
-                throw new Echec(Juge.NE_SE_COMPILE_PAS + ou[0]
-                        + (ou.length < 2 || ou[1].isEmpty() ? "" : " : " + Traduction.francais(ou[1])));
-            case "D":
-                throw new Debordement(suite);
+    static <T> T reponse(DataInputStream reponse, Machines.Lecture<T> lecture) throws IOException {
+        char sorte = reponse.readChar();
+        if (sorte == Execution.RENDU) {
+            return lecture.lire(reponse);
+        }
+        String ou = Echange.protege(Echange.lireTexte(reponse));
+        String quoi = Echange.protege(Echange.lireTexte(reponse));
+        switch (sorte) {
+            case Execution.FAUTE:
+                throw new Echec(Juge.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Traduction.francais(quoi)));
+            case Execution.SANS_FIN:
+                throw new Debordement(ou);
+            case Execution.EXCEPTION:
+                throw new Echec(ou);
             default:
-                throw new Echec(suite);
+                throw new IOException();
         }
     }
 }

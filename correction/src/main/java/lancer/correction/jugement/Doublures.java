@@ -1,14 +1,10 @@
 package lancer.correction.jugement;
 
-import java.io.IOException;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.Executable;
 import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
-import java.net.URL;
-import java.net.URLClassLoader;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -44,13 +40,13 @@ final class Doublures {
     private int nombre;
 
     /** @param classes les classes compilées du projet à compléter */
-    Doublures(Path classes) {
-        try (URLClassLoader chargeur = new URLClassLoader(new URL[] {classes.toUri().toURL()},
-                ClassLoader.getPlatformClassLoader())) {
+    Doublures(Map<String, byte[]> classes) {
+        try {
+            ClassLoader chargeur = Verifications.chargeur(classes, ClassLoader.getPlatformClassLoader());
             for (String nom : CLASSES) {
                 doubler(nom, chargeur.loadClass("lancer." + nom));
             }
-        } catch (IOException | ClassNotFoundException e) {
+        } catch (ClassNotFoundException e) {
             throw new IllegalStateException(e);
         }
     }

@@ -31,8 +31,6 @@ final class Juge implements AutoCloseable {
     /** Combien de fois le temps d'une vérification est permis à un dessin. */
     private static final double TEMPS_IMAGE = 4;
 
-    private static final String ENSEMBLE = "ensemble";
-
     /** Le début de ce que dit une méthode qui ne se compile pas. */
     static final String NE_SE_COMPILE_PAS = "ne se compile pas";
 
@@ -64,7 +62,7 @@ final class Juge implements AutoCloseable {
         if (machine == null || enMachine != assemblage) {
             close();
             enMachine = assemblage;
-            machine = machines.new Rendue(assemblage.classes, chantier.scenes());
+            machine = machines.new Rendue(assemblage.classes);
         }
         return machine;
     }
@@ -87,7 +85,7 @@ final class Juge implements AutoCloseable {
                 resultat.remarques.add("la classe " + classe + " manque : celle du projet à compléter en tient lieu");
             }
         }
-        ensemble = chantier.assembler(ENSEMBLE, sources);
+        ensemble = chantier.assembler(sources);
         for (Faute faute : ensemble.fautes) {
             if (projet.getBase().containsKey(faute.fichier.replaceFirst("\\.java$", ""))) {
                 resultat.fautes.add(faute);
@@ -130,8 +128,8 @@ final class Juge implements AutoCloseable {
             Map<String, String> sources = Chantier.squelette();
             sources.putAll(projet.getBase());
             sources.putAll(variante.getValue());
-            Map<String, Verdict> verdicts = new Variantes(this, reference, ensemble, chantier.scenes())
-                    .juger(nom, chantier.assembler(nom, sources));
+            Map<String, Verdict> verdicts = new Variantes(this, reference, ensemble)
+                    .juger(nom, chantier.assembler(sources));
             resultat.verdicts.putAll(verdicts);
             // ce que la variante change, parmi les classes du corrigé : une faute de la base ne la cache pas
             Map<String, String> change = new TreeMap<>(sources);
@@ -141,8 +139,8 @@ final class Juge implements AutoCloseable {
             if (!change.isEmpty() && verdicts.values().stream().anyMatch(v -> !v.compte())) {
                 Map<String, String> parmi = Chantier.corrige();
                 parmi.putAll(change);
-                new Variantes(this, reference, reference.getCorrige(), chantier.scenes())
-                        .juger(nom, chantier.assembler("seule-" + nom, parmi)).forEach((id, seule) -> {
+                new Variantes(this, reference, reference.getCorrige())
+                        .juger(nom, chantier.assembler(parmi)).forEach((id, seule) -> {
                     if (seule.compte() && !verdicts.get(id).compte()) {
                         resultat.verdicts.put(id, new Verdict(Etat.CACHE, verdicts.get(id).message));
                     }
@@ -165,7 +163,7 @@ final class Juge implements AutoCloseable {
             return seules.get(classe);
         }
         Map<String, String> sources = corrigeAvec(List.of(classe));
-        Assemblage seule = chantier.assembler("seule-" + classe, sources);
+        Assemblage seule = chantier.assembler(sources);
         if (fautesNouvelles(seule, classe)) {
             List<String> nommees = new ArrayList<>();
             for (String autre : Modele.classes()) {
@@ -177,7 +175,7 @@ final class Juge implements AutoCloseable {
                     sources.put("lancer/" + autre, texte);
                 }
             }
-            seule = chantier.assembler("avec-" + classe, sources);
+            seule = chantier.assembler(sources);
             if (fautesNouvelles(seule, classe) || seule.fautes.size() > seule.fautesDe(classe).size()) {
                 TreeSet<String> cassees = new TreeSet<>();
                 seule.fautes.stream().map(Faute::classe).filter(nommees::contains).forEach(cassees::add);
@@ -260,8 +258,8 @@ final class Juge implements AutoCloseable {
     }
 
     /** Plusieurs classes de l'étudiant parmi celles du corrigé. */
-    Assemblage parmiLeCorrige(String nom, List<String> classes) throws Arret {
-        return chantier.assembler(nom, corrigeAvec(classes));
+    Assemblage parmiLeCorrige(List<String> classes) throws Arret {
+        return chantier.assembler(corrigeAvec(classes));
     }
 
     /** Vrai si une vérification n'y a pas fini : on n'y dessine pas. */
@@ -281,8 +279,9 @@ final class Juge implements AutoCloseable {
         return sources;
     }
 
+    /** Le texte de la scène du cours. */
     String scene() {
-        return chantier.scenes().resolve("scene1.ini").toString();
+        return Modele.scene("scene1");
     }
 
     /** @throws Dialogue.Echec si les classes ne savent pas dessiner, avec pourquoi */
@@ -292,12 +291,12 @@ final class Juge implements AutoCloseable {
                 "" + decalage));
     }
 
-    String sonde(Assemblage assemblage, String sonde, String methode, String... arguments) throws Arret {
+    /** @param scene le texte de la scène, premier argument de la sonde */
+    String sonde(Assemblage assemblage, String sonde, String methode, String scene, String... arguments) throws Arret {
         Machines.Rendue ici = machine(assemblage);
         ici.commencer(TEMPS_IMAGE * ici.calcul());
         try {
-            return Dialogue.reponse(ici.demander("S\t" + sonde + "\t" + methode + "\t"
-                    + String.join("\t", arguments)));
+            return ici.sonder(sonde, methode, scene, arguments);
         } catch (StackOverflowError e) {
             throw new Dialogue.Echec(e.getMessage());
         }

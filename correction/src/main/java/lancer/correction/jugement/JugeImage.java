@@ -82,7 +82,7 @@ final class JugeImage {
         justes.removeIf(classe -> reference.getVerifications().stream()
                 .anyMatch(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()));
         // celles dont tout réussit d'abord, d'un seul coup : elles sont rarement en cause
-        if (justes.size() > 1 && !changentLImage(juge.parmiLeCorrige("justes", justes))) {
+        if (justes.size() > 1 && !changentLImage(juge.parmiLeCorrige(justes))) {
             suspectes.removeAll(justes);
         }
         for (String classe : suspectes) {

@@ -35,7 +35,6 @@ public final class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
 
-    private final Path travail;
     private final Path souvenirs;
     private final Machines machines;
     private final String regles;
@@ -46,17 +45,14 @@ public final class Jury implements AutoCloseable {
         if (Runtime.version().feature() < 17) {
             throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature());
         }
-        this.travail = travail;
         this.souvenirs = travail.resolve("souvenirs");
         try {
             Files.createDirectories(souvenirs);
-            Chantier.effacer(travail.resolve("chantiers"));
-            Path reperes = Files.createDirectories(travail.resolve("chantiers/reference"));
-            machines = new Machines(confinement, limites, Files.createDirectories(reperes.resolve("outillage")));
+            machines = new Machines(confinement, limites, travail.resolve("machines"));
             String ici = confinement.estConfine() + " " + Runtime.version() + " " + duProgramme();
             regles = ici + " " + limites;
             String nom = "reference-" + hexa(sha256().digest(ici.getBytes(StandardCharsets.UTF_8)));
-            reference = new Reference(machines, reperes, souvenirs.resolve(nom));
+            reference = new Reference(machines, souvenirs.resolve(nom));
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
         } catch (Arret e) {
@@ -93,7 +89,7 @@ public final class Jury implements AutoCloseable {
         });
         BlockingQueue<Machines.Compilation> compilations = new LinkedBlockingQueue<>();
         for (int k = 0; k < ensemble; k++) {
-            compilations.add(machines.new Compilation(travail.resolve("chantiers")));
+            compilations.add(machines.new Compilation());
         }
         List<Future<Resultat>> promesses = new ArrayList<>();
         for (int k = 0; k < rendus.size(); k++) {
@@ -102,7 +98,7 @@ public final class Jury implements AutoCloseable {
                 Machines.Compilation compilation = compilations.take();
                 Resultat resultat;
                 try {
-                    resultat = juger(rendus.get(rang), travail.resolve("chantiers/" + rang), compilation);
+                    resultat = juger(rendus.get(rang), compilation);
                 } finally {
                     compilations.add(compilation);
                 }
@@ -130,7 +126,7 @@ public final class Jury implements AutoCloseable {
         return resultats;
     }
 
-    private Resultat juger(Rendu rendu, Path dossier, Machines.Compilation compilation) throws IOException {
+    private Resultat juger(Rendu rendu, Machines.Compilation compilation) throws IOException {
         if (!rendu.getRefus().isEmpty()) {
             return refuse(rendu, rendu.getRefus());
         }
@@ -140,8 +136,7 @@ public final class Jury implements AutoCloseable {
             return (Resultat) connu;
         }
         Resultat resultat;
-        Files.createDirectories(dossier);
-        try (Juge juge = new Juge(reference, new Chantier(dossier, compilation, reference.getAppels()), machines,
+        try (Juge juge = new Juge(reference, new Chantier(compilation, reference.getAppels()), machines,
                 Projet.lire(rendu))) {
             resultat = juge.juger();
         } catch (Arret e) {
@@ -149,8 +144,6 @@ public final class Jury implements AutoCloseable {
         } catch (RuntimeException | StackOverflowError e) {
             // un rendu que nous n'avons pas su traiter ne doit pas coûter leur note aux autres
             resultat = refuse(rendu, List.of("échec du correcteur sur ce rendu, à juger à la main : " + e));
-        } finally {
-            Chantier.effacer(dossier);
         }
         Souvenirs.ecrire(souvenir, resultat);
         return resultat;

@@ -1,20 +1,27 @@
 package lancer.correction.jugement;
 
+import java.io.DataInputStream;
 import java.io.File;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import lancer.correction.Panne;
 import lancer.correction.enfant.Compilateur;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
@@ -31,28 +38,35 @@ import org.opentest4j.AssertionFailedError;
 /** Les machines virtuelles à part : celle qui compile, et celle, relancée à chaque mort, où tourne un rendu. */
 final class Machines {
 
+    /** Ce que dit une machine dont la réponse n'a pas de sens. */
+    private static final String INCOMPREHENSIBLE = "arrêté : a répondu ce qui n'a pas de sens";
+
     private final Confinement confinement;
     private final Limites limites;
+    /** L'archive des seules classes que voit un rendu avec les siennes. */
     private final Path outillage;
 
-    /** @param outillage dossier, à nous, où mettre les seules classes que voit un rendu avec les siennes */
-    Machines(Confinement confinement, Limites limites, Path outillage) throws IOException {
+    /** @param dossier ce qui y est s'efface */
+    Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
         this.confinement = confinement;
         this.limites = limites;
-        this.outillage = outillage;
-        extraire(Execution.class.getPackageName(), Paths.get(lieu(Execution.class)));
-        extraire(Ini.class.getPackageName(), Paths.get(lieu(Ini.class)));
+        Compilateur.effacer(dossier);
+        outillage = Files.createDirectories(dossier).resolve("outillage.jar");
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(outillage))) {
+            for (Class<?> une : List.of(Execution.class, Ini.class)) {
+                copier(une.getPackageName().replace('.', '/'), Paths.get(lieu(une)), zip);
+            }
+        }
     }
 
     /** Copie les classes d'un paquet : le rendu ne doit voir ni le corrigé, ni les vérifications, ni JUnit. */
-    private void extraire(String paquet, Path lieu) throws IOException {
+    private static void copier(String paquet, Path lieu, ZipOutputStream zip) throws IOException {
         try (FileSystem archive = Files.isDirectory(lieu) ? null : FileSystems.newFileSystem(lieu, (ClassLoader) null)) {
             Path racine = archive == null ? lieu : archive.getPath("/");
-            try (Stream<Path> flux = Files.walk(racine.resolve(paquet.replace('.', '/')))) {
+            try (Stream<Path> flux = Files.walk(racine.resolve(paquet))) {
                 for (Path classe : flux.filter(f -> f.toString().endsWith(".class")).collect(Collectors.toList())) {
-                    Path copie = outillage.resolve(racine.relativize(classe).toString());
-                    Files.createDirectories(copie.getParent());
-                    Files.copy(classe, copie, StandardCopyOption.REPLACE_EXISTING);
+                    zip.putNextEntry(new ZipEntry(racine.relativize(classe).toString().replace('\\', '/')));
+                    Files.copy(classe, zip);
                 }
             }
         }
@@ -92,38 +106,57 @@ final class Machines {
         }
     }
 
-    /** Compile, un dossier après l'autre, dans la même machine virtuelle tant qu'elle vit. */
+    /** Ce qu'on tire d'une réponse. */
+    interface Lecture<T> {
+        T lire(DataInputStream reponse) throws IOException;
+    }
+
+    /** Pose une question, et lit toute la réponse ; ce qui n'en est pas une arrête la machine. */
+    private static <T> T demander(Enfant enfant, Echange.Redaction demande, int max, Lecture<T> lecture) throws Arret {
+        try {
+            DataInputStream reponse = enfant.demander(Echange.message(demande), max);
+            try {
+                T lue = lecture.lire(reponse);
+                if (reponse.available() == 0) {
+                    return lue;
+                }
+            } catch (IOException e) {
+                // plus courte qu'elle ne le dit
+            }
+            throw enfant.arreter(INCOMPREHENSIBLE);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Compile des sources, puis d'autres, dans la même machine virtuelle tant qu'elle répond comme il faut. */
     final class Compilation implements AutoCloseable {
 
-        private final Path dossier;
         private Enfant enfant;
 
-        /** @param dossier le seul endroit où elle écrive */
-        Compilation(Path dossier) {
-            this.dossier = dossier;
-        }
-
-        List<Faute> compiler(Path sources, Path classes) throws Arret {
+        /** @param sources le texte de chaque fichier, par son nom : {@code lancer/Vecteur} */
+        Chantier.Assemblage compiler(Map<String, String> sources) throws Arret {
+            Map<String, byte[]> textes = new LinkedHashMap<>();
+            sources.forEach((nom, texte) -> textes.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
+            Limites larges = Limites.deCompilation();
             if (enfant == null) {
-                Limites larges = Limites.deCompilation();
-                enfant = new Enfant(confinement.java(Compilateur.class, chemin(), List.of(), dossier, larges), "",
-                        larges);
+                enfant = new Enfant(confinement.java(Compilateur.class, chemin(), true, outillage.getParent(), larges), larges);
             }
-            List<Faute> fautes = new ArrayList<>();
             try {
-                enfant.commencer(Limites.deCompilation().calcul);
-                enfant.dire(sources + "\t" + classes);
-                for (String ligne = enfant.attendre(); !ligne.equals("FIN"); ligne = enfant.attendre()) {
-                    String[] mots = ligne.split("\t", 4);
-                    if (mots.length == 4 && mots[0].equals("FAUTE")) {
-                        fautes.add(new Faute(mots[1], Integer.parseInt(mots[2]), mots[3]));
+                enfant.commencer(larges.calcul);
+                return demander(enfant, m -> Echange.ecrireTout(m, textes), Echange.GROSSE_REPONSE_MAX, reponse -> {
+                    List<Faute> fautes = new ArrayList<>();
+                    for (int reste = reponse.readInt(); reste > 0; reste--) {
+                        String fichier = Echange.lireTexte(reponse);
+                        int ligne = reponse.readInt();
+                        fautes.add(new Faute(fichier, ligne, Echange.protege(Echange.lireTexte(reponse))));
                     }
-                }
+                    return new Chantier.Assemblage(Echange.lireTout(reponse), fautes);
+                });
             } catch (Arret e) {
                 close();
                 throw e;
             }
-            return fautes;
         }
 
         @Override
@@ -135,16 +168,14 @@ final class Machines {
         }
     }
 
-    /** Où tourne un rendu, qui ne voit que les classes de son assemblage, et des scènes. */
+    /** Où tourne un rendu, qui n'a que les classes de son assemblage. */
     final class Rendue implements AutoCloseable {
 
-        private final Path classes;
-        private final Path scenes;
+        private final Map<String, byte[]> classes;
         private Enfant enfant;
 
-        Rendue(Path classes, Path scenes) {
+        Rendue(Map<String, byte[]> classes) {
             this.classes = classes;
-            this.scenes = scenes;
         }
 
         /** Temps de processeur ordinairement permis à une demande, en secondes. */
@@ -155,32 +186,61 @@ final class Machines {
         /** Ce qui suit est une autre demande, et n'a plus besoin des objets rendus à la précédente. */
         void oublier() throws Arret {
             commencer(limites.calcul);
-            if (!demander("N").equals("R\t0")) {
+            int fils = demander(m -> m.writeChar(Execution.OUBLI), Echange.REPONSE_MAX, reponse -> {
+                reponse.readChar();
+                return reponse.readInt();
+            });
+            if (fils != 0) {
                 // des fils courent encore : une machine neuve
                 close();
                 commencer(limites.calcul);
             }
         }
 
-        /** @param calcul temps de processeur permis à ce qui suit, en secondes */
+        /**
+         * @param calcul temps de processeur permis à ce qui suit, en secondes
+         * @throws Panne si une machine neuve n'a pu prendre les classes : rien du rendu n'y a encore tourné
+         */
         void commencer(double calcul) {
             if (enfant == null) {
-                enfant = new Enfant(confinement.java(Execution.class, outillage.toString(),
-                        List.of(outillage, classes, scenes), null, limites, classes.toString()),
-                        Echange.REPONSE, limites);
+                enfant = new Enfant(confinement.java(Execution.class, outillage.toString(), false,
+                        outillage.getParent(), limites), limites);
+                try {
+                    enfant.commencer(Limites.deCompilation().calcul);
+                    demander(m -> {
+                        m.writeChar(Execution.CLASSES);
+                        Echange.ecrireTout(m, classes);
+                    }, 0, reponse -> null);
+                } catch (Arret e) {
+                    throw new Panne(1, "une machine virtuelle n'a pas pris les classes du rendu : " + e.getMessage());
+                }
             }
             enfant.commencer(calcul);
         }
 
         /** La réponse à une demande. */
-        String demander(String demande) throws Arret {
+        <T> T demander(Echange.Redaction demande, int max, Lecture<T> lecture) throws Arret {
             try {
-                enfant.dire(demande);
-                return enfant.attendre();
+                return Machines.demander(enfant, demande, max, lecture);
             } catch (Arret e) {
                 close();
                 throw e;
             }
+        }
+
+        /** Ce que répond une sonde. @param scene son premier argument : le texte de la scène */
+        String sonder(String sonde, String methode, String scene, String... arguments) throws Arret {
+            return demander(m -> {
+                m.writeChar(Execution.SONDE);
+                Echange.ecrireTexte(m, sonde);
+                Echange.ecrireTexte(m, methode);
+                Echange.ecrireTexte(m, scene);
+                m.writeInt(arguments.length);
+                for (String argument : arguments) {
+                    Echange.ecrireTexte(m, argument);
+                }
+            }, sonde.equals("SondeChemin") ? Echange.REPONSE_MAX : Echange.GROSSE_REPONSE_MAX,
+                    reponse -> Dialogue.reponse(reponse, Echange::lireTexte));
         }
 
         @Override

@@ -2,17 +2,13 @@ package lancer.correction.jugement;
 
 import java.io.IOException;
 import java.io.Serializable;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.correction.depot.Projet;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Chantier.Assemblage;
@@ -43,20 +39,17 @@ public final class Reference implements AutoCloseable {
     }
 
     private final Machines machines;
-    private final Path dossier;
     private final Map<String, String> titres = new HashMap<>();
     private final Memoire memoire;
     private Verifications junit;
 
     /** Le corrigé, compilé, et qui l'interroge : quand on en a besoin. */
-    private Chantier chantier;
     private Juge corrige;
     private Assemblage assemblage;
 
     /** @param souvenir fichier où se trouve, ou sera mis, ce qui n'est pas à refaire */
-    Reference(Machines machines, Path dossier, Path souvenir) throws Arret, IOException {
+    Reference(Machines machines, Path souvenir) throws Arret, IOException {
         this.machines = machines;
-        this.dossier = dossier;
         Object connue = Souvenirs.relire(souvenir);
         if (connue instanceof Memoire) {
             memoire = (Memoire) connue;
@@ -69,18 +62,17 @@ public final class Reference implements AutoCloseable {
         memoire.verifications.forEach(v -> titres.put(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", "")));
     }
 
-    private void apprendre() throws Arret, IOException {
-        Path vide = Files.createDirectories(dossier.resolve("squelette"));
-        try (Machines.Compilation compilation = machines.new Compilation(vide)) {
-            compilerVerifications(new Chantier(vide, compilation, ""));
+    private void apprendre() throws Arret {
+        try (Machines.Compilation compilation = machines.new Compilation()) {
+            compilerVerifications(new Chantier(compilation, ""));
             memoire.verifications = junit.lister();
             preparer();
             memoire.coins = corrige.image(assemblage, 0);
             memoire.centres = corrige.image(assemblage, 0.5);
             Projet projet = new Projet(Chantier.squelette(), Collections.emptyMap(), new ArrayList<>());
-            Chantier sien = new Chantier(vide, compilation, memoire.appels);
+            Chantier sien = new Chantier(compilation, memoire.appels);
             try (Juge juge = new Juge(this, sien, machines, projet)) {
-                memoire.duSquelette.putAll(juge.lancer(sien.assembler("ensemble", projet.getBase()),
+                memoire.duSquelette.putAll(juge.lancer(sien.assembler(projet.getBase()),
                         memoire.verifications));
                 for (String classe : Modele.A_COMPLETER) {
                     List<Verification> siennes = memoire.verifications.stream().filter(v -> v.classe.equals(classe)
@@ -92,22 +84,17 @@ public final class Reference implements AutoCloseable {
     }
 
     /** Compile les vérifications contre les doublures des classes du projet à compléter. */
-    private void compilerVerifications(Chantier sien) throws Arret, IOException {
-        Doublures doublures = new Doublures(sien.compiler("classes", Chantier.squelette()).classes);
+    private void compilerVerifications(Chantier sien) throws Arret {
+        Doublures doublures = new Doublures(sien.compiler(Chantier.squelette()).classes);
         memoire.appels = doublures.getAppels();
         Map<String, String> sources = new HashMap<>();
         doublures.getSources().forEach((nom, texte) -> sources.put("lancer/" + nom, texte));
         sources.put("lancer/Tests", Modele.tests());
-        Assemblage tests = sien.compiler("verifications", sources);
+        Assemblage tests = sien.compiler(sources);
         if (!tests.fautes.isEmpty()) {
             throw new IllegalStateException("les vérifications ne se compilent pas : " + tests.fautes.get(0));
         }
-        try (Stream<Path> flux = Files.list(tests.classes.resolve("lancer"))) {
-            for (Path classe : flux.collect(Collectors.toList())) {
-                String nom = classe.getFileName().toString().replaceFirst("\\.class$", "");
-                memoire.classes.put("lancer." + nom, Files.readAllBytes(classe));
-            }
-        }
+        memoire.classes.putAll(tests.classes);
         junit = new Verifications(memoire.classes);
     }
 
@@ -115,12 +102,10 @@ public final class Reference implements AutoCloseable {
         if (assemblage != null) {
             return;
         }
-        try (Machines.Compilation compilation = machines.new Compilation(Files.createDirectories(dossier
-                .resolve("corrige")))) {
-            chantier = new Chantier(dossier.resolve("corrige"), compilation, memoire.appels);
-            assemblage = chantier.assembler("corrige", Chantier.corrige());
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        Chantier chantier;
+        try (Machines.Compilation compilation = machines.new Compilation()) {
+            chantier = new Chantier(compilation, memoire.appels);
+            assemblage = chantier.assembler(Chantier.corrige());
         }
         if (!assemblage.fautes.isEmpty()) {
             throw new IllegalStateException("le corrigé ne se compile pas : " + assemblage.fautes.get(0));
@@ -177,13 +162,7 @@ public final class Reference implements AutoCloseable {
     /** Le reflet de Blinn seul, par les classes du corrigé. */
     synchronized String blinn(String scene, double decalage, int facteur) throws Arret {
         preparer();
-        Path copie = chantier.scenes().resolve("blinn.ini");
-        try {
-            Files.copy(Path.of(scene), copie, StandardCopyOption.REPLACE_EXISTING);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return corrige.sonde(assemblage, "SondeVariantes", "blinn", copie.toString(), "" + Juge.LARGEUR, ""
+        return corrige.sonde(assemblage, "SondeVariantes", "blinn", scene, "" + Juge.LARGEUR, ""
                 + Juge.HAUTEUR, "" + decalage, "" + facteur);
     }
 

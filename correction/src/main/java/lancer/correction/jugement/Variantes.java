@@ -1,10 +1,5 @@
 package lancer.correction.jugement;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -70,14 +65,12 @@ final class Variantes {
     private final Juge juge;
     private final Reference reference;
     private final Assemblage base;
-    private final Path scenes;
     private final Map<String, Verdict> verdicts = new HashMap<>();
 
-    Variantes(Juge juge, Reference reference, Assemblage base, Path scenes) {
+    Variantes(Juge juge, Reference reference, Assemblage base) {
         this.juge = juge;
         this.reference = reference;
         this.base = base;
-        this.scenes = scenes;
     }
 
     Map<String, Verdict> juger(String variante, Assemblage assemblage) {
@@ -106,16 +99,6 @@ final class Variantes {
         verdicts.put(id, juste ? new Verdict(Etat.REUSSI, "") : new Verdict(Etat.RATE, message));
     }
 
-    private String scene(String nom, String texte) {
-        try {
-            Path fichier = scenes.resolve(nom + ".ini");
-            Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
-            return fichier.toString();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
     private Image image(Assemblage assemblage, String scene, int profondeur) throws Arret {
         return Image.lire(Juge.LARGEUR, Juge.HAUTEUR, juge.sonde(assemblage, "SondeImage", "dessiner", scene, ""
                 + Juge.LARGEUR, "" + Juge.HAUTEUR,
@@ -142,7 +125,7 @@ final class Variantes {
             }
         }
         texte.append(String.format(Locale.ROOT, "[Lampe 1]\nposition=0 0 %.9f\ncouleur=1 1 1\n", -focale));
-        String scene = scene("brume", texte.toString());
+        String scene = texte.toString();
         Image sans = image(base, scene, 0);
         Image avec = image(assemblage, scene, 0);
         double[] k = new double[DISTANCES.length];
@@ -191,16 +174,16 @@ final class Variantes {
     private double reflet(Assemblage assemblage) throws Arret {
         double[] vues = new double[2];
         for (int i = 0; i < 2; i++) {
-            vues[i] = image(assemblage, scene("brume-reflets", "[Sphere miroir]\ncentre=0 -7.071067812 10.071067812\n"
+            vues[i] = image(assemblage, "[Sphere miroir]\ncentre=0 -7.071067812 10.071067812\n"
                     + "rayon=10\nKs=1 1 1\nns=1000\n[Sphere]\ncentre=0 100 3\nrayon=20\nKd="
-                    + (i == 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1") + "\n[Lampe]\nposition=0 40 -40\ncouleur=1 1 1\n"), 1)
+                    + (i == 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1") + "\n[Lampe]\nposition=0 40 -40\ncouleur=1 1 1\n", 1)
                     .brut(Juge.HAUTEUR / 2 * Juge.LARGEUR + Juge.LARGEUR / 2, 0);
         }
         return vues[0] - vues[1];
     }
 
     private void antialias(Assemblage assemblage) throws Arret {
-        String scene = scenes.resolve("scene1.ini").toString();
+        String scene = juge.scene();
         int hauteur = COTE * 3 / 4;
         Image lui = Image.lire(COTE, hauteur, juge.sonde(assemblage, "SondeVariantes", "tracer", scene, "" + COTE, ""
                 + hauteur, "1"));
@@ -254,9 +237,9 @@ final class Variantes {
     }
 
     private void blinn(Assemblage assemblage) throws Arret {
-        String scene = scene("blinn",
+        String scene =
                 "[Sphere 1]\ncentre=0 0 5\nrayon=1.5\nKd=0 0 0\nKs=1 1 1\nns=5\n[Lampe 1]\nposition=-4 3 "
-                + "-3\ncouleur=1 1 1\n");
+                + "-3\ncouleur=1 1 1\n";
         Image phong = image(base, scene, 0);
         Image lui = image(assemblage, scene, 0);
         int etalePhong = etale(phong);

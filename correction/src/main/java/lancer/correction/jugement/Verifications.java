@@ -39,7 +39,12 @@ final class Verifications {
 
     /** @param classes les vérifications et les doublures, compilées, par nom complet */
     Verifications(Map<String, byte[]> classes) {
-        chargeur = new ClassLoader(Verifications.class.getClassLoader()) {
+        chargeur = chargeur(classes, Verifications.class.getClassLoader());
+    }
+
+    /** De quoi charger ces classes, avant celles qui auraient le même nom. */
+    static ClassLoader chargeur(Map<String, byte[]> classes, ClassLoader pere) {
+        return new ClassLoader(pere) {
             @Override
             protected Class<?> loadClass(String nom, boolean resoudre) throws ClassNotFoundException {
                 byte[] octets = classes.get(nom);

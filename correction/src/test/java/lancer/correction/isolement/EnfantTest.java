@@ -1,15 +1,21 @@
 package lancer.correction.isolement;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.BufferedReader;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Paths;
 import java.util.List;
+import java.util.Random;
 import java.util.concurrent.FutureTask;
+import lancer.correction.enfant.Echange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -18,34 +24,116 @@ import org.junit.jupiter.api.condition.JRE;
 @EnabledForJreRange(min = JRE.JAVA_17)
 class EnfantTest {
 
-    /** Répète ce qu'on lui dit. */
+    private static final Limites LIMITES = new Limites(5, 1, 64, 40);
+
+    /** Répète ce qu'on lui dit, ou fait autre chose de ce qui l'y invite. */
     static final class Echo {
 
         public static void main(String[] args) throws IOException {
-            BufferedReader entree = new BufferedReader(new InputStreamReader(System.in));
-            for (String ligne = entree.readLine(); ligne != null; ligne = entree.readLine()) {
-                System.out.println(ligne);
+            DataInputStream entree = new DataInputStream(System.in);
+            DataOutputStream sortie = new DataOutputStream(System.out);
+            while (true) {
+                int numero = entree.readInt();
+                byte[] dit = entree.readNBytes(entree.readInt());
+                String texte = new String(dit, StandardCharsets.UTF_8);
+                if (texte.startsWith("brut")) {
+                    // des octets au hasard, de la graine qui suit
+                    byte[] octets = new byte[1 + texte.length() * 37 % 400];
+                    new Random(Long.parseLong(texte.substring(4))).nextBytes(octets);
+                    sortie.write(octets);
+                } else if (texte.equals("dormir")) {
+                    entree.readInt();
+                } else {
+                    int longueur = texte.equals("trop long") ? Integer.MAX_VALUE : texte.equals("négatif") ? -1 : dit.length;
+                    for (int k = texte.equals("deux fois") ? 2 : 1; k > 0; k--) {
+                        sortie.writeInt(texte.equals("autre numéro") ? numero + 1 : numero);
+                        sortie.writeInt(longueur);
+                        sortie.write(dit);
+                    }
+                }
+                sortie.flush();
             }
         }
+    }
+
+    private static Enfant echo(Confinement confinement) throws Exception {
+        String classes = new File(Echo.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
+        Enfant enfant = new Enfant(confinement.java(Echo.class, classes, true, Paths.get("target"), LIMITES), LIMITES);
+        enfant.commencer(LIMITES.calcul);
+        return enfant;
+    }
+
+    private static byte[] demander(Enfant enfant, String texte) throws Arret, IOException {
+        return enfant.demander(texte.getBytes(StandardCharsets.UTF_8), Echange.REPONSE_MAX).readAllBytes();
+    }
+
+    private static void repete(Enfant enfant, String texte) throws Arret, IOException {
+        assertArrayEquals(texte.getBytes(StandardCharsets.UTF_8), demander(enfant, texte));
     }
 
     @Test
     void ilSurvitAuFilQuiLADemande() throws Exception {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.estConfine(), confinement.getManque());
-        String classes = new File(Echo.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
-        Limites limites = Limites.ordinaires();
-        FutureTask<Enfant> demande = new FutureTask<>(() -> new Enfant(confinement.java(Echo.class, classes,
-                List.of(Paths.get(classes)), null, limites), "", limites));
+        FutureTask<Enfant> demande = new FutureTask<>(() -> echo(confinement));
         Thread demandeur = new Thread(demande);
         demandeur.start();
         try (Enfant enfant = demande.get()) {
-            enfant.commencer(limites.calcul);
-            enfant.dire("avant");
-            assertEquals("avant", enfant.attendre());
+            repete(enfant, "avant");
             demandeur.join();
-            enfant.dire("après");
-            assertEquals("après", enfant.attendre());
+            repete(enfant, "après");
+        }
+    }
+
+    @Test
+    void uneReponseEstCelleDeSaDemandeQuoiQuElleContienne() throws Exception {
+        try (Enfant enfant = echo(Confinement.aucun())) {
+            for (String texte : List.of("", "\n\n", "FIN\n", "\t\u0000\u0001", "réponse\tR\t1", "é".repeat(30_000))) {
+                repete(enfant, texte);
+            }
+        }
+    }
+
+    @Test
+    void ceQuiNEstPasLaReponseAttendueArrete() throws Exception {
+        for (String texte : List.of("autre numéro", "trop long", "négatif", "x".repeat(Echange.REPONSE_MAX + 1))) {
+            try (Enfant enfant = echo(Confinement.aucun())) {
+                assertEquals("arrêté : a répondu ce qu'on ne lui demandait pas",
+                        assertThrows(Arret.class, () -> demander(enfant, texte)).getMessage(), texte);
+            }
+        }
+        try (Enfant enfant = echo(Confinement.aucun())) {
+            repete(enfant, "deux fois");
+            Arret arret = assertThrows(Arret.class, () -> {
+                demander(enfant, "ensuite");
+                demander(enfant, "et encore");
+            });
+            assertEquals("arrêté : a répondu ce qu'on ne lui demandait pas", arret.getMessage());
+        }
+    }
+
+    @Test
+    void desOctetsAuHasardNeSontJamaisUneReponse() throws Exception {
+        for (int graine = 1; graine <= 4; graine++) {
+            String texte = "brut" + graine;
+            try (Enfant enfant = echo(Confinement.aucun())) {
+                Arret arret = assertThrows(Arret.class, () -> demander(enfant, texte));
+                assertTrue(arret.getMessage().startsWith("arrêté"), arret.getMessage());
+            }
+        }
+    }
+
+    @Test
+    void quiNeLitPasSesDemandesNeBloqueQueLui() throws Exception {
+        try (Enfant enfant = echo(Confinement.aucun())) {
+            String gros = "dormir";
+            assertThrows(Arret.class, () -> demander(enfant, gros));
+        }
+        // plus que n'en retient un tube : l'écrire n'attend personne
+        Enfant enfant = new Enfant(List.of("/bin/sleep", "30"), LIMITES);
+        try (enfant) {
+            enfant.commencer(1);
+            assertTrue(assertThrows(Arret.class, () -> enfant.demander(new byte[1 << 20], 0)).getMessage().contains("bloqué"));
         }
     }
 }
