@@ -9,7 +9,7 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto auto-a-froid mutations squelette corriger \
+.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto auto-a-froid mutations squelette corrige corriger \
 	comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
@@ -138,6 +138,11 @@ comparer: $(BASE)
 squelette: $(CORRECTION)
 	@test -n "$(DOSSIER)" || { echo "Où l'écrire ? make squelette DOSSIER=../lancer-base" >&2; exit 2; }
 	@$(JAVA) -jar $(CORRECTION) --squelette "$(DOSSIER)"
+
+# Le programme achevé du cours : make corrige DOSSIER=../base-java ; VARIANTE=brume (ou antialias, blinn) : la copie d'une extension.
+corrige: $(CORRECTION)
+	@test -n "$(DOSSIER)" || { echo "Où l'écrire ? make corrige DOSSIER=../base-java [VARIANTE=brume]" >&2; exit 2; }
+	@$(JAVA) -jar $(CORRECTION) --corrige "$(DOSSIER)" $(if $(VARIANTE),--variante "$(VARIANTE)")
 
 # Noter une classe : make corriger RENDUS=rendus.zip NOTES=notes.csv ; SANS_CONFINEMENT=1 là où bwrap ne marche pas.
 corriger: $(CORRECTION)

@@ -40,7 +40,7 @@ run: $(JARS)
 	$(LANCER) $(OPTIONS) --image "$$png" "$(SCENE)" && echo "Pas d'écran ici : l'image est dans $$png"
 
 # Dans le dossier d'une variante, les tests de son paquet ; à la racine, ceux de tout.
-ifdef VARIANTE
+ifeq ($(origin VARIANTE),file)
 .PHONY: test
 test: outils
 	$(MVN) -f $(RACINE)/ensemble.xml -pl :$(VARIANTE) -am -Dtest='lancer/$(VARIANTE)/*' \

@@ -13,6 +13,9 @@ class LecteurScene {
     private final String fichier;
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
+    //<brume
+    //+ private final Brume brume = new Brume(0);
+    //>
 
     /** @throws IllegalArgumentException si le fichier ne peut être lu, ou s'il y manque quelque chose */
     LecteurScene(String fichier) {
@@ -24,6 +27,13 @@ class LecteurScene {
                     objets.add(sphere(section));
                 } else if (nom.startsWith("lampe")) {
                     lampes.add(new Lampe(point(section, "position"), couleur(section, "couleur")));
+                //<brume
+                //+ } else if (nom.startsWith("brume")) {
+                //+     brume.couleur = section.containsKey("couleur") ? couleur(section, "couleur") : brume.couleur;
+                //+     brume.debut = section.containsKey("debut") ? reels(section, "debut", 1)[0] : brume.debut;
+                //+     brume.fin = section.containsKey("fin") ? reels(section, "fin", 1)[0] : brume.fin;
+                //+     brume.densite = section.containsKey("densite") ? reels(section, "densite", 1)[0] : brume.densite;
+                //>
                 }
             }
         } catch (IOException e) {
@@ -39,6 +49,12 @@ class LecteurScene {
         return lampes;
     }
 
+    //<brume
+    //+ Brume getBrume() {
+    //+     return brume;
+    //+ }
+    //+
+    //>
     private Sphere sphere(Profile.Section section) {
         Sphere sphere = new Sphere(point(section, "centre"), reels(section, "rayon", 1)[0]);
         sphere.setKd(section.containsKey("Kd") ? couleur(section, "Kd") : new Couleur());

@@ -30,7 +30,11 @@ public abstract class Objet3D {
             double cosinus = N.dot(L);
             if (cosinus > 0 && !estALOmbre(scene, lampe, contact)) {
                 Couleur diffus = Kd.mul(lampe.getCouleur()).mul(cosinus);
+                //<blinn
                 double eclat = Math.pow(Math.max(0, R.dot(L)), ns);
+                //+ Vecteur H = L.sub(V).normalized();
+                //+ double eclat = Math.pow(Math.max(0, N.dot(H)), ns);
+                //>
                 Couleur speculaire = Ks.mul(lampe.getCouleur()).mul(eclat);
                 couleur = couleur.add(diffus).add(speculaire);
             }
@@ -40,6 +44,9 @@ public abstract class Objet3D {
             PointContact suivant = scene.getClosestIntersection(reflechi, (Sphere) this);
             Couleur reflet = suivant == null ? reflechi.getSkyColor()
                     : suivant.objet.getColor(scene, reflechi, suivant, profondeur - 1);
+            //<brume
+            //+ reflet = scene.getBrume().devant(reflet, reflechi.getDistance());
+            //>
             couleur = couleur.add(Ks.mul(reflet));
         }
         return couleur;

@@ -25,10 +25,10 @@ public class Point extends Tuple {
         //}
     }
 
-    /** Le vecteur qui va de {@code a} à ce point. */
-    public Vecteur sub(Point a) {
-        //{ compléter : le vecteur qui va de a à ce point
-        return new Vecteur(x - a.x, y - a.y, z - a.z);
+    /** Le vecteur qui va de {@code q} à ce point. */
+    public Vecteur sub(Point q) {
+        //{ compléter : le vecteur qui va de q à ce point
+        return new Vecteur(x - q.x, y - q.y, z - q.z);
         //= return new Vecteur();
         //}
     }
@@ -41,8 +41,8 @@ public class Point extends Tuple {
         return p.sub(v);
     }
 
-    /** Le vecteur qui va de {@code a} à {@code p}. */
-    public static Vecteur sub(Point p, Point a) {
-        return p.sub(a);
+    /** Le vecteur qui va de {@code q} à {@code p}. */
+    public static Vecteur sub(Point p, Point q) {
+        return p.sub(q);
     }
 }

@@ -9,6 +9,9 @@ public class Scene {
 
     private final List<Objet3D> objets;
     private final List<Lampe> lampes;
+    //<brume
+    //+ private Brume brume = new Brume(Constantes.INFINI);
+    //>
 
     /** Lit une scène dans un fichier. */
     public Scene(String nomFichier) {
@@ -17,6 +20,9 @@ public class Scene {
 
     private Scene(LecteurScene lu) {
         this(lu.getObjets(), lu.getLampes());
+        //<brume
+        //+ brume = lu.getBrume();
+        //>
     }
 
     /** Une scène sans fichier. */
@@ -60,6 +66,12 @@ public class Scene {
         return getClosestIntersection(incident, (Sphere) saufLui);
     }
 
+    //<brume
+    //+ public Brume getBrume() {
+    //+     return brume;
+    //+ }
+    //+
+    //>
     public List<Objet3D> getObjets() {
         return Collections.unmodifiableList(objets);
     }

@@ -52,6 +52,8 @@ public final class Correction {
                 sortie.println(Demande.AIDE);
             } else if (demande.squelette != null) {
                 Squelette.ecrire(demande.squelette, sortie);
+            } else if (demande.corrige != null) {
+                Squelette.ecrireCorrige(demande.corrige, demande.variante, sortie);
             } else {
                 new Correction(demande, sortie, erreur).corriger();
             }

@@ -8,6 +8,7 @@ final class Demande {
 
     static final String AIDE = "Usage : java -jar correction/target/correction.jar [options] RENDUS\n"
             + "        java -jar correction/target/correction.jar --squelette DOSSIER\n"
+            + "        java -jar correction/target/correction.jar --corrige DOSSIER [--variante brume]\n"
             + "\n"
             + "Note les rendus d'une classe : un dossier, l'archive « Télécharger tous les travaux remis » de "
             + "Moodle, ou un seul rendu.\n"
@@ -19,12 +20,16 @@ final class Demande {
             + "  --sans-confinement      exécute le code des étudiants même si bwrap manque : il peut alors lire et "
             + "écrire vos fichiers\n"
             + "  --squelette DOSSIER     écrit le projet à compléter\n"
+            + "  --corrige DOSSIER       écrit le projet achevé, ou la copie d'une extension : --variante brume, "
+            + "antialias ou blinn\n"
             + "  --aide                  ce texte\n"
             + "\n"
             + "Statut de sortie : 0 fait, 1 la machine n'a pas pu, 2 demande fausse.";
 
     boolean aide;
     String squelette;
+    String corrige;
+    String variante = "";
     Path rendus;
     Path notes;
     Path sortie = Paths.get("correction", "classe");
@@ -54,6 +59,12 @@ final class Demande {
                 case "--bareme":
                     demande.bareme = Paths.get(valeur(arguments, ++k));
                     break;
+                case "--corrige":
+                    demande.corrige = valeur(arguments, ++k);
+                    break;
+                case "--variante":
+                    demande.variante = valeur(arguments, ++k);
+                    break;
                 case "--squelette":
                     demande.squelette = valeur(arguments, ++k);
                     break;
@@ -69,7 +80,7 @@ final class Demande {
                     demande.rendus = Paths.get(nom);
             }
         }
-        if (demande.squelette == null && demande.rendus == null) {
+        if (demande.squelette == null && demande.corrige == null && demande.rendus == null) {
             throw new Panne(2, "aucun rendu à noter ; attendu : un dossier, ou l'archive de Moodle");
         }
         return demande;

@@ -2,6 +2,7 @@ package lancer.correction;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -25,6 +26,9 @@ import lancer.correction.modele.Modele;
 import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Le projet que reçoivent les étudiants. */
 class SqueletteTest extends ClasseEssai {
@@ -76,7 +80,7 @@ class SqueletteTest extends ClasseEssai {
         try (Stream<Path> flux = Files.walk(projet)) {
             for (Path fichier : flux.filter(Files::isRegularFile).collect(Collectors.toList())) {
                 String texte = new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
-                aFaire += texte.split("// FIXME", -1).length - 1;
+                aFaire += texte.split("// FIXME ", -1).length - 1;
                 assertTrue(!texte.contains("//{") && !texte.contains("//=") && !texte.contains("lancer.rapide"), fichier.toString());
             }
         }
@@ -84,13 +88,114 @@ class SqueletteTest extends ClasseEssai {
         assertTrue(Files.exists(projet.resolve("src/test/java/lancer/Tests.java")) && Files.exists(projet.resolve("pom.xml")));
     }
 
+    /** Le projet achevé, vide pour la base, ou la copie de cette extension. */
+    private Path corrige(String variante) {
+        Path projet = dossier.resolve("corrige" + variante);
+        assertEquals(0, (variante.isEmpty() ? executer("--corrige", projet) : executer("--corrige", projet, "--variante", variante)).code);
+        return projet;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"'', scene1", "'', miroirs", "brume, brume", "brume, scene1", "antialias, scene1", "blinn, bowling"})
+    void leCorrigeEtSesExtensionsDessinentLImageDeNotreProgramme(String variante, String scene) throws Exception {
+        Path projet = corrige(variante);
+        // le cours n'a qu'une taille d'image
+        changer(projet, "Constantes", "LARGEUR_IMAGE = 800", "LARGEUR_IMAGE = 200");
+        changer(projet, "Constantes", "HAUTEUR_IMAGE = 600", "HAUTEUR_IMAGE = 150");
+        assertEquals("", compiler(projet.resolve("src/main/java"), dossier.resolve("classes")));
+        Path fichier = projet.resolve("scenes/" + scene + ".ini");
+        dessiner(dossier.resolve("classes"), fichier);
+        List<String> autres = new ArrayList<>(List.of("Brume", "Antialias", "Blinn"));
+        autres.removeIf(v -> v.equalsIgnoreCase(variante));
+        // le corrigé suit un reflet jusqu'au bout : seuil nul
+        Process comparer = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"), "lancer.Main", "--seuil", "0", "--sans", String.join(",", autres), "--comparer",
+                dossier.resolve("image.png").toString(), fichier.toString()).redirectErrorStream(true).start();
+        String dit = new String(comparer.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, comparer.waitFor(), dit);
+        contient(dit, "plus grand écart: 0.0000");
+    }
+
     @Test
-    void completeDApresLEnonceSeConstruitSansAvertissement() throws Exception {
-        Path sources = Files.createDirectories(dossier.resolve("complet"));
-        for (String classe : Modele.classes()) {
-            Files.write(sources.resolve(classe + ".java"), Modele.corrige(classe).getBytes(StandardCharsets.UTF_8));
+    void uneExtensionQueLeCoursNAPasEstRefusee() {
+        Essai essai = executer("--corrige", dossier.resolve("flou"), "--variante", "flou");
+        assertEquals(2, essai.code);
+        contient(essai.erreur, "attendu : antialias, blinn, brume");
+    }
+
+    /** Ce que dit « make test » dans ce projet, et pour finir son statut. */
+    private String makeTest(Path projet) throws IOException, InterruptedException {
+        assumeTrue(Files.isExecutable(Paths.get("/usr/bin/make")) && Files.isExecutable(Paths.get("/usr/bin/mvn")), "ni make ni Maven ici");
+        ProcessBuilder make = new ProcessBuilder("make", "-s", "test", "MVN=mvn -B -ntp -q -o", "PATIENCE=2").directory(projet.toFile())
+                .redirectErrorStream(true);
+        make.environment().keySet().removeAll(List.of("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
+        make.environment().put("MAVEN_OPTS", "-XX:TieredStopAtLevel=1");
+        Process lance = make.start();
+        String dit = new String(lance.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        return dit + "statut " + lance.waitFor();
+    }
+
+    /** Donne sa réponse à cette classe du projet à compléter. */
+    private static void completer(Path projet, String classe) throws IOException {
+        Files.writeString(projet.resolve("src/main/java/lancer/" + classe + ".java"), Modele.corrige(classe));
+    }
+
+    /** Dans cette classe du projet, le premier texte devient le second. */
+    private static void changer(Path projet, String classe, String avant, String apres) throws IOException {
+        Path fichier = projet.resolve("src/main/java/lancer/" + classe + ".java");
+        String texte = Files.readString(fichier);
+        assertTrue(texte.contains(avant), avant);
+        Files.writeString(fichier, texte.replace(avant, apres));
+    }
+
+    /** La ligne de ce texte qui commence ainsi. */
+    private static String ligne(String texte, String debut) {
+        return Arrays.stream(texte.split("\n")).filter(l -> l.startsWith(debut)).findFirst().orElse("rien ne commence par " + debut
+                + " : " + texte);
+    }
+
+    @Test
+    void makeTestDitOuLOnEnEst() throws Exception {
+        Path projet = dossier.resolve("projet");
+        executer("--squelette", projet);
+        for (String faite : List.of("Vecteur", "Point", "Rayon", "Camera", "Sphere")) {
+            completer(projet, faite);
         }
-        assertEquals("", compiler(sources, dossier.resolve("classes")));
+        String dit = makeTest(projet);
+        assertEquals("3. Intersection d'un rayon et d'une sphère : 6/6", ligne(dit, "3."));
+        contient(ligne(dit, "4."), "; à commencer : getClosestIntersection ne trouve encore rien");
+        contient(ligne(dit, "8."), "0/7");
+        contient(ligne(dit, "L'étape suivante"), "4. Scène de sphères ; à compléter : Scene.java:");
+
+        for (String faite : List.of("Scene", "Lancer", "Objet3D")) {
+            completer(projet, faite);
+        }
+        changer(projet, "Scene", "if (d < distance)", "if (d > distance)");
+        dit = makeTest(projet);
+        contient(ligne(dit, "4."), "; à reprendre d'abord : getClosestIntersection : la plus proche");
+        contient(ligne(dit, "L'étape suivante"), "4. Scène de sphères ; à reprendre : Scene.java:");
+
+        // une étape juste ne doit rien à celle d'avant qui ne finit pas ; ni Maven ni la pile n'en disent plus
+        completer(projet, "Scene");
+        changer(projet, "Sphere", "if (delta >= 0) {", "while (delta >= 0) {");
+        dit = makeTest(projet);
+        contient(dit, "sans réponse après 2 secondes");
+        contient(ligne(dit, "5."), "0/8 ; pas essayée");
+        contient(ligne(dit, "L'étape suivante"), "3. Intersection d'un rayon et d'une sphère ; à reprendre : Sphere.java:");
+        assertTrue(!dit.contains("[ERROR]") && !dit.contains("access$"), dit);
+
+        completer(projet, "Sphere");
+        changer(projet, "Sphere", "double racine", "duble racine");
+        dit = makeTest(projet);
+        contient(dit, "Le projet ne se compile pas :\n  src/main/java/lancer/Sphere.java:[");
+        contient(dit, "class duble");
+        assertTrue(dit.endsWith("statut 2"), dit);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"brume", "blinn"})
+    void lesTestsDuCorrigePassent(String variante) throws Exception {
+        contient(makeTest(corrige(variante)), "Toutes les étapes sont faites : restent les images à regarder, et les extensions.\nstatut 0");
     }
 
     @Test

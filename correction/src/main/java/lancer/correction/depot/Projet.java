@@ -37,9 +37,9 @@ public final class Projet {
         Map<String, Map<String, List<Source>>> groupes = new TreeMap<>();
         for (Map.Entry<String, byte[]> fichier : rendu.getSources().entrySet()) {
             for (Source source : Source.lire(fichier.getKey(), fichier.getValue())) {
-                // Tests : c'est le nôtre qui note, pas la copie de l'étudiant
+                // Tests, Etapes : ce sont les nôtres qui notent, pas la copie de l'étudiant
                 if (!DE_TEST.matcher(source.chemin).matches()
-                        && !List.of("Tests", "module-info", "package-info").contains(source.classe)) {
+                        && !List.of("Tests", "Etapes", "module-info", "package-info").contains(source.classe)) {
                     Matcher m = VARIANTE.matcher(source.racine);
                     String partie = m.find() ? variante(m.group(1)) : "";
                     groupes.computeIfAbsent(partie, p -> new TreeMap<>())

@@ -6,11 +6,13 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même
  * texte dit les deux : entre {@code //&#123;} et {@code //=}, la réponse ; de là à {@code //&#125;}, ce que le
- * squelette a à sa place.
+ * squelette a à sa place ; entre {@code //&lt;brume} et {@code //&gt;}, la copie de l'extension remplace les autres
+ * lignes par celles que {@code //+} commence.
  */
 public final class Modele {
 
@@ -21,6 +23,10 @@ public final class Modele {
     /** Les classes données achevées. */
     public static final List<String> DONNEES =
             List.of("Tuple", "Couleur", "Lampe", "PointContact", "Constantes", "LecteurScene", "Toile", "Main");
+
+    /** Les extensions du cours, et les classes que chacune ajoute aux autres. */
+    public static final Map<String, List<String>> VARIANTES =
+            Map.of("brume", List.of("Brume"), "antialias", List.of(), "blinn", List.of());
 
     /** Ce qui interroge les classes d'un étudiant, compilé contre elles. */
     public static final List<String> SONDES = List.of("SondeImage", "SondeChemin", "SondeVariantes");
@@ -43,12 +49,35 @@ public final class Modele {
 
     /** La classe à compléter : des {@code FIXME} à la place des réponses. */
     public static String squelette(String classe) {
-        return extraire(ressource("modele/lancer/" + classe + ".java"), false);
+        return extraire(source(classe, ""), false);
     }
 
     /** La classe complétée. */
     public static String corrige(String classe) {
-        return extraire(ressource("modele/lancer/" + classe + ".java"), true);
+        return corrige(classe, "");
+    }
+
+    /** La classe complétée, dans le projet d'une extension : {@code brume}, {@code antialias}, {@code blinn}. */
+    public static String corrige(String classe, String variante) {
+        return extraire(source(classe, variante), true);
+    }
+
+    /** Le texte d'une classe, pour la base ou pour cette extension. */
+    private static String source(String classe, String variante) {
+        StringBuilder resultat = new StringBuilder();
+        // null : pour toutes ; sinon, l'extension dont on lit les lignes
+        String pour = null;
+        for (String ligne : ressource("modele/lancer/" + classe + ".java").split("\n")) {
+            String nue = ligne.trim();
+            if (nue.startsWith("//<")) {
+                pour = nue.substring(3);
+            } else if (nue.equals("//>")) {
+                pour = null;
+            } else if (pour == null || pour.equals(variante) == nue.startsWith("//+")) {
+                resultat.append((pour == null ? ligne : ligne.replaceFirst("//\\+ ?", "")).stripTrailing()).append('\n');
+            }
+        }
+        return resultat.toString();
     }
 
     public static String tests() {

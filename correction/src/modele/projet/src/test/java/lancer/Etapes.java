@@ -1,0 +1,228 @@
+package lancer;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Timer;
+import java.util.TimerTask;
+import java.util.function.Predicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.junit.platform.engine.TestExecutionResult;
+import org.junit.platform.engine.TestExecutionResult.Status;
+import org.junit.platform.engine.TestTag;
+import org.junit.platform.engine.support.descriptor.MethodSource;
+import org.junit.platform.launcher.TestExecutionListener;
+import org.junit.platform.launcher.TestIdentifier;
+import org.junit.platform.launcher.TestPlan;
+
+/**
+ * Le bilan des vérifications de {@link Tests} : une ligne par étape, dans l'ordre de l'énoncé, puis ce qui manque à la
+ * première qui n'est pas achevée. Ce fichier est donné : il n'y a rien à y changer.
+ */
+public class Etapes implements TestExecutionListener {
+
+    private static final Path SOURCES = Paths.get("src/main/java/lancer");
+
+    /** Secondes laissées à une vérification avant de la dire sans fin ; 0 : autant qu'elle en veut. */
+    private static final int PATIENCE = Integer.getInteger("etapes.patience", 0);
+
+    /** Ce qui suit un lieu où le squelette demande encore d'écrire. */
+    private static final String FIXME = " (FIXME)";
+
+    /** La méthode à compléter, dans les classes où l'intitulé d'une vérification n'en nomme pas toujours une. */
+    private static final Map<String, String> METHODES = new HashMap<>();
+
+    static {
+        METHODES.put("Camera", "getRayon");
+        METHODES.put("Sphere", "getIntersectionDistance");
+        METHODES.put("Objet3D", "getColor");
+    }
+
+    private final Map<TestIdentifier, TestExecutionResult> resultats = new HashMap<>();
+    private final Timer montre = new Timer(true);
+    private TestPlan plan;
+    private TimerTask alarme;
+
+    @Override
+    public void testPlanExecutionStarted(TestPlan prevu) {
+        plan = prevu;
+    }
+
+    @Override
+    public void executionStarted(TestIdentifier qui) {
+        if (qui.isTest() && PATIENCE > 0) {
+            Thread fil = Thread.currentThread();
+            alarme = new TimerTask() {
+                @Override
+                public void run() {
+                    Error sansFin = new Error("sans réponse après " + PATIENCE + " secondes : une boucle sans fin ?");
+                    sansFin.setStackTrace(fil.getStackTrace());
+                    executionFinished(qui, TestExecutionResult.failed(sansFin));
+                    testPlanExecutionFinished(plan);
+                    try {
+                        // Maven lit ce bilan par un tube
+                        Thread.sleep(1000);
+                    } catch (InterruptedException e) {
+                        Thread.currentThread().interrupt();
+                    }
+                    Runtime.getRuntime().halt(1);
+                }
+            };
+            montre.schedule(alarme, 1000L * PATIENCE);
+        }
+    }
+
+    @Override
+    public synchronized void executionFinished(TestIdentifier qui, TestExecutionResult resultat) {
+        if (alarme != null) {
+            alarme.cancel();
+        }
+        resultats.put(qui, resultat);
+    }
+
+    @Override
+    public synchronized void testPlanExecutionFinished(TestPlan fini) {
+        StringBuilder bilan = new StringBuilder("\n");
+        StringBuilder detail = new StringBuilder();
+        String suivante = "Toutes les étapes sont faites : restent les images à regarder, et les extensions.";
+        for (TestIdentifier etape : etapes(fini)) {
+            List<TestIdentifier> verifications = enOrdre(fini, etape);
+            List<Manque> manques = verifications.stream().filter(v -> !reussie(v)).map(v -> new Manque(v, etape))
+                    .collect(Collectors.toList());
+            bilan.append(etape.getDisplayName()).append(" : ").append(verifications.size() - manques.size()).append('/')
+                    .append(verifications.size());
+            if (!manques.isEmpty()) {
+                Manque premier = manques.get(0);
+                bilan.append(!premier.essayee ? " ; pas essayée"
+                        : premier.aCommencer ? " ; à commencer : " + premier.dit
+                        : " ; à reprendre d'abord : " + premier.intitule);
+                if (detail.length() == 0) {
+                    manques.stream().map(Manque::toString).distinct().forEach(detail::append);
+                    suivante = "L'étape suivante : " + etape.getDisplayName() + " ; à " + premier.aFaire;
+                }
+            }
+            bilan.append('\n');
+        }
+        if (bilan.length() > 1) {
+            System.out.println(bilan.append(detail).append('\n').append(suivante));
+        }
+    }
+
+    private static List<TestIdentifier> etapes(TestPlan plan) {
+        return plan.getRoots().stream().flatMap(moteur -> enOrdre(plan, moteur).stream())
+                .flatMap(classe -> enOrdre(plan, classe).stream()).filter(TestIdentifier::isContainer)
+                .collect(Collectors.toList());
+    }
+
+    private static List<TestIdentifier> enOrdre(TestPlan plan, TestIdentifier parent) {
+        return new ArrayList<>(plan.getChildren(parent));
+    }
+
+    private boolean reussie(TestIdentifier qui) {
+        return resultats.containsKey(qui) && resultats.get(qui).getStatus() == Status.SUCCESSFUL;
+    }
+
+    /** Une vérification qui n'a pas réussi : ce qu'elle dit, la ligne qui le demande, et celle où le reprendre. */
+    private final class Manque {
+
+        private final String intitule;
+        private final String dit;
+        private final String question;
+        private final String aFaire;
+        private final boolean essayee;
+        private final boolean aCommencer;
+
+        Manque(TestIdentifier qui, TestIdentifier etape) {
+            intitule = qui.getDisplayName();
+            TestExecutionResult resultat = resultats.getOrDefault(qui, resultats.get(etape));
+            essayee = resultat != null && resultat.getThrowable().isPresent();
+            Throwable faute = essayee ? resultat.getThrowable().get() : new Error();
+            MethodSource source = (MethodSource) qui.getSource().get();
+            question = "Tests.java" + premiere(faute, p -> p.getClassName().equals(source.getClassName())
+                    && p.getMethodName().equals(source.getMethodName())).map(p -> ":" + p.getLineNumber()).orElse("");
+            boolean abandonnee = essayee && resultat.getStatus() == Status.ABORTED;
+            Throwable cause = faute;
+            while (cause.getCause() != null) {
+                cause = cause.getCause();
+            }
+            String classe = qui.getTags().stream().map(TestTag::getName).filter(t -> Files.exists(fichier(t)))
+                    .findFirst().orElse("");
+            String lieu = lieu(classe, intitule);
+            if (abandonnee || cause instanceof AssertionError) {
+                dit = String.valueOf(cause.getMessage())
+                        .replaceFirst("^Assumption failed: (étape non commencée : )?", "");
+            } else {
+                // une exception : elle est née dans une des classes de l'étudiant
+                dit = cause.toString().replaceFirst("^java\\.lang\\.(Error: )?", "");
+                lieu = premiere(cause, p -> p.getClassName().startsWith("lancer.")
+                        && !p.getClassName().startsWith("lancer.Tests"))
+                        .map(p -> p.getFileName() + ":" + p.getLineNumber()).orElse(lieu);
+            }
+            aCommencer = abandonnee && lieu.endsWith(FIXME);
+            aFaire = (lieu.endsWith(FIXME) ? "compléter : " : "reprendre : ") + lieu;
+        }
+
+        private Optional<StackTraceElement> premiere(Throwable faute, Predicate<StackTraceElement> voulue) {
+            return Arrays.stream(faute.getStackTrace()).filter(voulue).findFirst();
+        }
+
+        @Override
+        public String toString() {
+            return !essayee ? "" : aCommencer ? "\n- " + dit + "\n  à " + aFaire + "\n"
+                    : "\n- " + intitule + "\n  " + dit + "\n  " + question + " ; à " + aFaire + "\n";
+        }
+    }
+
+    private static Path fichier(String classe) {
+        return SOURCES.resolve(classe + ".java");
+    }
+
+    /** Où est, dans cette classe, la méthode dont parle un intitulé ; à défaut le premier FIXME, ou celle à compléter. */
+    private static String lieu(String classe, String intitule) {
+        String texte;
+        try {
+            texte = new String(Files.readAllBytes(fichier(classe)), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            return classe;
+        }
+        Matcher nom = Pattern.compile("(\\w+)(?:\\(([^)]*)\\))?").matcher(intitule);
+        int ou = -1;
+        while (ou < 0 && nom.find()) {
+            ou = methode(texte, nom.group(1), nom.group(2) == null ? "" : nom.group(2));
+        }
+        ou = ou >= 0 ? ou : texte.indexOf("// FIXME");
+        ou = ou >= 0 ? ou : methode(texte, METHODES.get(classe), "");
+        return classe + ".java" + (ou < 0 ? "" : ":" + texte.substring(0, ou).split("\n", -1).length
+                + (texte.startsWith("// FIXME", ou) ? FIXME : ""));
+    }
+
+    /** La place d'une méthode dans un texte, de son FIXME s'il y est encore ; -1 si elle n'y est pas. */
+    private static int methode(String texte, String nom, String parametres) {
+        int ou = -1;
+        int meilleur = -1;
+        Matcher m = Pattern.compile("(?m)^    (?:[\\w<>]+ )+" + nom + "\\(([^)]*)\\)[^;{]*\\{(?s:.*?)\n    }")
+                .matcher(texte);
+        while (m.find()) {
+            // de deux méthodes de ce nom, celle qui a ces paramètres ; puis celle qui a le plus à dire
+            int accord = m.group().length();
+            for (String parametre : parametres.split("\\W+")) {
+                accord += m.group(1).matches(".* " + parametre + "\\b.*") ? 10_000 : 0;
+            }
+            if (accord > meilleur) {
+                meilleur = accord;
+                ou = m.start() + Math.max(0, m.group().indexOf("// FIXME"));
+            }
+        }
+        return ou;
+    }
+}
