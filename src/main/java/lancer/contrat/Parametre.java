@@ -43,7 +43,12 @@ public final class Parametre {
 
     /** Un mot parmi ceux-ci, dont le premier est la valeur par défaut. */
     public static Parametre mot(String cle, String... mots) {
-        return new Parametre(cle, mots[0], null, null, mots.length - 1, Arrays.asList(mots), null);
+        return new Parametre(cle, mots[0], null, null, 0, Arrays.asList(mots), null);
+    }
+
+    /** Une couleur : trois composantes, de 0 à 1. @param defaut telle qu'on l'écrirait dans un fichier de scène */
+    public static Parametre couleur(String cle, String defaut) {
+        return new Parametre(cle, defaut, null, null, 0, Collections.emptyList(), null);
     }
 
     /** Le même, qui ne peut être donné en même temps que cette autre clé. */
@@ -65,21 +70,27 @@ public final class Parametre {
         return autre;
     }
 
-    /** Le nombre de pas d'un bout à l'autre. */
+    /** Les mots entre lesquels choisir ; vide si ce n'est pas un mot. */
+    public List<String> getMots() {
+        return mots;
+    }
+
+    public boolean estUneCouleur() {
+        return min == null && mots.isEmpty();
+    }
+
+    /** Le nombre de pas d'un bout à l'autre d'un nombre. */
     public int getCrans() {
         return crans;
     }
 
     /** La valeur de ce cran, de 0 à {@link #getCrans()}, telle qu'on l'écrirait dans un fichier de scène. */
     public String getValeur(int cran) {
-        return mots.isEmpty() ? ecrire(min.add(pas.multiply(BigDecimal.valueOf(cran)))) : mots.get(cran);
+        return ecrire(min.add(pas.multiply(BigDecimal.valueOf(cran))));
     }
 
     /** Le cran le plus proche de cette valeur, que le fichier peut avoir écrite autrement. */
     public int getCran(String valeur) {
-        if (!mots.isEmpty()) {
-            return Math.max(0, mots.indexOf(valeur));
-        }
         double cran = (Nombre.lire(valeur) - min.doubleValue()) / pas.doubleValue();
         return (int) Math.round(Math.max(0, Math.min(crans, cran)));
     }

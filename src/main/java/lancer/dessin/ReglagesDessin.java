@@ -212,7 +212,8 @@ public final class ReglagesDessin {
             if (estBranchee(variante)) {
                 s.append(", ").append(getSection(variante));
                 for (Parametre parametre : variante.getParametres()) {
-                    boolean donne = getSection(variante).valeur(parametre.getCle()) != null;
+                    boolean donne = getSection(variante).valeur(parametre.getCle()) != null
+                            || parametre.estUneCouleur();
                     String valeur = donne ? null : getValeur(variante, parametre);
                     s.append(valeur == null ? "" : " " + parametre.getCle() + "=" + valeur);
                 }

@@ -40,7 +40,8 @@ final class Atelier {
     private final ExecutorService dessins;
     private final PanneauImage panneau;
     private final Supplier<Dimension> taille;
-    private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::suivreFichier));
+    private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::suivreFichier),
+            () -> EventQueue.invokeLater(this::direEfface));
     private final List<Runnable> prevenus = new ArrayList<>();
 
     /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
@@ -182,6 +183,10 @@ final class Atelier {
         if (!enCours || courant.fichier == null || courant.fichier.equals(fichier)) {
             relire();
         }
+    }
+
+    private void direEfface() {
+        panneau.bandeau.faute("fichier effacé : la dernière image reste");
     }
 
     /**

@@ -56,7 +56,9 @@ final class BarreEtat extends JPanel {
         bouton.setName("bouton");
         avancement.setStringPainted(true);
         avancement.setString("");
-        bouton.setFocusable(false);
+        // par Tab ; d'un clic, le clavier reste à l'image
+        bouton.setRequestFocusEnabled(false);
+        avancement.getAccessibleContext().setAccessibleName("avancement du dessin");
         bouton.addActionListener(e -> siPresse.run());
         // la largeur du plus long de ses deux textes, pour que la barre ne bouge pas
         bouton.setPreferredSize(bouton.getPreferredSize());
@@ -99,19 +101,22 @@ final class BarreEtat extends JPanel {
         // l'espace fine des nombres français manque à bien des polices
         String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
                 .replace('\u202F', '\u00A0');
-        return rayons + String.format(Locale.FRANCE, " rayons, %.2f s", lancer.getDureeNs() / 1e9);
+        return rayons + String.format(Locale.FRANCE, " rayons, dessinés en %.2f s", lancer.getDureeNs() / 1e9);
     }
 
     /**
      * @param image l'image montrée, {@code null} si elle n'est pas achevée
      * @param reduction le rapport de la taille à laquelle elle est montrée à la sienne
      * @param cout avec quoi elle a été dessinée, et ce qu'elle a coûté
+     * @return ce qui s'en lit
      */
-    void resumer(ImageMemoire image, double reduction, String cout) {
-        String reduite = reduction < 1 ? " montrés à " + Math.round(100 * reduction) + " %"
+    String resumer(ImageMemoire image, double reduction, String cout) {
+        String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
+                : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
         resume.setText(image == null ? " "
                 : image.getLargeur() + " × " + image.getHauteur() + " pixels" + reduite + ", " + cout);
+        return resume.getText();
     }
 
     /**

@@ -6,20 +6,25 @@ import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.io.File;
+import java.util.Arrays;
 import java.util.Locale;
+import javax.swing.JColorChooser;
 import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
+import javax.swing.colorchooser.AbstractColorChooserPanel;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import lancer.Couleur;
+import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
 /** Les dialogues, en français même là où Java ne l'est pas, et l'apparence du système. */
 final class Dialogues {
 
-    /** Un texte, et les clés de {@code FileChooser} qui le montrent : selon Java, ses traductions manquent. */
+    /** Un texte, et les clés, de {@code FileChooser} à défaut, qui le montrent : selon Java, des traductions manquent. */
     private static final String[][] TEXTES = {
         {"Dossier :", "lookInLabelText", "saveInLabelText"},
         {"Nom du fichier :", "fileNameLabelText"},
@@ -42,7 +47,13 @@ final class Dialogues {
         {"Ouvrir le dossier choisi", "directoryOpenButtonToolTipText"},
         {"Enregistrer", "saveButtonText"},
         {"Enregistrer sous ce nom", "saveButtonToolTipText"},
-        {"Annuler", "cancelButtonText"},
+        {"Annuler", "cancelButtonText", "ColorChooser.cancelText"},
+        {"Choisir", "ColorChooser.okText"},
+        {"Revenir", "ColorChooser.resetText"},
+        {"Rouge", "ColorChooser.rgbRedText"},
+        {"Vert", "ColorChooser.rgbGreenText"},
+        {"Bleu", "ColorChooser.rgbBlueText"},
+        {"Aperçu", "ColorChooser.previewText"},
         {"Fermer sans rien choisir", "cancelButtonToolTipText"},
     };
 
@@ -71,7 +82,7 @@ final class Dialogues {
         JComponent.setDefaultLocale(Locale.FRANCE);
         for (String[] texte : TEXTES) {
             for (int k = 1; k < texte.length; k++) {
-                UIManager.put("FileChooser." + texte[k], texte[0]);
+                UIManager.put(texte[k].indexOf('.') < 0 ? "FileChooser." + texte[k] : texte[k], texte[0]);
             }
         }
     }
@@ -101,24 +112,30 @@ final class Dialogues {
         return choisir(parent, choix, TITRE_IMAGE, new FileNameExtensionFilter("Images PNG (*.png)", "png"));
     }
 
-    static void montrerTouches(Component parent) {
-        JOptionPane.showMessageDialog(parent, "Ctrl+O   ouvrir une scène ; ou déposer son fichier sur la fenêtre\n"
-                + "Page suivante, page précédente   les autres scènes du dossier\n"
-                + "Ctrl+S, Ctrl+C   enregistrer, copier l'image\n"
-                + "+ et −   plus ou moins de réflexions\n"
-                + "F2   les paramètres des variantes\n"
-                + "Espace, tenue   l'image d'avant\n"
-                + "Ctrl+Maj+C   copier les réglages\n"
-                + "Ctrl+1, Ctrl+0, F11   taille demandée, remplir la fenêtre, plein écran\n"
-                + "molette, Ctrl+Haut, Ctrl+Bas   loupe ; la tirer la déplace\n"
-                + "un clic, Entrée   les rayons du pixel ; flèches   le pixel voisin, Maj   de dix en dix\n"
-                + "Ctrl+page suivante, Ctrl+page précédente   un autre échantillon du pixel\n"
-                + "F5   relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi\n"
-                + "F3   vitesse ou précision : les réglages possibles, à dessiner d'un clic\n"
-                + "Échap   arrêter le dessin ; sinon, fermer ce qui est à côté, ou le plein écran\n"
-                + "Ctrl+Q   quitter\n"
-                + "F1   ces touches", "Touches", JOptionPane.PLAIN_MESSAGE);
-        parent.requestFocus();
+    /** Demande une couleur, {@code null} pour garder celle-ci ; par ses trois composantes, comme dans la scène. */
+    static Color choisirCouleur(Component parent, Color actuelle) {
+        JColorChooser choix = new JColorChooser(actuelle);
+        for (AbstractColorChooserPanel panneau : choix.getChooserPanels()) {
+            if (choix.getChooserPanels().length > 1 && !panneau.getDisplayName().matches("R[GV]B")) {
+                choix.removeChooserPanel(panneau);
+            }
+        }
+        Color[] choisie = new Color[1];
+        JColorChooser.createDialog(parent, "Couleur", true, choix, e -> choisie[0] = choix.getColor(), null)
+                .setVisible(true);
+        return choisie[0];
+    }
+
+    /** La couleur que dit un fichier de scène, composantes limitées à 1. */
+    static Color couleur(String valeur) {
+        double[] rvb = Arrays.stream(valeur.trim().split("\\s+")).mapToDouble(Nombre::lire).toArray();
+        return new Color(new Couleur(rvb[0], rvb[1], rvb[2]).getCode());
+    }
+
+    /** Ce qu'en écrirait un fichier de scène. */
+    static String ecrire(Color couleur) {
+        float[] rvb = couleur.getRGBColorComponents(null);
+        return String.format(Locale.ROOT, "%.3f %.3f %.3f", rvb[0], rvb[1], rvb[2]);
     }
 
     static boolean confirmerRemplacement(Component parent, File fichier) {

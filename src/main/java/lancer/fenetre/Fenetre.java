@@ -55,6 +55,7 @@ public final class Fenetre {
     private final Timer retaille = new Timer(REPOS_MS, e -> ajuster());
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
     private final KeyEventPostProcessor renvoi = this::renvoyer;
+    private Touches touches;
 
     Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
             Runnable fin) {
@@ -89,7 +90,7 @@ public final class Fenetre {
         menu = menus.add(Menus.menu("Aide"));
         // A est à Affichage
         menu.setMnemonic(KeyEvent.VK_I);
-        Menus.article(menu, "Touches", Menus.touche(KeyEvent.VK_F1), () -> Dialogues.montrerTouches(cadre));
+        Menus.article(menu, "Touches", Menus.touche(KeyEvent.VK_F1), this::montrerTouches);
         return menus;
     }
 
@@ -155,6 +156,11 @@ public final class Fenetre {
                 panneau.perdreSouris();
             }
         });
+    }
+
+    private void montrerTouches() {
+        touches = touches == null ? new Touches(cadre) : touches;
+        Menus.aCote(touches);
     }
 
     private void choisirScene() {
@@ -254,7 +260,8 @@ public final class Fenetre {
     /** Dit ce qu'a coûté l'image montrée, si elle est achevée, et la couleur du pixel sous la souris. */
     private void decrire() {
         ImageMemoire image = panneau.getTenue() != null ? panneau.getTenue() : atelier.getImageComplete();
-        barre.resumer(image, image == null ? 1 : panneau.getReduction(image), atelier.getCout(image));
+        panneau.getAccessibleContext().setAccessibleDescription(
+                barre.resumer(image, image == null ? 1 : panneau.getReduction(image), atelier.getCout(image)));
         montrerPixel();
     }
 

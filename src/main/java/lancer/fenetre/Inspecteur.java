@@ -70,6 +70,7 @@ final class Inspecteur extends JDialog {
         this.panneau = panneau;
         setName("inspecteur");
         texte.setName("recit");
+        texte.getAccessibleContext().setAccessibleName("chaîne du pixel");
         verdict.setName("verdict");
         texte.setEditable(false);
         texte.setLineWrap(true);
@@ -86,7 +87,7 @@ final class Inspecteur extends JDialog {
         // il n'y a rien à y écrire : + et − sont pour le cadre
         texte.setKeymap(null);
         lierFleches(texte, JComponent.WHEN_FOCUSED);
-        lierFleches(cadre.getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        lierFleches((JComponent) cadre.getContentPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
         for (int sens : new int[] {-1, 1}) {
             KeyStroke touche = Menus.ctrl(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN);
             texte.registerKeyboardAction(e -> choisir(grille.voisin(sens)), touche, JComponent.WHEN_FOCUSED);
@@ -124,16 +125,11 @@ final class Inspecteur extends JDialog {
         calculer();
     }
 
-    /** À droite du cadre, que l'on pousse à gauche s'il le faut et s'il y a de quoi : l'image garde sa taille. */
     private void placer() {
         Window cadre = getOwner();
         Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())),
                 Math.max(HAUTEUR_MIN, cadre.getHeight()));
-        int depasse = cadre.getX() + cadre.getWidth() + getWidth() - ecran.x - ecran.width;
-        if (depasse > 0 && cadre.getX() > ecran.x) {
-            cadre.setLocation(Math.max(ecran.x, cadre.getX() - depasse), cadre.getY());
-        }
         Menus.aCote(this);
     }
 
@@ -213,6 +209,7 @@ final class Inspecteur extends JDialog {
 
     /** Marque les lignes que ce dessin a changées. */
     private void surligner() {
+        texte.getHighlighter().removeAllHighlights();
         try {
             for (int k = 0; k < texte.getLineCount(); k++) {
                 int debut = texte.getLineStartOffset(k);

@@ -1,10 +1,16 @@
 package lancer.fenetre;
 
+import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
@@ -51,9 +57,10 @@ final class Menus {
         return choix;
     }
 
-    /** Lie une touche à ce qui n'a pas d'article. */
+    /** Lie une touche à ce qui n'a pas d'article ; à la racine du cadre, elle manquerait à un menu ouvert. */
     static void lier(JFrame cadre, KeyStroke touche, Runnable action) {
-        cadre.getRootPane().registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
+        JComponent contenu = (JComponent) cadre.getContentPane();
+        contenu.registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
     }
 
     /** Grise cet article tant qu'aucune scène n'est montrée. */
@@ -70,16 +77,54 @@ final class Menus {
         return article;
     }
 
-    /** Montre cette fenêtre au bord droit de celle dont elle dépend, ou à défaut par-dessus, dans l'écran. */
+    /** Montre cette fenêtre à côté de celle dont elle dépend, qui laisse la place qu'elle peut, et des autres. */
     static void aCote(Window fenetre) {
         if (!fenetre.isVisible()) {
+            Window cadre = fenetre.getOwner();
             Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-            Rectangle place = fenetre.getOwner().getBounds();
             fenetre.setSize(Math.min(fenetre.getWidth(), ecran.width), Math.min(fenetre.getHeight(), ecran.height));
-            fenetre.setLocation(Math.min(place.x + place.width, ecran.x + ecran.width - fenetre.getWidth()),
-                    Math.max(ecran.y, Math.min(place.y, ecran.y + ecran.height - fenetre.getHeight())));
+            int depasse = cadre.getX() + cadre.getWidth() + fenetre.getWidth() - ecran.x - ecran.width;
+            if (depasse > 0 && cadre.getX() > ecran.x) {
+                cadre.setLocation(Math.max(ecran.x, cadre.getX() - depasse), cadre.getY());
+            }
+            List<Rectangle> prises = Arrays.stream(cadre.getOwnedWindows()).filter(Window::isVisible)
+                    .map(Window::getBounds).collect(Collectors.toList());
+            fenetre.setLocation(place(fenetre.getSize(), ecran, cadre.getBounds(), prises));
         }
         fenetre.setVisible(true);
+    }
+
+    /**
+     * Où mettre une fenêtre dans l'écran : là où elle cache le moins des autres, puis du cadre ; à droite de préférence.
+     *
+     * @param prises la place des autres
+     */
+    static Point place(Dimension taille, Rectangle ecran, Rectangle cadre, List<Rectangle> prises) {
+        List<Integer> xs = new ArrayList<>(Arrays.asList(cadre.x + cadre.width, ecran.x + ecran.width - taille.width,
+                ecran.x));
+        List<Integer> ys = new ArrayList<>(Arrays.asList(cadre.y, ecran.y, ecran.y + ecran.height - taille.height));
+        for (Rectangle prise : prises) {
+            xs.addAll(Arrays.asList(prise.x, prise.x - taille.width, prise.x + prise.width));
+            ys.addAll(Arrays.asList(prise.y + prise.height, prise.y - taille.height));
+        }
+        Point meilleure = ecran.getLocation();
+        double moindre = Double.POSITIVE_INFINITY;
+        for (int x : xs) {
+            for (int y : ys) {
+                Rectangle place = new Rectangle(new Point(x, y), taille);
+                double cache = aire(place.intersection(cadre))
+                        + aire(ecran) * prises.stream().mapToDouble(p -> aire(place.intersection(p))).sum();
+                if (ecran.contains(place) && cache < moindre) {
+                    meilleure = place.getLocation();
+                    moindre = cache;
+                }
+            }
+        }
+        return meilleure;
+    }
+
+    private static double aire(Rectangle r) {
+        return r.isEmpty() ? 0 : (double) r.width * r.height;
     }
 
     private static int lettreLibre(JMenu menu, String nom) {

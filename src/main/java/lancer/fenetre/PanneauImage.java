@@ -49,8 +49,8 @@ final class PanneauImage extends JPanel {
     private Point souris;
     private Point suivi;
     private transient Runnable siChange = () -> { };
-    /** Ce que la loupe agrandit, 1 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
-    private int loupe = 1;
+    /** Ce que la loupe agrandit, 0 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
+    private int loupe;
     private double centreX = 0.5;
     private double centreY = 0.5;
 
@@ -58,6 +58,8 @@ final class PanneauImage extends JPanel {
     PanneauImage(Dimension image) {
         setName("image");
         setBackground(GRIS);
+        setFocusable(true);
+        getAccessibleContext().setAccessibleName("image");
         add(bandeau);
         AffineTransform ecran = getEchelle();
         setPreferredSize(new Dimension((int) Math.ceil(image.width / ecran.getScaleX()),
@@ -117,7 +119,7 @@ final class PanneauImage extends JPanel {
         int hauteur = image.getHauteur();
         Dimension libre = getLibre();
         Dimension max = getTailleMax(new Dimension(largeur, hauteur));
-        if (loupe > 1) {
+        if (loupe > 0) {
             int l = loupe * largeur;
             int h = loupe * hauteur;
             return new Rectangle((int) (libre.width / 2 - centreX * l), (int) (libre.height / 2 - centreY * h), l, h);
@@ -127,9 +129,10 @@ final class PanneauImage extends JPanel {
         return new Rectangle((libre.width - l) / 2, (libre.height - h) / 2, l, h);
     }
 
-    /** Le rapport de la taille à laquelle l'image est montrée à la sienne. */
+    /** Le rapport de la taille à laquelle l'image est montrée à la sienne, du côté où il est le plus petit. */
     double getReduction(ImageMemoire image) {
-        return (double) getPlace(image).width / image.getLargeur();
+        Rectangle place = getPlace(image);
+        return Math.min((double) place.width / image.getLargeur(), (double) place.height / image.getHauteur());
     }
 
     /** Agrandit deux fois plus, ou deux fois moins, comme la molette, sans perdre de vue le pixel suivi. */
@@ -140,8 +143,14 @@ final class PanneauImage extends JPanel {
 
     /** Autour de la souris, ou du milieu si elle n'est pas là. */
     private void grossir(boolean plus) {
-        int autre = plus ? Math.min(LOUPE_MAX, 2 * loupe) : Math.max(1, loupe / 2);
-        if (montree != null && autre != loupe) {
+        if (montree == null) {
+            return;
+        }
+        // une image qui ne tient qu'en réduction passe d'abord à sa taille, un pixel pour un
+        Dimension max = getTailleMax(new Dimension(montree.getLargeur(), montree.getHauteur()));
+        int premiere = montree.getLargeur() > max.width || montree.getHauteur() > max.height ? 1 : 2;
+        int autre = plus ? Math.max(premiere, Math.min(LOUPE_MAX, 2 * loupe)) : loupe <= premiere ? 0 : loupe / 2;
+        if (autre != loupe) {
             Dimension libre = getLibre();
             AffineTransform ecran = getEchelle();
             double x = souris == null ? libre.width / 2.0 : souris.x * ecran.getScaleX();
@@ -160,7 +169,7 @@ final class PanneauImage extends JPanel {
     }
 
     private void laisserVoir() {
-        if (loupe > 1 && suivi != null) {
+        if (loupe > 0 && suivi != null) {
             Rectangle place = getPlace(montree);
             Rectangle carre = new Rectangle(place.x + loupe * suivi.x, place.y + loupe * suivi.y, loupe, loupe);
             if (!new Rectangle(getLibre()).contains(carre)) {
@@ -219,7 +228,7 @@ final class PanneauImage extends JPanel {
             AffineTransform t = g2.getTransform();
             g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
                     Math.round(t.getTranslateY())));
-            g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, loupe > 1
+            g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, loupe > 0
                     ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR
                     : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
             peindre(g2, tenue != null ? tenue : montree);
@@ -238,13 +247,24 @@ final class PanneauImage extends JPanel {
         }
     }
 
-    /** Rien là où aucun pixel n'est dessiné. */
+    /** Rien là où aucun pixel n'est dessiné ; à la loupe, ce qui est en vue : entière, AWT ne saurait la peindre. */
     private void peindre(Graphics2D g, ImageMemoire image) {
-        if (image != null) {
-            Rectangle place = getPlace(image);
-            g.drawImage(surCodes(image, (DirectColorModel) ColorModel.getRGBdefault()), place.x, place.y, place.width,
-                    place.height, null);
+        if (image == null) {
+            return;
         }
+        BufferedImage pixels = surCodes(image, (DirectColorModel) ColorModel.getRGBdefault());
+        Rectangle place = getPlace(image);
+        if (loupe == 0) {
+            g.drawImage(pixels, place.x, place.y, place.width, place.height, null);
+            return;
+        }
+        Dimension libre = getLibre();
+        int x = Math.max(0, -place.x / loupe);
+        int y = Math.max(0, -place.y / loupe);
+        int finX = Math.min(image.getLargeur(), (libre.width - place.x) / loupe + 1);
+        int finY = Math.min(image.getHauteur(), (libre.height - place.y) / loupe + 1);
+        g.drawImage(pixels, place.x + x * loupe, place.y + y * loupe, place.x + finX * loupe, place.y + finY * loupe,
+                x, y, finX, finY, null);
     }
 
     /** Le bandeau recouvre le bas de l'image, sans la pousser. */
@@ -271,6 +291,11 @@ final class PanneauImage extends JPanel {
         siChange = siBouge;
         MouseAdapter suiveur = new MouseAdapter() {
             @Override
+            public void mousePressed(MouseEvent e) {
+                requestFocusInWindow();
+            }
+
+            @Override
             public void mouseClicked(MouseEvent e) {
                 souris = e.getPoint();
                 Point pixel = getPixelSouris(montree);
@@ -292,7 +317,7 @@ final class PanneauImage extends JPanel {
 
             @Override
             public void mouseDragged(MouseEvent e) {
-                if (loupe > 1 && souris != null) {
+                if (loupe > 0 && souris != null) {
                     AffineTransform ecran = getEchelle();
                     double dx = (e.getX() - souris.x) * ecran.getScaleX();
                     double dy = (e.getY() - souris.y) * ecran.getScaleY();
@@ -321,10 +346,21 @@ final class PanneauImage extends JPanel {
         siChange.run();
     }
 
-    /** Le pixel de l'image montrée qui est sous la souris, ou au milieu du panneau ; {@code null} s'il n'y en a pas. */
+    /** Le pixel de l'image montrée qui est sous la souris, ou le plus près du milieu ; {@code null} s'il n'y en a pas. */
     Point getPixelVise() {
         Point sous = getPixelSouris(montree);
-        return sous != null ? sous : getPixel(montree, new Point(getWidth() / 2, getHeight() / 2));
+        if (sous != null || montree == null) {
+            return sous;
+        }
+        Rectangle place = getPlace(montree);
+        Dimension libre = getLibre();
+        return new Point(rang(libre.width / 2 - place.x, montree.getLargeur(), place.width),
+                rang(libre.height / 2 - place.y, montree.getHauteur(), place.height));
+    }
+
+    /** La colonne ou la ligne de l'image, de {@code nombre}, qui est à cet écart du bord de sa place, ou la plus près. */
+    private static int rang(int ecart, int nombre, int etendue) {
+        return (int) Math.max(0, Math.min(nombre - 1, (long) ecart * nombre / etendue));
     }
 
     /** Le pixel de cette image qui est sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas dessiné. */
@@ -343,8 +379,8 @@ final class PanneauImage extends JPanel {
         if (dx < 0 || dx >= place.width || dy < 0 || dy >= place.height) {
             return null;
         }
-        Point pixel = new Point((int) ((long) dx * image.getLargeur() / place.width),
-                (int) ((long) dy * image.getHauteur() / place.height));
+        Point pixel = new Point(rang(dx, image.getLargeur(), place.width),
+                rang(dy, image.getHauteur(), place.height));
         return image.getCodes()[pixel.y * image.getLargeur() + pixel.x] == 0 ? null : pixel;
     }
 }

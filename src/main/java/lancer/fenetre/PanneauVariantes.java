@@ -1,12 +1,16 @@
 package lancer.fenetre;
 
+import java.awt.Color;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
 import java.util.ArrayList;
 import java.util.List;
+import javax.accessibility.AccessibleContext;
 import javax.swing.BorderFactory;
+import javax.swing.JButton;
 import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
@@ -18,7 +22,7 @@ import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
 
-/** Les variantes présentes et leurs paramètres, dans une petite fenêtre à côté : l'image suit ce qu'on y déplace. */
+/** Les variantes présentes et leurs paramètres, dans une petite fenêtre à côté : l'image suit ce qu'on y change. */
 final class PanneauVariantes extends JDialog {
 
     private static final long serialVersionUID = 1;
@@ -31,7 +35,7 @@ final class PanneauVariantes extends JDialog {
     private final transient Atelier atelier;
     private final JPanel grille = new JPanel(new GridBagLayout());
     private final transient List<Runnable> ajustements = new ArrayList<>();
-    /** Vrai pendant que les glissières se mettent où sont les réglages : ce n'est pas l'utilisateur. */
+    /** Vrai pendant que le panneau se met où sont les réglages : ce n'est pas l'utilisateur. */
     private boolean miseAJour;
     private transient Parametre dernier;
     private long dernierNs;
@@ -48,10 +52,17 @@ final class PanneauVariantes extends JDialog {
             for (Parametre parametre : variante.getParametres()) {
                 JLabel valeur = new JLabel(" ");
                 JLabel nom = new JLabel(parametre.getCle());
-                JSlider glissiere = glissiere(variante, parametre, valeur);
-                nom.setLabelFor(glissiere);
+                JComponent choix = parametre.estUneCouleur() ? couleur(variante, parametre)
+                        : parametre.getMots().isEmpty() ? glissiere(variante, parametre) : mot(variante, parametre);
+                choix.setName(variante.getSection() + "." + parametre.getCle());
+                ajustements.add(() -> {
+                    String actuelle = valeur(variante, parametre);
+                    valeur.setText(!parametre.getMots().isEmpty() ? " " : actuelle == null ? "—" : actuelle);
+                    choix.setEnabled(atelier.getReglages().estBranchee(actuelle(variante)));
+                });
+                nom.setLabelFor(choix);
                 poser(nom, 0, ligne, 1);
-                poser(glissiere, 1, ligne, 1);
+                poser(choix, 1, ligne, 1);
                 poser(valeur, 2, ligne++, 1);
             }
         }
@@ -74,6 +85,10 @@ final class PanneauVariantes extends JDialog {
         return atelier.getReglages().getVariante(variante.getSection());
     }
 
+    private String valeur(Variante variante, Parametre parametre) {
+        return atelier.getReglages().getValeur(actuelle(variante), parametre);
+    }
+
     private JCheckBox boite(Variante variante) {
         JCheckBox boite = new JCheckBox(variante.getSection());
         boite.setName(variante.getSection());
@@ -83,37 +98,89 @@ final class PanneauVariantes extends JDialog {
         return boite;
     }
 
-    private JSlider glissiere(Variante variante, Parametre parametre, JLabel valeur) {
-        JSlider glissiere = new JSlider(0, parametre.getCrans(), 0);
-        glissiere.setName(variante.getSection() + "." + parametre.getCle());
+    private JComboBox<String> mot(Variante variante, Parametre parametre) {
+        JComboBox<String> choix = new JComboBox<>(parametre.getMots().toArray(new String[0]));
+        choix.addActionListener(e -> regler(variante, parametre, (String) choix.getSelectedItem(), false));
+        ajustements.add(() -> choix.setSelectedItem(valeur(variante, parametre)));
+        return choix;
+    }
+
+    private JButton couleur(Variante variante, Parametre parametre) {
+        JButton bouton = new JButton("choisir…");
+        bouton.addActionListener(e -> {
+            Color choisie = Dialogues.choisirCouleur(this, bouton.getBackground());
+            if (choisie != null) {
+                regler(variante, parametre, Dialogues.ecrire(choisie), false);
+            }
+        });
+        ajustements.add(() -> bouton.setBackground(Dialogues.couleur(valeur(variante, parametre))));
+        return bouton;
+    }
+
+    private JSlider glissiere(Variante variante, Parametre parametre) {
+        Glissiere glissiere = new Glissiere(parametre);
         // sans écart, les flèches du clavier n'y feraient rien
         glissiere.setMinorTickSpacing(1);
         glissiere.setSnapToTicks(true);
-        glissiere.addChangeListener(e -> {
-            ReglagesDessin reglages = atelier.getReglages();
-            Section section = reglages.getSection(actuelle(variante));
-            String voulue = parametre.getValeur(glissiere.getValue());
-            if (miseAJour) {
-                return;
-            }
-            if (!voulue.equals(section.valeur(parametre.getCle()))) {
-                Section autre = section.avec(parametre.getCle(), voulue, parametre.getAutre());
-                changer(reglages.avec(actuelle(variante), autre), parametre, glissiere.getValueIsAdjusting());
-            } else if (!glissiere.getValueIsAdjusting()) {
-                // lâchée : le geste est fini
-                dernier = null;
-            }
-        });
+        glissiere.addChangeListener(e -> regler(variante, parametre, parametre.getValeur(glissiere.getValue()),
+                glissiere.getValueIsAdjusting()));
         ajustements.add(() -> {
-            ReglagesDessin reglages = atelier.getReglages();
-            String actuelle = reglages.getValeur(actuelle(variante), parametre);
-            valeur.setText(actuelle == null ? "—" : actuelle);
-            glissiere.setEnabled(reglages.estBranchee(actuelle(variante)));
+            String actuelle = valeur(variante, parametre);
             if (!glissiere.getValueIsAdjusting()) {
                 glissiere.setValue(actuelle == null ? 0 : parametre.getCran(actuelle));
             }
         });
         return glissiere;
+    }
+
+    /** Une glissière qui dit à un lecteur d'écran la valeur du paramètre, et non le numéro de son cran. */
+    private static final class Glissiere extends JSlider {
+
+        private static final long serialVersionUID = 1;
+        private final transient Parametre parametre;
+
+        Glissiere(Parametre parametre) {
+            super(0, parametre.getCrans(), 0);
+            this.parametre = parametre;
+        }
+
+        @Override
+        public AccessibleContext getAccessibleContext() {
+            if (accessibleContext == null) {
+                accessibleContext = new Dite();
+            }
+            return accessibleContext;
+        }
+
+        private final class Dite extends AccessibleJSlider {
+
+            private static final long serialVersionUID = 1;
+
+            @Override
+            public Number getCurrentAccessibleValue() {
+                return Double.valueOf(parametre.getValeur(getValue()));
+            }
+
+            @Override
+            public Number getMaximumAccessibleValue() {
+                return Double.valueOf(parametre.getValeur(getMaximum()));
+            }
+        }
+    }
+
+    private void regler(Variante variante, Parametre parametre, String voulue, boolean glisse) {
+        if (miseAJour) {
+            return;
+        }
+        ReglagesDessin reglages = atelier.getReglages();
+        Section section = reglages.getSection(actuelle(variante));
+        if (!voulue.equals(section.valeur(parametre.getCle()))) {
+            Section autre = section.avec(parametre.getCle(), voulue, parametre.getAutre());
+            changer(reglages.avec(actuelle(variante), autre), parametre, glisse);
+        } else if (!glisse) {
+            // lâchée : le geste est fini
+            dernier = null;
+        }
     }
 
     private void changer(ReglagesDessin reglages, Parametre parametre, boolean glisse) {

@@ -16,15 +16,24 @@ final class Surveillance extends TimerTask {
 
     private static final int PERIODE_MS = 250;
 
+    /** Regards sans le fichier avant de le dire effacé : un éditeur qui renomme le fait disparaître un instant. */
+    private static final int ABSENCES = 4;
+
     private final Timer veille = new Timer("lancer-surveillance", true);
     private final Runnable siChange;
+    private final Runnable siEfface;
+    private int absences;
     private String fichier;
     private String connue;
     private String vue;
 
-    /** @param siChange appelé dans le fil de la surveillance, une fois par changement */
-    Surveillance(Runnable siChange) {
+    /**
+     * @param siChange appelé dans le fil de la surveillance, une fois par changement
+     * @param siEfface appelé de même quand le fichier a disparu ; qu'il revienne est un changement
+     */
+    Surveillance(Runnable siChange, Runnable siEfface) {
         this.siChange = siChange;
+        this.siEfface = siEfface;
         veille.schedule(this, PERIODE_MS, PERIODE_MS);
     }
 
@@ -40,21 +49,22 @@ final class Surveillance extends TimerTask {
 
     @Override
     public void run() {
-        if (regarder()) {
-            siChange.run();
+        Runnable nouvelle = regarder();
+        if (nouvelle != null) {
+            nouvelle.run();
         }
     }
 
-    /** @return vrai, une fois, si le fichier a changé et n'a plus bougé depuis : l'éditeur a fini d'écrire */
-    private synchronized boolean regarder() {
+    /** Ce qu'il y a à faire, une fois, d'un fichier qui a changé et n'a plus bougé depuis, ou qui n'est plus là. */
+    private synchronized Runnable regarder() {
         String nouvelle = fichier == null ? null : version(fichier);
-        // absent : on l'enregistre, il revient
+        absences = fichier == null || nouvelle != null ? 0 : absences + 1;
         boolean change = nouvelle != null && nouvelle.equals(vue) && !nouvelle.equals(connue);
         vue = nouvelle;
-        if (change) {
+        if (change || absences == ABSENCES) {
             connue = nouvelle;
         }
-        return change;
+        return change ? siChange : absences == ABSENCES ? siEfface : null;
     }
 
     /** L'heure, la taille et l'identité du fichier ; {@code null} s'il n'existe pas. */

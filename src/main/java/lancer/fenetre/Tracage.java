@@ -141,14 +141,12 @@ final class Tracage extends SwingWorker<Void, Void> {
         if (getPanne() instanceof SceneFautive) {
             return fichier == null ? "réglage impossible" : "scène fautive";
         }
-        return getEtape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / NS_PAR_S);
+        // achevé, le temps du dessin se lit avec ce qu'il a coûté ; celui-ci compte aussi l'attente et la lecture
+        return isAcheve() ? "terminé" : getEtape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / NS_PAR_S);
     }
 
     private String getEtape() {
         Traceur lancer = getTraceur();
-        if (isAcheve()) {
-            return "terminé";
-        }
         if (getPanne() != null) {
             return "échec";
         }

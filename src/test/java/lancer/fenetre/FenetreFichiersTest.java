@@ -8,6 +8,7 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -32,6 +33,7 @@ import javax.swing.UIManager;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.essai.Essai;
+import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
 /** La fenêtre et le fichier de sa scène : ouvert, modifié, fautif. */
@@ -47,6 +49,17 @@ class FenetreFichiersTest extends EssaiFenetre {
         Files.write(nouveau, BLEUE.replace("0.1 0.2 0.9", "0.9 0.9 0.1").getBytes(StandardCharsets.UTF_8));
         Files.move(nouveau, scene, StandardCopyOption.REPLACE_EXISTING);
         banc.attendreImage("la boule est jaune", attendue(L, H));
+    }
+
+    @Test
+    void unFichierEffaceSeDitEtLImageResteJusquACeQuIlRevienne() throws Exception {
+        ImageMemoire image = ouvrir();
+        Files.delete(scene);
+        banc.attendreMessage("fichier effacé : la dernière image reste");
+        assertSame(image, banc.atelier.getImageComplete());
+        ecrire(ROUGE);
+        banc.attendreMessage("");
+        attendre("relue", () -> banc.atelier.getImageComplete() != null && banc.atelier.getImageComplete() != image);
     }
 
     @Test

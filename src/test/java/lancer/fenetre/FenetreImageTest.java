@@ -1,6 +1,7 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static lancer.fenetre.BancFenetre.texte;
@@ -17,11 +18,15 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
+import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import javax.swing.JDialog;
 import lancer.Couleur;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** L'image à l'écran, quelle que soit la taille de la fenêtre, et ce qui s'en lit : son coût, et la couleur d'un pixel. */
 class FenetreImageTest extends EssaiFenetre {
@@ -51,7 +56,7 @@ class FenetreImageTest extends EssaiFenetre {
         assertEquals("2000 x 1500", image.getLargeur() + " x " + image.getHauteur());
         double reduction = Math.min(banc.panneau.getWidth() / 2000.0, banc.panneau.getHeight() / 1500.0);
         assertTrue(reduction < 1, "l'écran du test est trop grand");
-        String debut = "2000 × 1500 pixels montrés à " + Math.round(100 * reduction) + " %, ";
+        String debut = "2000 × 1500 pixels montrés à " + (int) (100 * reduction) + " %, ";
         attendre("la réduction se dit", () -> banc.resume.getText().startsWith(debut));
         Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
         attendre("le pixel dit est celui de l'image dessinée", () -> {
@@ -59,6 +64,42 @@ class FenetreImageTest extends EssaiFenetre {
             banc.robot.mouseMove(coin.x + banc.panneau.getWidth() / 2, coin.y + banc.panneau.getHeight() / 2);
             return banc.pixel.getText().matches("pixel (99\\d|100\\d), (74\\d|75\\d) : .*");
         });
+    }
+
+    @Test
+    void laLoupeMontreUneTresGrandeImageAuPlusPresEtDAbordUnPixelPourUn() throws Exception {
+        ecrire("[Lampe 1]\nposition=0 5 0\ncouleur=1 1 1\n");
+        banc = new BancFenetre("--taille=4200x3150", scene.toString());
+        ImageMemoire image = banc.imageAchevee();
+        banc.robot.mouseMove(0, 0);
+        for (int grossi = 1; grossi <= 16; grossi *= 2) {
+            int voulu = grossi;
+            banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
+            attendre("× " + voulu, () -> banc.panneau.getReduction(image) == voulu);
+            BufferedImage vue = peinte();
+            Point milieu = banc.panneau.getPixelVise();
+            assertEquals(image.getCodes()[milieu.y * image.getLargeur() + milieu.x],
+                    vue.getRGB(vue.getWidth() / 2, vue.getHeight() / 2), "× " + grossi);
+            int gris = banc.panneau.getBackground().getRGB();
+            assertTrue(Arrays.stream(BancFenetre.codes(vue)).noneMatch(c -> c == gris), "× " + grossi + " couvre le panneau");
+        }
+        for (int cran = 5; cran > 0; cran--) {
+            banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_DOWN);
+        }
+        attendre("de nouveau réduite", () -> banc.panneau.getReduction(image) < 1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1x1", "16384x1", "1x16384"})
+    void surUneImageSansLargeurOuSansHauteurEntreeMontreLesRayonsDUnPixel(String taille) throws Exception {
+        banc = new BancFenetre("--taille=" + taille, scene.toString());
+        ImageMemoire image = banc.imageAchevee();
+        banc.robot.mouseMove(0, 0);
+        banc.frapper(KeyEvent.VK_ENTER);
+        JDialog inspecteur = composant("inspecteur", JDialog.class);
+        attendre("son titre dit le pixel", () -> inspecteur.getTitle().startsWith("Rayons du pixel "));
+        boolean reduite = image.getCodes().length > 1;
+        attendre("et le résumé si elle est réduite", () -> banc.resume.getText().contains("montrés à ") == reduite);
     }
 
     @Test
@@ -121,7 +162,7 @@ class FenetreImageTest extends EssaiFenetre {
             banc.robot.mouseMove(coin.x + 160, coin.y + 100);
             return banc.pixel.getText().startsWith(debut);
         });
-        String cout = "320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons, \\d+,\\d\\d s, 5 réflexions";
+        String cout = "320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons, dessinés en \\d+,\\d\\d s, 5 réflexions";
         attendre("le coût se dit", () -> banc.resume.getText().matches(cout));
         banc.frapper(KeyEvent.VK_F5);
         attendre("la seconde image se compte aussi", () -> texte(banc.sortie).split("\n").length == 26);

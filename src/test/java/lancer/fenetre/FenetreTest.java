@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,20 +10,29 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
-import javax.swing.JOptionPane;
+import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Scene;
@@ -64,10 +74,63 @@ class FenetreTest extends EssaiFenetre {
     }
 
     @Test
-    void f1MontreLesTouches() throws Exception {
-        banc = new BancFenetre(lente());
+    void f1MontreLesTouchesDansUnTableauQuiResteOuvert() throws Exception {
+        ouvrir();
         banc.frapper(KeyEvent.VK_F1);
-        assertTrue(composant(null, JOptionPane.class).getMessage().toString().contains("Échap   arrêter le dessin"));
+        JTable table = composant("table", JTable.class);
+        Window touches = SwingUtilities.getWindowAncestor(table);
+        assertEquals("Échap : arrêter", IntStream.range(0, table.getRowCount())
+                .mapToObj(k -> table.getValueAt(k, 0) + " : " + table.getValueAt(k, 1)).filter(s -> s.startsWith("Échap"))
+                .findFirst().get().substring(0, 15));
+        banc.frapper(touches, KeyEvent.VK_SUBTRACT);
+        attendre("une touche essayée d'ici va au cadre", () -> banc.atelier.getReglages().getReflets() == 2);
+        assertTrue(surFilEvenements(touches::isShowing));
+        banc.imageAchevee();
+        banc.frapper(touches, KeyEvent.VK_ESCAPE);
+        attendre("Échap le ferme", () -> !touches.isShowing());
+    }
+
+    @Test
+    void lesPanneauxSeRangentACoteDuCadreEtSansSeRecouvrir() throws Exception {
+        ouvrir();
+        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        banc.frapper(KeyEvent.VK_F3);
+        composant("vitesse", JDialog.class);
+        banc.frapper(KeyEvent.VK_ENTER);
+        composant("inspecteur", JDialog.class);
+        attendre("l'un ne recouvre pas l'autre", () -> {
+            List<Rectangle> places = Arrays.stream(banc.cadre.getOwnedWindows()).filter(Window::isVisible).map(Window::getBounds)
+                    .collect(Collectors.toList());
+            return places.size() == 2 && places.stream().allMatch(p -> ecran.contains(p)
+                    && places.stream().filter(p::intersects).count() == 1);
+        });
+        Rectangle vitesse = surFilEvenements(composant("vitesse", JDialog.class)::getBounds);
+        assertFalse(vitesse.intersects(surFilEvenements(banc.cadre::getBounds)), "le premier ne cache pas l'image");
+    }
+
+    @Test
+    void surUnPetitEcranUnPanneauCacheDAbordLeCadrePlutotQuUnAutrePanneau() {
+        Rectangle ecran = new Rectangle(0, 0, 1024, 768);
+        Rectangle cadre = new Rectangle(0, 0, 812, 720);
+        List<Rectangle> prises = new ArrayList<>();
+        for (Dimension taille : new Dimension[] {new Dimension(350, 720), new Dimension(400, 230), new Dimension(560, 480)}) {
+            Rectangle place = new Rectangle(Menus.place(taille, ecran, cadre, prises), taille);
+            assertTrue(ecran.contains(place) && prises.stream().noneMatch(place::intersects), place + " et " + prises);
+            prises.add(place);
+        }
+    }
+
+    @Test
+    void ceQuiSeMontreAUnNomPourUnLecteurDEcran() throws Exception {
+        ouvrir();
+        banc.frapper(KeyEvent.VK_ENTER);
+        banc.frapper(KeyEvent.VK_F3);
+        for (String nom : new String[] {"image", "avancement", "cote", "vitesse.graphique", "recit"}) {
+            String dit = composant(nom, JComponent.class).getAccessibleContext().getAccessibleName();
+            assertTrue(dit != null && !dit.trim().isEmpty(), nom);
+        }
+        attendre("l'image dit ce qu'elle est", () -> ("" + banc.panneau.getAccessibleContext().getAccessibleDescription())
+                .startsWith("320 × 240 pixels"));
     }
 
     @Test

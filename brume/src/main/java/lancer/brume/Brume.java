@@ -55,7 +55,7 @@ public final class Brume implements Variante, Atmosphere {
 
     @Override
     public List<Parametre> getParametres() {
-        return Arrays.asList(Parametre.nombre("debut", DEBUT, 0, 30, 0.5),
+        return Arrays.asList(Parametre.couleur("couleur", "0.8 0.8 0.8"), Parametre.nombre("debut", DEBUT, 0, 30, 0.5),
                 Parametre.nombre("fin", FIN, 1, 100, 1).sans("densite"),
                 Parametre.nombre("densite", null, 0, 0.5, 0.005).sans("fin"));
     }

@@ -10,7 +10,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
 import java.awt.Graphics;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
@@ -18,7 +20,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import javax.imageio.ImageIO;
+import javax.swing.JButton;
 import javax.swing.JCheckBox;
+import javax.swing.JColorChooser;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import lancer.dessin.ReglagesDessin;
@@ -190,6 +194,31 @@ class FenetreVariantesTest extends EssaiFenetre {
         attendre("elle a bougé d'un cran", () -> fin.getValue() == cran - 1);
         attendre("et l'image avec elle", () -> banc.atelier.getReglages().toString().contains("fin=" + cran));
         banc.imageAchevee();
+    }
+
+    @Test
+    void uneGlissiereDitSaValeurAUnLecteurDEcranEtNonSonCran() throws Exception {
+        ouvrir();
+        JSlider densite = glissiere("Brume.densite");
+        placer(densite, 19);
+        assertEquals(0.095, surFilEvenements(() -> densite.getAccessibleContext().getAccessibleValue().getCurrentAccessibleValue()));
+        banc.imageAchevee();
+    }
+
+    @Test
+    void laCouleurSeChoisitDansUnePaletteEtLImageSuit() throws Exception {
+        ecrire(ROUGE + "[Brume]\nfin=12\n");
+        ouvrir();
+        glissiere("Brume.fin");
+        JButton bouton = composant("Brume.couleur", JButton.class);
+        faire(bouton::requestFocusInWindow);
+        attendre("le clavier est au bouton", bouton::hasFocus);
+        banc.frapper(SwingUtilities.getWindowAncestor(bouton), KeyEvent.VK_SPACE);
+        JColorChooser palette = composant(null, JColorChooser.class);
+        Window dialogue = SwingUtilities.getWindowAncestor(palette);
+        faire(() -> palette.setColor(new Color(255, 51, 0)));
+        banc.frapper(dialogue, KeyEvent.VK_ENTER);
+        banc.attendreImage("l'image suit", sansFenetre(ROUGE + "[Brume]\nfin=12\ncouleur=1 0.2 0\n"));
     }
 
     @Test

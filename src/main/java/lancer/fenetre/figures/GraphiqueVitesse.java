@@ -18,13 +18,13 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
-import javax.swing.JComponent;
+import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import lancer.auto.Reglage;
 import lancer.contrat.Section;
 
 /** Des réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
-public final class GraphiqueVitesse extends JComponent {
+public final class GraphiqueVitesse extends JPanel {
 
     /** L'erreur que fait l'écran seul en arrondissant à un niveau entier : 1/√12. */
     public static final double ARRONDI = 1 / Math.sqrt(12);
@@ -79,6 +79,7 @@ public final class GraphiqueVitesse extends JComponent {
     public GraphiqueVitesse(Consumer<Reglage> clic) {
         setName("vitesse.graphique");
         setFocusable(true);
+        getAccessibleContext().setAccessibleName("réglages, par prix et par erreur");
         setToolTipText("");
         addMouseListener(new MouseAdapter() {
             @Override

@@ -10,12 +10,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.function.IntConsumer;
 import java.util.stream.Collectors;
-import javax.swing.JComponent;
+import javax.swing.JPanel;
 import lancer.inspection.Echantillon;
 import lancer.inspection.Inspection;
 
 /** Les échantillons d'un pixel, chacun à sa place et de sa couleur ; cliquer sur l'un le choisit. */
-public final class GrilleEchantillons extends JComponent {
+public final class GrilleEchantillons extends JPanel {
 
     private static final long serialVersionUID = 1;
 
@@ -29,6 +29,8 @@ public final class GrilleEchantillons extends JComponent {
     public GrilleEchantillons(IntConsumer siChoisi) {
         setName("echantillons");
         setPreferredSize(new Dimension(COTE, COTE));
+        setOpaque(false);
+        getAccessibleContext().setAccessibleName("échantillons du pixel");
         setToolTipText("échantillons du pixel ; cliquer pour en choisir un, ou Ctrl et page suivante, page précédente");
         addMouseListener(new MouseAdapter() {
             @Override

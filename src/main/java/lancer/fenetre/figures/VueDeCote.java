@@ -7,7 +7,8 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import javax.swing.JComponent;
+import java.awt.geom.Path2D;
+import javax.swing.JPanel;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
@@ -19,12 +20,13 @@ import lancer.inspection.Etape;
 import lancer.inspection.Inspection;
 
 /** La figure du cours : l'œil, l'écran, les sphères rencontrées et les rayons, vus de côté (z à droite, y en haut). */
-public final class VueDeCote extends JComponent {
+public final class VueDeCote extends JPanel {
 
     private static final long serialVersionUID = 1;
 
     private static final int HAUTEUR = 180;
     private static final int MARGE = 14;
+    private static final int SEGMENTS = 256;
     private static final Color RAYON = new Color(0x0070C0);
     private static final Color SPHERE = new Color(0x909090);
     private static final Color LAMPE = new Color(0xC08000);
@@ -36,6 +38,7 @@ public final class VueDeCote extends JComponent {
     public VueDeCote() {
         setName("cote");
         setPreferredSize(new Dimension(HAUTEUR, HAUTEUR));
+        getAccessibleContext().setAccessibleName("vue de côté des rayons");
         setToolTipText("vue de côté : z vers la droite, y vers le haut");
     }
 
@@ -85,11 +88,11 @@ public final class VueDeCote extends JComponent {
         return new Line2D.Double(h(a.z), v(a.y), h(b.z), v(b.y));
     }
 
-    private double h(double z) {
+    double h(double z) {
         return MARGE + (z + Camera.FOCALE) * echelle;
     }
 
-    private double v(double y) {
+    double v(double y) {
         return getHeight() / 2.0 - (y - y0) * echelle;
     }
 
@@ -124,9 +127,30 @@ public final class VueDeCote extends JComponent {
     private void entourer(Graphics2D g, PointContact contact) {
         if (contact != null && contact.objet instanceof Sphere) {
             Sphere s = (Sphere) contact.objet;
-            double r = s.getRayon() * echelle;
             g.setColor(SPHERE);
-            g.draw(new Ellipse2D.Double(h(s.getCentre().z) - r, v(s.getCentre().y) - r, 2 * r, 2 * r));
+            g.draw(arc(h(s.getCentre().z), v(s.getCentre().y), s.getRayon() * echelle));
         }
+    }
+
+    /**
+     * Le bord d'un disque, entier ou là où il est en vue, en segments qui s'en écartent de moins d'un vingtième de
+     * pixel : l'ellipse de Java s'écarte du sien d'un 3700e de son rayon.
+     */
+    private Path2D arc(double x, double y, double r) {
+        double diagonale = Math.hypot(getWidth(), getHeight());
+        double milieu = Math.atan2(getHeight() / 2.0 - y, getWidth() / 2.0 - x);
+        double demi = Math.min(Math.PI, 2 * diagonale / r);
+        Path2D arc = new Path2D.Double();
+        for (int k = -SEGMENTS; k <= SEGMENTS; k++) {
+            double angle = milieu + demi * k / SEGMENTS;
+            double px = x + r * Math.cos(angle);
+            double py = y + r * Math.sin(angle);
+            if (k == -SEGMENTS) {
+                arc.moveTo(px, py);
+            } else {
+                arc.lineTo(px, py);
+            }
+        }
+        return arc;
     }
 }

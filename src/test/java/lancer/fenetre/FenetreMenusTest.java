@@ -1,0 +1,134 @@
+package lancer.fenetre;
+
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.faire;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.awt.event.ActionListener;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
+import javax.swing.MenuElement;
+import javax.swing.MenuSelectionManager;
+import lancer.image.ImageMemoire;
+import org.junit.jupiter.api.Test;
+
+/** La fenêtre sans souris : les menus, le bouton et l'image, touche après touche. */
+class FenetreMenusTest extends EssaiFenetre {
+
+    private final List<String> faits = new ArrayList<>();
+
+    /** Ce que le clavier désigne dans les menus ouverts ; {@code null} si aucun ne l'est. */
+    private static MenuElement designe() throws Exception {
+        return surFilEvenements(FenetreMenusTest::auBout);
+    }
+
+    private static MenuElement auBout() {
+        MenuElement[] chemin = MenuSelectionManager.defaultManager().getSelectedPath();
+        return chemin.length == 0 ? null : chemin[chemin.length - 1];
+    }
+
+    private void presser(int touche) throws Exception {
+        MenuElement avant = designe();
+        banc.frapper(touche);
+        attendre("la touche " + KeyEvent.getKeyText(touche) + " a mené ailleurs que sur " + avant, () -> auBout() != avant);
+    }
+
+    private void menerA(MenuElement voulu) throws Exception {
+        for (int k = 0; designe() != voulu; k++) {
+            if (k > 60) {
+                fail("les flèches ne mènent pas à " + voulu);
+            }
+            presser(KeyEvent.VK_DOWN);
+        }
+    }
+
+    private void ouvrirLeMenu(int rang) throws Exception {
+        presser(KeyEvent.VK_F10);
+        for (int k = 0; k < rang; k++) {
+            presser(KeyEvent.VK_RIGHT);
+        }
+    }
+
+    /** Choisit un article par les flèches et Entrée, et rend le clavier. */
+    private void choisir(int menu, JMenu sousMenu, JMenuItem article) throws Exception {
+        faire(() -> {
+            // ce qu'il ferait n'importe pas ici : fermer la fenêtre, ouvrir un dialogue
+            for (ActionListener action : article.getActionListeners()) {
+                article.removeActionListener(action);
+            }
+            article.addActionListener(e -> faits.add(article.getText()));
+        });
+        ouvrirLeMenu(menu);
+        if (sousMenu != null) {
+            menerA(sousMenu);
+            presser(KeyEvent.VK_RIGHT);
+        }
+        menerA(article);
+        presser(KeyEvent.VK_ENTER);
+        attendre(article.getText(), () -> faits.contains(article.getText()));
+        attendre("les menus sont fermés", () -> auBout() == null);
+    }
+
+    @Test
+    void chaqueArticleDeMenuSeChoisitParLesFlechesEtEntreeSansRienOuvrirDerriere() throws Exception {
+        ouvrir();
+        JMenuBar menus = banc.cadre.getJMenuBar();
+        attendre("les scènes du dossier sont là", () -> menus.getMenu(3).getItemCount() > 3);
+        int nombre = 0;
+        for (int k = 0; k < menus.getMenuCount(); k++) {
+            JMenu menu = menus.getMenu(k);
+            for (int a = 0; a < menu.getItemCount(); a++) {
+                JMenuItem article = menu.getItem(a);
+                if (article instanceof JMenu) {
+                    for (int s = 0; s < ((JMenu) article).getItemCount(); s++) {
+                        choisir(k, (JMenu) article, ((JMenu) article).getItem(s));
+                        nombre++;
+                    }
+                } else if (article != null && article.isEnabled()) {
+                    choisir(k, null, article);
+                    nombre++;
+                }
+            }
+        }
+        assertEquals(nombre, faits.size(), faits.toString());
+        assertTrue(nombre > 20, faits.toString());
+        assertEquals(0, surFilEvenements(() -> Arrays.stream(banc.cadre.getOwnedWindows()).filter(w -> w.isVisible()
+                && w instanceof Inspecteur).count()), "l'inspecteur ne s'est pas ouvert derrière");
+    }
+
+    @Test
+    void altEtUneLettreOuvrentUnMenuQuEchapFerme() throws Exception {
+        ouvrir();
+        banc.frapper(KeyEvent.VK_ALT, KeyEvent.VK_F);
+        attendre("le menu est ouvert", () -> auBout() != null);
+        for (int k = 0; designe() != null; k++) {
+            assertTrue(k < 3, "Échap ferme le menu");
+            presser(KeyEvent.VK_ESCAPE);
+        }
+        assertTrue(banc.cadre.isShowing());
+    }
+
+    @Test
+    void tabMeneAuBoutonQueLaBarreDEspacePresse() throws Exception {
+        ImageMemoire avant = ouvrir();
+        JButton bouton = composant("bouton", JButton.class);
+        banc.frapper();
+        for (int k = 0; k < 9 && !surFilEvenements(bouton::hasFocus); k++) {
+            banc.frapper(KeyEvent.VK_TAB);
+            banc.robot.waitForIdle();
+        }
+        attendre("le clavier est au bouton", bouton::hasFocus);
+        banc.frapper(KeyEvent.VK_SPACE);
+        attendre("l'image est redessinée", () -> banc.atelier.getImageComplete() != null && banc.atelier.getImageComplete() != avant);
+    }
+}
