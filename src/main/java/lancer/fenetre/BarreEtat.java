@@ -24,7 +24,7 @@ final class BarreEtat extends JPanel {
     private static final int INTERLIGNE = 4;
     private static final int POUR_MILLE = 1000;
     /** Ce que le résumé a de large en chiffres, et ce que chaque variante y ajoute. */
-    private static final int LETTRES = 60;
+    private static final int LETTRES = 72;
     private static final int LETTRES_VARIANTE = 36;
 
     /** Ce qu'il y a de plus long à y lire d'un pixel achevé fait la moindre largeur de la fenêtre. */

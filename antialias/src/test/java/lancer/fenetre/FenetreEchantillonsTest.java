@@ -9,10 +9,12 @@ import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur, avec l'anticrénelage : les échantillons du pixel se voient, et chacun peut être choisi. */
@@ -41,5 +43,20 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         attendre("la même somme", () -> recit.getText().endsWith(somme));
         JLabel verdict = composant("verdict", JLabel.class);
         attendre("la comparaison", () -> verdict.getText().startsWith("Au bit près"));
+    }
+
+    @Test
+    void laMethodeSeChoisitParSonMotDansUneListe() throws Exception {
+        ecrire(ROUGE + "[Antialias]\nn=3\n");
+        ouvrir();
+        banc.frapper(KeyEvent.VK_F2);
+        JComboBox<?> methode = composant("Antialias.methode", JComboBox.class);
+        faire(methode::requestFocusInWindow);
+        attendre("le clavier est à la liste", methode::hasFocus);
+        banc.frapper(SwingUtilities.getWindowAncestor(methode), KeyEvent.VK_P);
+        attendre("le mot", () -> "partage".equals(methode.getSelectedItem()));
+        ecrire(ROUGE + "[Antialias]\nn=3\nmethode=partage\n");
+        int[] attendue = attendue(L, H);
+        banc.attendreImage("l'image suit", attendue);
     }
 }
