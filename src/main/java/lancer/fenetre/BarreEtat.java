@@ -24,7 +24,7 @@ final class BarreEtat extends JPanel {
     private static final int INTERLIGNE = 4;
     private static final int POUR_MILLE = 1000;
     /** Ce que le résumé a de large en chiffres, et ce que chaque variante y ajoute. */
-    private static final int LETTRES = 72;
+    private static final int LETTRES = 60;
     private static final int LETTRES_VARIANTE = 36;
 
     /** Ce qu'il y a de plus long à y lire d'un pixel achevé fait la moindre largeur de la fenêtre. */
@@ -101,7 +101,7 @@ final class BarreEtat extends JPanel {
         // l'espace fine des nombres français manque à bien des polices
         String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
                 .replace('\u202F', '\u00A0');
-        return rayons + String.format(Locale.FRANCE, " rayons, dessinés en %.2f s", lancer.getDureeNs() / 1e9);
+        return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", lancer.getDureeNs() / 1e9);
     }
 
     /**

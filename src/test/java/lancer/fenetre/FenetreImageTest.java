@@ -162,7 +162,7 @@ class FenetreImageTest extends EssaiFenetre {
             banc.robot.mouseMove(coin.x + 160, coin.y + 100);
             return banc.pixel.getText().startsWith(debut);
         });
-        String cout = "320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons, dessinés en \\d+,\\d\\d s, 5 réflexions";
+        String cout = "320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons en \\d+,\\d\\d s, 5 réflexions";
         attendre("le coût se dit", () -> banc.resume.getText().matches(cout));
         banc.frapper(KeyEvent.VK_F5);
         attendre("la seconde image se compte aussi", () -> texte(banc.sortie).split("\n").length == 26);

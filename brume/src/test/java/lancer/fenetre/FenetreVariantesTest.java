@@ -177,7 +177,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         banc.frapper();
         banc.robot.keyPress(KeyEvent.VK_SPACE);
         attendre("celle d'avant, au même endroit", () -> BancFenetre.trouver(avec, L) != null);
-        attendre("ses réglages et son coût", () -> banc.resume.getText().matches(".* rayons, .* s, .*, \\[Brume] .*"));
+        attendre("ses réglages et son coût", () -> banc.resume.getText().matches(".* rayons en .* s, .*, \\[Brume] .*"));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
         attendre("puis celle de maintenant", () -> BancFenetre.trouver(sans, L) != null);
         attendre("et les siens", () -> !banc.resume.getText().contains("Brume"));
