@@ -9,7 +9,7 @@ public class Camera {
     /** Distance de l'œil à l'écran, en unités de la scène : (ECHELLE / 2) / tan(CHAMP / 2). */
     public static final double FOCALE = (Constantes.ECHELLE / 2) / Math.tan(Math.toRadians(Constantes.CHAMP / 2));
 
-    /** L'œil. */
+    /** Position de l'œil, en unités de la scène. */
     public static final Point OEIL = new Point(0, 0, -FOCALE);
 
     private final int largeur;

@@ -48,12 +48,12 @@ public final class Couleur {
         return new Couleur(r / k, v / k, b / k);
     }
 
-    /** Vrai si les trois composantes sont nulles. */
+    /** Dit si les trois composantes sont nulles. */
     public boolean estNoire() {
         return r == 0 && v == 0 && b == 0;
     }
 
-    /** Vrai si les trois composantes sont des nombres finis. */
+    /** Dit si les trois composantes sont des nombres finis. */
     public boolean estFinie() {
         // un infini ou NaN, diminué de lui-même, n'est pas nul
         return r - r == 0 && v - v == 0 && b - b == 0;
@@ -120,7 +120,7 @@ public final class Couleur {
         return 31 * (31 * Double.hashCode(r) + Double.hashCode(v)) + Double.hashCode(b);
     }
 
-    /** Par exemple {@code Couleur(0.9, 0.15, 0.1)}. */
+    /** Texte de la forme {@code Couleur(0.9, 0.15, 0.1)}. */
     @Override
     public String toString() {
         return "Couleur(" + r + ", " + v + ", " + b + ")";

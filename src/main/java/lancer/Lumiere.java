@@ -8,7 +8,7 @@ import lancer.contrat.Ecoute;
  */
 final class Lumiere {
 
-    /** Qui écoute ; d'ordinaire {@code null}. */
+    /** Auditeur de la scène ; d'ordinaire {@code null}. */
     private final Ecoute ecoute;
     private final double seuil;
     private double r;
@@ -29,7 +29,7 @@ final class Lumiere {
     }
 
     /**
-     * Vrai si cette lampe est devant la surface.
+     * Dit si cette lampe est devant la surface.
      *
      * @param devant N·(lampe − contact), qui n'est pas normalisé : le signe seul compte
      */
@@ -40,7 +40,7 @@ final class Lumiere {
         return devant > 0;
     }
 
-    /** Ce qu'une lampe apporterait si rien ne la cachait : diffus·cosinus + speculaire·éclat. */
+    /** Apport d'une lampe si rien ne la cachait : diffus·cosinus + speculaire·éclat. */
     Couleur apport(Couleur diffus, double cosinus, Couleur speculaire, double eclat) {
         Couleur lambert = diffus.mul(cosinus);
         Couleur reflet = speculaire.mul(eclat);
@@ -51,7 +51,7 @@ final class Lumiere {
         return lambert.add(reflet);
     }
 
-    /** Vrai si un rayon réfléchi vaut d'être lancé : la plus grande composante du produit des Ks atteint le seuil. */
+    /** Dit si un rayon réfléchi vaut d'être lancé : la plus grande composante du produit des Ks atteint le seuil. */
     boolean vautUnReflet(Couleur produitKs) {
         if (ecoute != null) {
             ecoute.auPoids(new Couleur(produitKs.r, produitKs.v, produitKs.b));

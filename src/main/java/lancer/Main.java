@@ -4,24 +4,29 @@ import java.io.PrintStream;
 import lancer.commande.Aide;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.dessin.Dessinateur;
+import lancer.dessin.Programme;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
 import lancer.fils.Traceur;
-import lancer.image.ImageMemoire;
+import lancer.scene.LecteurScene;
 
-/**
- * Le programme (cours, « Bilan intermédiaire ») : de la ligne de commande à l'image, dans une fenêtre ou dans un
- * fichier. AWT n'est touché que par {@link Ouverture}.
- */
-public class Main extends Dessinateur {
+/** Le programme (cours, « Bilan intermédiaire ») : dessine une scène dans une fenêtre, ou dans un fichier. */
+public class Main implements Programme {
 
-    /** Taille d'image au-delà de laquelle la fenêtre ne garde pas les couleurs non limitées : 48 Mo. */
-    private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
+    private final Options options;
+    private final PrintStream sortie;
+    private final PrintStream erreur;
+    private final Dessinateur dessinateur;
+    private volatile Scene scene;
 
     public Main(Options options, PrintStream sortie, PrintStream erreur) {
-        super(options, sortie, erreur);
+        this.options = options;
+        this.sortie = sortie;
+        this.erreur = erreur;
+        dessinateur = new Dessinateur(this, options, sortie, erreur);
     }
 
     /** @param args voir {@code --aide} */
@@ -50,36 +55,50 @@ public class Main extends Dessinateur {
             if (options.aide || options.version) {
                 Pannes.repondre(options.aide ? Aide.texte() : Aide.version(), sortie);
             } else if (options.sansFenetre()) {
-                return SansFenetre.faire(this);
+                return SansFenetre.faire(dessinateur);
             } else {
-                Ouverture.ouvrir(this, options, erreur, () -> System.exit(0));
+                Ouverture.ouvrir(dessinateur, options, erreur, () -> System.exit(0));
             }
             return 0;
         } catch (PixelFautif e) {
-            throw nommer(e);
+            throw dessinateur.nommer(e);
         }
     }
 
-    /** Dessine la scène, brouillon puis image, par {@link #drawPixel} : le travail du SwingWorker de la fenêtre. */
+    @Override
+    public void lireScene(String nomFichier, LecteurScene lecteur) {
+        scene = new Scene(nomFichier, lecteur);
+    }
+
+    @Override
+    public Scene getScene() {
+        return scene;
+    }
+
+    @Override
+    public void regler(Modele modele) {
+        scene = scene.avec(modele);
+    }
+
     @Override
     public void doTracerImage(int largeur, int hauteur) {
-        boolean avecLineaire = (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE;
-        Traceur traceur = preparer(new ImageMemoire(largeur, hauteur, avecLineaire));
+        Traceur traceur = dessinateur.preparer(largeur, hauteur);
         try {
-            traceur.TracerImage(this, getReglages().getReflets(), options.fils);
+            traceur.TracerImage(this, dessinateur.getReglages().getReflets(), options.fils);
         } catch (PixelFautif e) {
-            throw nommer(e);
+            throw dessinateur.nommer(e);
         }
-        direEcart(traceur);
-        if (options.statistiques) {
-            sortie.println(statistiques(traceur, traceur.getDureeNs()));
-            sortie.flush();
-        }
+        dessinateur.rapporter(traceur);
     }
 
     /** Dessine un pixel de l'image en cours. */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
-        getImage().drawPixel(PixelFautif.verifier(coul, xe + 0.5, ye + 0.5), xe, ye);
+        dessinateur.getImage().drawPixel(PixelFautif.verifier(coul, xe + 0.5, ye + 0.5), xe, ye);
+    }
+
+    /** Dessinateur du programme : il prépare la scène, et la dessine en plusieurs fils. */
+    public Dessinateur getDessinateur() {
+        return dessinateur;
     }
 }

@@ -1,7 +1,7 @@
 package lancer;
 
 /**
- * Ce qu'un rayon peut rencontrer : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme
+ * Objet que rencontre un rayon : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme
  * nouvelle n'a que deux méthodes à donner : {@link #getIntersectionDistance} et {@link #getNormale} ; une troisième,
  * {@link #getPointDeSurface}, lui évite les arrondis du contact.
  */

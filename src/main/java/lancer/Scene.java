@@ -58,7 +58,7 @@ public final class Scene {
         this.modele = modele.pourUnFil(objets, compteurs);
     }
 
-    /** La même scène pour un fil de plus, avec ses propres compteurs, et dessinée selon ce modèle. */
+    /** Une vue de plus sur cette scène, pour un fil, avec ses propres compteurs, dessinée selon ce modèle. */
     public Scene avec(Modele autre) {
         return new Scene(objets, lampes, autre);
     }
@@ -80,7 +80,7 @@ public final class Scene {
     }
 
     /**
-     * Vrai si un objet autre que {@code objet} se trouve strictement entre la lampe et le contact (cours, « Ombres
+     * Dit si un objet autre que {@code objet} se trouve strictement entre la lampe et le contact (cours, « Ombres
      * portées »). Le rayon part de la lampe ; si elle est lointaine, chaque moitié du segment se demande de son bout,
      * le seul d'où elle se voit sans arrondi.
      *
@@ -99,14 +99,14 @@ public final class Scene {
         return recherche.estCachee(lampe, lampe.getPosition(), L.neg(), distance, objet);
     }
 
-    /** Vrai si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE}. */
+    /** Dit si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE}. */
     public static boolean estLointaine(Lampe lampe) {
         Point p = lampe.getPosition();
         return Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z))) > Constantes.LOINTAINE;
     }
 
     /**
-     * Ce que voit un rayon, le premier comme un réfléchi : l'objet le plus proche ou le ciel, à travers l'air.
+     * Couleur que voit un rayon, le premier comme un réfléchi : l'objet le plus proche ou le ciel, à travers l'air.
      *
      * @param saufLui l'objet d'où part le rayon, ou {@code null}
      * @param profondeur nombre de réflexions encore permises
@@ -136,12 +136,12 @@ public final class Scene {
         return Collections.unmodifiableList(Arrays.asList(lampes));
     }
 
-    /** Ce que ce fil a compté. */
+    /** Compteurs de ce fil. */
     public Compteurs getCompteurs() {
         return compteurs;
     }
 
-    /** Comment cette scène se dessine, par ce fil. */
+    /** Modèle selon lequel ce fil dessine. */
     public Modele getModele() {
         return modele;
     }

@@ -39,7 +39,7 @@ public class Tuple {
         return 31 * (31 * Double.hashCode(x) + Double.hashCode(y)) + Double.hashCode(z);
     }
 
-    /** Par exemple {@code Vecteur(1.0, 0.0, -2.5)}. */
+    /** Texte de la forme {@code Vecteur(1.0, 0.0, -2.5)}. */
     @Override
     public String toString() {
         return getClass().getSimpleName() + "(" + x + ", " + y + ", " + z + ")";

@@ -111,7 +111,7 @@ public class Vecteur extends Tuple {
         return u.dot(v);
     }
 
-    /** La même chose que {@link #normalized() v.normalized()}. */
+    /** Forme statique de {@link #normalized() v.normalized()}. */
     public static Vecteur normalize(Vecteur v) {
         return v.normalized();
     }

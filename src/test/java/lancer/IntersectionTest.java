@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import lancer.essai.Exact;
+import lancer.precision.Intersection;
 import org.junit.jupiter.api.Test;
 
 /** L'intersection là où elle est mal placée : tangentes, centres, nombres qui n'en sont pas, longueurs aux bornes du domaine. */
@@ -15,7 +16,7 @@ class IntersectionTest {
     private static final double INFINI = Constantes.INFINI;
 
     private static double distance(Point p, Vecteur v, Point c, double r) {
-        return Sphere.distance(p.x, p.y, p.z, v.x, v.y, v.z, c.x, c.y, c.z, r);
+        return Intersection.distance(p.x, p.y, p.z, v.x, v.y, v.z, c.x, c.y, c.z, r);
     }
 
     private static Vecteur direction(Random hasard) {
@@ -71,7 +72,7 @@ class IntersectionTest {
             for (double faux : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
                 double[] x = cas.clone();
                 x[place] = faux;
-                double t = Sphere.distance(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9]);
+                double t = Intersection.distance(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9]);
                 assertTrue(t > 0, "nombre de rang " + place + " changé en " + faux + " : " + t);
                 assertTrue(t == INFINI || !Double.isNaN(faux), "NaN de rang " + place + " : " + t);
             }
@@ -132,7 +133,7 @@ class IntersectionTest {
     }
 
     private static double distance(double[] f, double[] v, double r) {
-        return Sphere.distance(-f[0], -f[1], -f[2], v[0], v[1], v[2], 0, 0, 0, r);
+        return Intersection.distance(-f[0], -f[1], -f[2], v[0], v[1], v[2], 0, 0, 0, r);
     }
 
     /** Le long d'un axe, à (3, 4)·s de côté d'une sphère de rayon 5 s, tout est exact : seul un chiffre de r sépare le contact du vide. */
@@ -183,7 +184,7 @@ class IntersectionTest {
     }
 
     private static double distance(double[] p, double[] v, double[] c, double r) {
-        return Sphere.distance(p[0], p[1], p[2], v[0], v[1], v[2], c[0], c[1], c[2], r);
+        return Intersection.distance(p[0], p[1], p[2], v[0], v[1], v[2], c[0], c[1], c[2], r);
     }
 
     @Test

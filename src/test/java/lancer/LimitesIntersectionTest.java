@@ -7,10 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Random;
 import lancer.essai.Exact;
 import lancer.essai.Formule;
+import lancer.precision.Intersection;
 import org.junit.jupiter.api.Test;
 
 /**
- * Où les formules des manuels échouent, et pourquoi {@link Sphere#distance} est écrite autrement. Chaque test montre
+ * Où les formules des manuels échouent, et pourquoi {@link Intersection#distance} est écrite autrement. Chaque test montre
  * où la formule naïve va, où elle se trompe, et que la nôtre y va encore. Celles que l'on trouve partout sont dans {@link Formule}, à
  * lire d'abord ; le juge est {@link Exact}.
  *

@@ -3,7 +3,7 @@ package lancer.contrat;
 import lancer.Couleur;
 
 /**
- * Ce que l'air fait à la couleur que voit un rayon. Appelé une fois au bout de chaque rayon, le premier comme les
+ * Effet de l'air sur la couleur que voit un rayon. Appelé une fois au bout de chaque rayon, le premier comme les
  * réfléchis, par tous les fils à la fois : une atmosphère n'a pas d'état.
  */
 public interface Atmosphere {
@@ -18,7 +18,7 @@ public interface Atmosphere {
      */
     Couleur traverser(Couleur vue, double distance);
 
-    /** Le même air, qui dit à {@code ecoute} ce qu'il fait ({@link Ecoute#aLAir}) ; par défaut, il ne dit rien. */
+    /** Air qui fait de même, et le dit à {@code ecoute} ({@link Ecoute#aLAir}) ; par défaut, il ne dit rien. */
     default Atmosphere ecoutee(Ecoute ecoute) {
         return this;
     }

@@ -1,6 +1,6 @@
 package lancer.contrat;
 
-/** Ce qu'un fil a compté en dessinant. Chaque fil a les siens, additionnés à la fin. */
+/** Comptes d'un fil qui dessine. Chaque fil a les siens, additionnés à la fin. */
 public final class Compteurs {
 
     /** Rayons partis de l'écran. */
@@ -16,7 +16,7 @@ public final class Compteurs {
     public long testsSpheres;
 
     /**
-     * Celles que leur forme directe laissait en doute, reprises par
+     * Intersections que leur forme directe laissait en doute, reprises par
      * {@link lancer.precision.IntersectionCompensee}. Les boucles du cours ne les comptent pas.
      */
     public long testsPrecis;

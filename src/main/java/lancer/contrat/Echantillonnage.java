@@ -13,7 +13,7 @@ public interface Echantillonnage {
     /** L'échantillonnage de la base : un rayon par pixel, en son centre. */
     Echantillonnage CENTRE = new Centre();
 
-    /** Celui du brouillon, seize fois moins cher. */
+    /** Échantillonnage du brouillon, seize fois moins cher. */
     Echantillonnage BROUILLON = new Brouillon();
 
     /**
@@ -36,7 +36,9 @@ public interface Echantillonnage {
         @Override
         public int tracer(Pave pave, Vue vue, Toile toile) {
             for (int j = pave.j0; j < pave.j1; j++) {
-                ligne(pave.i0, pave.i1, j, vue, toile);
+                for (int i = pave.i0; i < pave.i1; i++) {
+                    toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
+                }
             }
             return 0;
         }
@@ -44,12 +46,6 @@ public interface Echantillonnage {
         @Override
         public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
             return tracer(voulus, vue, toile);
-        }
-
-        private static void ligne(int i0, int i1, int j, Vue vue, Toile toile) {
-            for (int i = i0; i < i1; i++) {
-                toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
-            }
         }
     }
 

@@ -6,11 +6,11 @@ import lancer.PointContact;
 import lancer.Vecteur;
 
 /**
- * Ce que les classes du cours disent d'un pixel pendant qu'elles le calculent, à qui le demande ; d'ordinaire personne,
+ * Récit d'un pixel, que font les classes du cours en le calculant, à qui le demande ; d'ordinaire personne,
  * et {@code e} est {@code null}. Un rayon se dit dans l'ordre : son contact, les lampes, le reflet (donc le rayon
  * suivant, en entier), l'air, et enfin ce qu'il voit.
  *
- * <p>Celui qui écoute reçoit des copies : un objet qu'on lui donnerait n'aurait plus le droit de ne vivre que dans les
+ * <p>Qui écoute reçoit des copies : un objet qu'on lui donnerait n'aurait plus le droit de ne vivre que dans les
  * registres, même quand personne n'écoute.
  */
 public interface Ecoute {
@@ -24,25 +24,25 @@ public interface Ecoute {
     /** Une lampe est-elle devant la surface ? {@code devant} est N·(lampe − contact), qui n'est pas normalisé. */
     void aLaLampe(Lampe lampe, double devant);
 
-    /** Ce que donnerait cette lampe, qui est devant. */
+    /** Lumière que donnerait cette lampe, qui est devant, si rien ne la cachait. */
     void aLEclairement(double cosinus, double eclat, Couleur diffus, Couleur reflet);
 
     /** La base et l'exposant du reflet d'une lampe : R·L et ns pour Phong. */
     void auReflet(double base, double exposant);
 
-    /** Est-elle cachée ? {@code L} va du contact à la lampe. */
+    /** Question d'un rayon d'ombre : une lampe est-elle cachée ? {@code L} va du contact à la lampe. */
     void aLOmbre(Vecteur L, double distance);
 
     /** Un terme de la somme du contact : une lampe qui n'est pas cachée, puis le reflet des objets. */
     void aLaSomme(Couleur terme);
 
-    /** Le produit des Ks, qui dit si le reflet vaut d'être suivi. */
+    /** Produit des Ks, qui dit si le reflet vaut d'être suivi. */
     void auPoids(Couleur produitKs);
 
-    /** Ce que l'air fait de la somme : k, et les deux termes de ce qu'il laisse voir. */
+    /** Effet de l'air sur la somme : k, et les deux termes de ce qu'il laisse voir. */
     void aLAir(double k, Couleur air, Couleur reste);
 
-    /** Ce que voit enfin ce rayon : la somme de son contact, ou le ciel, puis à travers l'air. */
+    /** Couleur que voit enfin ce rayon : la somme de son contact, ou le ciel, puis à travers l'air. */
     void aLaVue(Couleur somme, Couleur vue);
 
     static void rayon(Ecoute e, PointContact contact) {

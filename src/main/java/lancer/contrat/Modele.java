@@ -6,7 +6,7 @@ import lancer.Objet3D;
 import lancer.SceneFautive;
 
 /**
- * Comment dessiner une scène : l'air, le reflet des lampes, l'échantillonnage, que des variantes peuvent changer ; la
+ * Façon de dessiner une scène : l'air, le reflet des lampes, l'échantillonnage, que des variantes peuvent changer ; la
  * recherche et le seuil des reflets ; et qui écoute. Un contrat ne se prend qu'une fois : deux variantes qui veulent le
  * même ne vont pas ensemble.
  */
@@ -32,7 +32,7 @@ public final class Modele {
         ecoute = autre.ecoute;
     }
 
-    /** Le même modèle pour un fil de plus, dont la recherche, dans ces objets, comptera dans {@code compteurs}. */
+    /** Modèle d'un fil de plus, identique, dont la recherche, dans ces objets, comptera dans {@code compteurs}. */
     public Modele pourUnFil(List<Objet3D> objets, Compteurs compteurs) {
         Modele sien = new Modele(this);
         sien.recherche = recherche == null ? new RechercheSimple(objets, compteurs) : recherche.pourUnFil(compteurs);
@@ -40,7 +40,7 @@ public final class Modele {
     }
 
     /**
-     * Le même modèle, à un autre échantillonnage et un autre seuil.
+     * Modèle identique, sauf l'échantillonnage et le seuil.
      *
      * @param seuil voir {@link #setSeuil}
      */
@@ -51,7 +51,7 @@ public final class Modele {
         return autre;
     }
 
-    /** Le même modèle, qui dit à {@code ecoute} ce qu'il calcule. */
+    /** Modèle identique, qui dit à {@code ecoute} ce qu'il calcule. */
     public Modele ecoute(Ecoute ecoute) {
         Modele autre = new Modele(this);
         autre.atmosphere = atmosphere.ecoutee(ecoute);
@@ -88,7 +88,7 @@ public final class Modele {
                 "l'échantillonnage");
     }
 
-    /** Ce que les rayons demandent à la scène. */
+    /** Recherche qui répond aux rayons ; {@code null} : les boucles du cours. */
     public Recherche getRecherche() {
         return recherche;
     }
@@ -107,7 +107,7 @@ public final class Modele {
         this.seuil = seuil;
     }
 
-    /** Qui écoute la scène calculer ; d'ordinaire {@code null}. */
+    /** Auditeur de la scène qui calcule ; d'ordinaire {@code null}. */
     public Ecoute getEcoute() {
         return ecoute;
     }

@@ -51,7 +51,7 @@ public final class Parametre {
         return new Parametre(cle, defaut, null, null, 0, Collections.emptyList(), null);
     }
 
-    /** Le même, qui ne peut être donné en même temps que cette autre clé. */
+    /** Paramètre identique, qui ne peut être donné en même temps que cette autre clé. */
     public Parametre sans(String autreCle) {
         return new Parametre(cle, defaut, min, pas, crans, mots, autreCle);
     }

@@ -26,7 +26,7 @@ public final class Pave {
         return nombre(largeur, hauteur, COTE);
     }
 
-    /** De même, en pavés de ce côté. */
+    /** Nombre de pavés de ce côté, en pixels, dans l'image. */
     public static int nombre(int largeur, int hauteur, int cote) {
         return enColonnes(largeur, cote) * ((hauteur + cote - 1) / cote);
     }
@@ -36,7 +36,7 @@ public final class Pave {
         return deRang(k, largeur, hauteur, COTE);
     }
 
-    /** De même, parmi les pavés de ce côté. */
+    /** Pavé de rang {@code k} parmi ceux de ce côté, dans l'ordre de la lecture. */
     public static Pave deRang(int k, int largeur, int hauteur, int cote) {
         int i0 = k % enColonnes(largeur, cote) * cote;
         int j0 = k / enColonnes(largeur, cote) * cote;

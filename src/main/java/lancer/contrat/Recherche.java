@@ -13,7 +13,7 @@ import lancer.Vecteur;
 public interface Recherche {
 
     /**
-     * Quel objet ce rayon rencontre-t-il d'abord ? Note le contact dans le rayon (+∞ si rien), sans égard à ce qui y
+     * Cherche quel objet ce rayon rencontre d'abord. Note le contact dans le rayon (+∞ si rien), sans égard à ce qui y
      * était. De deux contacts à la même distance, celui de l'objet qui vient d'abord dans la scène.
      *
      * @param saufLui objet à ignorer, ou {@code null}
@@ -29,6 +29,6 @@ public interface Recherche {
      */
     boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet);
 
-    /** La même recherche pour un fil de plus, qui comptera dans {@code compteurs}. */
+    /** Recherche d'un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
 }

@@ -26,7 +26,7 @@ public class RechercheSimple implements Recherche {
         for (Objet3D objet : objets) {
             if (objet != saufLui) {
                 compteurs.testsSpheres++;
-                double d = distance(objet, incident);
+                double d = verifier(objet.getIntersectionDistance(incident), objet);
                 if (d < distance) {
                     plusProche = objet;
                     distance = d;
@@ -42,7 +42,7 @@ public class RechercheSimple implements Recherche {
         for (Objet3D autre : objets) {
             if (autre != objet) {
                 compteurs.testsSpheres++;
-                if (distance(autre, ombre) < distance) {
+                if (verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
                     return true;
                 }
             }
@@ -50,9 +50,12 @@ public class RechercheSimple implements Recherche {
         return false;
     }
 
-    /** @throws ArithmeticException si l'objet répond ce qui n'est pas un nombre */
-    public static double distance(Objet3D objet, Rayon rayon) {
-        double d = objet.getIntersectionDistance(rayon);
+    /**
+     * La distance qu'a rendue cet objet.
+     *
+     * @throws ArithmeticException si elle n'est pas un nombre
+     */
+    public static double verifier(double d, Objet3D objet) {
         if (Double.isNaN(d)) {
             throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");
         }

@@ -26,16 +26,16 @@ public final class Section {
     /** Le plus petit nombre strictement positif. */
     private static final double PLUS_QUE_ZERO = Double.MIN_VALUE;
 
-    /** Aucune section n'en connaît tant ; au-delà, chercher les doublons coûterait trop cher. */
+    /** Nombre de clés au plus, qu'aucune section n'atteint : chercher les doublons coûterait ensuite trop cher. */
     private static final int CLES_MAX = 64;
 
-    /** Ce qui tient lieu de fichier à une section qui n'est dans aucun. */
+    /** Nom tenant lieu de fichier à une section qui n'est dans aucun. */
     private static final String REGLAGE = "réglage";
 
     private final String fichier;
     private final String nom;
     private final int ligne;
-    /** Vrai si elle n'apprend ses clés qu'à mesure qu'on les demande. */
+    /** Dit si elle n'apprend ses clés qu'à mesure qu'on les demande. */
     private final boolean ouverte;
     private final List<String> connues;
     private final List<String> cles = new ArrayList<>(5);
@@ -114,7 +114,7 @@ public final class Section {
         return -1;
     }
 
-    /** Vrai si la section donne cette clé. La clé est alors connue, qu'on lise ou non sa valeur. */
+    /** Dit si la section donne cette clé. La clé est alors connue, qu'on lise ou non sa valeur. */
     public boolean contient(String cle) {
         return demander(cle) >= 0;
     }
@@ -140,17 +140,17 @@ public final class Section {
         return contient(cle) ? reel(cle, min, max) : defaut;
     }
 
-    /** Comme {@link #reel(String, double, double, double)}, la clé étant obligatoire. */
+    /** Lit comme {@link #reel(String, double, double, double)}, la clé étant obligatoire. */
     public double reel(String cle, double min, double max) {
         return nombres(cle, 1, min, max)[0];
     }
 
-    /** Comme {@link #reel(String, double, double, double)}, la valeur étant strictement positive. */
+    /** Lit comme {@link #reel(String, double, double, double)}, la valeur étant strictement positive. */
     public double reelPositif(String cle, double defaut, double max) {
         return reel(cle, defaut, PLUS_QUE_ZERO, max);
     }
 
-    /** Comme {@link #reel(String, double, double, double)}, la valeur étant un nombre entier. */
+    /** Lit comme {@link #reel(String, double, double, double)}, la valeur étant un nombre entier. */
     public int entier(String cle, int defaut, int min, int max) {
         double valeur = reel(cle, defaut, min, max);
         if (valeur != (int) valeur) {
@@ -165,7 +165,7 @@ public final class Section {
         return contient(cle) ? couleur(cle, max) : defaut;
     }
 
-    /** Comme {@link #couleur(String, Couleur, double)}, la clé étant obligatoire. */
+    /** Lit comme {@link #couleur(String, Couleur, double)}, la clé étant obligatoire. */
     public Couleur couleur(String cle, double max) {
         double[] n = nombres(cle, 3, 0, max);
         return new Couleur(n[0], n[1], n[2]);
@@ -226,7 +226,7 @@ public final class Section {
         return nombres;
     }
 
-    /** Où finissent les blancs, ou ce qui n'en est pas, qui commencent là. */
+    /** Indice où finissent les blancs, ou ce qui n'en est pas, qui commencent là. */
     private static int fin(String texte, int debut, boolean blancs) {
         int i = debut;
         while (i < texte.length() && (texte.charAt(i) == ' ' || texte.charAt(i) == '\t') == blancs) {
@@ -274,7 +274,7 @@ public final class Section {
     }
 
     /**
-     * De quoi refuser la valeur d'une clé pour une raison que cette classe ne connaît pas.
+     * Refus de la valeur d'une clé, pour une raison que cette classe ne connaît pas.
      *
      * @param cle présente ou non
      * @param faute ce qui ne va pas
@@ -293,13 +293,13 @@ public final class Section {
                 faute + " " + cles.get(premiere) + ", déjà ligne " + lignes.get(premiere), attendu);
     }
 
-    /** Telle qu'on l'écrirait dans un fichier, sur une ligne : {@code [Antialias] n=8 methode=partage}. */
+    /** Texte de la section, comme dans un fichier mais sur une ligne : {@code [Antialias] n=8 methode=partage}. */
     @Override
     public String toString() {
         return ecrire(" ");
     }
 
-    /** Telle qu'on l'écrirait dans un fichier, {@code separateur} entre deux clés. */
+    /** Texte de la section, comme dans un fichier, {@code separateur} entre deux clés. */
     public String ecrire(String separateur) {
         StringBuilder s = new StringBuilder("[" + nom + "]");
         for (int k = 0; k < cles.size(); k++) {
@@ -315,7 +315,7 @@ public final class Section {
     }
 
     /**
-     * La même section, où cette clé a cette valeur.
+     * Section identique, où cette clé a cette valeur.
      *
      * @param sans une clé à ôter, ou {@code null}
      */

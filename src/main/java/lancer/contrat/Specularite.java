@@ -11,11 +11,11 @@ public interface Specularite {
     /** Le reflet de la base : max(0, R·L)^ns. */
     Specularite PHONG = new Phong(null);
 
-    /** Au-delà, la puissance entière perdrait plus de chiffres qu'elle ne gagnerait de temps. */
+    /** Exposant au-delà duquel la puissance entière perdrait plus de chiffres qu'elle ne gagnerait de temps. */
     int EXPOSANT_ENTIER_MAX = 1024;
 
     /**
-     * Tous les vecteurs sont de longueur 1.
+     * Part de la lumière d'une lampe que la surface reflète. Tous les vecteurs sont de longueur 1.
      *
      * @param V direction du rayon incident
      * @param N normale au contact, vers l'extérieur
@@ -61,8 +61,8 @@ public interface Specularite {
     }
 
     /**
-     * Le même reflet, qui dit à {@code ecoute} sa base et son exposant ({@link Ecoute#auReflet}) ; par défaut, il ne dit
-     * rien.
+     * Reflet identique, qui dit à {@code ecoute} sa base et son exposant ({@link Ecoute#auReflet}) ; par défaut, il ne
+     * dit rien.
      */
     default Specularite quiDit(Ecoute ecoute) {
         return this;

@@ -2,7 +2,7 @@ package lancer.contrat;
 
 import lancer.Couleur;
 
-/** Ce qui reçoit les pixels. Plusieurs fils y dessinent à la fois, jamais le même pixel. */
+/** Surface qui reçoit les pixels. Plusieurs fils y dessinent à la fois, jamais le même pixel. */
 public interface Toile {
 
     /**

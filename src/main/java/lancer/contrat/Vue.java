@@ -2,7 +2,7 @@ package lancer.contrat;
 
 import lancer.Couleur;
 
-/** Ce qu'un fil voit à travers l'écran : d'un point de l'écran à sa couleur. Une vue appartient à un seul fil. */
+/** Regard d'un fil à travers l'écran : d'un point de l'écran à sa couleur. Une vue appartient à un seul fil. */
 public interface Vue {
 
     /**
@@ -17,7 +17,7 @@ public interface Vue {
         return 0;
     }
 
-    /** Dit, à qui écoute, un terme du pixel en cours : tant de fois cette couleur, celle-là même que rend la vue. */
+    /** Dit, à qui écoute, un terme du pixel en cours : tant de fois cette couleur, objet même que rend la vue. */
     default void compter(Couleur couleur, double poids, Couleur terme) {
     }
 

@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
-import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Options;
@@ -17,7 +16,6 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Section;
-import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
@@ -25,20 +23,26 @@ import lancer.scene.LecteurScene;
 import lancer.scene.Origines;
 import lancer.temoins.LancerSurveille;
 
-/** Une scène lue, comment la dessiner, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres regardent. */
-public abstract class Dessinateur implements Toile {
+/**
+ * Réglages de la scène du programme, sa préparation, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres
+ * regardent.
+ */
+public final class Dessinateur {
+
+    /** Taille d'image au-delà de laquelle la fenêtre ne garde pas les couleurs non limitées : 48 Mo. */
+    private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
 
     private static final double NS_PAR_MS = 1e6;
 
-    protected final Options options;
-    protected final PrintStream sortie;
-    protected final PrintStream erreur;
-    private volatile Scene scene;
+    final Programme programme;
+    final Options options;
+    final PrintStream sortie;
+    final PrintStream erreur;
     private volatile Origines origines;
     private volatile String fichier;
     private volatile ReglagesDessin reglages;
     private volatile ImageMemoire image;
-    private volatile Traceur lancer;
+    private volatile Traceur traceur;
     private volatile double avancement;
     // une classe, car la première lambda d'un programme coûte cher à son démarrage
     private final DoubleConsumer suivi = new DoubleConsumer() {
@@ -50,14 +54,16 @@ public abstract class Dessinateur implements Toile {
     private long lectureNs;
     private long preparationNs;
 
-    protected Dessinateur(Options options, PrintStream sortie, PrintStream erreur) {
+    /** @param programme ce qui lit la scène et reçoit les pixels */
+    public Dessinateur(Programme programme, Options options, PrintStream sortie, PrintStream erreur) {
+        this.programme = programme;
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
     }
 
     /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
-    protected void direEcart(Traceur dessine) {
+    void direEcart(Traceur dessine) {
         if (dessine.getEcart() != null) {
             Pannes.avertir(Collections.singletonList(dessine.getEcart()), erreur);
         }
@@ -66,24 +72,20 @@ public abstract class Dessinateur implements Toile {
     /**
      * Lit une scène, qui devient celle à dessiner.
      *
-     * @param nomFichier voir {@link Scene#Scene(String)}
-     * @return ce qu'elle a de laissé de côté, une ligne chacun
+     * @param nomFichier voir {@link lancer.Scene#Scene(String)}
+     * @return ce que la lecture a laissé de côté, une ligne chacun
      * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
-     * @throws CancellationException de même, si ce fil a été interrompu
+     * @throws CancellationException si ce fil a été interrompu ; la précédente reste aussi
      */
     public List<String> lireScene(String nomFichier) {
         avancement = 0;
         long debut = System.nanoTime();
         Lecture lecture = new Lecture();
-        Scene nouvelle = new Scene(nomFichier, lecture);
-        lecture.reglages.verifier(options);
-        if (Thread.currentThread().isInterrupted()) {
-            throw new CancellationException("lecture abandonnée : la scène d'avant reste");
-        }
+        programme.lireScene(nomFichier, lecture);
         lectureNs = System.nanoTime() - debut;
         fichier = nomFichier;
         origines = lecture.getOrigines();
-        remplacer(nouvelle, lecture.reglages);
+        remplacer(lecture.reglages);
         return lecture.getAvertissements();
     }
 
@@ -93,19 +95,20 @@ public abstract class Dessinateur implements Toile {
         private ReglagesDessin reglages;
 
         @Override
-        protected void avancer(double part) {
+        public void avancer(double part) {
             avancement = part;
         }
 
         @Override
         protected Modele installer(Map<Variante, Section> variantes) {
             reglages = ReglagesDessin.de(variantes, options);
-            return reglages.getModele();
+            Modele modele = reglages.getModele();
+            reglages.verifier(options);
+            if (Thread.currentThread().isInterrupted()) {
+                throw new CancellationException("lecture abandonnée : la scène d'avant reste");
+            }
+            return modele;
         }
-    }
-
-    public Scene getScene() {
-        return scene;
     }
 
     /** De quelles sections viennent les objets et les lampes de la scène lue. */
@@ -118,47 +121,58 @@ public abstract class Dessinateur implements Toile {
         return avancement;
     }
 
-    /** Comment dessiner la scène lue, tant que {@link #regler} n'en dit pas plus. */
+    /** Réglages de la scène lue, tant que {@link #regler} n'en dit pas plus. */
     public ReglagesDessin getReglages() {
         return reglages;
     }
 
     /**
-     * Dit comment dessiner la scène lue, jusqu'à la suivante.
+     * Règle la scène lue, jusqu'à la suivante.
      *
      * @throws SceneFautive si ces réglages ne vont pas ; rien n'est alors changé
      */
     public void regler(ReglagesDessin voulus) {
-        remplacer(scene.avec(voulus.getModele()), voulus);
+        programme.regler(voulus.getModele());
+        remplacer(voulus);
     }
 
-    /** Le dessin d'avant n'est pas celui de cette scène, même avant qu'elle ne se prépare. */
-    private void remplacer(Scene nouvelle, ReglagesDessin siens) {
-        lancer = null;
+    /** Le dessin d'avant n'est pas celui de la nouvelle scène, même avant qu'elle ne se prépare. */
+    private void remplacer(ReglagesDessin siens) {
+        traceur = null;
         avancement = 0;
-        scene = nouvelle;
         reglages = siens;
     }
 
-    /**
-     * Dessine la scène lue, brouillon puis image.
-     *
-     * @throws CancellationException si le dessin a été arrêté
-     * @throws Echec si un pixel ne peut être calculé
-     */
-    public abstract void doTracerImage(int largeur, int hauteur);
+    /** Fait dessiner la scène au programme. */
+    public void doTracerImage(int largeur, int hauteur) {
+        programme.doTracerImage(largeur, hauteur);
+    }
+
+    /** Prépare la scène pour une image de cette taille, que garde la fenêtre. */
+    public Traceur preparer(int largeur, int hauteur) {
+        return preparer(new ImageMemoire(largeur, hauteur, (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE));
+    }
+
+    /** Rapporte un dessin achevé : l'écart qu'ont vu ses témoins, ses nombres s'ils sont demandés. */
+    public void rapporter(Traceur acheve) {
+        direEcart(acheve);
+        if (options.statistiques) {
+            sortie.println(statistiques(acheve, acheve.getDureeNs()));
+            sortie.flush();
+        }
+    }
 
     /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */
-    protected Traceur preparer(ImageMemoire vierge) {
-        // dans cet ordre : qui voit la nouvelle image ne voit plus l'ancien lancer
-        lancer = null;
+    Traceur preparer(ImageMemoire vierge) {
+        // dans cet ordre : qui voit la nouvelle image ne voit plus l'ancien traceur
+        traceur = null;
         image = vierge;
         avancement = 0;
         long debut = System.nanoTime();
-        Traceur nouveau = LancerSurveille.preparer(scene, vierge.getLargeur(), vierge.getHauteur(), options.simple,
-                suivi);
+        Traceur nouveau = LancerSurveille.preparer(programme.getScene(), vierge.getLargeur(), vierge.getHauteur(),
+                options.simple, suivi);
         preparationNs = System.nanoTime() - debut;
-        lancer = nouveau;
+        traceur = nouveau;
         return nouveau;
     }
 
@@ -167,18 +181,18 @@ public abstract class Dessinateur implements Toile {
         return image;
     }
 
-    /** Ce qui dessine la scène lue, ainsi réglée ; {@code null} tant qu'elle ne se dessine pas. */
+    /** Traceur de la scène lue, ainsi réglée ; {@code null} tant qu'elle ne se dessine pas. */
     public Traceur getTraceur() {
-        return lancer;
+        return traceur;
     }
 
     /**
-     * Ce que dit {@code --statistiques} : comptes d'un dessin, et temps. Toujours avec un point décimal, sans
+     * Texte de {@code --statistiques} : comptes d'un dessin, et temps. Toujours avec un point décimal, sans
      * séparateur de milliers ni exposant, quelle que soit la langue de la machine.
      *
      * @param tracesNs le temps de chaque dessin, dans l'ordre, en nanosecondes
      */
-    protected String statistiques(Traceur dessine, long... tracesNs) {
+    String statistiques(Traceur dessine, long... tracesNs) {
         Compteurs c = dessine.getCompteurs();
         double traceNs = mediane(tracesNs);
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
@@ -197,10 +211,11 @@ public abstract class Dessinateur implements Toile {
         return (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2.0;
     }
 
-    /** Ce qu'il faut dire d'un pixel de la scène lue qui n'a pu être calculé. */
-    protected Echec nommer(PixelFautif panne) {
+    /** Échec à dire d'un pixel de la scène lue qui n'a pu être calculé. */
+    public Echec nommer(PixelFautif panne) {
         int largeur = image == null ? options.largeur : image.getLargeur();
         int hauteur = image == null ? options.hauteur : image.getHauteur();
-        return Echec.panne(Pannes.duPixel(Diagnostic.situer(panne, scene), reglages.getOptions(), fichier, largeur, hauteur));
+        PixelFautif situee = Diagnostic.situer(panne, programme.getScene());
+        return Echec.panne(Pannes.duPixel(situee, reglages.getOptions(), fichier, largeur, hauteur));
     }
 }

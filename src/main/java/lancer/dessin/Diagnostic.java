@@ -14,7 +14,7 @@ final class Diagnostic {
     private Diagnostic() {
     }
 
-    /** Le même échec, et sa première cause ; la pile de celle-ci commence, s'il y en a une, par une de ces classes. */
+    /** Échec du même pixel, et sa première cause, dont la pile commence, si elle y passe, par une de ces classes. */
     static PixelFautif situer(PixelFautif panne, Scene scene) {
         Modele modele = scene.getModele();
         Set<String> classes = new HashSet<>(Arrays.asList(Modele.nom(modele.getAtmosphere()),

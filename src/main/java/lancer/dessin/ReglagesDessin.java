@@ -19,20 +19,20 @@ import lancer.scene.Services;
 import lancer.texte.Texte;
 
 /**
- * Comment dessiner une scène lue : les réflexions, le seuil, et chaque variante présente, branchée ou non, avec sa
+ * Réglages d'une scène lue : les réflexions, le seuil, et chaque variante présente, branchée ou non, avec sa
  * section. Le fichier de la scène n'en est pas changé. Immuable.
  */
 public final class ReglagesDessin {
 
     private final int reflets;
     private final double seuil;
-    /** De chaque variante présente, la section du fichier, de ligne 0 s'il ne l'a pas. */
+    /** Pour chaque variante présente, section du fichier, de ligne 0 s'il ne l'a pas. */
     private final Map<Variante, Section> lues;
-    /** Par type, quelle que soit la casse, les sections qui remplacent celles du fichier, et les débranchées. */
+    /** Par type, quelle que soit la casse, sections qui remplacent celles du fichier, et les débranchées. */
     private final SortedMap<String, Section> changees;
     private final SortedSet<String> debranchees;
 
-    /** Ceux de la ligne de commande et du fichier, {@code null} si ce sont eux. */
+    /** Réglages de la ligne de commande et du fichier ; {@code null} si ceux-ci le sont. */
     private final ReglagesDessin initiaux;
 
     private ReglagesDessin(int reflets, double seuil, Map<Variante, Section> lues,
@@ -45,7 +45,7 @@ public final class ReglagesDessin {
         this.initiaux = initiaux;
     }
 
-    /** Ceux que demandent la ligne de commande et le fichier, dont voici la section de chaque variante présente. */
+    /** Réglages de la ligne de commande et du fichier, dont voici la section de chaque variante présente. */
     static ReglagesDessin de(Map<Variante, Section> lues, Options options) {
         SortedSet<String> debranchees = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
         debranchees.addAll(options.sans);
@@ -67,7 +67,7 @@ public final class ReglagesDessin {
         }
     }
 
-    /** Ceux de la ligne de commande et du fichier. */
+    /** Réglages de la ligne de commande et du fichier, avant tout changement. */
     public ReglagesDessin initiaux() {
         return initiaux == null ? this : initiaux;
     }
@@ -112,7 +112,7 @@ public final class ReglagesDessin {
         return donnee != null || ailleurs ? donnee : parametre.getDefaut();
     }
 
-    /** Celles des variantes branchées que rien ne règle : {@code --auto} peut les régler. */
+    /** Variantes branchées que rien ne règle : {@code --auto} peut les régler. */
     public List<Variante> getVariantesLibres() {
         List<Variante> libres = new ArrayList<>();
         for (Variante variante : lues.keySet()) {
@@ -124,12 +124,12 @@ public final class ReglagesDessin {
         return libres;
     }
 
-    /** Les mêmes, à tant de réflexions et à ce seuil. */
+    /** Réglages identiques, à tant de réflexions et à ce seuil. */
     public ReglagesDessin avec(int autresReflets, double autreSeuil) {
         return new ReglagesDessin(autresReflets, autreSeuil, lues, changees, debranchees, initiaux());
     }
 
-    /** Les mêmes, cette variante étant branchée ou non. */
+    /** Réglages identiques, cette variante étant branchée ou non. */
     public ReglagesDessin avec(Variante variante, boolean branchee) {
         SortedSet<String> autres = new TreeSet<>(debranchees);
         if (branchee) {
@@ -140,7 +140,7 @@ public final class ReglagesDessin {
         return new ReglagesDessin(reflets, seuil, lues, changees, autres, initiaux());
     }
 
-    /** Les mêmes, cette variante étant réglée par cette section. */
+    /** Réglages identiques, cette variante étant réglée par cette section. */
     public ReglagesDessin avec(Variante variante, Section section) {
         SortedMap<String, Section> autres = new TreeMap<>(changees);
         autres.put(variante.getSection(), section);
@@ -148,10 +148,10 @@ public final class ReglagesDessin {
     }
 
     /**
-     * Ceux-ci, pour une scène qui vient d'être lue : une section du fichier n'est remplacée que si elle est restée
-     * celle qu'on avait remplacée.
+     * Réglages identiques pour une scène qui vient d'être lue : une section du fichier n'est remplacée que si elle est
+     * restée celle qu'on avait remplacée.
      *
-     * @param luesApres ceux de cette scène
+     * @param luesApres réglages de cette scène
      */
     public ReglagesDessin pour(ReglagesDessin luesApres) {
         SortedMap<String, Section> gardees = new TreeMap<>(changees);
@@ -201,7 +201,7 @@ public final class ReglagesDessin {
                 + (debranchees.isEmpty() ? "" : " --sans " + String.join(",", debranchees));
     }
 
-    /** Pour être lus : {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */
+    /** Texte à lire : {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */
     @Override
     public String toString() {
         StringBuilder s = new StringBuilder(reflets + (reflets > 1 ? " réflexions" : " réflexion"));

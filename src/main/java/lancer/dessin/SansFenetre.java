@@ -10,7 +10,7 @@ import lancer.image.LectureImage;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 
-/** Ce qui se fait sans fenêtre : une image dans un fichier, un pixel expliqué, une comparaison. */
+/** Travail sans fenêtre : une image dans un fichier, un pixel expliqué, une comparaison. */
 public final class SansFenetre {
 
     private final Dessinateur dessinateur;
@@ -47,7 +47,7 @@ public final class SansFenetre {
     private void dessinerUnPixel() {
         List<String> avertissements = dessinateur.lireScene(options.scene);
         Camera camera = new Camera(options.largeur, options.hauteur);
-        Inspection pixel = new Inspection(dessinateur.getScene(), dessinateur.getOrigines(), camera,
+        Inspection pixel = new Inspection(dessinateur.programme.getScene(), dessinateur.getOrigines(), camera,
                 options.reflets, options.pixelX, options.pixelY);
         pixel.faire();
         Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), dessinateur.sortie);
@@ -61,7 +61,7 @@ public final class SansFenetre {
         if (autre == null) {
             dessinateur.lireScene(options.scene);
             autre = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
-            dessinateur.preparer(autre).TracerPixels(dessinateur, options.reflets, options.fils);
+            dessinateur.preparer(autre).TracerPixels(dessinateur.programme, options.reflets, options.fils);
         }
         return fichiers.comparer(autre, attendue);
     }

@@ -72,8 +72,8 @@ public final class VersFichiers {
         Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils,
                 dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
         Traceur lancer = auto == null ? prepare : auto.getTraceur();
-        long[] traces = auto == null ? tracer(lancer, dessinateur, options.reflets)
-                : tracer(lancer, auto.surveiller(dessinateur, auto.getChoisi()), auto.getChoisi().reflets);
+        long[] traces = auto == null ? tracer(lancer, dessinateur.programme, options.reflets)
+                : tracer(lancer, auto.surveiller(dessinateur.programme, auto.getChoisi()), auto.getChoisi().reflets);
         if (auto != null) {
             auto.controler();
         }

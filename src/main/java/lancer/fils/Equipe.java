@@ -39,8 +39,7 @@ public final class Equipe {
         List<Thread> fils = new ArrayList<>();
         try {
             for (IntConsumer ouvrier : ouvriers) {
-                Thread fil = new Thread(null, new Fil(nombre, ouvrier), nom + "-" + (fils.size() + 1), PILE);
-                fil.setDaemon(true);
+                Thread fil = new Fil(nom + "-" + (fils.size() + 1), nombre, ouvrier);
                 fil.start();
                 fils.add(fil);
             }
@@ -98,15 +97,17 @@ public final class Equipe {
         }
     }
 
-    /** Une classe nommée : la première lambda d'un programme coûte cher à son démarrage. */
-    private final class Fil implements Runnable {
+    /** Un fil de l'équipe : il prend une tâche après l'autre. */
+    private final class Fil extends Thread {
 
         private final int nombre;
         private final IntConsumer ouvrier;
 
-        Fil(int nombre, IntConsumer ouvrier) {
+        Fil(String nomDuFil, int nombre, IntConsumer ouvrier) {
+            super(null, null, nomDuFil, PILE);
             this.nombre = nombre;
             this.ouvrier = ouvrier;
+            setDaemon(true);
         }
 
         @Override

@@ -5,7 +5,7 @@ import lancer.Lancer;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Vue;
 
-/** Ce qu'un fil d'une équipe voit à travers l'écran : la couleur, ou un échec qui dit de quel pixel. */
+/** Vue d'un fil d'une équipe à travers l'écran : la couleur, ou un échec qui dit de quel pixel. */
 public final class Regard implements Vue {
 
     private final Equipe equipe;

@@ -43,7 +43,7 @@ public class Traceur {
         return lancer.getCamera();
     }
 
-    /** De quoi dessiner la même scène autrement : ce que compare {@code --auto}. */
+    /** Traceur de la même scène, à cet échantillonnage et ce seuil : ce que compare {@code --auto}. */
     public Traceur avec(Echantillonnage echantillonnage, double seuil) {
         return new Traceur(getScene().avec(getScene().getModele().avec(echantillonnage, seuil)), getCamera());
     }
@@ -87,7 +87,7 @@ public class Traceur {
         return (double) equipe.getFaites() / Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur());
     }
 
-    /** Vrai dès que {@link #TracerImage} a fini le brouillon : chaque pixel de l'image a une couleur. */
+    /** Dit si {@link #TracerImage} a fini le brouillon : chaque pixel de l'image a une couleur. */
     public boolean isBrouillonFait() {
         return brouillonFait;
     }
@@ -97,7 +97,7 @@ public class Traceur {
         return null;
     }
 
-    /** Ce que le dernier dessin achevé a compté, tous fils ensemble. */
+    /** Comptes du dernier dessin achevé, tous fils ensemble. */
     public Compteurs getCompteurs() {
         return compteurs;
     }

@@ -13,7 +13,7 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute;
 
-/** Ce que les classes du cours disent en calculant ce que voit un rayon parti de l'écran. */
+/** Chaîne des contacts d'un rayon parti de l'écran, telle que la disent les classes du cours en la calculant. */
 final class Chaine implements Ecoute {
 
     final List<Etape> etapes = new ArrayList<>();

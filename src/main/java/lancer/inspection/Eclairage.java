@@ -33,12 +33,12 @@ public final class Eclairage {
         this.devant = devant;
     }
 
-    /** Vrai si elle compte dans la somme. */
+    /** Dit si elle compte dans la somme. */
     public boolean eclaire() {
         return apport != null;
     }
 
-    /** Où la cache l'objet le plus proche d'elle, {@code null} si elle n'est pas cachée. */
+    /** Contact de l'objet le plus proche d'elle qui la cache, {@code null} si elle n'est pas cachée. */
     public PointContact getCache() {
         return cache;
     }

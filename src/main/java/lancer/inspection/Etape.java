@@ -6,7 +6,7 @@ import lancer.Couleur;
 import lancer.PointContact;
 import lancer.Vecteur;
 
-/** Ce que voit un rayon de la chaîne : un contact et ses lampes, ou le ciel. Ce qui n'a pas été calculé est nul. */
+/** Vue d'un rayon de la chaîne : un contact et ses lampes, ou le ciel. Ce qui n'a pas été calculé est nul. */
 public final class Etape {
 
     /** 1 pour le rayon parti de l'écran. */
@@ -24,7 +24,7 @@ public final class Etape {
     Couleur reflet;
     Couleur somme;
 
-    /** Ce que l'air en a dit. */
+    /** Part k de l'air, et les deux termes de la vue, s'il les dit. */
     double k;
     Couleur air;
     Couleur reste;
@@ -40,7 +40,7 @@ public final class Etape {
         return reflet == null ? null : R;
     }
 
-    /** Vrai si ce que voit le rayon n'est pas la somme telle quelle. */
+    /** Dit si ce que voit le rayon n'est pas la somme telle quelle. */
     boolean aTraversLAir() {
         return air != null || !vue.equals(somme);
     }

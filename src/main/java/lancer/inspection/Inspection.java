@@ -13,6 +13,7 @@ import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
@@ -36,7 +37,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
     public final int y;
     private final Echantillonnage entier;
     private final Chaine chaine = new Chaine();
-    private final Traceur lancer;
+    private final Traceur traceur;
     private Vue vue;
     private Couleur couleur;
     private List<Echantillon> echantillons;
@@ -64,7 +65,8 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         this.x = x;
         this.y = y;
         entier = scene.getModele().getEchantillonnage();
-        lancer = new Traceur(scene.avec(scene.getModele().avec(this, scene.getModele().getSeuil()).ecoute(chaine)), camera);
+        Modele modele = scene.getModele();
+        traceur = new Traceur(scene.avec(modele.avec(this, modele.getSeuil()).ecoute(chaine)), camera);
     }
 
     /** Explique, une fois, l'échantillon le plus proche du centre. @throws CancellationException si on l'arrête */
@@ -72,14 +74,14 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         faire(AU_CENTRE);
     }
 
-    /** De même, l'échantillon de ce rang ; {@link #AU_CENTRE} : le plus proche du centre. */
+    /** Explique, une fois, l'échantillon de ce rang ; {@link #AU_CENTRE} : le plus proche du centre. */
     public void faire(int rang) {
         voulu = rang;
-        lancer.TracerPixels(this, profondeur, 1);
+        traceur.TracerPixels(this, profondeur, 1);
     }
 
     public void arreter() {
-        lancer.arreter();
+        traceur.arreter();
     }
 
     /** La couleur du pixel. */
@@ -87,12 +89,12 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         return couleur;
     }
 
-    /** Ceux du pixel et ceux qu'il partage, ligne par ligne : dans l'ordre où ils s'ajoutent. */
+    /** Échantillons du pixel et échantillons qu'il partage, ligne par ligne : dans l'ordre où ils s'ajoutent. */
     public List<Echantillon> getEchantillons() {
         return echantillons;
     }
 
-    /** Celui dont voici la chaîne. */
+    /** Échantillon dont voici la chaîne. */
     public Echantillon getChoisi() {
         return choisi;
     }
@@ -102,7 +104,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         return chaine.etapes;
     }
 
-    /** Par exemple {@code [Sphere ambre] ligne 52}, ou le rang dans la scène s'il n'y a pas de fichier. */
+    /** Nom, de la forme {@code [Sphere ambre] ligne 52}, ou le rang dans la scène s'il n'y a pas de fichier. */
     public String nom(Object chose) {
         String origine = origines.de(chose);
         return origine != null ? origine : chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))

@@ -122,7 +122,8 @@ public final class Recit {
             return "ciel";
         }
         if (etape.poids != null) {
-            return "poids " + nombre.apply(etape.poids.max()) + " < seuil " + nombre.apply(pixel.scene.getModele().getSeuil());
+            return "poids " + nombre.apply(etape.poids.max()) + " < seuil "
+                    + nombre.apply(pixel.scene.getModele().getSeuil());
         }
         return etape.contact.objet.getKs().estNoire() ? "Ks nul"
                 : pixel.profondeur + (pixel.profondeur > 1 ? " réflexions" : " réflexion");

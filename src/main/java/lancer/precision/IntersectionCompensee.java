@@ -4,7 +4,7 @@ import lancer.Constantes;
 
 /**
  * L'intersection d'un rayon et d'une sphère là où l'arrondi de C − P, ou un carré qui déborde, fausserait
- * {@link lancer.Sphere#distance} : le rayon part près de la surface (au-dessus d'un sol immense, d'une sphère qui en
+ * {@link Intersection#distance} : le rayon part près de la surface (au-dessus d'un sol immense, d'une sphère qui en
  * touche une autre).
  *
  * <p>Une seule quantité y perd ses chiffres : la puissance de P, c = |C − P|² − r². Elle est calculée ici sans erreur
@@ -19,7 +19,7 @@ import lancer.Constantes;
  */
 public final class IntersectionCompensee {
 
-    /** Au-dessus de cette part de r², la puissance calculée d'abord est juste à u près. */
+    /** Part de r² au-dessus de laquelle la puissance calculée d'abord est juste à u près. */
     private static final double ASSEZ = 0x1p-20;
 
     /**
@@ -38,7 +38,7 @@ public final class IntersectionCompensee {
     private IntersectionCompensee() {
     }
 
-    /** La même distance que {@link lancer.Sphere#distance}, là où celle-ci est en doute : mêmes cas, mêmes réponses. */
+    /** Distance de {@link Intersection#distance}, là où sa forme directe est en doute : mêmes cas, mêmes réponses. */
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
         double fx = cx - px;
@@ -64,7 +64,7 @@ public final class IntersectionCompensee {
         return c < 0 ? c / (b - h) : Constantes.INFINI;
     }
 
-    /** Vrai si h² n'est négatif que par un arrondi : la perpendiculaire tombe juste sur des nombres ronds. */
+    /** Dit si h² n'est négatif que par un arrondi : la perpendiculaire tombe juste sur des nombres ronds. */
     private static boolean tangente(double fx, double fy, double fz, double vx, double vy, double vz, double b,
             double h2, double r) {
         double lx = fx - b * vx;
@@ -73,7 +73,7 @@ public final class IntersectionCompensee {
         return h2 >= -TANGENTE * b * r && lx * lx + ly * ly + lz * lz <= r * r;
     }
 
-    /** Ce que l'arrondi de {@code somme} = a + b a perdu, exactement. */
+    /** Perte exacte de l'arrondi de {@code somme} = a + b. */
     public static double reste(double a, double b, double somme) {
         double t = somme - a;
         return (a - (somme - t)) + (b - t);

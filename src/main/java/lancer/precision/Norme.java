@@ -9,11 +9,11 @@ public final class Norme {
      */
     public static final double CARRE_MIN = 0x1.0p-900;
 
-    /** Voir {@link #CARRE_MIN}. */
+    /** Carré au-dessus duquel la norme demande un détour : voir {@link #CARRE_MIN}. */
     public static final double CARRE_MAX = 0x1.0p1000;
 
     /**
-     * À moins de cela de 1, le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près : ni racine,
+     * Écart à 1 sous lequel le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près : ni racine,
      * ni division. La normale d'un contact et la direction d'un reflet sont toujours dans ce cas.
      */
     public static final double PRESQUE_UN = 0x1p-27;
@@ -40,7 +40,7 @@ public final class Norme {
         return Math.scalb(Math.sqrt(a * a + b * b + c * c), k);
     }
 
-    /** Vrai si ni le carré de ce rayon, ni sa somme avec celui de ce vecteur, ne perdent de chiffres. */
+    /** Dit si ni le carré de ce rayon, ni sa somme avec celui de ce vecteur, ne perdent de chiffres. */
     public static boolean sontOrdinaires(double x, double y, double z, double rayon) {
         double r2 = rayon * rayon;
         return r2 > CARRE_MIN && r2 + (x * x + y * y + z * z) < CARRE_MAX;

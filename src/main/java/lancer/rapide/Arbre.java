@@ -1,8 +1,8 @@
 package lancer.rapide;
 
 import lancer.Constantes;
-import lancer.Sphere;
 import lancer.fils.Equipe;
+import lancer.precision.Intersection;
 
 /**
  * Un arbre de boîtes, parcouru de la plus proche à la plus lointaine : rarement le meilleur ici, mais ni les tailles,
@@ -11,7 +11,7 @@ import lancer.fils.Equipe;
  * question : d'ordinaire, personne n'en pose.
  *
  * <p>Une boîte n'est passée que si aucune de ses sphères ne peut l'emporter, arrondis compris. La distance calculée par
- * {@link Sphere#distance} est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53, et les
+ * {@link Intersection#distance} est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53, et les
  * plans d'une boîte se traversent à 4 u (|P| + |boîte|) près : chaque boîte est élargie de {@link Noeuds#MARGE} fois sa
  * plus grande coordonnée, et chaque rayon s'élargit d'autant de fois celle de son départ. La marge suit donc ce que le
  * rayon et la boîte ont de grand, et rien d'autre dans la scène.
@@ -104,7 +104,7 @@ final class Arbre implements Intersections, Occultations {
                     }
                     tests++;
                     int i = Spheres.PAS * k;
-                    double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                    double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
                     if (d < 0) {
                         d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
                     }

@@ -4,9 +4,8 @@ import java.util.Arrays;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
-import lancer.Sphere;
 import lancer.fils.Equipe;
-import lancer.precision.Doute;
+import lancer.precision.Intersection;
 
 /**
  * Ce que l'on voit d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la
@@ -203,9 +202,9 @@ final class Carte implements Intersections {
         for (; e < fin && pres[e] - avance <= distance; e++) {
             int k = entrees[e];
             int s = Spheres.PAS * k;
-            double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+            double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
             if (d < 0) {
-                d = Doute.auMoins(d) > distance ? Constantes.INFINI
+                d = Intersection.auMoins(d) > distance ? Constantes.INFINI
                         : parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
             }
             if (d <= distance && spheres.avant(d, k, distance, trouvee)) {

@@ -1,8 +1,7 @@
 package lancer.rapide;
 
 import lancer.Point;
-import lancer.Sphere;
-import lancer.precision.Doute;
+import lancer.precision.Intersection;
 
 /**
  * Ce qui cache une lampe : elle est ponctuelle et le cours fait partir d'elle les rayons d'ombre, donc elle voit la
@@ -58,8 +57,8 @@ final class CarteLampe implements Occultations {
             if (k != sauf) {
                 tests++;
                 int s = Spheres.PAS * k;
-                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                cachee = d < distance && (d >= 0 || Doute.auMoins(d) < distance
+                double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                cachee = d < distance && (d >= 0 || Intersection.auMoins(d) < distance
                         && parcours.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance);
             }
         }

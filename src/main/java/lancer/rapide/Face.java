@@ -12,7 +12,7 @@ final class Face {
 
     /**
      * Élargissement des silhouettes, en u et v. Les directions et les silhouettes sont calculées à 1e-15 près, et les
-     * arrondis de {@link lancer.Sphere#distance} grossissent une sphère de 4e-15 au plus, vue d'ici.
+     * arrondis de {@link lancer.precision.Intersection#distance} grossissent une sphère de 4e-15 au plus, vue d'ici.
      */
     static final double MARGE = 4e-12;
 

@@ -2,9 +2,8 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import lancer.Constantes;
-import lancer.Sphere;
 import lancer.fils.Equipe;
-import lancer.precision.Doute;
+import lancer.precision.Intersection;
 
 /**
  * Une grille régulière de cases, traversées l'une après l'autre (Amanatides et Woo, 1987) : deux à trois fois plus
@@ -194,7 +193,7 @@ final class Grille implements Intersections {
             if (k != sauf) {
                 parcours.compteurs.testsSpheres++;
                 int s = Spheres.PAS * k;
-                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
                 parcours.retenir(spheres, k, d, px, py, pz, vx, vy, vz);
             }
         }
@@ -282,10 +281,10 @@ final class Grille implements Intersections {
                 }
                 tests++;
                 int s = Spheres.PAS * k;
-                double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
                 if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
                     if (d < 0) {
-                        if (Doute.auMoins(d) > distance) {
+                        if (Intersection.auMoins(d) > distance) {
                             continue;
                         }
                         douteuse = k;

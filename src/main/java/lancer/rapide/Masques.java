@@ -3,8 +3,7 @@ package lancer.rapide;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
-import lancer.Sphere;
-import lancer.precision.Doute;
+import lancer.precision.Intersection;
 
 /**
  * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque
@@ -151,10 +150,10 @@ final class Masques implements Intersections {
             int k = Long.numberOfTrailingZeros(masque);
             tests++;
             int s = Spheres.PAS * k;
-            double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+            double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
             if (d < distance) {
                 if (d < 0) {
-                    if (Doute.auMoins(d) > distance) {
+                    if (Intersection.auMoins(d) > distance) {
                         continue;
                     }
                     d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
@@ -239,8 +238,8 @@ final class Masques implements Intersections {
                         int k = Long.numberOfTrailingZeros(masque);
                         tests++;
                         s = Spheres.PAS * k;
-                        double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                        if (d < distance && (d >= 0 || Doute.auMoins(d) < distance
+                        double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                        if (d < distance && (d >= 0 || Intersection.auMoins(d) < distance
                                 && parcours.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance)) {
                             break;
                         }

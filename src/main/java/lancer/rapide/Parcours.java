@@ -1,8 +1,7 @@
 package lancer.rapide;
 
-import lancer.Sphere;
 import lancer.contrat.Compteurs;
-import lancer.precision.Doute;
+import lancer.precision.Intersection;
 
 /** Ce qu'un fil garde à côté de ses questions aux structures : la distance trouvée, une pile, ses comptes. */
 final class Parcours {
@@ -37,11 +36,11 @@ final class Parcours {
     /**
      * Retient la sphère k si elle passe avant celle que le parcours retient.
      *
-     * @param d réponse de {@link Sphere#distanceOuDoute} pour elle
+     * @param d réponse de {@link Intersection#distanceOuDoute} pour elle
      */
     void retenir(Spheres spheres, int k, double d, double px, double py, double pz, double vx, double vy, double vz) {
         if (d < 0) {
-            if (Doute.auMoins(d) > distance) {
+            if (Intersection.auMoins(d) > distance) {
                 return;
             }
             d = trancher(spheres, k, px, py, pz, vx, vy, vz);
@@ -52,11 +51,11 @@ final class Parcours {
         }
     }
 
-    /** La distance de la sphère k, que {@link Sphere#distanceOuDoute} a laissée en doute. */
+    /** La distance de la sphère k, que {@link Intersection#distanceOuDoute} a laissée en doute. */
     double trancher(Spheres spheres, int k, double px, double py, double pz, double vx, double vy, double vz) {
         compteurs.testsPrecis++;
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
-        return Sphere.trancher(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+        return Intersection.trancher(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
     }
 }

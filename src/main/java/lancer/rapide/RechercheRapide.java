@@ -117,7 +117,7 @@ public final class RechercheRapide implements Recherche {
             Objet3D autre = spheres.autres[a];
             if (autre != saufLui) {
                 parcours.compteurs.testsSpheres++;
-                double d = RechercheSimple.distance(autre, incident);
+                double d = RechercheSimple.verifier(autre.getIntersectionDistance(incident), autre);
                 if (d < distance || d == distance && d != Constantes.INFINI && spheres.rangAutres[a] < rang) {
                     plusProche = autre;
                     distance = d;
@@ -132,7 +132,7 @@ public final class RechercheRapide implements Recherche {
         for (Objet3D autre : spheres.autres) {
             if (autre != objet) {
                 parcours.compteurs.testsSpheres++;
-                if (RechercheSimple.distance(autre, ombre) < distance) {
+                if (RechercheSimple.verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
                     return true;
                 }
             }

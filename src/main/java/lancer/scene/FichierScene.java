@@ -14,7 +14,7 @@ import lancer.SceneFautive;
 import lancer.contrat.Section;
 import lancer.texte.Texte;
 
-/** Où est le fichier d'une scène, et pourquoi on ne peut le lire. */
+/** Recherche du fichier d'une scène, et raisons de ne pouvoir le lire. */
 public final class FichierScene {
 
     /** Nombre de dossiers au-dessus de celui d'où l'on part où une scène est cherchée aussi. */
@@ -24,7 +24,7 @@ public final class FichierScene {
     private FichierScene() {
     }
 
-    /** Par {@code java.io}, déjà chargé ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
+    /** Ouvre un fichier par {@code java.io}, déjà chargé ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
     static InputStream ouvrir(Path chemin) throws IOException {
         try {
             return new FileInputStream(chemin.toFile());
@@ -63,7 +63,7 @@ public final class FichierScene {
         return new SceneFautive(Section.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
     }
 
-    /** Pourquoi ce chemin ne mène à rien, et d'où il a été suivi. */
+    /** Raison pour laquelle ce chemin ne mène à rien, et d'où il a été suivi. */
     private static String absente(Path chemin) {
         String faute = INTROUVABLE;
         try {
@@ -81,7 +81,7 @@ public final class FichierScene {
                 + Texte.horsLangue(ici.toString());
     }
 
-    /** Pourquoi un fichier ne peut être lu, si le système le dit. */
+    /** Raison pour laquelle un fichier ne peut être lu, si le système le dit. */
     static String pourquoi(IOException e, String sinon) {
         return e instanceof NoSuchFileException ? INTROUVABLE
                 : e instanceof AccessDeniedException ? "lecture interdite" : sinon;

@@ -31,7 +31,7 @@ import org.ini4j.spi.IniHandler;
 import org.ini4j.spi.IniParser;
 
 /**
- * D'un fichier INI aux objets, aux lampes et aux sections des variantes. ini4j ne sert ici qu'à découper les lignes
+ * Lecture d'un fichier INI : objets, lampes, sections des variantes. ini4j ne sert ici qu'à découper les lignes
  * ({@code IniParser}) ; ses substitutions, par où passe la CVE-2022-41404, ne sont jamais appelées.
  */
 public class LecteurScene {
@@ -108,7 +108,7 @@ public class LecteurScene {
     }
 
     /** Appelé à mesure de la lecture, avec la part lue du fichier, de 0 à 1. */
-    protected void avancer(double part) {
+    public void avancer(double part) {
     }
 
     /**
@@ -133,17 +133,17 @@ public class LecteurScene {
         return lampes;
     }
 
-    /** De quelles sections ils viennent. */
+    /** Origines des objets et des lampes lus. */
     public Origines getOrigines() {
         return origines;
     }
 
-    /** Comment dessiner cette scène : ce qu'a rendu {@link #installer}. */
+    /** Modèle de cette scène, qu'a rendu {@link #installer}. */
     public Modele getModele() {
         return modele;
     }
 
-    /** Ce que la lecture a laissé de côté, une ligne chacun. */
+    /** Avertissements : une ligne pour chaque section que la lecture a laissée de côté. */
     public List<String> getAvertissements() {
         return avertissements;
     }
@@ -159,7 +159,7 @@ public class LecteurScene {
         }
     }
 
-    /** Ce qu'ini4j appelle à chaque ligne. */
+    /** Suite donnée à chaque ligne que découpe ini4j. */
     private final class Sections implements IniHandler {
 
         /** La forme que décrit la section en cours, {@code null} si ce n'est pas un objet. */

@@ -34,7 +34,7 @@ final class Lignes extends Reader {
     private String ligne = "";
     private int donnes;
     private int numero;
-    /** Ce que la ligne en cours a fait lire. */
+    /** Octets que la ligne en cours a fait lire. */
     private int lusPourElle;
 
     /** @param aLire la longueur du fichier, en octets ; ce n'est qu'une promesse */
@@ -71,7 +71,7 @@ final class Lignes extends Reader {
         return ligne.replace("\n", "");
     }
 
-    /** Vrai si la dernière ligne donnée commence comme un fichier en UTF-16. */
+    /** Dit si la dernière ligne donnée commence comme un fichier en UTF-16. */
     boolean estUtf16() {
         return numero == 1 && (brute.startsWith("\u00FE\u00FF") || brute.startsWith("\u00FF\u00FE"));
     }
@@ -111,7 +111,7 @@ final class Lignes extends Reader {
         return true;
     }
 
-    /** Vrai si elle est toute en ASCII visible. */
+    /** Dit si elle est toute en ASCII visible. */
     private static boolean estSimple(String lue) {
         for (int i = 0; i < lue.length(); i++) {
             char c = lue.charAt(i);

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** D'où vient chaque objet et chaque lampe d'un fichier : le nom de sa section, et sa ligne. */
+/** Origine de chaque objet et de chaque lampe d'un fichier : le nom de sa section, et sa ligne. */
 public final class Origines {
 
     private final List<Object> choses = new ArrayList<>();
@@ -21,7 +21,7 @@ public final class Origines {
         noms.add(nom);
     }
 
-    /** Par exemple {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */
+    /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */
     public String de(Object chose) {
         for (int k = 0; k < choses.size(); k++) {
             if (choses.get(k) == chose) {

@@ -150,7 +150,7 @@ public final class Services implements Runnable {
         return variantes;
     }
 
-    /** Vrai si ce type de section est celui d'une variante de la maison, présente ou non. */
+    /** Dit si ce type de section est celui d'une variante de la maison, présente ou non. */
     public static boolean varianteConnue(String type) {
         return VARIANTES_CONNUES.stream().anyMatch(connue -> Texte.memeMot(connue, type));
     }

@@ -2,9 +2,8 @@ package lancer.essai;
 
 import lancer.Constantes;
 import lancer.Point;
-import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.precision.Doute;
+import lancer.precision.Intersection;
 import lancer.precision.IntersectionCompensee;
 
 /**
@@ -127,7 +126,7 @@ public enum Formule {
         @Override
         public double distance(double px, double py, double pz, double vx, double vy, double vz,
                 double cx, double cy, double cz, double r) {
-            return Sphere.distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+            return Intersection.distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
         }
     },
 
@@ -142,9 +141,9 @@ public enum Formule {
         @Override
         public double distanceAvant(double plusProche, double px, double py, double pz, double vx, double vy, double vz,
                 double cx, double cy, double cz, double r) {
-            double d = Sphere.distanceOuDoute(px, py, pz, vx, vy, vz, cx, cy, cz, r);
-            return d >= 0 ? d : Doute.auMoins(d) > plusProche ? Constantes.INFINI
-                    : Sphere.trancher(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+            double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+            return d >= 0 ? d : Intersection.auMoins(d) > plusProche ? Constantes.INFINI
+                    : Intersection.trancher(px, py, pz, vx, vy, vz, cx, cy, cz, r);
         }
     },
 

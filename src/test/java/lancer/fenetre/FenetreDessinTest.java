@@ -25,6 +25,7 @@ import lancer.Couleur;
 import lancer.Scene;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
+import lancer.scene.LecteurScene;
 import org.junit.jupiter.api.Test;
 
 /** La vie d'un dessin dans la fenêtre : lecture, préparation, brouillon puis image, arrêt, panne ; elle ne l'attend jamais. */
@@ -69,9 +70,9 @@ class FenetreDessinTest extends EssaiFenetre {
             }
 
             @Override
-            public List<String> lireScene(String fichier) {
-                premiere = getImage() == null;
-                return super.lireScene(fichier);
+            public void lireScene(String fichier, LecteurScene lecteur) {
+                premiere = getDessinateur().getImage() == null;
+                super.lireScene(fichier, lecteur);
             }
         });
         banc.imageAchevee();
@@ -149,12 +150,12 @@ class FenetreDessinTest extends EssaiFenetre {
             private boolean premiere = true;
 
             @Override
-            public List<String> lireScene(String fichier) {
+            public void lireScene(String fichier, LecteurScene lecteur) {
                 if (!premiere) {
                     attendreSansEtreInterrompu(lecture);
                 }
                 premiere = false;
-                return super.lireScene(fichier);
+                super.lireScene(fichier, lecteur);
             }
         }.lent());
         attendre("le dessin a commencé", () -> banc.main.getTraceur() != null);
@@ -182,25 +183,22 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void ouEnSontLaLectureEtLaPreparationSeDit() throws Exception {
         CountDownLatch lecture = new CountDownLatch(1);
-        double[] part = {0.42};
+        LecteurScene[] lecteurs = new LecteurScene[1];
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public List<String> lireScene(String fichier) {
-                if (getImage() != null) {
+            public void lireScene(String fichier, LecteurScene lecteur) {
+                if (getDessinateur().getImage() != null) {
+                    lecteurs[0] = lecteur;
+                    lecteur.avancer(0.42);
                     attendreSansEtreInterrompu(lecture);
                 }
-                return super.lireScene(fichier);
-            }
-
-            @Override
-            public double getAvancement() {
-                return part[0];
+                super.lireScene(fichier, lecteur);
             }
         });
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F5);
         attendre("la part lue", () -> banc.avancement.getString().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
-        part[0] = 0.73;
+        lecteurs[0].avancer(0.73);
         attendre("elle avance", () -> banc.avancement.getString().startsWith("lecture 73 % — "));
         lecture.countDown();
         banc.imageAchevee();
@@ -213,11 +211,11 @@ class FenetreDessinTest extends EssaiFenetre {
         Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public List<String> lireScene(String fichier) {
+            public void lireScene(String fichier, LecteurScene lecteur) {
                 if (fichier.equals(longue.toString())) {
                     attendreSansEtreInterrompu(lecture);
                 }
-                return super.lireScene(fichier);
+                super.lireScene(fichier, lecteur);
             }
         });
         banc.imageAchevee();

@@ -32,6 +32,10 @@ class MainLent extends Main {
         return this;
     }
 
+    Traceur getTraceur() {
+        return getDessinateur().getTraceur();
+    }
+
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
         super.drawPixel(coul, xe, ye);

@@ -150,8 +150,8 @@ class PrecisionTest {
         for (int k = 0; k < TIRAGES; k++) {
             Cas cas = tirer(famille);
             Vecteur V = new Rayon(cas.p, cas.p2).getV();
-            double d = Sphere.distanceOuDoute(cas.p.x, cas.p.y, cas.p.z, V.x, V.y, V.z, cas.c.x, cas.c.y, cas.c.z, cas.r);
-            assertTrue(d >= 0 ? d == cas.distance() : cas.distance() >= Doute.auMoins(d), "graine " + GRAINE + ", tirage " + k + ", "
+            double d = Intersection.distanceOuDoute(cas.p.x, cas.p.y, cas.p.z, V.x, V.y, V.z, cas.c.x, cas.c.y, cas.c.z, cas.r);
+            assertTrue(d >= 0 ? d == cas.distance() : cas.distance() >= Intersection.auMoins(d), "graine " + GRAINE + ", tirage " + k + ", "
                     + cas);
             doutes += d < 0 ? 1 : 0;
         }
@@ -222,10 +222,10 @@ class PrecisionTest {
     void ceQuiNEstPasUnNombreNeToucheRien() {
         double nan = Double.NaN;
         for (double p : new double[] {0, 0.99999, 1, 1.00001, 3}) {
-            assertEquals(Constantes.INFINI, Sphere.distance(p, 0, 0, nan, 0, 0, 0, 0, 0, 1), "direction, en " + p);
-            assertEquals(Constantes.INFINI, Sphere.distance(nan, p, 0, 0, 0, 1, 0, 0, 0, 1), "départ, en " + p);
-            assertEquals(Constantes.INFINI, Sphere.distance(p, 0, 0, 0, 0, 1, 0, nan, 0, 1), "centre, en " + p);
-            assertEquals(Constantes.INFINI, Sphere.distance(p, 0, 0, 0, 0, 1, 0, Constantes.INFINI, 0, 1), "centre infini, en " + p);
+            assertEquals(Constantes.INFINI, Intersection.distance(p, 0, 0, nan, 0, 0, 0, 0, 0, 1), "direction, en " + p);
+            assertEquals(Constantes.INFINI, Intersection.distance(nan, p, 0, 0, 0, 1, 0, 0, 0, 1), "départ, en " + p);
+            assertEquals(Constantes.INFINI, Intersection.distance(p, 0, 0, 0, 0, 1, 0, nan, 0, 1), "centre, en " + p);
+            assertEquals(Constantes.INFINI, Intersection.distance(p, 0, 0, 0, 0, 1, 0, Constantes.INFINI, 0, 1), "centre infini, en " + p);
         }
     }
 
@@ -295,12 +295,12 @@ class PrecisionTest {
             Vecteur n = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
             Vecteur p = n.mul(r * (1 + Math.pow(10, -5 * hasard.nextDouble())));
             Vecteur v = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).sub(n).normalized();
-            double d = Sphere.distanceOuDoute(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
-            double t = Sphere.distance(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
+            double d = Intersection.distanceOuDoute(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
+            double t = Intersection.distance(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
             if (d < -Double.MIN_VALUE) {
                 annoncees++;
-                assertTrue(Doute.auMoins(d) <= t && Doute.auMoins(d) >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
-                        + Doute.auMoins(d) + " pour " + t);
+                assertTrue(Intersection.auMoins(d) <= t && Intersection.auMoins(d) >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
+                        + Intersection.auMoins(d) + " pour " + t);
             }
         }
         assertTrue(annoncees > 5000, annoncees + " doutes");
@@ -313,7 +313,7 @@ class PrecisionTest {
             double part = hasard.nextDouble();
             // P est en (part r, 0, 0) et s'éloigne du centre : la sortie est à r − part r
             double attendue = exact(r).subtract(exact(part * r)).doubleValue();
-            assertEquals(attendue, Sphere.distance(part * r, 0, 0, 1, 0, 0, 0, 0, 0, r), 8 * U * 2 * attendue,
+            assertEquals(attendue, Intersection.distance(part * r, 0, 0, 1, 0, 0, 0, 0, 0, r), 8 * U * 2 * attendue,
                     "graine " + GRAINE + ", tirage " + k);
         }
     }

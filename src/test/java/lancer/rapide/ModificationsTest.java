@@ -64,7 +64,7 @@ class ModificationsTest {
         "Objet3D | Vecteur L = versLampe.normalized() | Vecteur L = versLampe.add(new Vecteur(1, 0, 0)).normalized()",
         "Objet3D | Vecteur L = versLampe.normalized() | Vecteur L = versLampe",
         "Objet3D | V.add(-2 * V.dot(N), N).normalized() | V.add(-2 * V.dot(N), N).mul(1.2)",
-        "Sphere | double d = distance( | double d = 1.01 * distance(",
+        "Sphere | double d = Intersection.distance( | double d = 1.01 * Intersection.distance(",
         "Sphere | ? n.normalized() | ? n.add(new Vecteur(0, 0.3, 0)).normalized()",
         "Sphere | -Norme.ecart(carre, rayon) | -Norme.ecart(carre, 1.01 * rayon)",
         "Rayon | P.add(distance, V) | P.add(0.99 * distance, V)",

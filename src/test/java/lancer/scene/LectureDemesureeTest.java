@@ -119,7 +119,7 @@ class LectureDemesureeTest {
         List<Double> parts = new ArrayList<>();
         new LecteurScene() {
             @Override
-            protected void avancer(double part) {
+            public void avancer(double part) {
                 parts.add(part);
             }
         }.lire(fichier.toString());

@@ -1,0 +1,31 @@
+package lancer.dessin;
+
+import lancer.Scene;
+import lancer.contrat.Modele;
+import lancer.contrat.Toile;
+import lancer.scene.LecteurScene;
+
+/** Le programme, vu de ce qui le mène, fenêtre ou ligne de commande : une scène, et de quoi la dessiner. */
+public interface Programme extends Toile {
+
+    /**
+     * Lit une scène, qui devient celle à dessiner.
+     *
+     * @throws lancer.SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
+     */
+    void lireScene(String nomFichier, LecteurScene lecteur);
+
+    /** La scène à dessiner, {@code null} tant qu'aucune n'est lue. */
+    Scene getScene();
+
+    /** Dessine désormais la même scène selon ce modèle. */
+    void regler(Modele modele);
+
+    /**
+     * Dessine la scène, brouillon puis image : le travail du SwingWorker de la fenêtre.
+     *
+     * @throws java.util.concurrent.CancellationException si le dessin a été arrêté
+     * @throws lancer.commande.Echec si un pixel ne peut être calculé
+     */
+    void doTracerImage(int largeur, int hauteur);
+}
