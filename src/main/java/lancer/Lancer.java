@@ -1,7 +1,7 @@
 package lancer;
 
 import lancer.contrat.Boucle;
-import lancer.contrat.Echantillonnage;
+import lancer.contrat.Toile;
 
 /** L'algorithme : de la scène à l'image (cours, « Algorithme général »). */
 public final class Lancer {
@@ -38,9 +38,10 @@ public final class Lancer {
      *
      * @param image la boucle sur l'image, que se partagent des fils : {@link lancer.fils.Traceur}
      * @param profondeur nombre de réflexions permises
+     * @param fils nombre de fils d'exécution, au moins 1 ; l'image n'en dépend pas
      */
-    public void TracerImage(Boucle image, int profondeur) {
-        image.parcourir(Echantillonnage.BROUILLON, Math.min(profondeur, Constantes.REFLETS_BROUILLON));
-        image.parcourir(scene.getModele().getEchantillonnage(), profondeur);
+    public void TracerImage(Boucle image, Toile toile, int profondeur, int fils) {
+        image.TracerBrouillon(toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+        image.TracerPixels(toile, profondeur, fils);
     }
 }

@@ -12,6 +12,8 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import lancer.contrat.Boucle;
+import lancer.contrat.Toile;
 import lancer.essai.Ressources;
 import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
@@ -84,8 +86,18 @@ class DessinTest {
         int hauteur = 22;
         Camera camera = new Camera(largeur, hauteur);
         Ressources.Image brouillon = new Ressources.Image(largeur, hauteur);
-        new Traceur(scene, camera).TracerBrouillon(brouillon, 5, 2);
         Lancer temoin = new Lancer(scene, camera);
+        temoin.TracerImage(new Boucle() {
+            @Override
+            public void TracerBrouillon(Toile toile, int profondeur, int fils) {
+                new Traceur(scene, camera).TracerBrouillon(toile, profondeur, fils);
+            }
+
+            @Override
+            public void TracerPixels(Toile toile, int profondeur, int fils) {
+                assertEquals(5, profondeur, "l'image vient après, avec toutes ses réflexions");
+            }
+        }, brouillon, 5, 2);
         for (int j = 0; j < hauteur; j++) {
             for (int i = 0; i < largeur; i++) {
                 double xe = (i / 4 * 4 + Math.min(i / 4 * 4 + 4, largeur)) / 2.0;

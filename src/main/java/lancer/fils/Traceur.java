@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import lancer.Camera;
-import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.contrat.Boucle;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
@@ -18,7 +18,7 @@ import lancer.contrat.Toile;
  * Le dessin d'une scène par plusieurs fils : le partage de l'image en pavés, l'arrêt, l'avancement, les comptes. Un
  * traceur dessine une image à la fois ; elle ne dépend pas du nombre de fils.
  */
-public class Traceur {
+public class Traceur implements Boucle {
 
     private final Lancer lancer;
     private final Equipe equipe = new Equipe("lancer");
@@ -57,22 +57,16 @@ public class Traceur {
      * @throws PixelFautif si un pixel ne peut être calculé
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
-        lancer.TracerImage((echantillonnage, permises) -> {
-            if (echantillonnage == Echantillonnage.BROUILLON) {
-                parcourir(echantillonnage, toile, permises, fils);
-                brouillonFait = true;
-            } else {
-                TracerPixels(toile, permises, fils);
-            }
-        }, profondeur);
+        lancer.TracerImage(this, toile, profondeur, fils);
     }
 
-    /** Dessine des carrés de 4 × 4 pixels, chacun de la couleur de son centre, avec une réflexion au plus. */
+    @Override
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        parcourir(Echantillonnage.BROUILLON, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+        parcourir(Echantillonnage.BROUILLON, toile, profondeur, fils);
+        brouillonFait = true;
     }
 
-    /** Dessine tous les pixels, sans brouillon. */
+    @Override
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         parcourir(getScene().getModele().getEchantillonnage(), toile, profondeur, fils);
     }
@@ -87,7 +81,7 @@ public class Traceur {
         return (double) equipe.getFaites() / Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur());
     }
 
-    /** Dit si {@link #TracerImage} a fini le brouillon : chaque pixel de l'image a une couleur. */
+    /** Dit si le brouillon est fini : chaque pixel de l'image a une couleur. */
     public boolean isBrouillonFait() {
         return brouillonFait;
     }

@@ -1,5 +1,7 @@
 /**
- * L'équipe de fils qui dessine et qui prépare : des tâches numérotées, leur partage, leur arrêt, leur échec.
- * N'entre ici que ce qui ne sait rien de ce que font ces tâches.
+ * Le dessin en plusieurs fils : le partage de l'image, l'arrêt, l'avancement, les comptes ; et l'équipe de fils, qui
+ * sert aussi à préparer et à essayer.
+ *
+ * <p>N'y entre rien qui sache comment un rayon trouve son objet, ni où vont les pixels.
  */
 package lancer.fils;

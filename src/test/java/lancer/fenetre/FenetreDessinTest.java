@@ -35,7 +35,7 @@ class FenetreDessinTest extends EssaiFenetre {
     void leBrouillonParaitPuisLImageSAcheve() throws Exception {
         Traceur lancer = new Traceur(new Scene(scene.toString()), new Camera(L, H));
         ImageMemoire brouillon = new ImageMemoire(L, H, false);
-        lancer.TracerBrouillon(brouillon, Constantes.MAX_REFLETS, 1);
+        lancer.TracerBrouillon(brouillon, Constantes.REFLETS_BROUILLON, 1);
         banc = new BancFenetre(lente().lent());
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.getCodes(), (H - 16) * L, H * L);
