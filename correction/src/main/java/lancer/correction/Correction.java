@@ -102,6 +102,8 @@ public final class Correction {
                         page));
             }
             new Pages(grille, bareme, jury.getReference(), confinement).ecrire(dossier, eleves);
+            String nonCorriges = eleves.stream().filter(e -> e.resultat.nonCorrige).map(e -> qui(e.rendu))
+                    .collect(Collectors.joining(", "));
             sortie.println("La classe : " + dossier.resolve("index.html"));
             if (feuille != null) {
                 Collection<Eleve> sansNote = feuille.ecrire(dossier, eleves, bareme);
@@ -111,6 +113,9 @@ public final class Correction {
                 }
                 sortie.println("À déposer dans Moodle : " + dossier.resolve("notes-a-deposer.csv") + " et "
                         + dossier.resolve("retours.zip"));
+            }
+            if (!nonCorriges.isEmpty()) {
+                throw new Panne(1, "non corrigés, sans que ce soit de leur faute ; recommencer ne refera qu'eux : " + nonCorriges);
             }
         }
     }

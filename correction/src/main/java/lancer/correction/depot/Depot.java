@@ -25,6 +25,7 @@ import lancer.correction.Panne;
 public final class Depot {
 
     private static final int SOURCE_MAX = 1 << 20;
+    private static final int CHEMIN_MAX = 1000;
     private static final int EMBOITEMENT_MAX = 3;
     private static final int ENTREES_MAX = 20_000;
     private static final Pattern AUTRE_ARCHIVE =
@@ -71,6 +72,7 @@ public final class Depot {
 
     /** Ce qui est refusé n'empêche pas de juger le reste, si c'en est assez pour qu'il y ait quelque chose à juger. */
     private static void conclure(Rendu rendu) {
+        rendu.abreger();
         if (!rendu.compter(0)) {
             rendu.oublierSources();
         } else if (!rendu.getSources().isEmpty()) {
@@ -185,8 +187,16 @@ public final class Depot {
         rendu.getRefus().add(nom + " : format non pris en charge ; attendu : un dossier, ou un .zip");
     }
 
-    /** Prend un fichier, ou tout un dossier, du disque. */
-    private void prendre(Rendu rendu, String nom, Path fichier) throws IOException {
+    /** Prend un fichier, ou tout un dossier, du disque ; ce qui s'y lit mal ne coûte qu'à lui. */
+    private void prendre(Rendu rendu, String nom, Path fichier) {
+        try {
+            parcourir(rendu, nom, fichier);
+        } catch (IOException | RuntimeException e) {
+            rendu.getRefus().add(fichier.getFileName() + " : illisible (" + e + ")");
+        }
+    }
+
+    private void parcourir(Rendu rendu, String nom, Path fichier) throws IOException {
         if (Files.isSymbolicLink(fichier)) {
             rendu.getRefus().add("lien refusé : " + fichier.getFileName());
         } else if (Files.isDirectory(fichier)) {
@@ -207,8 +217,14 @@ public final class Depot {
                     }
                     return FileVisitResult.CONTINUE;
                 }
+
+                @Override
+                public FileVisitResult visitFileFailed(Path f, IOException e) {
+                    rendu.getRefus().add(joindre(nom, fichier.relativize(f).toString()) + " : illisible (" + e + ")");
+                    return FileVisitResult.CONTINUE;
+                }
             });
-        } else {
+        } else if (Files.isRegularFile(fichier)) {
             contenu(rendu, nom.isEmpty() ? fichier.getFileName().toString() : nom, fichier, 0);
         }
     }
@@ -224,7 +240,7 @@ public final class Depot {
             }
             try (Archive archive = new Archive(fichier)) {
                 deplier(rendu, chemin.substring(0, chemin.length() - 4), archive, niveau + 1);
-            } catch (IOException e) {
+            } catch (IOException | RuntimeException e) {
                 rendu.getRefus().add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe ("
                         + e.getMessage() + ")");
             }
@@ -279,8 +295,8 @@ public final class Depot {
     private static void source(Rendu rendu, String chemin, byte[] octets) {
         if (octets == null || octets.length > SOURCE_MAX) {
             rendu.getRemarques().add(chemin + " : plus d'un mégaoctet de source, laissé de côté");
-        } else {
-            rendu.ajouter(chemin, octets);
+        } else if (chemin.length() > CHEMIN_MAX || !rendu.ajouter(chemin, octets)) {
+            rendu.getRemarques().add(chemin + " : laissé de côté, trop de sources ou un nom trop long");
         }
     }
 

@@ -6,9 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Une méthode du cours dont l'étudiant a changé la signature. Ses paramètres (leur ordre, ou un de moins) : la forme
- * attendue est ajoutée à sa classe, et appelle la sienne. La sorte de réel qu'elle rend, ou qui la voit : c'est remis
- * comme dans le cours. C'est dit une fois, et rien d'autre n'en souffre.
+ * Une méthode du cours dont l'étudiant a changé les paramètres, leur ordre ou leur nombre : la forme attendue est ajoutée à
+ * sa classe, et appelle la sienne. C'est dit une fois, et rien d'autre n'en souffre.
  */
 final class Ponts {
 
@@ -33,9 +32,6 @@ final class Ponts {
 
     private static final List<Forme> FORMES = List.of(
             new Forme(1, "Vecteur", "double", "dot", "Vecteur"),
-            new Forme(0, "Vecteur", "double", "norme2"),
-            new Forme(0, "Vecteur", "double", "norme"),
-            new Forme(0, "Rayon", "PointContact", "calcContact"),
             new Forme(1, "Objet3D", "double", "getIntersectionDistance", "Rayon"),
             new Forme(1, "Sphere", "double", "getIntersectionDistance", "Rayon"),
             new Forme(1, "Sphere", "Vecteur", "getNormale", "Point"),
@@ -43,10 +39,6 @@ final class Ponts {
             new Forme(2, "Scene", "PointContact", "getClosestIntersection", "Rayon", "Sphere"),
             new Forme(2, "Lancer", "Couleur", "getCouleurPixel", "double", "double", "int"),
             new Forme(2, "Camera", "Rayon", "getRayon", "double", "double"));
-
-    private static final String MODIFICATEURS =
-            "((?:\\b(?:public|protected|private|static|final|abstract|synchronized)\\s+){0,6})";
-    private static final String REELS = "[dD]ouble|[fF]loat|int|Integer|long|Number";
 
     private Ponts() {
     }
@@ -63,15 +55,14 @@ final class Ponts {
     }
 
     private static String ajouter(Forme forme, String texte, List<String> remarques) {
-        Matcher m = Pattern.compile(MODIFICATEURS + "\\b(" + (forme.rend.equals("double") ? REELS : forme.rend)
-                + ")(\\s+" + forme.nom + "\\s*)\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]")
+        Matcher m = Pattern.compile("\\b(?!return\\b|new\\b|else\\b)\\w++\\s++" + forme.nom + "\\s*+\\(([^()]*+)\\)\\s*+(?:throws[\\w\\s,.]++)?[{;]")
                 .matcher(Source.sansCommentaires(texte));
         String pont = null;
         List<String> changes = null;
         while (m.find()) {
-            List<String> types = types(m.group(4));
+            List<String> types = types(m.group(1));
             if (accepte(types, forme.types)) {
-                return remettre(forme, texte, m, remarques);
+                return texte;
             }
             if (pont == null && types.size() >= forme.moins) {
                 pont = appel(types, forme);
@@ -85,20 +76,6 @@ final class Ponts {
         }
         int fin = texte.lastIndexOf('}');
         return pont == null || fin < 0 ? texte : texte.substring(0, fin) + pont + texte.substring(fin);
-    }
-
-    /** Le même texte, où cette méthode rend ce que veut le cours, et se laisse appeler. */
-    private static String remettre(Forme forme, String texte, Matcher m, List<String> remarques) {
-        String qui = m.group(1);
-        boolean cachee = qui.contains("private") || qui.contains("static")
-                || forme.classe.equals("Sphere") && !qui.contains("public");
-        if (m.group(2).equals(forme.rend) && !cachee) {
-            return texte;
-        }
-        remarques.add("signature : " + (qui + m.group(2)).replaceAll("\\s+", " ") + " " + forme.classe + "."
-                + forme.nom + " au lieu de public " + forme.rend + " ; jugée comme si elle avait celle du cours");
-        qui = cachee ? "public " + qui.replaceAll("(?:public|private|protected|static)\\s+", "") : qui;
-        return texte.substring(0, m.start()) + qui + forme.rend + texte.substring(m.start(3));
     }
 
     private static List<String> types(String parametres) {

@@ -5,9 +5,14 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import lancer.correction.enfant.Echange;
 
 /** Ce qu'un étudiant a rendu : ses sources, ou pourquoi on ne peut les lire. */
 public final class Rendu {
+
+    private static final int SOURCES_MAX = 500;
+    private static final int PESEE_MAX = 6 << 20;
+    private static final int DITS_MAX = 30;
 
     private final String id;
     private final String nom;
@@ -15,6 +20,7 @@ public final class Rendu {
     private final List<String> refus = new ArrayList<>();
     private final List<String> remarques = new ArrayList<>();
     private long octets;
+    private long pesee;
 
     /** @param id ce qui le distingue des autres : le numéro de Moodle, ou à défaut le nom du dossier */
     public Rendu(String id, String nom) {
@@ -44,8 +50,25 @@ public final class Rendu {
         return remarques;
     }
 
-    void ajouter(String chemin, byte[] contenu) {
+    /** @return faux si c'en est un de trop, par son nombre ou par son poids */
+    boolean ajouter(String chemin, byte[] contenu) {
+        pesee += contenu.length;
+        if (sources.size() >= SOURCES_MAX || pesee > PESEE_MAX) {
+            return false;
+        }
         sources.put(chemin, contenu);
+        return true;
+    }
+
+    /** Ce qu'on en dit tient en peu de lignes, quoi qu'il contienne. */
+    void abreger() {
+        for (List<String> liste : List.of(refus, remarques)) {
+            liste.replaceAll(Echange::protege);
+            if (liste.size() > DITS_MAX) {
+                liste.subList(DITS_MAX, liste.size()).clear();
+                liste.add("…");
+            }
+        }
     }
 
     void oublierSources() {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import lancer.correction.modele.Modele;
 
 /**
@@ -18,7 +19,11 @@ import lancer.correction.modele.Modele;
  */
 public final class Source {
 
-    private static final Pattern PAQUET = Pattern.compile("(?m)^[ \\t]*package\\s+([\\w.]+)\\s*;");
+    private static final Pattern PAQUET = Pattern.compile("(?m)^[ \\t]*+package\\s++([\\w.]++)\\s*+;");
+    /** Ce dont on peut faire un nom de fichier : rien qui sorte de son dossier, et rien de trop long. */
+    private static final Pattern NOM_DE_PAQUET = Pattern.compile("(?!.{201})(?:\\w++(?:\\.\\w++)*+)?");
+    private static final Pattern NOM_DE_CLASSE = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]{0,99}+");
+    private static final int CLASSES_MAX = 200;
     private static final Pattern DECLARATION = Pattern.compile("\\b(?:class|interface|enum|record)\\s+(\\w+)");
     /** Une méthode telle que le squelette les écrit : la marge de son accolade fermante est celle des membres. */
     private static final Pattern METHODE =
@@ -47,10 +52,15 @@ public final class Source {
         this.remarque = remarque;
     }
 
-    /** Une source pour chaque classe de ce fichier, à leurs lignes : il peut en avoir plusieurs. */
+    /** Une source pour chaque classe de ce fichier, à leurs lignes, si plusieurs, dont une du cours, s'y partagent la place. */
     static List<Source> lire(String chemin, byte[] octets) {
         Source tout = entier(chemin, octets);
         String dehors = dehors(tout.texte);
+        List<String> declarees = DECLARATION.matcher(dehors).results().limit(CLASSES_MAX + 1).map(d -> d.group(1))
+                .collect(Collectors.toList());
+        if (declarees.size() < 2 || declarees.size() > CLASSES_MAX || declarees.stream().noneMatch(Modele.classes()::contains)) {
+            return List.of(tout);
+        }
         List<String> noms = new ArrayList<>();
         List<Integer> bornes = new ArrayList<>();
         Matcher m = DECLARATION.matcher(dehors);
@@ -82,7 +92,7 @@ public final class Source {
 
     private static Source entier(String chemin, byte[] octets) {
         String nom = chemin.substring(chemin.lastIndexOf('/') + 1);
-        String classe = nom.substring(0, nom.length() - ".java".length());
+        String nu = nom.substring(0, nom.length() - ".java".length());
         String dossier = chemin.substring(0, chemin.length() - nom.length());
         String remarque = null;
         Charset codage = codage(octets);
@@ -90,6 +100,9 @@ public final class Source {
         if (codage != StandardCharsets.UTF_8) {
             remarque = chemin + " n'est pas en UTF-8 : lu en " + codage.name();
         }
+        Matcher seule = DECLARATION.matcher(dehors(texte));
+        // « Vecteur (1).java », « Copie de Vecteur.java » : ce qu'il déclare dit mieux ce qu'il est
+        String classe = !NOM_DE_CLASSE.matcher(nu).matches() && seule.find() ? seule.group(1) : nu;
         Matcher m = PAQUET.matcher(sansCommentaires(texte));
         String paquet = m.find() ? m.group(1) : "";
         boolean duCours = Modele.classes().contains(classe) || classe.equals("Tests")
@@ -143,11 +156,20 @@ public final class Source {
 
     /** Pourquoi ce fichier est à laisser de côté : ce qu'il déclare cacherait ce qui ne lui appartient pas. */
     String intrusion() {
+        if (!NOM_DE_PAQUET.matcher(paquet).matches() || !NOM_DE_CLASSE.matcher(classe).matches()) {
+            return "« " + paquet + " », « " + classe + " » : ce ne sont pas des noms de paquet et de classe";
+        }
         if (RESERVES.matcher(paquet).matches()) {
             return "le paquet « " + paquet + " » n'est pas à vous";
         }
         Matcher m = DECLARATION.matcher(dehors(texte));
-        while (paquet.equals("lancer") && m.find()) {
+        for (int n = 0; m.find(); n++) {
+            if (n == CLASSES_MAX) {
+                return "il déclare plus de " + CLASSES_MAX + " classes";
+            }
+            if (!paquet.equals("lancer")) {
+                continue;
+            }
             if (m.group(1).equals(Modele.APPELS) || Modele.SONDES.contains(m.group(1))) {
                 return "il déclare une classe " + m.group(1) + " qui cacherait celle de la correction";
             }

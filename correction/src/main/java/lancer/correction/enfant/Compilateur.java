@@ -36,6 +36,7 @@ public final class Compilateur {
     private static final int NIVEAU_MAX = 25;
 
     private static final int FAUTES_MAX = 500;
+    private static final int CLASSES_MAX = 2000;
 
     private Compilateur() {
     }
@@ -51,10 +52,16 @@ public final class Compilateur {
             int numero = demandes.readInt();
             byte[] demande = demandes.readNBytes(demandes.readInt());
             Path dossier = Files.createTempDirectory("compilation");
-            // ce que le compilateur ne supporte pas le fait mourir : il ne sert plus à personne
-            Echange.envoyer(sortie, numero, compiler(compilateur, gestion, dossier.toRealPath(),
-                    Echange.lireTout(new DataInputStream(new ByteArrayInputStream(demande)))));
+            byte[] reponse;
+            try {
+                reponse = compiler(compilateur, gestion, dossier.toRealPath(),
+                        Echange.lireTout(new DataInputStream(new ByteArrayInputStream(demande))));
+            } catch (IOException | RuntimeException | StackOverflowError e) {
+                // ce que le compilateur ne supporte pas : il ne servira plus
+                reponse = Echange.message(m -> m.writeBoolean(false));
+            }
             effacer(dossier);
+            Echange.envoyer(sortie, numero, reponse);
         }
     }
 
@@ -93,13 +100,18 @@ public final class Compilateur {
         }, options, null, gestion.getJavaFileObjectsFromFiles(fichiers.stream().map(Path::toFile)
                 .collect(Collectors.toList()))).call();
         Map<String, byte[]> ecrites = new LinkedHashMap<>();
-        for (Path classe : contenu(classes)) {
+        List<Path> toutes = contenu(classes);
+        if (toutes.size() > CLASSES_MAX) {
+            throw new IOException("trop de classes");
+        }
+        for (Path classe : toutes) {
             if (Files.isRegularFile(classe)) {
                 String nom = classes.relativize(classe).toString().replaceFirst("\\.class$", "");
                 ecrites.put(nom.replace(File.separatorChar, '.'), Files.readAllBytes(classe));
             }
         }
         return Echange.message(reponse -> {
+            reponse.writeBoolean(true);
             reponse.writeInt(fautes.size());
             for (Diagnostic<? extends JavaFileObject> faute : fautes) {
                 ecrire(reponse, faute, sources);

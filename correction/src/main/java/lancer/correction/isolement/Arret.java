@@ -5,7 +5,11 @@ public final class Arret extends Exception {
 
     private static final long serialVersionUID = 1;
 
-    Arret(String cause) {
+    /** Vrai si rien ne l'a arrêté. */
+    public final boolean deLuiMeme;
+
+    Arret(String cause, boolean deLuiMeme) {
         super(cause);
+        this.deLuiMeme = deLuiMeme;
     }
 }

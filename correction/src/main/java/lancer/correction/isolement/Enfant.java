@@ -185,7 +185,7 @@ public final class Enfant implements AutoCloseable {
     /** Arrête la machine, qui n'a pas répondu comme il le fallait. */
     public Arret arreter(String cause) {
         close();
-        return new Arret(cause);
+        return new Arret(cause, false);
     }
 
     private Arret mort() {
@@ -197,9 +197,10 @@ public final class Enfant implements AutoCloseable {
             Thread.currentThread().interrupt();
             statut = -1;
         }
-        return arreter(inattendu ? "arrêté : a répondu ce qu'on ne lui demandait pas"
-                : statut == 3 ? "arrêté : mémoire épuisée"
-                : "arrêté de lui-même (System.exit ?), statut " + statut);
+        close();
+        return inattendu ? new Arret("arrêté : a répondu ce qu'on ne lui demandait pas", false)
+                : statut == 3 ? new Arret("arrêté : mémoire épuisée", false)
+                : new Arret("arrêté de lui-même (System.exit ?), statut " + statut, true);
     }
 
     /** Tue la machine virtuelle, et tout ce qu'elle a lancé. */

@@ -15,7 +15,15 @@ public final class Limites {
     /** Nombre de processus. */
     public final int processus;
 
+    /** Temps de processeur, en secondes, que le correcteur lui-même passe sur un rendu. */
+    public final double propre;
+
     public Limites(double calcul, double attente, int memoire, int processus) {
+        this(calcul, attente, memoire, processus, 60);
+    }
+
+    public Limites(double calcul, double attente, int memoire, int processus, double propre) {
+        this.propre = propre;
         this.calcul = calcul;
         this.attente = attente;
         this.memoire = memoire;

@@ -1,6 +1,5 @@
 package lancer.correction.jugement;
 
-import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,16 +9,12 @@ import java.util.Map;
  * Ce que répondent en chemin, pour un pixel, les méthodes du corrigé et celles de l'étudiant, et la première réponse
  * qui s'écarte.
  */
-public final class Chemin implements Serializable {
-
-    private static final long serialVersionUID = 1;
+public final class Chemin {
 
     private static final double PRES = 1e-6;
 
     /** Une réponse. */
-    public static final class Pas implements Serializable {
-
-        private static final long serialVersionUID = 1;
+    public static final class Pas {
 
         public final String nom;
         public final String attendu;

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
 import lancer.correction.isolement.Arret;
@@ -25,6 +26,7 @@ public final class Dialogue {
     private final Map<Integer, Doublure> doublures = new HashMap<>();
     /** Pourquoi plus rien n'est demandé à la machine, {@code null} si rien ne l'empêche. */
     private String refus;
+    private Panne panne;
 
     Dialogue(Machines.Rendue machine) {
         this.machine = machine;
@@ -39,6 +41,9 @@ public final class Dialogue {
         } finally {
             COURANT.remove();
         }
+        if (panne != null) {
+            throw panne;
+        }
     }
 
     /** Une autre vérification commence. @return pourquoi la machine s'est arrêtée à la précédente, ou {@code null} */
@@ -49,6 +54,10 @@ public final class Dialogue {
         try {
             machine.oublier();
         } catch (Arret e) {
+            refus = e.getMessage();
+        } catch (Panne e) {
+            // JUnit la tairait : elle est dite à la fin
+            panne = e;
             refus = e.getMessage();
         }
         return arret;

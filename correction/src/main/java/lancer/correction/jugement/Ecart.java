@@ -1,11 +1,7 @@
 package lancer.correction.jugement;
 
-import java.io.Serializable;
-
 /** En quoi une image diffère de la référence, en niveaux de 255. */
-public final class Ecart implements Serializable {
-
-    private static final long serialVersionUID = 1;
+public final class Ecart {
 
     /** À partir d'autant de niveaux, un pixel est faux. */
     private static final double FAUX = 2;

@@ -1,11 +1,7 @@
 package lancer.correction.jugement;
 
-import java.io.Serializable;
-
 /** Une faute de compilation. */
-public final class Faute implements Serializable {
-
-    private static final long serialVersionUID = 1;
+public final class Faute {
 
     public final String fichier;
     public final int ligne;

@@ -1,14 +1,11 @@
 package lancer.correction.jugement;
 
-import java.io.Serializable;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.Base64;
 
 /** Une image, en couleurs non limitées. */
-public final class Image implements Serializable {
-
-    private static final long serialVersionUID = 1;
+public final class Image {
 
     private static final double PRES = 1e-6;
 

@@ -2,27 +2,28 @@ package lancer.correction.jugement;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Deque;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
+import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
@@ -34,9 +35,14 @@ import lancer.correction.isolement.Limites;
 public final class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
+    private static final int TOUR_MS = 20;
+    private static final ThreadMXBean FILS = ManagementFactory.getThreadMXBean();
 
     private final Path souvenirs;
     private final Machines machines;
+    private final Limites limites;
+    /** Ce qui compile, et qu'aucun rendu n'occupe. */
+    private final Deque<Machines.Compilation> compilations = new ArrayDeque<>();
     private final String regles;
     private final Reference reference;
 
@@ -45,6 +51,7 @@ public final class Jury implements AutoCloseable {
         if (Runtime.version().feature() < 17) {
             throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature());
         }
+        this.limites = limites;
         this.souvenirs = travail.resolve("souvenirs");
         try {
             Files.createDirectories(souvenirs);
@@ -80,50 +87,84 @@ public final class Jury implements AutoCloseable {
 
     /** @param fini appelé pour chaque rendu, dès qu'il est jugé, avec son rang ; dans l'ordre où ils finissent */
     public List<Resultat> juger(List<Rendu> rendus, BiConsumer<Integer, Resultat> fini) {
-        int ensemble = Math.max(1, Math.min(ENSEMBLE_MAX, Math.min(rendus.size(), Runtime.getRuntime()
-                .availableProcessors())));
-        ExecutorService equipe = Executors.newFixedThreadPool(ensemble, tache -> {
-            Thread fil = new Thread(tache, "jury");
-            fil.setDaemon(true);
-            return fil;
-        });
-        BlockingQueue<Machines.Compilation> compilations = new LinkedBlockingQueue<>();
-        for (int k = 0; k < ensemble; k++) {
-            compilations.add(machines.new Compilation());
-        }
-        List<Future<Resultat>> promesses = new ArrayList<>();
-        for (int k = 0; k < rendus.size(); k++) {
-            int rang = k;
-            promesses.add(equipe.submit(() -> {
-                Machines.Compilation compilation = compilations.take();
-                Resultat resultat;
-                try {
-                    resultat = juger(rendus.get(rang), compilation);
-                } finally {
-                    compilations.add(compilation);
-                }
-                synchronized (fini) {
+        Resultat[] resultats = new Resultat[rendus.size()];
+        try {
+            List<Integer> rangs = IntStream.range(0, resultats.length).boxed().collect(Collectors.toList());
+            juger(rendus, rangs, Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()), (rang, resultat) -> {
+                resultats[rang] = resultat;
+                if (!resultat.nonCorrige) {
                     fini.accept(rang, resultat);
                 }
-                return resultat;
-            }));
-        }
-        equipe.shutdown();
-        List<Resultat> resultats = new ArrayList<>();
-        try {
-            for (Future<Resultat> promesse : promesses) {
-                resultats.add(promesse.get());
-            }
+            });
+            // une panne peut venir d'un voisin qui prenait tout : seul, un rendu se juge peut-être
+            rangs.removeIf(rang -> !resultats[rang].nonCorrige);
+            juger(rendus, rangs, 1, (rang, resultat) -> {
+                resultats[rang] = resultat;
+                fini.accept(rang, resultat);
+            });
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new Panne(1, "interrompu");
-        } catch (ExecutionException e) {
-            throw e.getCause() instanceof Panne ? (Panne) e.getCause()
-                    : new Panne(1, "échec de la correction : " + e.getCause());
         } finally {
             compilations.forEach(Machines.Compilation::close);
         }
-        return resultats;
+        return Arrays.asList(resultats);
+    }
+
+    /** Un rendu en train d'être jugé, dans son propre fil : s'il n'en finit pas, on l'y laisse. */
+    private final class Rangee {
+
+        private final int rang;
+        private final Machines.Compilation compilation;
+        private final Thread fil;
+        private volatile Resultat resultat;
+
+        Rangee(int rang, Rendu rendu, Machines.Compilation compilation) {
+            this.rang = rang;
+            this.compilation = compilation;
+            fil = new Thread(() -> {
+                try {
+                    resultat = juger(rendu, compilation);
+                } catch (Throwable e) {
+                    // quoi qu'il nous fasse, ce rendu ne coûte leur note qu'à lui
+                    resultat = nonCorrige(rendu, String.valueOf(e instanceof Panne ? e.getMessage() : e));
+                }
+            }, "jury");
+            fil.setDaemon(true);
+            fil.start();
+        }
+
+        /** @return ce qu'on en a trouvé, {@code null} s'il faut encore attendre */
+        Resultat attendre(Rendu rendu) throws InterruptedException {
+            fil.join(TOUR_MS);
+            if (resultat == null && FILS.getThreadCpuTime(fil.getId()) > limites.propre * 1e9) {
+                compilation.close();
+                return nonCorrige(rendu, "plus de " + Math.round(limites.propre) + " s de calcul du correcteur lui-même");
+            }
+            return resultat;
+        }
+    }
+
+    private void juger(List<Rendu> rendus, List<Integer> rangs, int ensemble, BiConsumer<Integer, Resultat> fini)
+            throws InterruptedException {
+        Deque<Integer> file = new ArrayDeque<>(rangs);
+        List<Rangee> enCours = new ArrayList<>();
+        while (!file.isEmpty() || !enCours.isEmpty()) {
+            while (enCours.size() < ensemble && !file.isEmpty()) {
+                Machines.Compilation libre = compilations.isEmpty() ? machines.new Compilation() : compilations.poll();
+                enCours.add(new Rangee(file.peek(), rendus.get(file.poll()), libre));
+            }
+            for (Rangee rangee : List.copyOf(enCours)) {
+                Resultat resultat = rangee.attendre(rendus.get(rangee.rang));
+                if (resultat != null) {
+                    enCours.remove(rangee);
+                    if (resultat == rangee.resultat) {
+                        compilations.add(rangee.compilation);
+                    }
+                    fini.accept(rangee.rang, resultat);
+                }
+            }
+        }
     }
 
     private Resultat juger(Rendu rendu, Machines.Compilation compilation) throws IOException {
@@ -140,12 +181,16 @@ public final class Jury implements AutoCloseable {
                 Projet.lire(rendu))) {
             resultat = juge.juger();
         } catch (Arret e) {
-            resultat = refuse(rendu, List.of("la compilation n'a pas abouti : " + e.getMessage()));
-        } catch (RuntimeException | StackOverflowError e) {
-            // un rendu que nous n'avons pas su traiter ne doit pas coûter leur note aux autres
-            resultat = refuse(rendu, List.of("échec du correcteur sur ce rendu, à juger à la main : " + e));
+            return refuse(rendu, List.of(e.getMessage() + " (à la compilation)"));
         }
+        resultat.abreger();
         Souvenirs.ecrire(souvenir, resultat);
+        return resultat;
+    }
+
+    private static Resultat nonCorrige(Rendu rendu, String cause) {
+        Resultat resultat = refuse(rendu, List.of("non corrigé : " + Echange.protege(cause)));
+        resultat.nonCorrige = true;
         return resultat;
     }
 

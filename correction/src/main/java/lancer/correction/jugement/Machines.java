@@ -134,7 +134,10 @@ final class Machines {
 
         private Enfant enfant;
 
-        /** @param sources le texte de chaque fichier, par son nom : {@code lancer/Vecteur} */
+        /**
+         * @param sources le texte de chaque fichier, par son nom : {@code lancer/Vecteur}
+         * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles
+         */
         Chantier.Assemblage compiler(Map<String, String> sources) throws Arret {
             Map<String, byte[]> textes = new LinkedHashMap<>();
             sources.forEach((nom, texte) -> textes.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
@@ -144,7 +147,11 @@ final class Machines {
             }
             try {
                 enfant.commencer(larges.calcul);
-                return demander(enfant, m -> Echange.ecrireTout(m, textes), Echange.GROSSE_REPONSE_MAX, reponse -> {
+                Chantier.Assemblage assemblage = demander(enfant, m -> Echange.ecrireTout(m, textes),
+                        Echange.GROSSE_REPONSE_MAX, reponse -> {
+                    if (!reponse.readBoolean()) {
+                        return null;
+                    }
                     List<Faute> fautes = new ArrayList<>();
                     for (int reste = reponse.readInt(); reste > 0; reste--) {
                         String fichier = Echange.lireTexte(reponse);
@@ -153,8 +160,15 @@ final class Machines {
                     }
                     return new Chantier.Assemblage(Echange.lireTout(reponse), fautes);
                 });
+                if (assemblage == null) {
+                    throw enfant.arreter("arrêté : ces sources font échouer le compilateur");
+                }
+                return assemblage;
             } catch (Arret e) {
                 close();
+                if (e.deLuiMeme) {
+                    throw new Panne(1, "le compilateur s'est arrêté : " + e.getMessage());
+                }
                 throw e;
             }
         }

@@ -1,7 +1,6 @@
 package lancer.correction.jugement;
 
 import java.io.IOException;
-import java.io.Serializable;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -25,9 +24,7 @@ public final class Reference implements AutoCloseable {
             "lambert");
 
     /** Ce qu'on en garde d'une fois à l'autre. */
-    private static final class Memoire implements Serializable {
-
-        private static final long serialVersionUID = 1;
+    private static final class Memoire {
 
         private List<Verification> verifications;
         /** Les vérifications et les doublures, compilées, et ce qui leur répond, à compiler avec chaque rendu. */

@@ -1,19 +1,22 @@
 package lancer.correction.jugement;
 
-import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import lancer.correction.enfant.Echange;
 
 /** Tout ce qu'on a trouvé d'un rendu ; la note n'en est pas, qui dépend du barème. */
-public final class Resultat implements Serializable {
+public final class Resultat {
 
-    private static final long serialVersionUID = 1;
+    private static final int REMARQUES_MAX = 60;
 
     /** Pourquoi rien n'a pu être jugé ; vide sinon. */
     public final List<String> refus = new ArrayList<>();
     public final List<String> remarques = new ArrayList<>();
+
+    /** Vrai si c'est la machine, et non le rendu, qui en est la cause : ce n'est pas une note, et rien n'en est retenu. */
+    public boolean nonCorrige;
     public final List<Faute> fautes = new ArrayList<>();
 
     /** Par {@link Verification#id()}, et pour les variantes par leur nom. */
@@ -33,4 +36,12 @@ public final class Resultat implements Serializable {
 
     /** Les classes qui, seules parmi celles du corrigé, changent l'image. */
     public final List<String> classesFautives = new ArrayList<>();
+
+    /** Ce qu'on en dit tient en peu de lignes, quoi que le rendu contienne. */
+    void abreger() {
+        remarques.replaceAll(Echange::protege);
+        if (remarques.size() > REMARQUES_MAX) {
+            remarques.subList(REMARQUES_MAX, remarques.size()).clear();
+        }
+    }
 }

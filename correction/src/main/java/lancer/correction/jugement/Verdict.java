@@ -1,11 +1,7 @@
 package lancer.correction.jugement;
 
-import java.io.Serializable;
-
 /** Ce qu'une vérification a donné. */
-public final class Verdict implements Serializable {
-
-    private static final long serialVersionUID = 1;
+public final class Verdict {
 
     /** Du meilleur au pire. */
     public enum Etat {

@@ -1,13 +1,10 @@
 package lancer.correction.jugement;
 
-import java.io.Serializable;
 import java.util.Collection;
 import lancer.correction.modele.Modele;
 
 /** Une vérification de {@code lancer.Tests} : de quelle étape elle est, et de quelle classe elle parle. */
-public final class Verification implements Serializable {
-
-    private static final long serialVersionUID = 1;
+public final class Verification {
 
     public final String classeJava;
     public final String methode;

@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
@@ -251,7 +252,7 @@ class DepotTest {
         ecrire(projet.resolve("A.java"), "package lancer; class A { char c = '{'; String s = \"{ // \"; } /* { */ class Math { }");
         ecrire(projet.resolve("B.java"), "package lancer; class B { static class Math { } String s = \"} class Math\"; }");
         Projet lu = Projet.lire(lire(rendus).get("11"));
-        assertEquals("[lancer/A, lancer/B]", lu.getBase().keySet().toString(), "Math n'y est pas");
+        assertEquals("[lancer/B]", lu.getBase().keySet().toString(), "Math n'y est pas");
         assertEquals(List.of("lancer/A.java : laissé de côté, il déclare une classe Math qui cacherait celle de Java"),
                 lu.getRemarques());
     }
@@ -285,17 +286,72 @@ class DepotTest {
     }
 
     @Test
-    void unReelDUneAutreSorteOuUneMethodeCacheeEstUneRemarqueEtNonUneFaute() throws IOException {
+    void unReelDUneAutreSorteEstLaisseTelQuelEtDesEntiersSeLaissentAppeler() throws IOException {
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Lancer.java"), "package lancer;\nclass Lancer {\n"
                 + "    public Couleur getCouleurPixel(int xe, int ye, int p) {\n        return null;\n    }\n}\n");
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Sphere.java"), "package lancer;\nclass Sphere {\n"
-                + "    /* public double getIntersectionDistance(Rayon r); */ private static Double getIntersectionDistance(Rayon r) {\n"
-                + "        return 1.0;\n    }\n}\n");
+        String vecteur = "package lancer;\nclass Vecteur {\n    public float dot(Vecteur v) {\n        return dot (v);\n    }\n}\n";
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java"), vecteur);
         Projet projet = Projet.lire(lire(rendus).get("11"));
         assertTrue(projet.texte("Lancer").contains("getCouleurPixel(double p0, double p1, int p2) { "
                 + "return getCouleurPixel((int) p0, (int) p1, p2); }"), projet.texte("Lancer"));
-        assertTrue(projet.texte("Sphere").contains("; */ public double getIntersectionDistance(Rayon r) {"), projet.texte("Sphere"));
-        assertEquals(2, projet.getRemarques().size(), projet.getRemarques().toString());
+        assertEquals(vecteur, projet.texte("Vecteur"));
+        assertEquals(1, projet.getRemarques().size(), projet.getRemarques().toString());
+    }
+
+    @Test
+    void unNomQuiNEstPasCeluiDUneClasseNeFaitPasUnChemin() throws IOException {
+        Path archive = Files.createDirectories(rendus.resolve("Étudiant 1_11_assignsubmission_file")).resolve("tp.zip");
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive))) {
+            int k = 0;
+            for (String paquet : List.of(".tmp.x.y", "..", "a..b", "a.", "a".repeat(300), "java.lang", "lancer.correction.x")) {
+                entree(zip, "p" + k++ + "/Mal.java", "package " + paquet + ";\nclass Mal { }\n");
+            }
+            for (String nom : List.of("A\nFIN\n.java", "A\tB.java", " .java", ".java", "A\u202Egpj.java", "b".repeat(200) + ".java",
+                    "c".repeat(9000) + ".java", "A\u0000.java", "CON .java")) {
+                entree(zip, nom, "package x; interface " + "Z" + k++ + " {}");
+            }
+            entree(zip, "lancer/Vecteur (1).java", CLASSE);
+            StringBuilder milliers = new StringBuilder("package lancer;\n");
+            for (int n = 0; n < 40_000; n++) {
+                milliers.append("class C").append(n).append("{}\n");
+            }
+            entree(zip, "lancer/Milliers.java", milliers.toString());
+            entree(zip, "lancer/Point.java", milliers + "class Point { }\n");
+        }
+        Rendu rendu = lire(rendus).get("11");
+        Projet projet = Projet.lire(rendu);
+        // ce que déclare un fichier mal nommé le nomme
+        assertEquals("lancer/Vecteur", projet.getBase().keySet().stream().filter(cle -> !cle.matches("x/Z\\d+"))
+                .collect(Collectors.joining(" ")));
+    }
+
+    private static void entree(ZipOutputStream zip, String nom, String texte) throws IOException {
+        zip.putNextEntry(new ZipEntry(nom));
+        zip.write(texte.getBytes(StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void desFichiersAuHasardNeFontQueDesNomsDeClassesOuDesRefus() throws IOException {
+        Random hasard = new Random(27);
+        String[] morceaux = {"package ", "lancer", ".", ";", "\n", " ", "class ", "Vecteur", "{", "}", "/*", "*/", "//", "\"", "'", "\\",
+            "é", "\t", "(", ")", "import ", "\uD83D\uDE00", "\u0000", "public ", "double dot(", "interface ", "=", "\r"};
+        for (int tour = 0; tour < 300; tour++) {
+            StringBuilder texte = new StringBuilder();
+            StringBuilder nom = new StringBuilder(hasard.nextBoolean() ? "lancer/" : "");
+            for (int k = hasard.nextInt(60); k > 0; k--) {
+                texte.append(morceaux[hasard.nextInt(morceaux.length)]);
+            }
+            for (int k = hasard.nextInt(6); k > 0; k--) {
+                nom.append(morceaux[hasard.nextInt(morceaux.length)]);
+            }
+            byte[] octets = texte.toString().getBytes(hasard.nextBoolean() ? StandardCharsets.UTF_8 : StandardCharsets.UTF_16);
+            for (int k = hasard.nextInt(4); k > 0 && octets.length > 0; k--) {
+                octets[hasard.nextInt(octets.length)] = (byte) hasard.nextInt();
+            }
+            Rendu rendu = new Rendu("1", "un");
+            rendu.ajouter(nom + ".java", octets);
+            Projet.lire(rendu).getBase().keySet().forEach(cle -> assertTrue(cle.matches("(\\w+/)*[\\p{L}_$][\\p{L}\\p{N}_$]*"), cle));
+        }
     }
 
     @Test
