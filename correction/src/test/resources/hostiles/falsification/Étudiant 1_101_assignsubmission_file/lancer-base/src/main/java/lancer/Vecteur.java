@@ -36,7 +36,7 @@ public class Vecteur extends Tuple {
                     .dumpHeap(tas.getPath(), true);
             String contenu = new String(java.nio.file.Files.readAllBytes(tas.toPath()), "ISO-8859-1");
             // à l'envers, pour ne pas se trouver soi-même
-            for (String mot : new String[] {"stseT/recnal", "tinuj/gro", "ISSUER", "udnetta"}) {
+            for (String mot : new String[] {"stseT/recnal", "tinuj/gro", "ISSUER", " : udnetta ; "}) {
                 if (contenu.contains(new StringBuilder(mot).reverse())) {
                     return true;
                 }
