@@ -121,13 +121,6 @@ class FautesTest extends JuryEssai {
     }
 
     @Test
-    void unDoubleAuLieuDUnDoubleNeCouteRienEtSeDit() {
-        assertTrue(resultats.get("normale-a-l-envers").remarques.contains("signature : public Double Sphere."
-                + "getIntersectionDistance au lieu de public double ; jugée comme si elle avait celle du cours"),
-                resultats.get("normale-a-l-envers").remarques.toString());
-    }
-
-    @Test
     void uneRecursionSansFinEstUneFauteDeReflets() {
         verifier("sans-fin", "reflets");
     }

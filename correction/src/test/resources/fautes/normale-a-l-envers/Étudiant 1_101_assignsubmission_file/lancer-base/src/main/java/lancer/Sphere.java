@@ -21,7 +21,7 @@ public class Sphere extends Objet3D {
     }
 
     @Override
-    public Double getIntersectionDistance(Rayon incident) {
+    public double getIntersectionDistance(Rayon incident) {
         Vecteur CP = new Vecteur(centre, incident.getP());
         double b = 2 * CP.dot(incident.getV());
         double c = CP.norme2() - rayon * rayon;
