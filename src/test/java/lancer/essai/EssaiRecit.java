@@ -62,7 +62,8 @@ public final class EssaiRecit {
     public int cachees;
     public final Map<String, Integer> arrets = new HashMap<>();
 
-    public EssaiRecit(Scene scene, Origines origines, int largeur, int hauteur, int reflets, DoubleUnaryOperator k, double[] air, double blinn) {
+    public EssaiRecit(Scene scene, Origines origines, int largeur, int hauteur, int reflets, DoubleUnaryOperator k,
+            double[] air, double blinn) {
         this.scene = scene;
         this.origines = origines;
         this.largeur = largeur;

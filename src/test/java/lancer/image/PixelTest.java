@@ -66,7 +66,8 @@ class PixelTest extends EssaiCommande {
             rayons[0]++;
             return vue;
         });
-        new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele), new Origines(), new Camera(40, 70), 5, 31, 31).faire();
+        Scene vide = new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele);
+        new Inspection(vide, new Origines(), new Camera(40, 70), 5, 31, 31).faire();
         assertEquals(2, rayons[0]);
     }
 

@@ -20,6 +20,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
+import lancer.contrat.Specularite;
 import lancer.essai.Essai;
 import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
@@ -106,6 +107,26 @@ class InspectionTest {
         }
         assertEquals(1, etapes.get(0));
         assertTrue(etapes.get(1) == 2 && etapes.get(2) >= 2, etapes.toString());
+    }
+
+    @Test
+    void leRefletDUneLampeEstSaBaseASonExposant() {
+        Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
+        int reflets = 0;
+        for (int x = 5; x < 80; x += 3) {
+            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), 2, x, 30);
+            pixel.faire();
+            for (Etape etape : pixel.getEtapes()) {
+                for (Eclairage lampe : etape.lampes) {
+                    if (lampe.devant > 0 && !etape.contact.objet.getKs().estNoire()) {
+                        assertEquals(etape.contact.objet.getNs(), lampe.exposant);
+                        assertEquals(lampe.eclat, Specularite.puissance(lampe.base, lampe.exposant));
+                        reflets++;
+                    }
+                }
+            }
+        }
+        assertTrue(reflets > 20, reflets + " reflets");
     }
 
     @Test

@@ -299,8 +299,9 @@ class PrecisionTest {
             double t = Intersection.distance(p.x, p.y, p.z, v.x, v.y, v.z, 0, 0, 0, r);
             if (d < -Double.MIN_VALUE) {
                 annoncees++;
-                assertTrue(Intersection.auMoins(d) <= t && Intersection.auMoins(d) >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
-                        + Intersection.auMoins(d) + " pour " + t);
+                double auMoins = Intersection.auMoins(d);
+                assertTrue(auMoins <= t && auMoins >= 0.9997 * t, "graine " + GRAINE + ", tirage " + k + " : "
+                        + auMoins + " pour " + t);
             }
         }
         assertTrue(annoncees > 5000, annoncees + " doutes");

@@ -96,7 +96,8 @@ class LimitesAntialiasTest {
     }
 
     private static Couleur[] image(Scene modele, Echantillonnage echantillonnage, int cote) {
-        Scene scene = echantillonnage == null ? modele : modele.avec(modele.getModele().avec(echantillonnage, modele.getModele().getSeuil()));
+        Scene scene = echantillonnage == null ? modele
+                : modele.avec(modele.getModele().avec(echantillonnage, modele.getModele().getSeuil()));
         Couleur[] image = new Couleur[cote * cote];
         new Traceur(scene, new Camera(cote, cote)).TracerPixels((couleur, i, j) -> image[cote * j + i] = couleur, 3, 2);
         return image;

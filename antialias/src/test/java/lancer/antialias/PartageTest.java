@@ -71,7 +71,8 @@ class PartageTest {
             return new Couleur();
         });
         modele.setEchantillonnage(methode.equals("coins") ? Antialias.coins(n, seuil) : Antialias.partage(n, seuil));
-        new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele), new Origines(), new Camera(64, 64), 0, 40, 40).faire();
+        Scene vide = new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele);
+        new Inspection(vide, new Origines(), new Camera(64, 64), 0, 40, 40).faire();
         assertEquals(attendus + 1, rayons.get(), "et un de nouveau, pour sa chaîne");
     }
 

@@ -3,6 +3,7 @@ package lancer.blinn;
 import java.util.Collections;
 import java.util.List;
 import lancer.Vecteur;
+import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
@@ -18,6 +19,8 @@ public final class Blinn implements Variante, Specularite {
     private static final double FACTEUR = 1;
 
     private final double facteur;
+    /** Auditeur de la scène ; d'ordinaire {@code null}. */
+    private final Ecoute ecoute;
 
     /** Le reflet d'une scène qui n'en dit rien. */
     public Blinn() {
@@ -26,7 +29,12 @@ public final class Blinn implements Variante, Specularite {
 
     /** @param facteur ce qui multiplie ns, plus grand que 0 */
     Blinn(double facteur) {
+        this(facteur, null);
+    }
+
+    private Blinn(double facteur, Ecoute ecoute) {
         this.facteur = facteur;
+        this.ecoute = ecoute;
     }
 
     @Override
@@ -52,6 +60,13 @@ public final class Blinn implements Variante, Specularite {
         if (norme == 0) {
             return 0;
         }
-        return Specularite.puissance(N.dot(H) / norme, facteur * ns);
+        double base = N.dot(H) / norme;
+        Ecoute.reflet(ecoute, base, facteur * ns);
+        return Specularite.puissance(base, facteur * ns);
+    }
+
+    @Override
+    public Specularite quiDit(Ecoute autre) {
+        return new Blinn(facteur, autre);
     }
 }

@@ -5,12 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.List;
 import java.util.Random;
 import lancer.Camera;
 import lancer.Vecteur;
+import lancer.contrat.Ecoute;
 import lancer.essai.Essai;
 import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiPixel;
@@ -44,6 +48,20 @@ class BlinnTest {
     void unPixelDemandeSeulEstCeluiDeLImage() throws IOException {
         Path scene = scene(Essai.ressource(BlinnTest.class, "/reference/p2-sol.ini"), "[Blinn]", "facteur=3");
         EssaiPixel.verifier(Collections.singletonList(Essai.origine(Blinn.class)), dossier, scene, 60, 45);
+    }
+
+    @Test
+    void laBaseEtLExposantDuRefletSeDisentAQuiEcoute() {
+        List<Object> dits = new ArrayList<>();
+        Ecoute ecoute = (Ecoute) Proxy.newProxyInstance(Ecoute.class.getClassLoader(), new Class<?>[] {Ecoute.class}, (o, m, dit) -> {
+            dits.addAll(Arrays.asList(dit));
+            return null;
+        });
+        Vecteur N = new Vecteur(0, 0, -1);
+        Vecteur L = new Vecteur(0, 0.6, -0.8);
+        double eclat = new Blinn(3).quiDit(ecoute).eclat(new Vecteur(0, 0, 1), N, L, N, 20);
+        assertEquals(Arrays.<Object>asList(L.add(N).normalized().dot(N), 60.0), dits);
+        assertEquals(Math.pow((double) dits.get(0), 60), eclat, 1e-12);
     }
 
     /**

@@ -116,8 +116,9 @@ final class Methode {
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Scene scene = lancer.getScene();
             Echantillonnage partiel = filtre.apply(scene.getModele().getEchantillonnage());
-            LancerSurveille.preparer(scene.avec(scene.getModele().avec(partiel, scene.getModele().getSeuil())), lancer.getCamera().getLargeur(),
-                    lancer.getCamera().getHauteur(), true).parcourir(partiel, toile, reflets, fils);
+            Scene partielle = scene.avec(scene.getModele().avec(partiel, scene.getModele().getSeuil()));
+            LancerSurveille.preparer(partielle, lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur(), true)
+                    .parcourir(partiel, toile, reflets, fils);
         }
     }
 }
