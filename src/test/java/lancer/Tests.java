@@ -1,6 +1,5 @@
 package lancer;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -37,6 +36,7 @@ public class Tests {
 
     private static final Couleur NOIR = new Couleur(0, 0, 0);
     private static final Couleur BLANC = new Couleur(1, 1, 1);
+    private static final Couleur GRIS = new Couleur(0.5, 0.5, 0.5);
     private static final Couleur JAUNE = new Couleur(1, 1, 0);
     private static final Couleur VERT = new Couleur(0, 1, 0);
 
@@ -91,6 +91,11 @@ public class Tests {
         return new Lampe(new Point(x, y, z), BLANC);
     }
 
+    /** Une lampe dont chaque composante est autre : qui en oublie la couleur se voit. */
+    private static Lampe orange(double x, double y, double z) {
+        return new Lampe(new Point(x, y, z), new Couleur(1, 0.5, 0.25));
+    }
+
     private static Scene scene(Lampe lampe, Sphere... boules) {
         return new Scene(Arrays.asList(boules), lampe == null ? Collections.<Lampe>emptyList()
                 : Collections.singletonList(lampe));
@@ -109,18 +114,36 @@ public class Tests {
         return contact.objet.getColor(scene, rayon, contact, profondeur);
     }
 
+    /** La couleur vue sans reflet : à la profondeur 0, ou 1 pour qui compte à partir de 1, et rend noir à 0. */
+    private static Couleur vue(Scene scene, Rayon rayon) {
+        Scene eclairee = scene(lampe(0, 0, 3), boule(0, 0, 5, 1, GRIS, NOIR, 1));
+        boolean desUn = pres(NOIR, vue(eclairee, rayon(0, 0, 0, 0, 0, 1), 0));
+        return vue(scene, rayon, desUn ? 1 : 0);
+    }
+
+    /** Ce que ces lampes ajoutent à la couleur que voit ce rayon : une couleur ambiante est la même sans elles. */
+    private static Couleur apport(List<Lampe> lampes, Rayon rayon, Sphere... boules) {
+        Rayon encore = new Rayon(rayon.getP(), rayon.getV());
+        return vue(new Scene(Arrays.asList(boules), lampes), rayon).sub(vue(scene(null, boules), encore));
+    }
+
+    private static Couleur apport(Lampe lampe, Rayon rayon, Sphere... boules) {
+        return apport(Collections.singletonList(lampe), rayon, boules);
+    }
+
     /** Abandonne le test tant que getClosestIntersection ne trouve rien. */
     private static void sceneCommencee() {
         assumeTrue(scene(null, new Sphere(new Point(0, 0, 5), 1))
                 .getClosestIntersection(rayon(0, 0, 0, 0, 0, 1), null) != null,
-                "étape non commencée : getClosestIntersection ne trouve encore rien");
+                "étape non commencée : getClosestIntersection ne trouve encore rien, ou ne garde pas ce qu'elle "
+                + "trouve");
     }
 
     /** Abandonne le test tant que getColor rend du jaune vif. */
     private static void couleurCommencee() {
         sceneCommencee();
         Scene scene = scene(null, boule(0, 0, 5, 1, NOIR, NOIR, 1));
-        assumeTrue(!pres(JAUNE, vue(scene, rayon(0, 0, 0, 0, 0, 1), 0)),
+        assumeTrue(!pres(JAUNE, vue(scene, rayon(0, 0, 0, 0, 0, 1), 1)),
                 "étape non commencée : getColor rend encore du jaune vif");
     }
 
@@ -219,6 +242,16 @@ public class Tests {
     @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     class RayonsEtCamera {
 
+        /** Un demi-pixel, si c'est le centre du pixel que vise cette caméra : la première vérification le dit seule. */
+        private double decalage() {
+            return pres(-1 + 1 / 800.0, new Camera(800, 600).getRayon(0, 0).getP().x) ? 0.5 : 0;
+        }
+
+        private void ecran(String demande, double x, double y, int largeur, int hauteur, double xe, double ye) {
+            double d = decalage() * 2 / largeur;
+            verifier(demande, x + d, y - d, 0, new Camera(largeur, hauteur).getRayon(xe, ye).getP());
+        }
+
         @Test
         @Order(1)
         @Tag("Rayon")
@@ -245,8 +278,9 @@ public class Tests {
         @Tag("Camera")
         @DisplayName("le pixel (0, 0) est en haut à gauche, à x = -ECHELLE/2")
         void leCoinEnHautAGaucheEstAMoinsUn() {
-            verifier("le pixel (0,0) d'un écran 800 x 600, avec ECHELLE = 2", -1, 0.75, 0, new Camera(800, 600)
-                    .getRayon(0, 0).getP());
+            Point coin = new Camera(800, 600).getRayon(0, 0).getP();
+            verifier("le pixel (0,0) d'un écran 800 x 600, avec ECHELLE = 2" + (decalage() > 0
+                    ? " (le vôtre est un demi-pixel plus loin)" : ""), -1, 0.75, 0, coin);
             verifier("le pixel (0,0) d'un écran 1280 x 1024", -1, 0.8, 0, new Camera(1280, 1024).getRayon(0, 0).getP());
         }
 
@@ -255,8 +289,7 @@ public class Tests {
         @Tag("Camera")
         @DisplayName("le coin (L, H) est en bas à droite, à x = ECHELLE/2")
         void leCoinEnBasADroiteEstAPlusUn() {
-            verifier("le coin (800,600) d'un écran 800 x 600", 1, -0.75, 0, new Camera(800, 600).getRayon(800, 600)
-                    .getP());
+            ecran("le coin (800,600) d'un écran 800 x 600", 1, -0.75, 800, 600, 800, 600);
         }
 
         @Test
@@ -264,9 +297,8 @@ public class Tests {
         @Tag("Camera")
         @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
         void leCadrageEstLeMemeAToutesLesTailles() {
-            verifier("(200,150) d'un écran 800 x 600", -0.5, 0.375, 0, new Camera(800, 600).getRayon(200, 150).getP());
-            verifier("(400,300) d'un écran 1600 x 1200 : le même point", -0.5, 0.375, 0, new Camera(1600, 1200)
-                    .getRayon(400, 300).getP());
+            ecran("(200,150) d'un écran 800 x 600", -0.5, 0.375, 800, 600, 200, 150);
+            ecran("(400,300) d'un écran 1600 x 1200 : le même point", -0.5, 0.375, 1600, 1200, 400, 300);
         }
 
         @Test
@@ -274,7 +306,8 @@ public class Tests {
         @Tag("Camera")
         @DisplayName("au centre de l'écran, le rayon va droit devant")
         void auCentreLeRayonVaDroitDevant() {
-            Rayon rayon = new Camera(800, 600).getRayon(400, 300);
+            double d = decalage();
+            Rayon rayon = new Camera(800, 600).getRayon(400 - d, 300 - d);
             verifier("le centre de l'écran est l'origine", 0, 0, 0, rayon.getP());
             verifier("l'œil est derrière l'écran, la scène devant (z > 0)", 0, 0, 1, rayon.getV());
         }
@@ -284,7 +317,8 @@ public class Tests {
         @Tag("Camera")
         @DisplayName("l'œil voit la largeur de l'écran sous 30° (distance focale)")
         void laLargeurDeLEcranEstVueSousTrenteDegres() {
-            double sinus = new Camera(800, 600).getRayon(800, 300).getV().x;
+            double d = decalage();
+            double sinus = new Camera(800, 600).getRayon(800 - d, 300 - d).getV().x;
             verifier("au milieu du bord droit, le rayon s'écarte de l'axe de CHAMP/2 = 15° ; en degrés", 15,
                     Math.toDegrees(Math.asin(sinus)));
         }
@@ -302,6 +336,15 @@ public class Tests {
                         + "), on arrive à l'œil";
                 verifier(demande, 0, 0, -focale, rayon.getP().add(rayon.getV().mul(-recul)));
             }
+        }
+
+        @Test
+        @Order(9)
+        @Tag("Camera")
+        @DisplayName("rien n'est arrondi à l'entier : ni L/2, ni H/2, ni xe, ni ye")
+        void uneTailleImpaireOuUnPointEntreDeuxPixelsNArronditRien() {
+            ecran("le pixel (0,0) d'un écran 81 x 61 : L/2 = 40.5", -1, 61 / 81.0, 81, 61, 0, 0);
+            ecran("le point (200.5,150.25) d'un écran 800 x 600", -0.49875, 0.374375, 800, 600, 200.5, 150.25);
         }
     }
 
@@ -374,6 +417,16 @@ public class Tests {
             sphere.getIntersectionDistance(rayon);
             verifier("rayon.getDistance() après getIntersectionDistance", 4, rayon.getDistance());
         }
+
+        @Test
+        @Order(7)
+        @Tag("Sphere")
+        @DisplayName("une sphère géante, comme le sol des scènes, est touchée au même endroit qu'une petite")
+        void uneSphereGeanteEstToucheeSansGrain() {
+            double r = 9998.77;
+            distance("sphère de centre (0,0," + (r + 4) + ") et de rayon " + r + " (en float, il y a du grain)", 4,
+                    new Sphere(new Point(0, 0, r + 4), r), rayon(0, 0, 0, 0, 0, 1));
+        }
     }
 
     @Nested
@@ -410,6 +463,7 @@ public class Tests {
             verifier("le contact du rayon de (1,0,0) vers +z avec la sphère de centre (1,0,5) et de rayon 1", 1, 0, 4,
                     contact);
             dire(contact.objet == sphere, "l'objet du contact est la sphère touchée", sphere, contact.objet);
+            verifier("la distance que porte ce contact", 4, contact.distance);
         }
 
         @Test
@@ -451,6 +505,8 @@ public class Tests {
             sceneCommencee();
             plusProche("sauf la boule proche", loin, scene(null, loin, pres).getClosestIntersection(devant, pres));
             plusProche("sauf la boule lointaine", pres, scene(null, pres, loin).getClosestIntersection(devant, loin));
+            plusProche("sauf la boule proche, qui est la première", loin,
+                    scene(null, pres, loin).getClosestIntersection(devant, pres));
         }
 
         @Test
@@ -471,7 +527,7 @@ public class Tests {
 
         private Couleur pixel(Scene scene) {
             sceneCommencee();
-            Couleur couleur = new Lancer(scene, new Camera(800, 600)).getCouleurPixel(400, 300, 0);
+            Couleur couleur = new Lancer(scene, new Camera(800, 600)).getCouleurPixel(400, 300, 1);
             assumeTrue(!pres(VERT, couleur), "étape non commencée : getCouleurPixel rend encore du vert");
             return couleur;
         }
@@ -495,9 +551,10 @@ public class Tests {
         @Tag("Lancer")
         @DisplayName("getCouleurPixel : la couleur de la sphère la plus proche")
         void unPixelALaCouleurDeLaPlusProcheSphere() {
-            Scene scene = scene(lampe(0, 0, -9), boule(0, 0, 9, 1, BLANC, NOIR, 1), pres);
+            Sphere rouge = boule(0, 0, 5, 1, new Couleur(0.8, 0, 0), NOIR, 1);
+            Scene scene = scene(lampe(0, 0, -9), boule(0, 0, 9, 1, BLANC, NOIR, 1), rouge);
             Couleur couleur = pixel(scene);
-            verifier("le pixel du centre : getColor de la boule proche", vue(scene, devant, 0), couleur);
+            verifier("le pixel du centre : getColor de la boule proche", vue(scene, devant, 1), couleur);
         }
     }
 
@@ -510,9 +567,9 @@ public class Tests {
 
         private final Rayon devant = rayon(0, 0, 0, 0, 0, 1);
 
-        private Couleur eclairee(Scene scene) {
+        private Couleur eclairee(Lampe lampe, Sphere boule) {
             couleurCommencee();
-            return vue(scene, devant, 0);
+            return apport(lampe, devant, boule);
         }
 
         @Test
@@ -533,9 +590,9 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("face à la lampe : Kd")
         void faceALaLampeLaCouleurEstKd() {
-            Couleur Kd = new Couleur(0.5, 0.25, 1);
+            Couleur Kd = new Couleur(0.5, 0.25, 0.75);
             verifier("lampe blanche droit devant, N.L = 1 : Kd", Kd,
-                    eclairee(scene(lampe(0, 0, 3), boule(0, 0, 5, 1, Kd, NOIR, 1))));
+                    eclairee(lampe(0, 0, 3), boule(0, 0, 5, 1, Kd, NOIR, 1)));
         }
 
         @Test
@@ -544,8 +601,8 @@ public class Tests {
         @DisplayName("de biais : Kd fois le cosinus N.L")
         void deBiaisLaCouleurSuitLeCosinus() {
             // de (0, 0, 4), la lampe est dans la direction (0.6, 0, -0.8), à une distance de 1
-            verifier("N.L = 0.8", new Couleur(0.8, 0.4, 0.2),
-                    eclairee(scene(lampe(0.6, 0, 3.2), boule(0, 0, 5, 1, new Couleur(1, 0.5, 0.25), NOIR, 1))));
+            verifier("N.L = 0.8", new Couleur(0.6, 0.4, 0.2),
+                    eclairee(lampe(0.6, 0, 3.2), boule(0, 0, 5, 1, new Couleur(0.75, 0.5, 0.25), NOIR, 1)));
         }
 
         @Test
@@ -555,8 +612,8 @@ public class Tests {
         void laDistanceDeLaLampeNeChangeRien() {
             for (double d : new double[] {0.5, 1, 5, 50}) {
                 verifier("lampe dans la direction (0.6,0,-0.8), à la distance " + d + ", N.L = 0.8",
-                        new Couleur(0.8, 0.8, 0.8),
-                        eclairee(scene(lampe(0.6 * d, 0, 4 - 0.8 * d), boule(0, 0, 5, 1, BLANC, NOIR, 1))));
+                        new Couleur(0.4, 0.4, 0.4),
+                        eclairee(lampe(0.6 * d, 0, 4 - 0.8 * d), boule(0, 0, 5, 1, GRIS, NOIR, 1)));
             }
         }
 
@@ -566,8 +623,8 @@ public class Tests {
         @DisplayName("N est normalisé : l'éclairement ne dépend pas du rayon de la sphère")
         void leRayonDeLaSphereNeChangeRien() {
             for (double r : new double[] {0.5, 1, 3}) {
-                verifier("sphère de rayon " + r + ", lampe à une distance de 1, N.L = 0.8", new Couleur(0.8, 0.8, 0.8),
-                        eclairee(scene(lampe(0.6, 0, 3.2), boule(0, 0, 4 + r, r, BLANC, NOIR, 1))));
+                verifier("sphère de rayon " + r + ", lampe à une distance de 1, N.L = 0.8", new Couleur(0.4, 0.4, 0.4),
+                        eclairee(lampe(0.6, 0, 3.2), boule(0, 0, 4 + r, r, GRIS, NOIR, 1)));
             }
         }
 
@@ -577,7 +634,7 @@ public class Tests {
         @DisplayName("dans le dos (N.L négatif), rien")
         void dansLeDosIlFaitNoir() {
             verifier("lampe derrière la boule, N.L = -1", NOIR,
-                    eclairee(scene(lampe(0, 0, 9), boule(0, 0, 5, 1, BLANC, NOIR, 1))));
+                    eclairee(lampe(0, 0, 9), boule(0, 0, 5, 1, GRIS, NOIR, 1)));
         }
 
         @Test
@@ -585,9 +642,8 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("la couleur de la lampe multiplie Kd, composante par composante")
         void laCouleurDeLaLampeMultiplieKd() {
-            Lampe rose = new Lampe(new Point(0, 0, 3), new Couleur(1, 0.5, 0.5));
-            verifier("Kd (0.5,0.5,1), lampe (1,0.5,0.5), N.L = 1", new Couleur(0.5, 0.25, 0.5),
-                    eclairee(scene(rose, boule(0, 0, 5, 1, new Couleur(0.5, 0.5, 1), NOIR, 1))));
+            verifier("Kd (0.5,0.5,0.8), lampe (1,0.5,0.25), N.L = 1", new Couleur(0.5, 0.25, 0.2),
+                    eclairee(orange(0, 0, 3), boule(0, 0, 5, 1, new Couleur(0.5, 0.5, 0.8), NOIR, 1)));
         }
 
         @Test
@@ -595,9 +651,20 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("plusieurs lampes s'ajoutent")
         void lesLampesSAjoutent() {
-            List<Lampe> deux = Arrays.asList(lampe(0, 0, 3), lampe(0.6, 0, 3.2));
-            verifier("une lampe à N.L = 1, une à N.L = 0.8, Kd = 0.5", new Couleur(0.9, 0.9, 0.9),
-                    eclairee(new Scene(Arrays.asList(boule(0, 0, 5, 1, new Couleur(0.5, 0.5, 0.5), NOIR, 1)), deux)));
+            couleurCommencee();
+            List<Lampe> deux = Arrays.asList(lampe(0, 0, 3), orange(0.6, 0, 3.2));
+            verifier("une lampe blanche à N.L = 1, une (1,0.5,0.25) à N.L = 0.8, Kd = 0.5", new Couleur(0.9, 0.7, 0.6),
+                    apport(deux, devant, boule(0, 0, 5, 1, GRIS, NOIR, 1)));
+        }
+
+        @Test
+        @Order(9)
+        @Tag("Objet3D")
+        @DisplayName("sans lampe, une boule mate est noire : rien d'autre ne s'ajoute")
+        void sansLampeIlFaitNoir() {
+            couleurCommencee();
+            verifier("aucune lampe, Ks nul ; le cours n'a pas de couleur ambiante", NOIR,
+                    vue(scene(null, boule(0, 0, 5, 1, GRIS, NOIR, 1)), devant));
         }
     }
 
@@ -615,15 +682,12 @@ public class Tests {
 
         /** Ce qu'une lampe, à une distance de 1 du contact (0, 0, 4), ajoute à une boule noire et brillante. */
         private Couleur reflet(Couleur Ks, double ns, double vx, double vz, double lx, double lz) {
-            Sphere boule = boule(0, 0, 5, 1, NOIR, Ks, ns);
-            Rayon avec = rayon(-vx, 0, 4 - vz, vx, 0, vz);
-            Rayon sans = rayon(-vx, 0, 4 - vz, vx, 0, vz);
-            return vue(scene(lampe(lx, 0, 4 + lz), boule), avec, 0).sub(vue(scene(null, boule), sans, 0));
+            return apport(lampe(lx, 0, 4 + lz), rayon(-vx, 0, 4 - vz, vx, 0, vz), boule(0, 0, 5, 1, NOIR, Ks, ns));
         }
 
         /** Rien de faux où il ne faut rien ne prouve rien tant qu'il n'y a rien nulle part. */
         private void refletCommence() {
-            assumeTrue(!pres(NOIR, reflet(BLANC, 1, 0, 1, 0, -1)),
+            assumeTrue(!pres(NOIR, reflet(GRIS, 1, 0, 1, 0, -1)),
                     "étape non commencée : face à la lampe et à l'œil, aucun reflet");
         }
 
@@ -632,7 +696,7 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("face à la lampe et à l'œil : Ks")
         void faceALaLampeEtALOeilLeRefletEstKs() {
-            Couleur Ks = new Couleur(1, 0.5, 0.25);
+            Couleur Ks = new Couleur(0.5, 0.25, 0.125);
             verifier("L, N et -V confondus : R.-V = 1, donc Ks", Ks, reflet(Ks, 8, 0, 1, 0, -1));
         }
 
@@ -641,8 +705,8 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("dans la direction du miroir : Ks")
         void dansLaDirectionDuMiroirLeRefletEstKs() {
-            verifier("V (0.6,0,0.8), N (0,0,-1), L (0.6,0,-0.8) : l'œil est sur le miroir de L, R.-V = 1", BLANC,
-                    reflet(BLANC, 8, 0.6, 0.8, 0.6, -0.8));
+            verifier("V (0.6,0,0.8), N (0,0,-1), L (0.6,0,-0.8) : l'œil est sur le miroir de L, R.-V = 1", GRIS,
+                    reflet(GRIS, 8, 0.6, 0.8, 0.6, -0.8));
         }
 
         @Test
@@ -650,12 +714,10 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("hors du miroir : Ks fois le cosinus R.-V à la puissance ns")
         void leRefletEstUnePuissanceDuCosinus() {
-            verifier("R.-V = 0.8, ns = 1", new Couleur(0.8, 0.8, 0.8), reflet(BLANC, 1, 0, 1, 0.6, -0.8));
-            verifier("R.-V = 0.8, ns = 2", new Couleur(0.64, 0.64, 0.64), reflet(BLANC, 2, 0, 1, 0.6, -0.8));
-            double puissance = Math.pow(0.96, 50);
-            verifier("V (0.6,0,0.8), L (0.8,0,-0.6) : R.-V = 0.96, ns = 50",
-                    new Couleur(puissance, puissance, puissance),
-                    reflet(BLANC, 50, 0.6, 0.8, 0.8, -0.6));
+            verifier("R.-V = 0.8, ns = 1, Ks = 0.5", GRIS.mul(0.8), reflet(GRIS, 1, 0, 1, 0.6, -0.8));
+            verifier("R.-V = 0.8, ns = 2.5, Ks = 0.5", GRIS.mul(Math.pow(0.8, 2.5)), reflet(GRIS, 2.5, 0, 1, 0.6, -0.8));
+            verifier("V (0.6,0,0.8), L (0.8,0,-0.6) : R.-V = 0.96, ns = 50, Ks = 0.5", GRIS.mul(Math.pow(0.96, 50)),
+                    reflet(GRIS, 50, 0.6, 0.8, 0.8, -0.6));
         }
 
         @Test
@@ -665,7 +727,7 @@ public class Tests {
         void unCosinusNegatifNeDonneRien() {
             refletCommence();
             verifier("V (0.6,0,0.8), L (-0.96,0,-0.28) : R.-V = -0.352, ns = 2", NOIR,
-                    reflet(BLANC, 2, 0.6, 0.8, -0.96, -0.28));
+                    reflet(GRIS, 2, 0.6, 0.8, -0.96, -0.28));
         }
 
         @Test
@@ -674,7 +736,7 @@ public class Tests {
         @DisplayName("une lampe derrière la surface ne s'y reflète pas")
         void uneLampeDerriereNeSeRefletePas() {
             refletCommence();
-            verifier("N.L = -0.28 et R.-V = 0.352", NOIR, reflet(BLANC, 1, 0.6, 0.8, 0.96, 0.28));
+            verifier("N.L = -0.28 et R.-V = 0.352", NOIR, reflet(GRIS, 1, 0.6, 0.8, 0.96, 0.28));
         }
 
         @Test
@@ -685,14 +747,27 @@ public class Tests {
             refletCommence();
             Lampe lampe = lampe(0, 0, 3);
             Rayon devant = rayon(0, 0, 0, 0, 0, 1);
-            Couleur Kd = new Couleur(0.5, 0.25, 0.125);
-            Couleur Ks = new Couleur(0.25, 0.5, 0.75);
-            Couleur mate = vue(scene(lampe, boule(0, 0, 5, 1, Kd, NOIR, 8)), devant, 0);
-            Couleur noire = vue(scene(lampe, boule(0, 0, 5, 1, NOIR, Ks, 8)), devant, 0);
-            Couleur deux = vue(scene(lampe, boule(0, 0, 5, 1, Kd, Ks, 8)), devant, 0);
+            Couleur Kd = new Couleur(0.3, 0.25, 0.125);
+            Couleur Ks = new Couleur(0.2, 0.3, 0.25);
+            Couleur mate = apport(lampe, devant, boule(0, 0, 5, 1, Kd, NOIR, 8));
+            Couleur noire = apport(lampe, devant, boule(0, 0, 5, 1, NOIR, Ks, 8));
+            Couleur deux = apport(lampe, devant, boule(0, 0, 5, 1, Kd, Ks, 8));
             verifier("une boule mate et brillante : ce que donne la mate (Ks nul), plus ce que donne la brillante "
                     + "(Kd nul)",
                     mate.add(noire), deux);
+        }
+
+        @Test
+        @Order(7)
+        @Tag("Objet3D")
+        @DisplayName("la couleur de chaque lampe multiplie Ks, composante par composante")
+        void laCouleurDesLampesMultiplieKs() {
+            refletCommence();
+            Couleur Ks = new Couleur(0.3, 0.2, 0.4);
+            verifier("L, N et -V confondus, lampes (1,0.5,0.25) et blanche : Ks (1,0.5,0.25) + Ks",
+                    new Couleur(0.6, 0.3, 0.5),
+                    apport(Arrays.asList(orange(0, 0, 3), lampe(0, 0, 3.5)), rayon(0, 0, 0, 0, 0, 1),
+                            boule(0, 0, 5, 1, NOIR, Ks, 8)));
         }
     }
 
@@ -705,10 +780,10 @@ public class Tests {
 
         private final Sphere boule = boule(0, 0, 5, 1, new Couleur(0.5, 0.5, 0.5), new Couleur(0.25, 0.25, 0.25), 1);
         // du contact (0, 0, 4), dans la direction (0.6, 0, -0.8), à une distance de 10
-        private final Lampe lampe = lampe(6, 0, -4);
+        private final Lampe lampe = orange(6, 0, -4);
 
         private Couleur couleur(Lampe lampe, Sphere... boules) {
-            return vue(scene(lampe, boules), rayon(0, 0, 0, 0, 0, 1), 0);
+            return vue(scene(lampe, boules), rayon(0, 0, 0, 0, 0, 1));
         }
 
         private Couleur eclairee;
@@ -779,9 +854,8 @@ public class Tests {
             for (double y = -0.55; y < 0.6; y += 0.1) {
                 for (double x = -0.53; x < 0.6; x += 0.1) {
                     Rayon rayon = rayon(x, y, 0, 0.01, 0.02, 1);
-                    Sphere mate = boule(0, 0, 5, 1, BLANC, NOIR, 1);
                     points++;
-                    noirs += pres(NOIR, vue(scene(lampe(1, 2, -7), mate), rayon, 0)) ? 1 : 0;
+                    noirs += pres(NOIR, apport(lampe(1, 2, -7), rayon, boule(0, 0, 5, 1, GRIS, NOIR, 1))) ? 1 : 0;
                 }
             }
             dire(noirs == 0, "points noirs sur " + points
@@ -797,7 +871,7 @@ public class Tests {
             Lampe autre = lampe(-6, 0, -4);
             Rayon devant = rayon(0, 0, 0, 0, 0, 1);
             verifier("la première de deux lampes est cachée : il reste l'autre", couleur(autre, boule),
-                    vue(new Scene(boules, Arrays.asList(lampe, autre)), devant, 0));
+                    vue(new Scene(boules, Arrays.asList(lampe, autre)), devant));
         }
     }
 
@@ -809,15 +883,30 @@ public class Tests {
     class Reflets {
 
         private final Couleur Ks = new Couleur(0.5, 0.25, 0.75);
+        private final Rayon devant = rayon(0, 0, 0, 0, 0, 1);
+        /** Elle éclaire le contact, mais sa tache brillante est ailleurs : ns est très grand. */
+        private final Lampe lampe = orange(1, 0, 0);
 
         @BeforeEach
         void commencee() {
             couleurCommencee();
         }
 
-        /** Ce qu'une profondeur de 1, au lieu de 0, ajoute à la couleur vue. */
-        private Couleur apport(Scene scene, double px, double py, double pz, double vx, double vy, double vz) {
-            return vue(scene, rayon(px, py, pz, vx, vy, vz), 1).sub(vue(scene, rayon(px, py, pz, vx, vy, vz), 0));
+        /** De N (0, 0.6, -0.8), le rayon (0, 0, 1) repart de (0, 0, 4.2) dans la direction (0, 0.96, -0.28). */
+        private Sphere miroir(Couleur Ks) {
+            return boule(0, -0.6, 5, 1, NOIR, Ks, 1e5);
+        }
+
+        private final Couleur ciel = rayon(0, 0, 0, 0, 0.96, -0.28).getSkyColor();
+
+        /** Ce que montre une boule parce que Ks n'est pas nul. */
+        private Couleur reflet(List<Lampe> lampes, int profondeur, Sphere... autres) {
+            List<Sphere> avec = new ArrayList<>(Arrays.asList(autres));
+            List<Sphere> sans = new ArrayList<>(Arrays.asList(autres));
+            avec.add(miroir(Ks));
+            sans.add(miroir(NOIR));
+            return vue(new Scene(avec, lampes), devant, profondeur)
+                    .sub(vue(new Scene(sans, lampes), rayon(0, 0, 0, 0, 0, 1), profondeur));
         }
 
         private void commenceeOuSansFin() {
@@ -829,8 +918,7 @@ public class Tests {
         }
 
         private void refletCommence() {
-            assumeTrue(!pres(NOIR, apport(scene(null, boule(0, -0.6, 5, 1, NOIR, BLANC, 1)), 0, 0, 0, 0, 0, 1))
-                    || !pres(NOIR, vue(scene(null, boule(0, -0.6, 5, 1, NOIR, BLANC, 1)), rayon(0, 0, 0, 0, 0, 1), 0)),
+            assumeTrue(!pres(NOIR, reflet(Collections.singletonList(lampe), 1)),
                     "étape non commencée : une boule brillante, seule, ne reflète rien");
         }
 
@@ -839,21 +927,18 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("une boule seule reflète le ciel, multiplié par Ks")
         void uneBouleRefleteLeCiel() {
-            // N (0, 0.6, -0.8) : le rayon (0, 0, 1) repart en (0, 0.96, -0.28)
-            Couleur ciel = rayon(0, 0, 0, 0, 0.96, -0.28).getSkyColor();
-            verifier("profondeur 1 moins profondeur 0 : Ks fois le ciel dans la direction du miroir, (0,0.96,-0.28)",
-                    Ks.mul(ciel),
-                    apport(scene(null, boule(0, -0.6, 5, 1, NOIR, Ks, 1)), 0, 0, 0, 0, 0, 1));
+            verifier("Ks fois le ciel dans la direction du miroir, (0,0.96,-0.28)", Ks.mul(ciel),
+                    reflet(Collections.singletonList(lampe), 1));
         }
 
         @Test
         @Order(2)
         @Tag("Objet3D")
-        @DisplayName("à profondeur 0, pas de reflet")
-        void aProfondeurZeroIlNYAPasDeReflet() {
+        @DisplayName("le ciel reflété ne dépend pas du nombre de lampes")
+        void unRefletNeSAjouteQuUneFois() {
             commenceeOuSansFin();
-            verifier("une boule noire et brillante, sans lampe, à profondeur 0", NOIR,
-                    vue(scene(null, boule(0, 0, 5, 1, NOIR, Ks, 1)), rayon(0, 0, 0, 0, 0, 1), 0));
+            verifier("sans aucune lampe", Ks.mul(ciel), reflet(Collections.<Lampe>emptyList(), 1));
+            verifier("avec deux lampes", Ks.mul(ciel), reflet(Arrays.asList(lampe, lampe(-1, 0, 0)), 1));
         }
 
         @Test
@@ -862,8 +947,9 @@ public class Tests {
         @DisplayName("une boule mate (Ks nul) ne reflète rien")
         void sansKsIlNYAPasDeReflet() {
             commenceeOuSansFin();
-            verifier("profondeur 1 moins profondeur 0, Ks = (0,0,0)", NOIR,
-                    apport(scene(null, boule(0, 0, 5, 1, BLANC, NOIR, 1)), 0, 0, 0, 0, 0, 1));
+            Scene mate = scene(null, boule(0, 0, 5, 1, NOIR, NOIR, 1));
+            verifier("Ks = (0,0,0), sans lampe : la profondeur 1 moins la profondeur 0", NOIR,
+                    vue(mate, devant, 1).sub(vue(mate, rayon(0, 0, 0, 0, 0, 1), 0)));
         }
 
         @Test
@@ -871,20 +957,19 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("une boule reflète les autres boules")
         void uneBouleRefleteUneAutreBoule() {
-            Sphere miroir = boule(0, -0.6, 5, 1, NOIR, Ks, 1);
-            // sur le chemin du rayon réfléchi, parti de (0, 0, 4.2) dans la direction (0, 0.96, -0.28), suivi un peu
-            // plus loin
-            Sphere mate = boule(0, 4.8, 2.8, 1, new Couleur(0.25, 0.5, 1), NOIR, 1);
-            Scene scene = scene(lampe(0, 0, 8), miroir, mate);
-            Couleur reflechie = vue(scene, rayon(0, 0.96, 3.92, 0, 0.96, -0.28), 0);
+            // sur le chemin du rayon réfléchi, suivi un peu plus loin
+            Sphere mate = boule(0, 4.8, 2.8, 1, new Couleur(0.25, 0.5, 0.75), NOIR, 1);
+            Lampe derriere = orange(0, 0, 8);
+            Scene scene = scene(derriere, miroir(Ks), mate);
+            Couleur reflechie = vue(scene, rayon(0, 0.96, 3.92, 0, 0.96, -0.28), 1);
             for (double t = 0.25; t < 2; t += 0.25) {
                 assumeTrue(!pres(NOIR, reflechie) && pres(reflechie,
-                        vue(scene, rayon(0, 0.96 * t, 4.2 - 0.28 * t, 0, 0.96, -0.28), 0)),
+                        vue(scene, rayon(0, 0.96 * t, 4.2 - 0.28 * t, 0, 0.96, -0.28), 1)),
                         "étape non évaluable : la boule à refléter n'est pas éclairée, ou pas toujours de même "
                         + "(ombre d'elle-même ?)");
             }
-            verifier("profondeur 1 moins profondeur 0 : Ks fois la couleur de la boule reflétée", Ks.mul(reflechie),
-                    apport(scene, 0, 0, 0, 0, 0, 1));
+            verifier("à la profondeur 2, Ks fois la couleur de la boule reflétée", Ks.mul(reflechie),
+                    reflet(Collections.singletonList(derriere), 2, mate));
         }
 
         @Test
@@ -892,59 +977,85 @@ public class Tests {
         @Tag("Objet3D")
         @DisplayName("une boule ne se reflète pas elle-même")
         void uneBouleNeSeRefletePasElleMeme() {
-            Sphere miroir = boule(0, 0, 5, 1, NOIR, BLANC, 1);
+            Sphere miroir = boule(0, 0, 5, 1, NOIR, GRIS, 1e5);
             for (double y = -0.55; y < 0.6; y += 0.1) {
-                Couleur vue = apport(scene(null, miroir), 0.13, y, 0, 0.01, 0.02, 1);
-                dire(vue.b > 0.05, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y,
+                Couleur vue = vue(scene(lampe, miroir), rayon(0.13, y, 0, 0.01, 0.02, 1), 1);
+                dire(vue.b > 0.025, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y,
                         "le ciel", triplet(vue.r, vue.v, vue.b));
-            }
-        }
-
-        /** Deux miroirs face à face, l'éclairement c de chacun : c (1 + 1/2 + 1/4 + ...). */
-        private void miroirs(int profondeur) {
-            Couleur demi = new Couleur(0.5, 0.5, 0.5);
-            // des couleurs qui restent sous 1, où l'on peut vouloir les limiter
-            Scene scene = scene(lampe(0, 3, 4), boule(0, 0, 9, 1, demi, demi, 20), boule(0, 0, -1, 1, demi, demi, 20));
-            try {
-                Couleur seule = vue(scene, rayon(0, 0, 4, 0, 0, 1), 0);
-                double somme = 2 - Math.pow(0.5, profondeur);
-                verifier("deux miroirs face à face, Ks = 1/2, profondeur " + profondeur + " : " + somme
-                        + " fois la couleur sans reflet",
-                        seule.mul(somme), vue(scene, rayon(0, 0, 4, 0, 0, 1), profondeur));
-            } catch (StackOverflowError e) {
-                fail("deux miroirs face à face se renvoient le rayon sans fin : la profondeur doit diminuer à chaque "
-                        + "reflet ; "
-                        + "attendu : au plus " + profondeur + " reflets, obtenu : une récursion qui ne s'arrête pas");
             }
         }
 
         @Test
         @Order(6)
         @Tag("Objet3D")
-        @DisplayName("deux miroirs face à face : un reflet de plus à chaque niveau de profondeur")
-        void deuxMiroirsSeRenvoientLaLumiere() {
-            miroirs(1);
-            miroirs(2);
-            miroirs(5);
+        @DisplayName("à profondeur 0, pas de reflet")
+        void aProfondeurZeroIlNYAPasDeReflet() {
+            commenceeOuSansFin();
+            verifier("une boule noire et brillante, à profondeur 0 : ce que Ks y ajoute", NOIR,
+                    reflet(Collections.singletonList(lampe), 0));
+        }
+
+        /** Deux miroirs face à face, Ks = 1/2, de même couleur. */
+        private Couleur face(int profondeur, Lampe lampe) {
+            Sphere loin = boule(0, 0, 9, 1, lampe == null ? NOIR : GRIS, GRIS, 20);
+            Sphere pres = boule(0, 0, -1, 1, lampe == null ? NOIR : GRIS, GRIS, 20);
+            return vue(scene(lampe, loin, pres), rayon(0, 0, 4, 0, 0, 1), profondeur);
         }
 
         @Test
         @Order(7)
         @Tag("Objet3D")
+        @DisplayName("deux miroirs face à face : un reflet de plus à chaque niveau de profondeur")
+        void deuxMiroirsSeRenvoientLaLumiere() {
+            commenceeOuSansFin();
+            try {
+                // des couleurs qui restent sous 1, où l'on peut vouloir les limiter
+                Lampe milieu = orange(0, 3, 4);
+                for (int p = 2; p < 5; p++) {
+                    Couleur ajoute = face(p, milieu).sub(face(p - 1, milieu));
+                    dire(ajoute.r > PRES_COULEUR, "deux miroirs face à face : ce qu'ajoute le reflet de profondeur " + p,
+                            "plus que rien", triplet(ajoute.r, ajoute.v, ajoute.b));
+                    verifier("deux miroirs face à face, Ks = 1/2 : le reflet de profondeur " + (p + 1)
+                            + " ajoute la moitié de ce qu'ajoute celui de profondeur " + p, ajoute.mul(0.5),
+                            face(p + 1, milieu).sub(face(p, milieu)));
+                }
+            } catch (StackOverflowError e) {
+                fail("deux miroirs face à face se renvoient le rayon sans fin : la profondeur doit diminuer à chaque "
+                        + "reflet");
+            }
+        }
+
+        @Test
+        @Order(8)
+        @Tag("Objet3D")
         @DisplayName("deux miroirs face à face : la récursion s'arrête")
         void laRecursionSArrete() {
             commenceeOuSansFin();
-            List<Integer> profondeurs = new ArrayList<>(Arrays.asList(0, 1, 20));
-            Couleur demi = new Couleur(0.5, 0.5, 0.5);
-            Scene scene = scene(null, boule(0, 0, 9, 1, NOIR, demi, 1), boule(0, 0, -1, 1, NOIR, demi, 1));
             try {
-                profondeurs.removeIf(p -> pres(NOIR, vue(scene, rayon(0, 0, 4, 0, 0, 1), p)));
+                verifier("deux miroirs noirs face à face, sans lampe : de même à profondeur 20 qu'à profondeur 19",
+                        face(19, null), face(20, null));
             } catch (StackOverflowError e) {
                 fail("deux miroirs face à face se renvoient le rayon sans fin : le paramètre profondeur doit arrêter "
                         + "les appels");
             }
-            assertEquals(Collections.emptyList(), profondeurs,
-                    "sans lampe, deux miroirs noirs face à face restent noirs, à toute profondeur");
+        }
+
+        @Test
+        @Order(9)
+        @Tag("Lancer")
+        @DisplayName("getCouleurPixel transmet la profondeur qu'on lui donne")
+        void unPixelALaProfondeurDemandee() {
+            commenceeOuSansFin();
+            Camera camera = new Camera(80, 60);
+            Scene scene = scene(orange(0, 3, 4), boule(0, 0, 108, 100, GRIS, GRIS, 20),
+                    boule(0, 0, -100, 99, GRIS, GRIS, 20));
+            for (int p = 1; p < 4; p++) {
+                Couleur pixel = new Lancer(scene, camera).getCouleurPixel(40, 30, p);
+                Couleur coin = vue(scene, camera.getRayon(40, 30), p);
+                Couleur centre = vue(scene, camera.getRayon(40.5, 30.5), p);
+                verifier("deux miroirs face à face, au milieu de l'écran, profondeur " + p + " : ce que rend getColor",
+                        pres(centre, pixel) ? centre : coin, pixel);
+            }
         }
     }
 }
