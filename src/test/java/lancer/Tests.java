@@ -556,6 +556,23 @@ public class Tests {
             Couleur couleur = pixel(scene);
             verifier("le pixel du centre : getColor de la boule proche", vue(scene, devant, 1), couleur);
         }
+
+        @Test
+        @Order(9)
+        @Tag("Lancer")
+        @DisplayName("getCouleurPixel : transmet à getColor la profondeur qu'on lui donne")
+        void unPixelALaProfondeurDemandee() {
+            Camera camera = new Camera(80, 60);
+            Scene scene = scene(orange(0, 3, 1), boule(0, 0, 5, 1, GRIS, GRIS, 20), boule(0, 0, -3, 1, GRIS, GRIS, 20));
+            pixel(scene);
+            for (int p = 1; p < 3; p++) {
+                Couleur pixel = new Lancer(scene, camera).getCouleurPixel(41, 31, p);
+                Couleur coin = vue(scene, camera.getRayon(41, 31), p);
+                Couleur centre = vue(scene, camera.getRayon(41.5, 31.5), p);
+                verifier("une boule qui en reflète une autre, profondeur " + p + " : ce que rend getColor",
+                        pres(centre, pixel) ? centre : coin, pixel);
+            }
+        }
     }
 
     @Nested
@@ -766,7 +783,7 @@ public class Tests {
             Couleur Ks = new Couleur(0.3, 0.2, 0.4);
             verifier("L, N et -V confondus, lampes (1,0.5,0.25) et blanche : Ks (1,0.5,0.25) + Ks",
                     new Couleur(0.6, 0.3, 0.5),
-                    apport(Arrays.asList(orange(0, 0, 3), lampe(0, 0, 3.5)), rayon(0, 0, 0, 0, 0, 1),
+                    apport(Arrays.asList(orange(0, 0, 3), lampe(0, 0, 3)), rayon(0, 0, 0, 0, 0, 1),
                             boule(0, 0, 5, 1, NOIR, Ks, 8)));
         }
     }
@@ -884,8 +901,8 @@ public class Tests {
 
         private final Couleur Ks = new Couleur(0.5, 0.25, 0.75);
         private final Rayon devant = rayon(0, 0, 0, 0, 0, 1);
-        /** Elle éclaire le contact, mais sa tache brillante est ailleurs : ns est très grand. */
-        private final Lampe lampe = orange(1, 0, 0);
+        /** À une distance de 1 du contact (0, 0, 4.2) du miroir ; sa tache brillante est ailleurs, ns étant très grand. */
+        private final Lampe lampe = orange(0.6, 0, 3.4);
 
         @BeforeEach
         void commencee() {
@@ -938,7 +955,7 @@ public class Tests {
         void unRefletNeSAjouteQuUneFois() {
             commenceeOuSansFin();
             verifier("sans aucune lampe", Ks.mul(ciel), reflet(Collections.<Lampe>emptyList(), 1));
-            verifier("avec deux lampes", Ks.mul(ciel), reflet(Arrays.asList(lampe, lampe(-1, 0, 0)), 1));
+            verifier("avec deux lampes", Ks.mul(ciel), reflet(Arrays.asList(lampe, lampe(-0.6, 0, 3.4)), 1));
         }
 
         @Test
@@ -979,7 +996,7 @@ public class Tests {
         void uneBouleNeSeRefletePasElleMeme() {
             Sphere miroir = boule(0, 0, 5, 1, NOIR, GRIS, 1e5);
             for (double y = -0.55; y < 0.6; y += 0.1) {
-                Couleur vue = vue(scene(lampe, miroir), rayon(0.13, y, 0, 0.01, 0.02, 1), 1);
+                Couleur vue = vue(scene(null, miroir), rayon(0.13, y, 0, 0.01, 0.02, 1), 1);
                 dire(vue.b > 0.025, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y,
                         "le ciel", triplet(vue.r, vue.v, vue.b));
             }
@@ -1037,24 +1054,6 @@ public class Tests {
             } catch (StackOverflowError e) {
                 fail("deux miroirs face à face se renvoient le rayon sans fin : le paramètre profondeur doit arrêter "
                         + "les appels");
-            }
-        }
-
-        @Test
-        @Order(9)
-        @Tag("Lancer")
-        @DisplayName("getCouleurPixel transmet la profondeur qu'on lui donne")
-        void unPixelALaProfondeurDemandee() {
-            commenceeOuSansFin();
-            Camera camera = new Camera(80, 60);
-            Scene scene = scene(orange(0, 3, 4), boule(0, 0, 108, 100, GRIS, GRIS, 20),
-                    boule(0, 0, -100, 99, GRIS, GRIS, 20));
-            for (int p = 1; p < 4; p++) {
-                Couleur pixel = new Lancer(scene, camera).getCouleurPixel(40, 30, p);
-                Couleur coin = vue(scene, camera.getRayon(40, 30), p);
-                Couleur centre = vue(scene, camera.getRayon(40.5, 30.5), p);
-                verifier("deux miroirs face à face, au milieu de l'écran, profondeur " + p + " : ce que rend getColor",
-                        pres(centre, pixel) ? centre : coin, pixel);
             }
         }
     }

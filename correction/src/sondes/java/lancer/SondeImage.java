@@ -9,10 +9,16 @@ public final class SondeImage {
     private SondeImage() {
     }
 
-    /**
-     * @param a scène, largeur, hauteur, profondeur, décalage en x et en y ; rend les couleurs non limitées, en
-     * flottants, en base 64
-     */
+    /** Les couleurs non limitées, en flottants, en base 64. */
+    private static String coder(Couleur[] couleurs) {
+        ByteBuffer octets = ByteBuffer.allocate(couleurs.length * 12);
+        for (Couleur c : couleurs) {
+            octets.putFloat((float) c.r).putFloat((float) c.v).putFloat((float) c.b);
+        }
+        return Base64.getEncoder().encodeToString(octets.array());
+    }
+
+    /** @param a scène, largeur, hauteur, profondeur, décalage en x et en y */
     public static String dessiner(String... a) {
         Scene scene = new Scene(a[0]);
         int largeur = Integer.parseInt(a[1]);
@@ -20,46 +26,83 @@ public final class SondeImage {
         int profondeur = Integer.parseInt(a[3]);
         double decalage = Double.parseDouble(a[4]);
         Camera camera = new Camera(largeur, hauteur);
-        Vue vue = vue(scene, camera, profondeur, decalage);
-        ByteBuffer octets = ByteBuffer.allocate(largeur * hauteur * 12);
-        for (int ye = 0; ye < hauteur; ye++) {
-            for (int xe = 0; xe < largeur; xe++) {
-                Couleur c = vue.couleur(xe, ye);
-                octets.putFloat((float) c.r).putFloat((float) c.v).putFloat((float) c.b);
-            }
-        }
-        return Base64.getEncoder().encodeToString(octets.array());
-    }
-
-    interface Vue {
-        Couleur couleur(int xe, int ye);
-    }
-
-    /** Par {@code getCouleurPixel} ; s'il n'existe pas sous cette forme, par les méthodes qu'il appelle. */
-    private static Vue vue(Scene scene, Camera camera, int profondeur, double decalage) {
+        // par getCouleurPixel ; s'il n'existe pas sous cette forme, par les méthodes qu'il appelle
+        boolean parLancer = true;
         try {
-            Vue vue = decalage == 0 ? parLancer(scene, camera, profondeur)
-                    : parLancer(scene, camera, profondeur, decalage);
-            vue.couleur(0, 0);
-            return vue;
+            parLancer(scene, camera, 0, 0, profondeur, decalage);
         } catch (Error e) {
-            return (xe, ye) -> parRayon(scene, camera.getRayon(xe + decalage, ye + decalage), profondeur);
+            parLancer = false;
         }
+        Couleur[] pixels = new Couleur[largeur * hauteur];
+        for (int p = 0; p < pixels.length; p++) {
+            int xe = p % largeur;
+            int ye = p / largeur;
+            pixels[p] = parLancer ? parLancer(scene, camera, xe, ye, profondeur, decalage)
+                    : parRayon(scene, camera.getRayon(xe + decalage, ye + decalage), profondeur);
+        }
+        return coder(pixels);
+    }
+
+    private static Couleur parLancer(Scene scene, Camera camera, int xe, int ye, int profondeur, double decalage) {
+        return decalage == 0 ? parEntiers(scene, camera, xe, ye, profondeur)
+                : new Lancer(scene, camera).getCouleurPixel(xe + decalage, ye + decalage, profondeur);
     }
 
     /** Des entiers : {@code getCouleurPixel} peut les vouloir. */
-    private static Vue parLancer(Scene scene, Camera camera, int profondeur) {
-        Lancer lancer = new Lancer(scene, camera);
-        return (xe, ye) -> lancer.getCouleurPixel(xe, ye, profondeur);
-    }
-
-    private static Vue parLancer(Scene scene, Camera camera, int profondeur, double decalage) {
-        Lancer lancer = new Lancer(scene, camera);
-        return (xe, ye) -> lancer.getCouleurPixel(xe + decalage, ye + decalage, profondeur);
+    private static Couleur parEntiers(Scene scene, Camera camera, int xe, int ye, int profondeur) {
+        return new Lancer(scene, camera).getCouleurPixel(xe, ye, profondeur);
     }
 
     static Couleur parRayon(Scene scene, Rayon rayon, int profondeur) {
         PointContact contact = scene.getClosestIntersection(rayon, null);
         return contact == null ? rayon.getSkyColor() : contact.objet.getColor(scene, rayon, contact, profondeur);
+    }
+
+    /** @param a scène, largeur, hauteur, profondeur ; ce que dessine TracerImage, où l'étudiant met l'anticrénelage */
+    public static String tracer(String... a) {
+        int largeur = Integer.parseInt(a[1]);
+        int hauteur = Integer.parseInt(a[2]);
+        Couleur[] pixels = new Couleur[largeur * hauteur];
+        Toile toile = new Toile() {
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                pixels[ye * largeur + xe] = coul;
+            }
+
+            @Override
+            public void avancer(double part) {
+                // personne ne regarde
+            }
+        };
+        new Lancer(new Scene(a[0]), new Camera(largeur, hauteur))
+                .TracerImage(toile, largeur, hauteur, Integer.parseInt(a[3]));
+        return coder(pixels);
+    }
+
+    /**
+     * @param a scène d'une boule et d'une lampe, largeur, hauteur, décalage, facteur ; là où la lampe éclaire, le seul
+     * Ks K_L (N.H)^(facteur ns)
+     */
+    public static String blinn(String... a) {
+        int largeur = Integer.parseInt(a[1]);
+        double decalage = Double.parseDouble(a[3]);
+        Scene scene = new Scene(a[0]);
+        Camera camera = new Camera(largeur, Integer.parseInt(a[2]));
+        Lampe lampe = scene.getLampes().get(0);
+        Couleur[] pixels = new Couleur[largeur * Integer.parseInt(a[2])];
+        for (int p = 0; p < pixels.length; p++) {
+            Rayon rayon = camera.getRayon(p % largeur + decalage, p / largeur + decalage);
+            PointContact contact = scene.getClosestIntersection(rayon);
+            pixels[p] = new Couleur();
+            if (contact != null) {
+                Vecteur N = contact.objet.getNormale(contact);
+                Vecteur L = new Vecteur(contact, lampe.getPosition()).normalized();
+                Vecteur H = L.sub(rayon.getV()).normalized();
+                double eclat = N.dot(L) > 0 ? Math.pow(Math.max(0, N.dot(H)), Double.parseDouble(a[4]) * contact.objet.getNs())
+                        : 0;
+                pixels[p] = contact.objet.getKs().mul(lampe.getCouleur()).mul(eclat);
+            }
+        }
+        return coder(pixels);
     }
 }

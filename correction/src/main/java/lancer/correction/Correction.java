@@ -18,6 +18,7 @@ import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Jury;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.modele.Squelette;
+import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
 import lancer.correction.note.FeuilleMoodle;
 import lancer.correction.note.Note;
@@ -88,25 +89,31 @@ public final class Correction {
         try (Jury jury = new Jury(travail, confinement, Limites.ordinaires())) {
             Grille grille = new Grille(jury.getReference());
             Bareme bareme = new Bareme(demande.bareme == null ? dossier.resolve("bareme.ini") : demande.bareme, grille);
+            List<String> criteres = grille.getEtapes().stream().map(e -> e.nom).collect(Collectors.toList());
+            criteres.addAll(bareme.getLibres());
+            Ajustements ajustements = new Ajustements(dossier.resolve("ajustements.csv"),
+                    rendus.stream().map(Rendu::getId).collect(Collectors.toList()), criteres);
+            ajustements.getFautes().forEach(f -> suivi.println("correction : " + f));
             AtomicInteger finis = new AtomicInteger();
             List<Resultat> resultats = jury.juger(rendus, (rang, resultat) -> suivi.println(String.format(Locale.FRANCE,
                     "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(), qui(rendus.get(rang)),
-                    resultat.refus.isEmpty() ? String.format(Locale.FRANCE, "%.2f/%.4g",
-                    new Note(grille, resultat, bareme).total(), bareme.total())
+                    resultat.refus.isEmpty() ? String.format(Locale.FRANCE, "%.2f/%.4g", new Note(grille, resultat, bareme,
+                            ajustements.de(rendus.get(rang).getId())).total(), bareme.total())
                             : resultat.refus.get(0))));
             List<Eleve> eleves = new ArrayList<>();
             for (int k = 0; k < rendus.size(); k++) {
-                String page = String.format("%02d-%s.html", k + 1, rendus.get(k).getId()
-                        .replaceAll("[^A-Za-z0-9-]+", "_"));
-                eleves.add(new Eleve(rendus.get(k), resultats.get(k), new Note(grille, resultats.get(k), bareme),
-                        page));
+                String id = rendus.get(k).getId();
+                eleves.add(new Eleve(rendus.get(k), resultats.get(k), new Note(grille, resultats.get(k), bareme,
+                        ajustements.de(id)), String.format("%02d-%s.html", k + 1, id.replaceAll("[^A-Za-z0-9-]+", "_"))));
             }
-            new Pages(grille, bareme, jury.getReference(), confinement).ecrire(dossier, eleves);
             String nonCorriges = eleves.stream().filter(e -> e.resultat.nonCorrige).map(e -> qui(e.rendu))
                     .collect(Collectors.joining(", "));
+            Ressemblances.dire(eleves);
+            Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
+            new Pages(grille, bareme, jury.getReference(), confinement).ecrire(dossier, eleves, ajustements.getFautes());
             sortie.println("La classe : " + dossier.resolve("index.html"));
             if (feuille != null) {
-                Collection<Eleve> sansNote = feuille.ecrire(dossier, eleves, bareme);
+                FeuilleMoodle.ecrireRetours(dossier, eleves);
                 if (!sansNote.isEmpty()) {
                     suivi.println("correction : absents de la feuille, ou que Moodle y a verrouillés : "
                             + sansNote.stream().map(e -> qui(e.rendu)).collect(Collectors.joining(", ")));

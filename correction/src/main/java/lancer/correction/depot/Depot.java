@@ -8,10 +8,13 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -34,10 +37,14 @@ public final class Depot {
     private static final Pattern DEBRIS = Pattern.compile(
             "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|"
             + "target|bin|build|out|node_modules)/.*|(.*/)?(\\._.*|\\.DS_Store)");
+    /** Parmi eux et d'autres, ceux que l'énoncé demande d'enlever. */
+    private static final Pattern OUTIL = Pattern.compile("(?:.*/)?(\\.idea|\\.settings|\\.metadata|\\.vscode|target|bin|build|out"
+            + "|\\.classpath|\\.project|[^/]*\\.iml|[^/]*\\.class)(?:/.*)?");
     private static final Pattern UN_SEUL_RENDU =
             Pattern.compile("(?i)src|pom\\.xml|.*\\.java|lancer|lancer-?(java|base).*|brume|antialias|blinn");
 
     private final Map<String, Rendu> rendus = new LinkedHashMap<>();
+    private final Map<String, Set<String>> outils = new HashMap<>();
     private final Path temporaire;
 
     private Depot(Path temporaire) {
@@ -65,6 +72,7 @@ public final class Depot {
             throw new Panne(2, "aucun rendu dans " + rendus);
         }
         depot.rendus.values().forEach(Depot::conclure);
+        depot.rendus.forEach((id, rendu) -> rendu.getOutils().addAll(depot.outils.getOrDefault(id, Set.of())));
         List<Rendu> liste = new ArrayList<>(depot.rendus.values());
         liste.sort(Comparator.comparing((Rendu r) -> naturel(r.getNom())).thenComparing(r -> naturel(r.getId())));
         return liste;
@@ -135,13 +143,14 @@ public final class Depot {
             }
             for (int k = 0; k < archive.taille(); k++) {
                 String chemin = archive.chemin(k);
-                if (DEBRIS.matcher(chemin).matches()) {
-                    continue;
-                }
                 int barre = chemin.indexOf('/');
                 String premier = barre < 0 ? chemin : chemin.substring(0, barre);
                 String suite = barre < 0 ? "" : chemin.substring(barre + 1);
                 NomMoodle moodle = NomMoodle.lire(premier);
+                noterOutil(moodle != null ? moodle.id : premier, suite);
+                if (DEBRIS.matcher(chemin).matches()) {
+                    continue;
+                }
                 if (moodle != null) {
                     Rendu rendu = rendu(moodle.id, moodle.nom);
                     if (moodle.fichier) {
@@ -183,6 +192,13 @@ public final class Depot {
         return rendus.computeIfAbsent(id, i -> new Rendu(i, nom.isEmpty() ? i : nom));
     }
 
+    private void noterOutil(String id, String chemin) {
+        Matcher outil = OUTIL.matcher(chemin);
+        if (outil.matches()) {
+            outils.computeIfAbsent(id, i -> new TreeSet<>()).add(outil.group(1));
+        }
+    }
+
     private static void refuserFormat(Rendu rendu, String nom) {
         rendu.getRefus().add(nom + " : format non pris en charge ; attendu : un dossier, ou un .zip");
     }
@@ -204,6 +220,7 @@ public final class Depot {
                 @Override
                 public FileVisitResult visitFile(Path f, BasicFileAttributes attributs) throws IOException {
                     String chemin = joindre(nom, fichier.relativize(f).toString().replace('\\', '/'));
+                    noterOutil(rendu.getId(), chemin);
                     if (DEBRIS.matcher(chemin).matches()) {
                         return FileVisitResult.CONTINUE;
                     }
@@ -255,6 +272,7 @@ public final class Depot {
             return;
         }
         for (int k = 0; k < archive.taille() && rendu.compter(0); k++) {
+            noterOutil(rendu.getId(), archive.chemin(k));
             if (!DEBRIS.matcher(archive.chemin(k)).matches()) {
                 entree(rendu, joindre(prefixe, archive.chemin(k)), archive, k, niveau);
             }

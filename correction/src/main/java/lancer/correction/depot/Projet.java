@@ -1,13 +1,18 @@
 package lancer.correction.depot;
 
+import java.text.Normalizer;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import lancer.correction.modele.Modele;
 
 /**
@@ -17,30 +22,55 @@ public final class Projet {
 
     public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
+    /** Les consignes ; la dernière dépend de ce qui est juste. */
+    public static final String NOMS = "noms";
+    public static final String OUTILS = "outils";
+    public static final String TEXTE = "texte";
+    public static final String FIXME = "fixme";
+
+    /** Au-delà, on ne cherche plus laquelle est la meilleure. */
+    private static final int COPIES_MAX = 3;
+
     private static final Pattern VARIANTE =
-            Pattern.compile("(?i)(?:^|/)[^/]*?(brume|antialias|anti-alias|anticrenelage|blinn)[^/]*/");
+            Pattern.compile("(?i)(?:^|/)[^/]*?(brume|anti[-_ ]?alias|anti[-_ ]?crenelage|blinn)[^/]*/");
     private static final Pattern DE_TEST = Pattern.compile("(?:^|.*/)src/test/.*");
 
     private final Map<String, String> base;
     private final Map<String, Map<String, String>> variantes;
     private final List<String> remarques;
+    private final Renommage noms;
+    /** Ce qui n'est pas comme l'énoncé le demande : par consigne, ce qu'on en dit. */
+    private final Map<String, String> ecarts = new TreeMap<>();
+    private final List<String> aRegarder = new ArrayList<>();
 
     /** @param base texte de chaque fichier, par nom de classe complet : {@code lancer/Vecteur} */
     public Projet(Map<String, String> base, Map<String, Map<String, String>> variantes, List<String> remarques) {
         this.base = base;
         this.variantes = variantes;
         this.remarques = remarques;
+        noms = new Renommage(base);
+        remarques.addAll(noms.getChanges());
+        aRegarder.addAll(noms.getChanges());
+        noms.getChanges().forEach(c -> ecarts.merge(NOMS, c, (a, b) -> a + " ; " + b));
     }
 
+    /** Le projet d'un rendu ; s'il en a plusieurs copies, celle où il y a le plus de travail. */
     public static Projet lire(Rendu rendu) {
+        return copies(rendu).get(0);
+    }
+
+    /** Chaque copie du projet que contient un rendu, de celle où il y a le plus de travail à celle où il y en a le moins. */
+    public static List<Projet> copies(Rendu rendu) {
         List<String> remarques = new ArrayList<>(rendu.getRemarques());
+        Map<String, Set<String>> dites = new TreeMap<>();
         Map<String, Map<String, List<Source>>> groupes = new TreeMap<>();
         for (Map.Entry<String, byte[]> fichier : rendu.getSources().entrySet()) {
             for (Source source : Source.lire(fichier.getKey(), fichier.getValue())) {
                 // Tests, Etapes : ce sont les nôtres qui notent, pas la copie de l'étudiant
                 if (!DE_TEST.matcher(source.chemin).matches()
                         && !List.of("Tests", "Etapes", "module-info", "package-info").contains(source.classe)) {
-                    Matcher m = VARIANTE.matcher(source.racine);
+                    Matcher m = VARIANTE.matcher(Normalizer.normalize(source.racine, Normalizer.Form.NFD)
+                            .replaceAll("\\p{M}", ""));
                     String partie = m.find() ? variante(m.group(1)) : "";
                     groupes.computeIfAbsent(partie, p -> new TreeMap<>())
                             .computeIfAbsent(source.racine, r -> new ArrayList<>()).add(source);
@@ -50,17 +80,46 @@ public final class Projet {
         Map<String, Map<String, String>> variantes = new LinkedHashMap<>();
         for (String nom : VARIANTES) {
             if (groupes.containsKey(nom)) {
-                variantes.put(nom, choisir(groupes.get(nom), remarques));
+                variantes.put(nom, choisir(groupes.get(nom), remarques, dites).values().iterator().next());
             }
         }
-        Map<String, String> base = choisir(groupes.getOrDefault("", Collections.emptyMap()), remarques);
-        if (base.isEmpty() && !variantes.isEmpty()) {
+        Map<String, Map<String, String>> bases = choisir(groupes.getOrDefault("", Collections.emptyMap()), remarques, dites);
+        if (bases.isEmpty()) {
             // une variante est une copie complète du projet
-            String premiere = variantes.keySet().iterator().next();
-            remarques.add("pas de projet de base : celui de « " + premiere + " » en tient lieu");
-            base = variantes.get(premiere);
+            String premiere = variantes.isEmpty() ? "" : variantes.keySet().iterator().next();
+            remarques.add(premiere.isEmpty() ? "aucune classe à juger"
+                    : "pas de projet de base : celui de « " + premiere + " » en tient lieu");
+            bases.put("", variantes.getOrDefault(premiere, new TreeMap<>()));
         }
-        return new Projet(base, variantes, remarques);
+        dites.forEach((quoi, ou) -> remarques.add((ou.size() == 1 ? ou.iterator().next() + " : " + quoi
+                : quoi + " (" + ou.size() + " fichiers)")));
+        List<Projet> copies = new ArrayList<>();
+        bases.forEach((racine, base) -> {
+            Projet projet = new Projet(base, variantes, new ArrayList<>(remarques));
+            projet.consignes(rendu, dites);
+            if (bases.size() > 1) {
+                String dit = "plusieurs copies du projet : jugée, « " + racine + " » ; laissée, « " + bases.keySet().stream()
+                        .filter(r -> !r.equals(racine)).collect(Collectors.joining(" », « ")) + " »";
+                projet.remarques.add(dit);
+                projet.aRegarder.add(dit);
+            }
+            copies.add(projet);
+        });
+        copies.sort(Comparator.comparing((Projet p) -> -p.changees()));
+        return copies;
+    }
+
+    private void consignes(Rendu rendu, Map<String, Set<String>> dites) {
+        dites.forEach((quoi, ou) -> ecarts.merge(quoi.contains("UTF-8") ? TEXTE : NOMS, quoi, (a, b) -> a
+                + " ; " + b));
+        if (!rendu.getOutils().isEmpty()) {
+            ecarts.put(OUTILS, "rendus aussi : " + String.join(", ", rendu.getOutils()));
+        }
+        long tabulations = base.values().stream().filter(t -> t.contains("\n\t")).count();
+        if (tabulations > 0) {
+            ecarts.merge(TEXTE, "des tabulations dans " + tabulations + (tabulations > 1 ? " classes" : " classe"),
+                    (a, b) -> a + " ; " + b);
+        }
     }
 
     private static String variante(String mot) {
@@ -69,22 +128,26 @@ public final class Projet {
     }
 
     /**
-     * Des dossiers qui contiennent des classes, celui qui en a le plus du cours ; les autres n'ajoutent que ce qui lui
-     * manque.
+     * Des dossiers qui contiennent des classes, les copies du projet, par leur dossier : celui qui a le plus de classes
+     * du cours, et ceux qui n'ajoutent que ce qui lui manque ; puis les autres.
      */
-    private static Map<String, String> choisir(Map<String, List<Source>> groupes, List<String> remarques) {
+    private static Map<String, Map<String, String>> choisir(Map<String, List<Source>> groupes, List<String> remarques,
+            Map<String, Set<String>> dites) {
         List<String> racines = new ArrayList<>(groupes.keySet());
         racines.sort((a, b) -> {
             int n = Long.compare(duCours(groupes.get(b)), duCours(groupes.get(a)));
             return n != 0 ? n : Integer.compare(a.length(), b.length());
         });
-        Map<String, String> classes = new TreeMap<>();
+        Map<String, Map<String, String>> copies = new LinkedHashMap<>();
         for (String racine : racines) {
-            long deja = groupes.get(racine).stream().filter(s -> classes.containsKey("lancer/" + s.classe)).count();
-            if (deja > 2) {
-                remarques.add("plusieurs copies du projet : jugée, « " + racines.get(0) + " » ; laissée, « " + racine
-                        + " »");
-                continue;
+            Map<String, String> classes = copies.values().stream().filter(c -> groupes.get(racine).stream()
+                    .filter(s -> c.containsKey("lancer/" + s.classe)).count() <= 2).findFirst().orElse(null);
+            if (classes == null) {
+                if (copies.size() == COPIES_MAX) {
+                    remarques.add("une copie de plus du projet, laissée : « " + racine + " »");
+                    continue;
+                }
+                classes = copies.computeIfAbsent(racine, r -> new TreeMap<>());
             }
             for (Source source : groupes.get(racine)) {
                 String nom = source.paquet.isEmpty() ? source.classe : source.paquet.replace('.', '/') + "/"
@@ -96,12 +159,18 @@ public final class Projet {
                     classes.put(nom, source.paquet.equals("lancer")
                             ? Ponts.ajouter(source.classe, source.texte, remarques) : source.texte);
                     if (source.remarque != null) {
-                        remarques.add(source.remarque);
+                        dites.computeIfAbsent(source.remarque, r -> new TreeSet<>()).add(source.chemin);
                     }
                 }
             }
         }
-        return classes;
+        return copies;
+    }
+
+    /** Combien de classes du cours ne sont plus celles du projet à compléter. */
+    private long changees() {
+        return Modele.A_COMPLETER.stream().filter(c -> texte(c) != null
+                && !Source.memeCode(texte(c), noms.dans(Modele.squelette(c)))).count();
     }
 
     private static long duCours(List<Source> sources) {
@@ -122,8 +191,23 @@ public final class Projet {
         return remarques;
     }
 
-    /** Le texte d'une classe du cours, {@code null} si elle n'est pas rendue. */
+    /** Ce qu'il y a changé des noms du cours. */
+    public Renommage getNoms() {
+        return noms;
+    }
+
+    /** Les consignes qui ne sont pas suivies, et en quoi : {@link #NOMS}, {@link #OUTILS}, {@link #TEXTE}. */
+    public Map<String, String> getEcarts() {
+        return ecarts;
+    }
+
+    /** Pourquoi l'enseignant doit regarder ce rendu lui-même. */
+    public List<String> getARegarder() {
+        return aRegarder;
+    }
+
+    /** Le texte d'une classe du cours, sous le nom qu'il lui donne ; {@code null} si elle n'est pas rendue. */
     public String texte(String classe) {
-        return base.get("lancer/" + classe);
+        return base.get("lancer/" + noms.classe(classe));
     }
 }

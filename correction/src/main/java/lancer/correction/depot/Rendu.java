@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import lancer.correction.enfant.Echange;
 
 /** Ce qu'un étudiant a rendu : ses sources, ou pourquoi on ne peut les lire. */
@@ -19,6 +21,7 @@ public final class Rendu {
     private final Map<String, byte[]> sources = new TreeMap<>();
     private final List<String> refus = new ArrayList<>();
     private final List<String> remarques = new ArrayList<>();
+    private final Set<String> outils = new TreeSet<>();
     private long octets;
     private long pesee;
 
@@ -48,6 +51,11 @@ public final class Rendu {
 
     public List<String> getRemarques() {
         return remarques;
+    }
+
+    /** Les fichiers et les dossiers que les outils ajoutent, et qu'il fallait enlever. */
+    public Set<String> getOutils() {
+        return outils;
     }
 
     /** @return faux si c'en est un de trop, par son nombre ou par son poids */

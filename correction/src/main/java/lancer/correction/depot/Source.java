@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -33,6 +34,11 @@ public final class Source {
     /** Un commentaire, un texte, un caractère. Possessif : sans quoi un long texte épuise la pile. */
     private static final Pattern HORS_CODE = Pattern.compile("/\\*.*?(?:\\*/|\\z)|//[^\n]*"
             + "|\"(?:\\\\.|[^\"\\\\\n])*+\"|'(?:\\\\.|[^'\\\\\n])*+'", Pattern.DOTALL);
+
+    /** Les mots du corrigé : les autres sont ceux que chacun choisit. */
+    private static final Set<String> DU_COURS = Modele.classes().stream().flatMap(c -> Pattern.compile("\\W+")
+            .splitAsStream(Modele.corrige(c))).collect(Collectors.toSet());
+    private static final int METHODES_MAX = 3000;
 
     final String chemin;
     final String classe;
@@ -85,7 +91,7 @@ public final class Source {
                     + blancs(avant) + tout.texte.substring(bornes.get(k), bornes.get(k + 1)),
                     k > 0 ? null : tout.remarque != null || !noms.stream().anyMatch(n -> Modele.classes().contains(n)
                     && !n.equals(tout.classe)) ? tout.remarque
-                    : chemin + " contient plusieurs classes (" + String.join(", ", noms) + ") : jugées à part"));
+                    : "contient plusieurs classes (" + String.join(", ", noms) + ") : jugées à part"));
         }
         return sources;
     }
@@ -96,9 +102,9 @@ public final class Source {
         String dossier = chemin.substring(0, chemin.length() - nom.length());
         String remarque = null;
         Charset codage = codage(octets);
-        String texte = new String(octets, codage).replace("\uFEFF", "").replace("\r\n", "\n").replace('\r', '\n');
+        String texte = decoder(octets);
         if (codage != StandardCharsets.UTF_8) {
-            remarque = chemin + " n'est pas en UTF-8 : lu en " + codage.name();
+            remarque = "n'est pas en UTF-8, lu en " + codage.name();
         }
         Matcher seule = DECLARATION.matcher(dehors(texte));
         // « Vecteur (1).java », « Copie de Vecteur.java » : ce qu'il déclare dit mieux ce qu'il est
@@ -118,12 +124,12 @@ public final class Source {
             if (paquet.isEmpty()) {
                 // sur la première ligne : les numéros des autres restent ceux de l'étudiant
                 texte = "package lancer; " + texte;
-                remarque = chemin + " : la ligne « package lancer; » manque";
+                remarque = "la ligne « package lancer; » manque";
             } else {
                 texte = texte.replaceFirst("package\\s+" + Pattern.quote(paquet) + "\\s*;", "package lancer;")
                         .replace("import " + paquet + ".", "import lancer.")
                         .replace("import static " + paquet + ".", "import static lancer.");
-                remarque = chemin + " : le paquet est « " + paquet + " » au lieu de « lancer »";
+                remarque = "le paquet est « " + paquet + " » au lieu de « lancer »";
             }
             paquet = "lancer";
         }
@@ -131,7 +137,7 @@ public final class Source {
     }
 
     /** Le même texte, les commentaires remplacés par autant de blancs. */
-    static String sansCommentaires(String texte) {
+    public static String sansCommentaires(String texte) {
         return HORS_CODE.matcher(texte).replaceAll(m -> m.group().startsWith("/") ? blancs(m.group())
                 : Matcher.quoteReplacement(m.group()));
     }
@@ -192,6 +198,28 @@ public final class Source {
         return sansCommentaires(texte).replaceAll("\\s+", "");
     }
 
+    /** Ce qu'un texte a à lui : ni commentaires, ni blancs, ni les noms que le cours n'emploie pas. */
+    public static String empreinte(String texte) {
+        String masque = Pattern.compile("\\b[A-Za-z_]\\w*\\b").matcher(sansCommentaires(texte)).replaceAll(m ->
+                DU_COURS.contains(m.group()) ? m.group() : "_");
+        return Integer.toHexString(serre(masque).hashCode()) + "-" + masque.length();
+    }
+
+    /** Les déclarations de cette méthode, ou de ce constructeur, telles qu'elles sont écrites. */
+    public static String methode(String texte, String nom) {
+        String nu = HORS_CODE.matcher(texte).replaceAll(m -> blancs(m.group()));
+        Matcher m = Pattern.compile("(?m)^[ \\t]*\\w[^;{}=()\n]*\\b" + nom + "[ \\t]*\\([^()]*\\)[^;{}()]*\\{").matcher(nu);
+        StringBuilder trouvees = new StringBuilder();
+        while (m.find() && trouvees.length() < METHODES_MAX) {
+            int fin = m.end();
+            for (int niveau = 1; niveau > 0 && fin < nu.length(); fin++) {
+                niveau += nu.charAt(fin) == '{' ? 1 : nu.charAt(fin) == '}' ? -1 : 0;
+            }
+            trouvees.append(texte, m.start(), Math.min(fin, m.start() + METHODES_MAX)).append('\n');
+        }
+        return trouvees.toString();
+    }
+
     /** Les noms des méthodes du squelette qui ont un {@code FIXME} ; faux pour celles que ce texte n'a pas changées. */
     public static Map<String, Boolean> commencees(String texte, String squelette) {
         Map<String, Boolean> noms = new TreeMap<>();
@@ -202,6 +230,11 @@ public final class Source {
             }
         }
         return noms;
+    }
+
+    /** Le texte, quel qu'en soit le codage, sans marque d'ordre des octets, et ses lignes finies par {@code \n}. */
+    public static String decoder(byte[] octets) {
+        return new String(octets, codage(octets)).replace("\uFEFF", "").replace("\r\n", "\n").replace('\r', '\n');
     }
 
     private static Charset codage(byte[] octets) {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import lancer.correction.depot.Renommage;
 import lancer.correction.isolement.Arret;
 import lancer.correction.modele.Modele;
 
@@ -11,11 +12,13 @@ import lancer.correction.modele.Modele;
 final class Chantier {
 
     private final Machines.Compilation compilation;
+    private final Renommage noms;
     private final String appels;
 
-    /** @param appels la source de {@code lancer.Appels} */
-    Chantier(Machines.Compilation compilation, String appels) {
+    /** @param noms ceux que prennent nos propres classes ; @param appels la source de {@code lancer.Appels} */
+    Chantier(Machines.Compilation compilation, Renommage noms, String appels) {
         this.compilation = compilation;
+        this.noms = noms;
         this.appels = appels;
     }
 
@@ -51,8 +54,8 @@ final class Chantier {
     /** Compile les classes d'un rendu, avec ce qui les appelle et les sonde. */
     Assemblage assembler(Map<String, String> classes) throws Arret {
         Map<String, String> sources = new TreeMap<>(classes);
-        sources.put("lancer/" + Modele.APPELS, appels);
-        Modele.SONDES.forEach(s -> sources.put("lancer/" + s, Modele.sonde(s)));
+        sources.put("lancer/" + Modele.APPELS, noms.dans(appels));
+        Modele.SONDES.forEach(s -> sources.put("lancer/" + s, noms.dans(Modele.sonde(s))));
         return compiler(sources);
     }
 

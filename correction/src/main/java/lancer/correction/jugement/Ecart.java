@@ -16,7 +16,7 @@ public final class Ecart {
     public final int faux;
     public final int pixels;
 
-    Ecart(Image a, Image b) {
+    public Ecart(Image a, Image b) {
         double carres = 0;
         double max = -1;
         int ou = 0;

@@ -42,7 +42,7 @@ public final class Grille {
             this.nom = nom;
             this.titre = titre;
             this.extension = Projet.VARIANTES.contains(nom);
-            this.duCours = !extension && !IMAGE.startsWith(nom);
+            this.duCours = !extension && !nom.equals(IMAGE) && !nom.equals(CONSIGNES);
         }
 
         /** Son titre là où l'on sait déjà que c'est une extension. */
@@ -51,8 +51,11 @@ public final class Grille {
         }
     }
 
-    /** Le critère de l'image. */
-    public static final String IMAGE = "image.image";
+    /** L'étape de l'image : un critère par scène. */
+    public static final String IMAGE = "image";
+
+    /** Ce que l'énoncé demande de la façon de rendre : enlève des points, au lieu d'en donner. */
+    public static final String CONSIGNES = "consignes";
 
     private final Map<String, Etape> etapes = new LinkedHashMap<>();
 
@@ -60,11 +63,19 @@ public final class Grille {
         for (Verification v : reference.getVerifications()) {
             ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""), v.id(), v.titre, reference.compte(v));
         }
-        ajouter("image", "L'image entière", IMAGE,
-                "la scène du cours, par toutes les classes du rendu, est la même que celle du corrigé", true);
-        for (Variantes.Critere critere : Variantes.CRITERES) {
-            ajouter(critere.variante, critere.titreVariante, critere.id(), critere.titre, true);
+        for (String scene : Reference.SCENES.keySet()) {
+            ajouter(IMAGE, "L'image entière", IMAGE + "." + scene,
+                    "la scène « " + scene + " », par toutes les classes du rendu, est celle du corrigé", true);
         }
+        Variantes.TITRES.forEach((nom, titre) -> ajouter(nom, "Extension : " + titre[0], nom + ".image", titre[1], true));
+        ajouter(CONSIGNES, "Consignes de rendu", consigne(Projet.NOMS), "le paquet et les noms sont ceux du cours", true);
+        ajouter(CONSIGNES, "", consigne(Projet.OUTILS), "aucun des fichiers que les outils ajoutent", true);
+        ajouter(CONSIGNES, "", consigne(Projet.TEXTE), "UTF-8, et des espaces au lieu de tabulations", true);
+        ajouter(CONSIGNES, "", consigne(Projet.FIXME), "chaque FIXME est enlevé quand c'est fait", true);
+    }
+
+    static String consigne(String nom) {
+        return CONSIGNES + "." + nom;
     }
 
     private void ajouter(String etape, String titreEtape, String id, String titre, boolean compte) {

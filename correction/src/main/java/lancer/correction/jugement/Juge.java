@@ -1,6 +1,7 @@
 package lancer.correction.jugement;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -23,10 +24,6 @@ import lancer.correction.modele.Modele;
  * pas les autres.
  */
 final class Juge implements AutoCloseable {
-
-    static final int LARGEUR = 160;
-    static final int HAUTEUR = 120;
-    static final int PROFONDEUR = 5;
 
     /** Combien de fois le temps d'une vérification est permis à un dessin. */
     private static final double TEMPS_IMAGE = 4;
@@ -78,7 +75,8 @@ final class Juge implements AutoCloseable {
 
     Resultat juger() throws Arret {
         resultat.remarques.addAll(projet.getRemarques());
-        Map<String, String> sources = Chantier.squelette();
+        resultat.aRegarder.addAll(projet.getARegarder());
+        Map<String, String> sources = projet.getNoms().dans(Chantier.squelette());
         sources.putAll(projet.getBase());
         for (String classe : Modele.A_COMPLETER) {
             if (projet.texte(classe) == null) {
@@ -109,49 +107,148 @@ final class Juge implements AutoCloseable {
         for (Verification v : reference.getVerifications()) {
             resultat.verdicts.put(v.id(), conclure(v, parEnsemble.get(v.id()), parSeule.get(v.id())));
         }
+        imputer();
         if (!sansImage.isEmpty()) {
-            resultat.sansImage = sansImage;
-            resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, resultat.sansImage));
+            Reference.SCENES.keySet().forEach(scene -> resultat.verdicts.put(Grille.IMAGE + "." + scene,
+                    new Verdict(Etat.RATE, sansImage)));
         } else {
             // une machine neuve : ce que les vérifications ont pu y laisser ne gâte pas l'image
             close();
             new JugeImage(this, reference, projet, resultat).juger();
         }
         variantes();
+        consignes();
+        confronter();
         return resultat;
+    }
+
+    /**
+     * Ce que sa classe réussit seule échoue par une autre. Si celle-là n'a par ailleurs aucune faute à elle, c'est à elle
+     * que la vérification coûte ; si aucune n'échoue seule, à celle dont elle parle.
+     */
+    private void imputer() throws Arret {
+        List<Verification> cachees = reference.getVerifications().stream()
+                .filter(v -> resultat.verdicts.get(v.id()).etat == Etat.CACHE).collect(Collectors.toList());
+        List<String> suspectes = new ArrayList<>(Modele.A_COMPLETER);
+        suspectes.sort(Comparator.comparing(classe -> !aUneFaute(classe)));
+        Modele.DONNEES.stream().filter(c -> projet.texte(c) != null && !intacte(c)).forEach(suspectes::add);
+        for (String classe : suspectes) {
+            if (cachees.isEmpty() || arretes.contains(seules.get(classe))) {
+                continue;
+            }
+            boolean paie = aUneFaute(classe);
+            Map<String, Verdict> parElle = lancer(seule(classe), cachees);
+            for (Verification v : List.copyOf(cachees)) {
+                if (parElle.get(v.id()).etat != Etat.REUSSI) {
+                    cachees.remove(v);
+                    if (!paie) {
+                        charger(v, parElle.get(v.id()).message, classe);
+                    }
+                }
+            }
+        }
+        // si une seule faute n'y suffit pas, celles qui sont déjà comptées l'expliquent ; s'il n'y en a pas, il y a à voir
+        cachees.removeIf(v -> Modele.A_COMPLETER.stream().anyMatch(this::aUneFaute));
+        for (Verification v : cachees) {
+            charger(v, resultat.verdicts.get(v.id()).message, v.classe);
+            resultat.regarder("« " + v.titre + " » n'échoue qu'avec toutes les classes ensemble");
+        }
+    }
+
+    private void charger(Verification v, String message, String classe) {
+        resultat.verdicts.put(v.id(), new Verdict(Etat.RATE, message + (classe.equals(v.classe) ? ""
+                : " ; " + v.classe + " est juste, la faute est dans " + classe)));
+        montrer(v, classe);
+    }
+
+    private boolean aUneFaute(String classe) {
+        return reference.getVerifications().stream().anyMatch(v -> v.classe.equals(classe)
+                && !resultat.verdicts.get(v.id()).compte());
+    }
+
+    /** Garde, pour la page, la méthode qui répond d'une vérification. */
+    private void montrer(Verification v, String classe) {
+        if (projet.texte(classe) != null) {
+            resultat.methodes.put(v.id(), (classe.equals(v.classe) ? nommees(v) : methodes(classe).keySet()).stream()
+                    .map(m -> Source.methode(projet.texte(classe), m)).collect(Collectors.joining()));
+        }
+    }
+
+    private void consignes() {
+        for (String classe : Modele.A_COMPLETER) {
+            if (projet.texte(classe) != null && !aUneFaute(classe) && projet.texte(classe).contains("FIXME")) {
+                projet.getEcarts().merge(Projet.FIXME, "reste dans " + classe, (a, b) -> a + ", " + classe);
+            }
+        }
+        for (String consigne : List.of(Projet.NOMS, Projet.OUTILS, Projet.TEXTE, Projet.FIXME)) {
+            String ecart = projet.getEcarts().get(consigne);
+            resultat.verdicts.put(Grille.consigne(consigne), ecart == null ? new Verdict(Etat.REUSSI, "")
+                    : new Verdict(Etat.RATE, ecart));
+        }
+        for (String classe : Modele.classes()) {
+            if (projet.texte(classe) != null && !intacte(classe)) {
+                resultat.empreintes.put(classe, Source.empreinte(projet.texte(classe)));
+            }
+        }
+    }
+
+    /** L'image et les étapes doivent dire la même chose. */
+    private void confronter() {
+        List<Verification> perdues = reference.getVerifications().stream().filter(v -> reference.compte(v)
+                && !resultat.verdicts.get(v.id()).compte()).collect(Collectors.toList());
+        List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
+                .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
+        if (autres.isEmpty() && !perdues.isEmpty()) {
+            resultat.regarder("image juste, mais " + perdues.size() + (perdues.size() > 1 ? " vérifications perdues, dont"
+                    : " vérification perdue :") + " « " + perdues.get(0).titre + " »");
+        } else if (perdues.isEmpty() && !autres.isEmpty()) {
+            resultat.regarder("étapes toutes réussies, mais une autre image : « " + String.join(" », « ", autres) + " »"
+                    + (resultat.classesFautives.isEmpty() ? "" : ", par " + String.join(", ", resultat.classesFautives)));
+        }
+        List<String> enFloat = Modele.A_COMPLETER.stream().filter(c -> projet.texte(c) != null
+                && Pattern.compile("\\bfloat\\b").matcher(Source.sansCommentaires(projet.texte(c))).find())
+                .collect(Collectors.toList());
+        if (!enFloat.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
+            String grain = "des calculs en float (" + String.join(", ", enFloat) + ") : de là peut venir du grain, que le cours "
+                    + "évite par des double";
+            resultat.remarques.add(0, grain);
+            resultat.regarder(grain);
+        }
     }
 
     private void variantes() throws Arret {
         for (Map.Entry<String, Map<String, String>> variante : projet.getVariantes().entrySet()) {
             String nom = variante.getKey();
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
-            Map<String, String> sources = Chantier.squelette();
+            Map<String, String> sources = projet.getNoms().dans(Chantier.squelette());
             sources.putAll(projet.getBase());
             sources.putAll(variante.getValue());
-            Map<String, Verdict> verdicts = new Variantes(this, reference, ensemble)
-                    .juger(nom, chantier.assembler(sources));
-            resultat.verdicts.putAll(verdicts);
+            Assemblage assemblage = chantier.assembler(sources);
+            Variantes juge = new Variantes(this, ensemble);
+            Verdict verdict = juge.juger(nom, assemblage);
+            try {
+                resultat.variantes.put(nom, juge.montrer(assemblage));
+            } catch (Arret | Dialogue.Echec e) {
+                resultat.remarques.add("l'extension « " + nom + " » n'a pas pu dessiner la scène du cours : " + e.getMessage());
+            }
             // ce que la variante change, parmi les classes du corrigé : une faute de la base ne la cache pas
             Map<String, String> change = new TreeMap<>(sources);
             change.entrySet().removeIf(c -> Modele.classes().contains(c.getKey().replace("lancer/", ""))
                     && (projet.getBase().get(c.getKey()) == null ? !variante.getValue().containsKey(c.getKey())
                     : Source.memeCode(c.getValue(), projet.getBase().get(c.getKey()))));
-            if (!change.isEmpty() && verdicts.values().stream().anyMatch(v -> !v.compte())) {
-                Map<String, String> parmi = Chantier.corrige();
+            if (!change.isEmpty() && !verdict.compte() && resultat.verdicts.get(Grille.IMAGE + ".scene1").etat == Etat.RATE) {
+                Map<String, String> parmi = projet.getNoms().dans(Chantier.corrige());
                 parmi.putAll(change);
-                new Variantes(this, reference, reference.getCorrige())
-                        .juger(nom, chantier.assembler(parmi)).forEach((id, seule) -> {
-                    if (seule.compte() && !verdicts.get(id).compte()) {
-                        resultat.verdicts.put(id, new Verdict(Etat.CACHE, verdicts.get(id).message));
-                    }
-                });
+                Verdict seule = new Variantes(this, reference.getCorrige()).juger(nom, chantier.assembler(parmi));
+                verdict = seule.part() > verdict.part() ? seule : verdict;
             }
+            resultat.verdicts.put(nom + ".image", verdict);
         }
     }
 
     /** Vrai si la classe de l'étudiant est celle du projet à compléter. */
     boolean intacte(String classe) {
-        return Source.memeCode(projet.texte(classe), Modele.squelette(classe));
+        return Source.memeCode(projet.texte(classe), projet.getNoms().dans(Modele.squelette(classe)));
     }
 
     /**
@@ -168,15 +265,16 @@ final class Juge implements AutoCloseable {
             List<String> nommees = new ArrayList<>();
             for (String autre : Modele.classes()) {
                 String texte = projet.texte(autre);
+                String sien = projet.getNoms().classe(autre);
                 if (texte != null && !autre.equals(classe) && !autre.equals("Main")
-                        && Pattern.compile("\\b" + autre + "\\b|\\." + autre.toLowerCase() + "\\b")
+                        && Pattern.compile("\\b" + sien + "\\b|\\." + autre.toLowerCase() + "\\b")
                         .matcher(projet.texte(classe)).find()) {
                     nommees.add(autre);
-                    sources.put("lancer/" + autre, texte);
+                    sources.put("lancer/" + sien, texte);
                 }
             }
             seule = chantier.assembler(sources);
-            if (fautesNouvelles(seule, classe) || seule.fautes.size() > seule.fautesDe(classe).size()) {
+            if (fautesNouvelles(seule, classe)) {
                 TreeSet<String> cassees = new TreeSet<>();
                 seule.fautes.stream().map(Faute::classe).filter(nommees::contains).forEach(cassees::add);
                 dependances.put(classe, cassees.isEmpty() ? String.join(", ", nommees) : String.join(", ", cassees));
@@ -190,15 +288,19 @@ final class Juge implements AutoCloseable {
         return seule;
     }
 
-    /** Vrai si la classe a là des fautes qu'elle n'a pas avec toutes celles de l'étudiant. */
+    /** Vrai si là, parmi celles du corrigé, elle ne se compile plus comme avec celles de l'étudiant, ou les en empêche. */
     private boolean fautesNouvelles(Assemblage seule, String classe) {
-        return seule.fautesDe(classe).size() > (ensemble == null ? 0 : ensemble.fautesDe(classe).size());
+        String sienne = projet.getNoms().classe(classe);
+        return seule.fautesDe(sienne).size() > (ensemble == null ? 0 : ensemble.fautesDe(sienne).size())
+                || seule.fautes.stream().anyMatch(f -> Modele.classes().contains(f.classe()) && !f.classe().equals(sienne)
+                && ensemble != null && ensemble.fautesDe(f.classe()).isEmpty());
     }
 
     Map<String, Verdict> lancer(Assemblage assemblage, List<Verification> verifications) {
         Verifications.Bilan bilan = reference.getJUnit().lancer(verifications, machine(assemblage));
         if (bilan.arrets > 0) {
             arretes.add(assemblage);
+            resultat.regarder("arrêt forcé : " + bilan.pourquoi);
         }
         coupe = bilan.coupe() ? "trop de vérifications n'ont pas fini : " + bilan.pourquoi : "";
         return bilan.verdicts;
@@ -217,13 +319,13 @@ final class Juge implements AutoCloseable {
         if (seule != null && seule.etat == Etat.REUSSI) {
             return new Verdict(Etat.CACHE, ensemble.message);
         }
-        Verdict verdict = seule != null ? seule : ensemble;
+        // si elle ne se compile que parmi les siennes, c'est là qu'on la juge
+        Verdict verdict = seule == null || seule.message.startsWith(NE_SE_COMPILE_PAS)
+                && !ensemble.message.startsWith(NE_SE_COMPILE_PAS) ? ensemble : seule;
+        montrer(v, v.classe);
         if (verdict.etat == Etat.NON_COMMENCE) {
-            // le jaune vif : à la première étape de getColor, elle n'est pas commencée ; aux suivantes, elle manque
-            String besoin = verdict.message.contains("jaune vif") ? reference.besoin(v.etape) : "";
-            return verdict.message.startsWith("étape non évaluable") || !besoin.isEmpty()
-                    ? new Verdict(Etat.NON_EVALUABLE,
-                    (besoin.isEmpty() ? "" : "non évaluable : dépend de « " + besoin + " » ; ") + verdict.message)
+            return verdict.message.startsWith("étape non évaluable") ? new Verdict(Etat.NON_EVALUABLE, verdict.message)
+                    : ecrite(v, verdict.message) ? new Verdict(Etat.RATE, verdict.message.replace("étape non commencée : ", ""))
                     : verdict;
         }
         if (dependances.containsKey(v.classe) && verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
@@ -236,16 +338,31 @@ final class Juge implements AutoCloseable {
                 "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }
 
+    private Map<String, Boolean> methodes(String classe) {
+        return Source.commencees(projet.texte(classe), projet.getNoms().dans(Modele.squelette(classe)));
+    }
+
+    /** Les méthodes à compléter dont parle cette vérification, à défaut toutes celles de sa classe. */
+    private Set<String> nommees(Verification v) {
+        Set<String> toutes = methodes(v.classe).keySet();
+        Set<String> nommees = toutes.stream().filter(m -> Pattern.compile("\\b" + m + "\\b")
+                .matcher(projet.getNoms().dans(v.titre)).find()).collect(Collectors.toCollection(TreeSet::new));
+        return nommees.isEmpty() ? toutes : nommees;
+    }
+
     /** Faux si la méthode dont parle cette vérification, à défaut une de sa classe, est celle du projet à compléter. */
     private boolean commencee(Verification v) {
-        Map<String, Boolean> methodes = Source.commencees(projet.texte(v.classe), Modele.squelette(v.classe));
-        List<String> nommees = methodes.keySet().stream()
-                .filter(m -> Pattern.compile("\\b" + m + "\\b").matcher(v.titre).find()).collect(Collectors.toList());
-        return (nommees.isEmpty() ? methodes.keySet() : nommees).stream().allMatch(methodes::get);
+        return nommees(v).stream().allMatch(methodes(v.classe)::get);
+    }
+
+    /** Vrai si la méthode qui, dit ce message, ne rend encore rien, est une des siennes, et qu'il l'a écrite. */
+    private boolean ecrite(Verification v, String message) {
+        return reference.besoin(v.etape).isEmpty() && methodes(v.classe).entrySet().stream()
+                .anyMatch(m -> m.getValue() && projet.getNoms().dans(message).contains(m.getKey()));
     }
 
     private String causes(String classe) {
-        List<Faute> fautes = new ArrayList<>(ensemble.fautesDe(classe));
+        List<Faute> fautes = new ArrayList<>(ensemble.fautesDe(projet.getNoms().classe(classe)));
         if (fautes.isEmpty()) {
             fautes.addAll(resultat.fautes);
         }
@@ -267,34 +384,43 @@ final class Juge implements AutoCloseable {
         return arretes.contains(assemblage);
     }
 
-    /** Le corrigé, avec ces classes de l'étudiant, et celles qu'il a ajoutées. */
+    /** Le corrigé, avec ces classes de l'étudiant, et celles qu'il a ajoutées ; celle qu'il n'a pas rendue, à compléter. */
     private Map<String, String> corrigeAvec(List<String> classes) {
-        Map<String, String> sources = Chantier.corrige();
+        Map<String, String> sources = projet.getNoms().dans(Chantier.corrige());
+        classes.forEach(c -> sources.put("lancer/" + projet.getNoms().classe(c), projet.texte(c) != null ? projet.texte(c)
+                : projet.getNoms().dans(Modele.squelette(c))));
         projet.getBase().forEach((nom, texte) -> {
-            String classe = nom.replace("lancer/", "");
-            if (classes.contains(classe) || !Modele.classes().contains(classe)) {
+            if (!sources.containsKey(nom)) {
                 sources.put(nom, texte);
             }
         });
         return sources;
     }
 
-    /** Le texte de la scène du cours. */
-    String scene() {
-        return Modele.scene("scene1");
+    /** @throws Dialogue.Echec si les classes ne savent pas dessiner, avec pourquoi */
+    Image image(Assemblage assemblage, String scene, double decalage) throws Arret {
+        int[] taille = Reference.SCENES.get(scene);
+        // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
+        return Image.lire(taille[0], taille[1], sonde(assemblage, taille[2] > 5 ? 1 : TEMPS_IMAGE, "SondeImage", "dessiner", Modele.scene(scene), "" + taille[0],
+                "" + taille[1], "" + taille[2], "" + decalage));
     }
 
-    /** @throws Dialogue.Echec si les classes ne savent pas dessiner, avec pourquoi */
-    Image image(Assemblage assemblage, double decalage) throws Arret {
-        return Image.lire(LARGEUR, HAUTEUR, sonde(assemblage, "SondeImage", "dessiner", scene(), "" + LARGEUR, ""
-                + HAUTEUR, "" + PROFONDEUR,
-                "" + decalage));
+    /** Ce que répondent, en chemin, les méthodes de ces classes. */
+    String chemin(Assemblage assemblage, String scene, double x, double y) throws Arret {
+        int[] taille = Reference.SCENES.get(scene);
+        return sonde(assemblage, "SondeChemin", "decrire", Modele.scene(scene), "" + taille[0], "" + taille[1], "" + x, "" + y,
+                "" + Math.min(5, taille[2]));
     }
 
     /** @param scene le texte de la scène, premier argument de la sonde */
     String sonde(Assemblage assemblage, String sonde, String methode, String scene, String... arguments) throws Arret {
+        return sonde(assemblage, TEMPS_IMAGE, sonde, methode, scene, arguments);
+    }
+
+    private String sonde(Assemblage assemblage, double temps, String sonde, String methode, String scene, String... arguments)
+            throws Arret {
         Machines.Rendue ici = machine(assemblage);
-        ici.commencer(TEMPS_IMAGE * ici.calcul());
+        ici.commencer(temps * ici.calcul());
         try {
             return ici.sonder(sonde, methode, scene, arguments);
         } catch (StackOverflowError e) {

@@ -8,7 +8,7 @@ import lancer.correction.jugement.Chantier.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.Modele;
 
-/** Juge l'image d'un rendu : si elle n'est pas celle du corrigé, par quel pixel et par quelles classes. */
+/** Juge les images d'un rendu : si l'une n'est pas celle du corrigé, par quel pixel et par quelles classes. */
 final class JugeImage {
 
     /** Pixels où l'on cherche d'où vient la faute. */
@@ -26,29 +26,40 @@ final class JugeImage {
         this.resultat = resultat;
     }
 
-    /** Dessine, compare, et cherche d'où vient ce qui diffère. */
+    /** Dessine chaque scène et compare ; de la première qui diffère, cherche d'où cela vient. */
     void juger() {
-        try {
-            Image image = juge.image(juge.ensemble(), 0);
-            resultat.image = image;
-            // là où le rendu a raison, au ciel au moins, il l'a à un demi-pixel près : c'est là qu'on voit lequel
-            resultat.centre = image.pareils(reference.getImage(true)) > image.pareils(reference.getImage(false));
-            resultat.ecart = new Ecart(reference.getImage(resultat.centre), image);
-            boolean meme = resultat.ecart.memeImage();
-            resultat.verdicts.put(Grille.IMAGE, meme ? new Verdict(Etat.REUSSI, "")
-                    : new Verdict(commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
-                    resultat.ecart.combien() + " sur " + resultat.ecart.pixels));
-            if (!meme && commencee(image)) {
-                chercherLaFaute(image);
-            }
-        } catch (Arret | Dialogue.Echec e) {
-            if (resultat.image == null) {
-                resultat.sansImage = e.getMessage();
-                resultat.verdicts.put(Grille.IMAGE, new Verdict(Etat.RATE, e.getMessage()));
-            } else {
+        String fausse = null;
+        for (String scene : Reference.SCENES.keySet()) {
+            Verdict verdict = juger(scene);
+            resultat.verdicts.put(Grille.IMAGE + "." + scene, verdict);
+            fausse = fausse == null && verdict.etat == Etat.RATE && resultat.images.containsKey(scene) ? scene : fausse;
+        }
+        if (fausse != null) {
+            try {
+                chercherLaFaute(fausse);
+            } catch (Arret | Dialogue.Echec e) {
                 resultat.remarques.add("la recherche de la faute dans l'image s'est arrêtée : " + e.getMessage());
             }
         }
+    }
+
+    private Verdict juger(String scene) {
+        Image image;
+        try {
+            image = juge.image(juge.ensemble(), scene, 0);
+        } catch (Arret e) {
+            resultat.regarder("arrêt forcé, en dessinant « " + scene + " » : " + e.getMessage());
+            return new Verdict(Etat.RATE, e.getMessage());
+        } catch (Dialogue.Echec e) {
+            return new Verdict(Etat.RATE, e.getMessage());
+        }
+        // là où le rendu a raison, au ciel au moins, il l'a à un demi-pixel près : c'est là qu'on voit lequel
+        resultat.centre = resultat.images.isEmpty() ? image.pareils(reference.getImage(scene, true))
+                > image.pareils(reference.getImage(scene, false)) : resultat.centre;
+        resultat.images.put(scene, image);
+        Ecart ecart = new Ecart(reference.getImage(scene, resultat.centre), image);
+        return ecart.memeImage() ? new Verdict(Etat.REUSSI, "") : new Verdict(commencee(image) ? Etat.RATE
+                : Etat.NON_COMMENCE, ecart.combien() + " sur " + ecart.pixels);
     }
 
     /** Faux pour l'image d'une seule couleur du projet à compléter. */
@@ -61,14 +72,16 @@ final class JugeImage {
         return false;
     }
 
-    private void chercherLaFaute(Image image) throws Arret {
-        Image attendue = reference.getImage(resultat.centre);
-        resultat.chemin = chemin(resultat.ecart.pireX, resultat.ecart.pireY);
+    private void chercherLaFaute(String scene) throws Arret {
+        Image image = resultat.images.get(scene);
+        Image attendue = reference.getImage(scene, resultat.centre);
+        Ecart ecart = new Ecart(attendue, image);
+        resultat.chemin = chemin(scene, ecart.pireX, ecart.pireY);
         // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où cela vient
         int pas = Math.max(1, image.pixels() / PIXELS_ESSAYES);
         for (int p = pas / 2; p < image.pixels(); p += pas) {
             if (Ecart.ecart(attendue, image, p) > 1) {
-                Chemin autre = chemin(p % Juge.LARGEUR, p / Juge.LARGEUR);
+                Chemin autre = chemin(scene, p % image.largeur, p / image.largeur);
                 if (autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart()
                         && (resultat.cheminPlusTot == null
                         || autre.rangDuPremierEcart() < resultat.cheminPlusTot.rangDuPremierEcart())) {
@@ -82,31 +95,29 @@ final class JugeImage {
         justes.removeIf(classe -> reference.getVerifications().stream()
                 .anyMatch(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()));
         // celles dont tout réussit d'abord, d'un seul coup : elles sont rarement en cause
-        if (justes.size() > 1 && !changentLImage(juge.parmiLeCorrige(justes))) {
+        if (justes.size() > 1 && !changentLImage(scene, juge.parmiLeCorrige(justes))) {
             suspectes.removeAll(justes);
         }
         for (String classe : suspectes) {
-            if (changentLImage(juge.seule(classe))) {
+            if (changentLImage(scene, juge.seule(classe))) {
                 resultat.classesFautives.add(classe);
             }
         }
     }
 
     /** Vrai si cet assemblage ne dessine pas l'image du corrigé. */
-    private boolean changentLImage(Assemblage assemblage) {
+    private boolean changentLImage(String scene, Assemblage assemblage) {
         try {
-            Image image = juge.estArrete(assemblage) ? null : juge.image(assemblage, 0);
-            return image == null || !new Ecart(reference.getImage(false), image).memeImage()
-                    && !new Ecart(reference.getImage(true), image).memeImage();
+            Image image = juge.estArrete(assemblage) ? null : juge.image(assemblage, scene, 0);
+            return image == null || !new Ecart(reference.getImage(scene, false), image).memeImage()
+                    && !new Ecart(reference.getImage(scene, true), image).memeImage();
         } catch (Arret | Dialogue.Echec e) {
             return true;
         }
     }
 
-    private Chemin chemin(int x, int y) throws Arret {
+    private Chemin chemin(String scene, int x, int y) throws Arret {
         double decalage = resultat.centre ? 0.5 : 0;
-        String siens = juge.sonde(juge.ensemble(), "SondeChemin", "decrire", juge.scene(), "" + Juge.LARGEUR,
-                "" + Juge.HAUTEUR, "" + x, "" + y, "" + Juge.PROFONDEUR);
-        return new Chemin(x, y, reference.chemin(x + decalage, y + decalage), siens);
+        return new Chemin(x, y, reference.chemin(scene, x + decalage, y + decalage), juge.chemin(juge.ensemble(), scene, x, y));
     }
 }

@@ -176,10 +176,16 @@ public final class Jury implements AutoCloseable {
         if (connu instanceof Resultat) {
             return (Resultat) connu;
         }
-        Resultat resultat;
-        try (Juge juge = new Juge(reference, new Chantier(compilation, reference.getAppels()), machines,
-                Projet.lire(rendu))) {
-            resultat = juge.juger();
+        Resultat resultat = null;
+        try {
+            // de plusieurs copies, celle qui réussit le plus
+            for (Projet copie : Projet.copies(rendu)) {
+                try (Juge juge = new Juge(reference, new Chantier(compilation, copie.getNoms(), reference.getAppels()), machines,
+                        copie)) {
+                    Resultat sien = juge.juger();
+                    resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;
+                }
+            }
         } catch (Arret e) {
             return refuse(rendu, List.of(e.getMessage() + " (à la compilation)"));
         }

@@ -5,10 +5,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Projet;
+import lancer.correction.depot.Renommage;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Chantier.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
@@ -23,6 +25,15 @@ public final class Reference implements AutoCloseable {
     private static final Map<String, String> BESOINS = Map.of("phong", "lambert", "ombres", "lambert", "reflets",
             "lambert");
 
+    /** Les scènes dont on juge l'image : largeur, hauteur, profondeur. */
+    public static final Map<String, int[]> SCENES = new LinkedHashMap<>();
+
+    static {
+        SCENES.put("scene1", new int[] {160, 120, 5});
+        SCENES.put("ombres", new int[] {80, 60, 1});
+        SCENES.put("miroirs", new int[] {80, 60, 40});
+    }
+
     /** Ce qu'on en garde d'une fois à l'autre. */
     private static final class Memoire {
 
@@ -31,8 +42,8 @@ public final class Reference implements AutoCloseable {
         private final HashMap<String, byte[]> classes = new HashMap<>();
         private String appels;
         private final HashMap<String, Verdict> duSquelette = new HashMap<>();
-        private Image coins;
-        private Image centres;
+        private final HashMap<String, Image> coins = new HashMap<>();
+        private final HashMap<String, Image> centres = new HashMap<>();
     }
 
     private final Machines machines;
@@ -60,14 +71,16 @@ public final class Reference implements AutoCloseable {
     }
 
     private void apprendre() throws Arret {
+        Projet projet = new Projet(Chantier.squelette(), Collections.emptyMap(), new ArrayList<>());
         try (Machines.Compilation compilation = machines.new Compilation()) {
-            compilerVerifications(new Chantier(compilation, ""));
+            compilerVerifications(new Chantier(compilation, projet.getNoms(), ""));
             memoire.verifications = junit.lister();
             preparer();
-            memoire.coins = corrige.image(assemblage, 0);
-            memoire.centres = corrige.image(assemblage, 0.5);
-            Projet projet = new Projet(Chantier.squelette(), Collections.emptyMap(), new ArrayList<>());
-            Chantier sien = new Chantier(compilation, memoire.appels);
+            for (String scene : SCENES.keySet()) {
+                memoire.coins.put(scene, corrige.image(assemblage, scene, 0));
+                memoire.centres.put(scene, corrige.image(assemblage, scene, 0.5));
+            }
+            Chantier sien = new Chantier(compilation, projet.getNoms(), memoire.appels);
             try (Juge juge = new Juge(this, sien, machines, projet)) {
                 memoire.duSquelette.putAll(juge.lancer(sien.assembler(projet.getBase()),
                         memoire.verifications));
@@ -101,7 +114,7 @@ public final class Reference implements AutoCloseable {
         }
         Chantier chantier;
         try (Machines.Compilation compilation = machines.new Compilation()) {
-            chantier = new Chantier(compilation, memoire.appels);
+            chantier = new Chantier(compilation, new Renommage(Map.of()), memoire.appels);
             assemblage = chantier.assembler(Chantier.corrige());
         }
         if (!assemblage.fautes.isEmpty()) {
@@ -144,23 +157,14 @@ public final class Reference implements AutoCloseable {
     }
 
     /** L'image du corrigé, aux coordonnées entières ou au centre des pixels. */
-    public Image getImage(boolean auCentre) {
-        return auCentre ? memoire.centres : memoire.coins;
+    public Image getImage(String scene, boolean auCentre) {
+        return (auCentre ? memoire.centres : memoire.coins).get(scene);
     }
 
     /** Ce que répondent, en chemin, les méthodes du corrigé. */
-    synchronized String chemin(double x, double y) throws Arret {
+    synchronized String chemin(String scene, double x, double y) throws Arret {
         preparer();
-        return corrige.sonde(assemblage, "SondeChemin", "decrire", corrige.scene(), "" + Juge.LARGEUR, ""
-                + Juge.HAUTEUR, "" + x, "" + y,
-                "" + Juge.PROFONDEUR);
-    }
-
-    /** Le reflet de Blinn seul, par les classes du corrigé. */
-    synchronized String blinn(String scene, double decalage, int facteur) throws Arret {
-        preparer();
-        return corrige.sonde(assemblage, "SondeVariantes", "blinn", scene, "" + Juge.LARGEUR, ""
-                + Juge.HAUTEUR, "" + decalage, "" + facteur);
+        return corrige.chemin(assemblage, scene, x, y);
     }
 
     @Override

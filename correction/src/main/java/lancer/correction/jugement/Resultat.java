@@ -22,13 +22,25 @@ public final class Resultat {
     /** Par {@link Verification#id()}, et pour les variantes par leur nom. */
     public final Map<String, Verdict> verdicts = new LinkedHashMap<>();
 
-    /** L'image par toutes ses classes, {@code null} si elle n'a pu être dessinée ; pourquoi. */
-    public Image image;
-    public String sansImage = "";
+    /** Pourquoi l'enseignant doit le regarder lui-même. */
+    public final List<String> aRegarder = new ArrayList<>();
 
-    /** L'écart à la référence, et s'il est pris au centre des pixels plutôt qu'à leurs coordonnées entières. */
-    public Ecart ecart;
+    /** De chaque classe changée du cours, son texte sans ce qui n'est que présentation ni noms choisis, abrégé. */
+    public final Map<String, String> empreintes = new LinkedHashMap<>();
+
+    /** Par critère raté, la méthode de l'étudiant qui en répond. */
+    public final Map<String, String> methodes = new LinkedHashMap<>();
+
+    /** Les images par toutes ses classes, par scène : celles qui ont pu être dessinées. */
+    public final Map<String, Image> images = new LinkedHashMap<>();
+
+    /** Celle que chaque extension fait de la scène du cours. */
+    public final Map<String, Image> variantes = new LinkedHashMap<>();
+
+    /** Vrai si ses rayons passent au centre des pixels, plutôt qu'à leurs coordonnées entières. */
     public boolean centre;
+
+    /** Au pixel le plus faux, ce que répondent les méthodes, {@code null} si rien n'est faux. */
     public Chemin chemin;
 
     /** Un autre pixel, où une réponse s'écarte plus tôt ; {@code null} s'il n'y en a pas. */
@@ -39,9 +51,23 @@ public final class Resultat {
 
     /** Ce qu'on en dit tient en peu de lignes, quoi que le rendu contienne. */
     void abreger() {
-        remarques.replaceAll(Echange::protege);
-        if (remarques.size() > REMARQUES_MAX) {
-            remarques.subList(REMARQUES_MAX, remarques.size()).clear();
+        for (List<String> liste : List.of(remarques, aRegarder)) {
+            liste.replaceAll(Echange::protege);
+            if (liste.size() > REMARQUES_MAX) {
+                liste.subList(REMARQUES_MAX, liste.size()).clear();
+            }
         }
+    }
+
+    /** Ajoute une raison de regarder ce rendu, une fois. */
+    void regarder(String raison) {
+        if (!aRegarder.contains(raison)) {
+            aRegarder.add(raison);
+        }
+    }
+
+    /** Combien de critères sont réussis. */
+    double reussis() {
+        return verdicts.values().stream().mapToDouble(Verdict::part).sum();
     }
 }

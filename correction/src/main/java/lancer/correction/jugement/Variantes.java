@@ -1,278 +1,180 @@
 package lancer.correction.jugement;
 
-import java.util.HashMap;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Chantier.Assemblage;
-import lancer.correction.jugement.Verdict.Etat;
+import lancer.correction.modele.Modele;
 
 /**
- * Ce qu'on vérifie des variantes, chacune par rapport à la base du même étudiant : ses fautes, s'il y en a, sont des
- * deux côtés, et ne comptent pas deux fois.
+ * Ce que vaut une variante : son image, comparée à celle que l'on prédit de la base du même étudiant, dont les fautes,
+ * s'il y en a, sont des deux côtés. La part de l'effet prédit qui manque propose une note ; l'enseignant en décide.
  */
 final class Variantes {
 
-    /** Un critère d'une variante. */
-    static final class Critere {
+    /** Par variante, son titre et ce qu'on y regarde. */
+    static final Map<String, String[]> TITRES = new LinkedHashMap<>();
 
-        final String variante;
-        final String titreVariante;
-        final String nom;
-        final String titre;
-
-        Critere(String variante, String titreVariante, String nom, String titre) {
-            this.variante = variante;
-            this.titreVariante = titreVariante;
-            this.nom = nom;
-            this.titre = titre;
-        }
-
-        String id() {
-            return variante + "." + nom;
-        }
+    static {
+        TITRES.put("brume", new String[] {"brume",
+            "la couleur de la base, mêlée à celle d'une brume, d'autant plus que c'est loin"});
+        TITRES.put("antialias", new String[] {"anticrénelage",
+            "les bords approchent la moyenne de plusieurs rayons par pixel, et le reste ne change pas"});
+        TITRES.put("blinn", new String[] {"reflet de Blinn", "le reflet est (N.H) à la puissance ns, 2 ns ou 4 ns"});
     }
 
-    static final List<Critere> CRITERES = List.of(
-            new Critere("brume", "Extension : brume", "bornee", "k est entre 0 et 1, et n'est pas toujours nul"),
-            new Critere("brume", "Extension : brume", "croissante", "k croît avec la distance"),
-            new Critere("brume", "Extension : brume", "melange",
-            "la couleur est k fois celle de la brume, plus (1 - k) fois celle de l'objet"),
-            new Critere("brume", "Extension : brume", "reflets",
-            "ce que l'on voit dans un miroir est aussi dans la brume"),
-            new Critere("antialias", "Extension : anticrénelage", "bords",
-            "les bords approchent la moyenne de plusieurs rayons par pixel"),
-            new Critere("antialias", "Extension : anticrénelage", "ailleurs", "hors des bords, l'image ne change pas"),
-            new Critere("blinn", "Extension : reflet de Blinn", "etalement",
-            "pour un même ns, le reflet est plus étalé que celui de Phong"),
-            new Critere("blinn", "Extension : reflet de Blinn", "formule",
-            "le reflet est (N.H) à la puissance ns, ou 2 ns"));
+    /** De quoi proposer tous les points, et aucun : la part de l'effet qui manque. */
+    private static final double TOUT = 0.4;
+    private static final double RIEN = 0.9;
 
-    /** Distances, sur leur rayon, des boules de la scène de la brume. */
+    private static final int LARGEUR = 80;
+    private static final int HAUTEUR = 60;
+
+    /** Sur un côté, les rayons de l'image moyenne d'un pixel. */
+    private static final int FINESSE = 4;
+
+    /** Distances, sur leur rayon, des boules de la scène de la brume ; et leur demi-côté, en pixels. */
     private static final double[] DISTANCES = {3, 5, 8, 13, 30, 80};
-
-    /** Du k nul au k qui se voit. */
-    private static final double PRES = 1e-4;
-
-    private static final double[] DEBUTS = {0, 0.5, -0.5};
-    private static final int[] FINESSES = {2, 3, 4};
-    private static final int COTE = 80;
-    private static final double CONTRASTE = 16;
-    private static final double RESTE = 0.4;
-    private static final double AILLEURS = 4;
+    private static final int DEMI = 3;
 
     private final Juge juge;
-    private final Reference reference;
     private final Assemblage base;
-    private final Map<String, Verdict> verdicts = new HashMap<>();
 
-    Variantes(Juge juge, Reference reference, Assemblage base) {
+    Variantes(Juge juge, Assemblage base) {
         this.juge = juge;
-        this.reference = reference;
         this.base = base;
     }
 
-    Map<String, Verdict> juger(String variante, Assemblage assemblage) {
+    Verdict juger(String variante, Assemblage assemblage) {
         try {
-            switch (variante) {
-                case "brume":
-                    brume(assemblage);
-                    break;
-                case "antialias":
-                    antialias(assemblage);
-                    break;
-                default:
-                    blinn(assemblage);
-            }
+            return variante.equals("brume") ? brume(assemblage) : variante.equals("antialias") ? antialias(assemblage)
+                    : blinn(assemblage);
         } catch (Arret | Dialogue.Echec e) {
-            for (Critere critere : CRITERES) {
-                if (critere.variante.equals(variante)) {
-                    verdicts.putIfAbsent(critere.id(), new Verdict(Etat.RATE, e.getMessage()));
-                }
+            return new Verdict(Verdict.Etat.RATE, e.getMessage());
+        }
+    }
+
+    /** La scène du cours, telle que cette variante la dessine. */
+    Image montrer(Assemblage assemblage) throws Arret {
+        return dessin(assemblage, "tracer", Modele.scene("scene1"), LARGEUR, HAUTEUR, "1");
+    }
+
+    private Image dessin(Assemblage assemblage, String methode, String scene, int largeur, int hauteur, String... suite)
+            throws Arret {
+        List<String> tout = new ArrayList<>(List.of("" + largeur, "" + hauteur));
+        tout.addAll(List.of(suite));
+        return Image.lire(largeur, hauteur, juge.sonde(assemblage, "SondeImage", methode, scene, tout.toArray(new String[0])));
+    }
+
+    /** @param reste la part de l'effet prédit qui manque */
+    private static Verdict mesure(double reste, String quoi) {
+        double part = reste <= TOUT ? 1 : reste < RIEN ? Math.round(4 * (RIEN - reste) / (RIEN - TOUT)) / 4.0 : 0;
+        return Verdict.mesure(Math.min(1, part), String.format(Locale.FRANCE,
+                "mesuré : il manque %.0f %% de l'effet attendu de votre base (%s) ; tous les points jusqu'à %.0f %%, aucun à "
+                + "partir de %.0f %%, sauf avis de l'enseignant", 100 * Math.min(9.99, reste), quoi, 100 * TOUT, 100 * RIEN));
+    }
+
+    /** Ce qui sépare encore une image de celle qu'on prédit, par rapport à ce qui en séparait la base. */
+    private static double reste(Image lui, Image sans, Image predite) {
+        double apres = lui.distance(predite);
+        double avant = sans.distance(predite);
+        return avant > 0 ? apres / avant : 1;
+    }
+
+    /** La moyenne des rayons d'un pixel vient d'une image plus fine de la base, où rien n'est tronqué à l'entier. */
+    private Verdict antialias(Assemblage assemblage) throws Arret {
+        Image lui = montrer(assemblage);
+        Image sans = montrer(base);
+        Image fine = dessin(base, "dessiner", Modele.scene("scene1"), FINESSE * LARGEUR, FINESSE * HAUTEUR, "1", "0.5");
+        double reste = 1;
+        // autour du centre du pixel, ou de ses coordonnées entières
+        for (int debut = 0; debut >= -FINESSE / 2; debut--) {
+            reste = Math.min(reste, reste(lui, sans, fine.moyenne(FINESSE, debut)));
+        }
+        return mesure(reste, "l'escalier des bords, effacé par la moyenne de " + FINESSE + " x " + FINESSE + " rayons");
+    }
+
+    private Verdict blinn(Assemblage assemblage) throws Arret {
+        String boule = "[Sphere 1]\ncentre=0 0 5\nrayon=1.5\nKd=0 0 0\nKs=0.4 0.4 0.4\nns=5\n"
+                + "[Lampe 1]\nposition=-4 3 -3\ncouleur=";
+        String scene = boule + "1 1 1\n";
+        Image lui = dessin(assemblage, "dessiner", scene, LARGEUR, HAUTEUR, "1", "0");
+        Image phong = dessin(base, "dessiner", scene, LARGEUR, HAUTEUR, "1", "0");
+        Image eteinte = dessin(base, "dessiner", boule + "0 0 0\n", LARGEUR, HAUTEUR, "1", "0");
+        double reste = 1;
+        for (String facteur : new String[] {"1", "2", "4"}) {
+            for (String decalage : new String[] {"0", "0.5"}) {
+                Image predite = eteinte.plus(dessin(base, "blinn", scene, LARGEUR, HAUTEUR, decalage, facteur));
+                reste = Math.min(reste, reste(lui, phong, predite));
             }
         }
-        return verdicts;
-    }
-
-    private void dire(String id, boolean juste, String message) {
-        verdicts.put(id, juste ? new Verdict(Etat.REUSSI, "") : new Verdict(Etat.RATE, message));
-    }
-
-    private Image image(Assemblage assemblage, String scene, int profondeur) throws Arret {
-        return Image.lire(Juge.LARGEUR, Juge.HAUTEUR, juge.sonde(assemblage, "SondeImage", "dessiner", scene, ""
-                + Juge.LARGEUR, "" + Juge.HAUTEUR,
-                "" + profondeur, "0"));
+        return mesure(reste, "le passage de Phong à (N.H)^ns, ^2ns ou ^4ns");
     }
 
     /**
-     * Deux boules, l'une claire, l'autre sombre, à chaque distance, face à une lampe placée dans l'œil. De la
-     * différence de leurs couleurs, avec brume et sans, on tire k sans connaître la couleur de la brume ; puis cette
-     * couleur.
+     * À chaque distance, une boule face à une lampe placée dans l'œil, claire au centre et sombre au bord : de ses
+     * couleurs sans brume et avec, on tire k et k fois la couleur de la brume ; puis l'image d'une brume de même couleur
+     * partout, dont le k ne décroît pas et reste entre 0 et 1.
      */
-    private void brume(Assemblage assemblage) throws Arret {
+    private Verdict brume(Assemblage assemblage) throws Arret {
         double focale = 1 / Math.tan(Math.toRadians(15));
         StringBuilder texte = new StringBuilder();
         for (int i = 0; i < DISTANCES.length; i++) {
-            for (int cote = -1; cote <= 1; cote += 2) {
-                double x = cote * 0.5;
-                double y = 0.6 - 0.2 * i;
-                double norme = Math.sqrt(x * x + y * y + focale * focale);
-                double t = DISTANCES[i] / norme;
-                texte.append(String.format(Locale.ROOT,
-                        "[Sphere %d %d]\ncentre=%.9f %.9f %.9f\nrayon=%.9f\nKd=%s\nKs=0 0 0\nns=1\n", i, cote,
-                        x + t * x, y + t * y, t * focale, 0.06 * (1 + t), cote < 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1"));
-            }
+            double y = 0.6 - 0.2 * i;
+            double t = DISTANCES[i] / Math.sqrt(0.25 + y * y + focale * focale);
+            texte.append(String.format(Locale.ROOT, "[Sphere %d]\ncentre=%.9f %.9f %.9f\nrayon=%.9f\nKd=0.9 0.9 0.9\n", i,
+                    0.5 + 0.5 * t, y + t * y, t * focale, 0.06 * (1 + t)));
         }
         texte.append(String.format(Locale.ROOT, "[Lampe 1]\nposition=0 0 %.9f\ncouleur=1 1 1\n", -focale));
         String scene = texte.toString();
-        Image sans = image(base, scene, 0);
-        Image avec = image(assemblage, scene, 0);
+        Image sans = dessin(base, "dessiner", scene, 2 * LARGEUR, 2 * HAUTEUR, "1", "0");
+        Image avec = dessin(assemblage, "dessiner", scene, 2 * LARGEUR, 2 * HAUTEUR, "1", "0");
         double[] k = new double[DISTANCES.length];
-        double brumeMin = Double.POSITIVE_INFINITY;
-        double brumeMax = Double.NEGATIVE_INFINITY;
+        double[] brume = new double[3];
+        double sommeK = 0;
+        StringBuilder suite = new StringBuilder();
         for (int i = 0; i < k.length; i++) {
-            int ligne = 12 + 16 * i;
-            int clair = ligne * Juge.LARGEUR + 40;
-            int sombre = ligne * Juge.LARGEUR + 120;
-            k[i] = 1 - (avec.brut(clair, 0) - avec.brut(sombre, 0)) / (sans.brut(clair, 0) - sans.brut(sombre, 0));
-            if (k[i] > 0.05) {
-                double brume = (avec.brut(sombre, 0) - (1 - k[i]) * sans.brut(sombre, 0)) / k[i];
-                brumeMin = Math.min(brumeMin, brume);
-                brumeMax = Math.max(brumeMax, brume);
+            double[] droite = sans.regression(avec, 120 - DEMI, 12 + 16 * i - DEMI, 2 * DEMI + 1);
+            suite.append(String.format(Locale.FRANCE, "%sk(%.3g) = %.2f", i > 0 ? ", " : "", DISTANCES[i], 1 - droite[3]));
+            k[i] = Math.max(i > 0 ? k[i - 1] : 0, Math.min(1, 1 - droite[3]));
+            sommeK += 1 - droite[3];
+            for (int c = 0; c < 3; c++) {
+                brume[c] += droite[c];
             }
         }
-        StringBuilder suite = new StringBuilder();
-        boolean bornee = true;
-        boolean croissante = true;
+        double apres = 0;
+        double avant = 0;
         for (int i = 0; i < k.length; i++) {
-            suite.append(String.format(Locale.FRANCE, "%sk(%.3g) = %.4f", i > 0 ? ", " : "", DISTANCES[i], k[i]));
-            bornee &= k[i] >= -PRES && k[i] <= 1 + PRES;
-            croissante &= i == 0 || k[i] >= k[i - 1] - PRES;
+            for (int p = 0; p < (2 * DEMI + 1) * (2 * DEMI + 1); p++) {
+                int pixel = (12 + 16 * i - DEMI + p / (2 * DEMI + 1)) * sans.largeur + 120 - DEMI + p % (2 * DEMI + 1);
+                for (int c = 0; c < 3; c++) {
+                    double predite = k[i] * brume[c] / sommeK + (1 - k[i]) * sans.brut(pixel, c);
+                    apres += Math.pow(avec.brut(pixel, c) - predite, 2);
+                    avant += Math.pow(avec.brut(pixel, c) - sans.brut(pixel, c), 2);
+                }
+            }
         }
-        dire("brume.bornee", bornee && k[k.length - 1] > PRES, "attendu : de 0 à 1 ; obtenu, selon la distance : "
-                + suite);
-        dire("brume.croissante", croissante && k[k.length - 1] > k[0] + PRES,
-                "attendu : plus loin, plus de brume ; obtenu : " + suite);
-        dire("brume.melange", brumeMin <= brumeMax && brumeMax - brumeMin < 0.02 && brumeMin > -PRES,
-                brumeMin > brumeMax ? "pas assez de brume pour en voir la couleur : " + suite
-                : String.format(Locale.FRANCE,
-                "attendu : une même couleur de brume à toute distance ; obtenu : de %.3f à %.3f", brumeMin, brumeMax));
+        boolean croit = k[k.length - 1] > k[0] + 1e-3;
+        double reste = croit && avant > 1e-9 ? Math.sqrt(apres / avant) : 1;
+        // dans un miroir, une boule au loin : ce que sa couleur change doit avoir traversé la brume deux fois
         double vu = reflet(assemblage) / reflet(base);
-        if (!(Math.abs(vu) <= 2) || k[0] > 0.9 || k[k.length - 1] < 0.1) {
-            verdicts.put("brume.reflets", new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de « Reflets », "
-                    + "et d'une brume légère de près, épaisse de loin : " + suite));
-        } else {
-            double direct = 1 - k[0];
-            dire("brume.reflets", vu < direct * (1 - k[k.length - 1] / 2), String.format(Locale.FRANCE,
-                    "une boule à 80 d'un miroir à 3 : il en reste %.3f ; attendu : %.3f, obtenu sans brume au-delà du "
-                    + "miroir : %.3f", vu, direct * (1 - k[k.length - 1]), direct));
-        }
+        boolean reflets = !(vu > (1 - k[0]) * (1 - k[k.length - 1] / 2));
+        return mesure(reflets ? reste : Math.max(reste, TOUT + 0.1), "selon la distance : " + suite + (croit ? ""
+                : " ; plus loin, il en faut plus") + (reflets ? "" : " ; ce que montre un miroir n'est pas dans la brume"));
     }
 
     /** Dans un miroir à la première distance, une boule à la dernière : ce que change sa couleur à celle du pixel. */
     private double reflet(Assemblage assemblage) throws Arret {
         double[] vues = new double[2];
         for (int i = 0; i < 2; i++) {
-            vues[i] = image(assemblage, "[Sphere miroir]\ncentre=0 -7.071067812 10.071067812\n"
+            vues[i] = dessin(assemblage, "dessiner", "[Sphere miroir]\ncentre=0 -7.071067812 10.071067812\n"
                     + "rayon=10\nKs=1 1 1\nns=1000\n[Sphere]\ncentre=0 100 3\nrayon=20\nKd="
-                    + (i == 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1") + "\n[Lampe]\nposition=0 40 -40\ncouleur=1 1 1\n", 1)
-                    .brut(Juge.HAUTEUR / 2 * Juge.LARGEUR + Juge.LARGEUR / 2, 0);
+                    + (i == 0 ? "0.9 0.9 0.9" : "0.1 0.1 0.1") + "\n[Lampe]\nposition=0 40 -40\ncouleur=1 1 1\n", LARGEUR,
+                    HAUTEUR, "2", "0").brut(HAUTEUR / 2 * LARGEUR + LARGEUR / 2, 0);
         }
         return vues[0] - vues[1];
-    }
-
-    private void antialias(Assemblage assemblage) throws Arret {
-        String scene = juge.scene();
-        int hauteur = COTE * 3 / 4;
-        Image lui = Image.lire(COTE, hauteur, juge.sonde(assemblage, "SondeVariantes", "tracer", scene, "" + COTE, ""
-                + hauteur, "1"));
-        Image simple = Image.lire(COTE, hauteur, juge.sonde(base, "SondeVariantes", "tracer", scene, "" + COTE, ""
-                + hauteur, "1"));
-        double meilleur = Double.POSITIVE_INFINITY;
-        double ailleurs = Double.POSITIVE_INFINITY;
-        for (int n : FINESSES) {
-            for (double debut : DEBUTS) {
-                // sous-pixels centrés, pris au coin, ou autour des coordonnées entières
-                double depart = debut < 0 ? -0.5 + 0.5 / n : debut / n;
-                Image moyenne = Image.lire(COTE, hauteur, juge.sonde(base, "SondeVariantes", "moyenne", scene, ""
-                        + COTE, "" + hauteur, "1", "" + n,
-                        "" + depart));
-                double[] restes = restes(lui, simple, moyenne);
-                if (restes[0] < meilleur) {
-                    meilleur = restes[0];
-                    ailleurs = restes[1];
-                }
-            }
-        }
-        dire("antialias.bords", meilleur < RESTE, String.format(Locale.FRANCE,
-                "aux bords, il reste %.0f %% de l'écart entre votre image sans anticrénelage et la moyenne de vos "
-                + "rayons ; attendu : moins de %.0f %%",
-                100 * meilleur, 100 * RESTE));
-        dire("antialias.ailleurs", meilleur < RESTE && ailleurs < AILLEURS, meilleur < RESTE
-                ? String.format(Locale.FRANCE,
-                "hors des bords, l'image change de %.1f niveaux", ailleurs)
-                : "sans anticrénelage aux bords, rien à vérifier ailleurs");
-    }
-
-    /** La part qui reste de l'écart à la moyenne, là où il y en a ; et l'écart ailleurs. */
-    private static double[] restes(Image lui, Image simple, Image moyenne) {
-        double avant = 0;
-        double apres = 0;
-        double autour = 0;
-        int reste = 0;
-        for (int p = 0; p < lui.pixels(); p++) {
-            double d = Ecart.ecart(simple, moyenne, p);
-            double e = Ecart.ecart(lui, moyenne, p);
-            if (d > CONTRASTE) {
-                avant += d * d;
-                apres += e * e;
-            } else {
-                autour += e * e;
-                reste++;
-            }
-        }
-        return new double[] {avant > 0 ? Math.sqrt(apres / avant) : Double.POSITIVE_INFINITY,
-                Math.sqrt(autour / Math.max(1, reste))};
-    }
-
-    private void blinn(Assemblage assemblage) throws Arret {
-        String scene =
-                "[Sphere 1]\ncentre=0 0 5\nrayon=1.5\nKd=0 0 0\nKs=1 1 1\nns=5\n[Lampe 1]\nposition=-4 3 "
-                + "-3\ncouleur=1 1 1\n";
-        Image phong = image(base, scene, 0);
-        Image lui = image(assemblage, scene, 0);
-        int etalePhong = etale(phong);
-        int etaleLui = etale(lui);
-        dire("blinn.etalement", etaleLui > 1.3 * etalePhong,
-                "pixels où le reflet vaut plus de la moitié de son maximum : " + etaleLui
-                + ", avec Phong " + etalePhong + " ; attendu : nettement plus");
-        boolean juste = false;
-        for (int facteur = 1; facteur <= 2; facteur++) {
-            for (double decalage : List.of(0.0, 0.5)) {
-                Image formule = Image.lire(Juge.LARGEUR, Juge.HAUTEUR, reference.blinn(scene, decalage, facteur));
-                juste |= new Ecart(formule, lui).memeImage();
-            }
-        }
-        dire("blinn.formule", juste,
-                "l'image d'une boule noire et brillante n'est celle ni de (N.H)^ns, ni de (N.H)^2ns");
-    }
-
-    /** Les pixels du milieu, sur la boule, où le reflet vaut plus de la moitié de son maximum. */
-    private static int etale(Image image) {
-        double max = 0;
-        for (int passe = 0; ; passe++) {
-            int n = 0;
-            for (int y = 35; y < 85; y++) {
-                for (int x = 55; x < 105; x++) {
-                    double v = image.niveau(y * image.largeur + x, 0);
-                    max = Math.max(max, v);
-                    n += passe > 0 && v > max / 2 && max > 1 ? 1 : 0;
-                }
-            }
-            if (passe > 0) {
-                return n;
-            }
-        }
     }
 }

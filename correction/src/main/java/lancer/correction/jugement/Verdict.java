@@ -8,6 +8,8 @@ public final class Verdict {
         REUSSI("réussi"),
         /** La classe, seule parmi celles du corrigé, est juste ; une autre l'empêche de le montrer. */
         CACHE("juste, caché par une autre classe"),
+        /** Une extension, dont l'image ne montre qu'une part. */
+        PARTIEL("en partie"),
         NON_EVALUABLE("non évaluable"),
         NON_COMMENCE("non commencé"),
         RATE("raté");
@@ -21,14 +23,30 @@ public final class Verdict {
 
     public final Etat etat;
     public final String message;
+    private final double part;
 
     public Verdict(Etat etat, String message) {
+        this(etat, message, etat == Etat.REUSSI || etat == Etat.CACHE ? 1 : 0);
+    }
+
+    private Verdict(Etat etat, String message, double part) {
         this.etat = etat;
         this.message = message;
+        this.part = part;
+    }
+
+    /** @param part ce qu'elle rapporte de ses points, de 0 à 1 */
+    static Verdict mesure(double part, String message) {
+        return new Verdict(part >= 1 ? Etat.REUSSI : part > 0 ? Etat.PARTIEL : Etat.RATE, message, part);
     }
 
     /** Vrai si la vérification rapporte ses points. */
     public boolean compte() {
-        return etat == Etat.REUSSI || etat == Etat.CACHE;
+        return part == 1;
+    }
+
+    /** Ce qu'elle rapporte de ses points, de 0 à 1. */
+    public double part() {
+        return part;
     }
 }

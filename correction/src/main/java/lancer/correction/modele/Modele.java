@@ -29,7 +29,7 @@ public final class Modele {
             Map.of("brume", List.of("Brume"), "antialias", List.of(), "blinn", List.of());
 
     /** Ce qui interroge les classes d'un étudiant, compilé contre elles. */
-    public static final List<String> SONDES = List.of("SondeImage", "SondeChemin", "SondeVariantes");
+    public static final List<String> SONDES = List.of("SondeImage", "SondeChemin");
 
     /** Ce qui appelle ses méthodes, écrit au moment de noter. */
     public static final String APPELS = "Appels";

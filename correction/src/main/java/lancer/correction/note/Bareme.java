@@ -9,8 +9,11 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.Panne;
@@ -19,10 +22,14 @@ import org.ini4j.Ini;
 import org.ini4j.InvalidFileFormatException;
 import org.ini4j.Profile;
 
-/** Les points de chaque étape, d'un petit fichier INI que l'enseignant peut changer. */
+/**
+ * Les points de chaque étape, d'un petit fichier INI que l'enseignant peut changer. Il peut y ajouter des lignes libres
+ * (« qualité du code=3 »), dont il donne les points lui-même.
+ */
 public final class Bareme {
 
     private final Map<String, Double> poids = new LinkedHashMap<>();
+    private final List<String> libres = new ArrayList<>();
 
     /**
      * Lit le barème, ou l'écrit d'abord s'il n'existe pas.
@@ -63,8 +70,13 @@ public final class Bareme {
         }
         for (Map.Entry<String, String> ligne : section.entrySet()) {
             String faute = fichier + ", [Barème], " + ligne.getKey();
-            if (!etapes.contains(ligne.getKey())) {
-                throw new Panne(2, faute + " : étape inconnue ; attendu : une parmi " + String.join(", ", etapes));
+            boolean connue = etapes.contains(ligne.getKey());
+            if (!connue && etapes.stream().anyMatch(e -> debut(e).equals(debut(ligne.getKey())))) {
+                throw new Panne(2, faute + " : étape inconnue ; attendu : une parmi " + String.join(", ", etapes)
+                        + ", ou une ligne libre, qui ne commence pas comme une étape");
+            }
+            if (!connue) {
+                libres.add(ligne.getKey());
             }
             String texte = ligne.getValue() == null ? "" : ligne.getValue().trim().replace(',', '.');
             if (!texte.matches("\\d{1,4}(\\.\\d{1,6})?")) {
@@ -77,11 +89,24 @@ public final class Bareme {
         }
     }
 
+    /** Ce qui fait d'une clé inconnue une étape mal écrite plutôt qu'une ligne libre. */
+    private static String debut(String cle) {
+        String bas = cle.toLowerCase(Locale.ROOT);
+        return bas.substring(0, Math.min(4, bas.length()));
+    }
+
     public double poids(String etape) {
         return poids.getOrDefault(etape, 0.0);
     }
 
+    /** Les lignes que l'enseignant a ajoutées, dans leur ordre. */
+    public List<String> getLibres() {
+        return Collections.unmodifiableList(libres);
+    }
+
+    /** La note maximale ; les consignes, qui enlèvent des points, n'y sont pas. */
     public double total() {
-        return poids.values().stream().mapToDouble(Double::doubleValue).sum();
+        return poids.entrySet().stream().filter(p -> !p.getKey().equals(Grille.CONSIGNES))
+                .mapToDouble(Map.Entry::getValue).sum();
     }
 }

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -24,24 +25,28 @@ import lancer.correction.Panne;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVPrinter;
-import org.apache.commons.csv.CSVRecord;
 import org.apache.commons.csv.QuoteMode;
 
 /**
  * La feuille de notes de Moodle, dont on ne change que les cases de la note et du commentaire (moodle, {@code
  * mod/assign/feedback/offline/importgradeslib.php}). Une note vide est ignorée par Moodle, mais un commentaire vide
- * efface celui qui y est : une case où il n'y a rien à dire est recopiée.
+ * efface celui qui y est : une case où il n'y a rien à dire est recopiée. Une note que nous n'avons pas écrite est gardée :
+ * la nôtre est celle que répète notre commentaire, ou celle que nous avions déjà déposée dans ce dossier.
  */
 public final class FeuilleMoodle {
 
     private static final Pattern NUMERO = Pattern.compile("\\D*(\\d+)\\s*");
     private static final String DEBUT = "Correction automatique : ";
+    private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d, )?[^\n]*?"
+            + " ; le détail est dans le fichier de retour\\.");
+    private static final String DEPOSEES = "notes-a-deposer.csv";
     private static final String FIN = " ; le détail est dans le fichier de retour.";
     private static final String BOM = "\uFEFF";
 
     private final Path fichier;
     private final boolean bom;
-    private final List<List<String>> lignes = new ArrayList<>();
+    private final String finDeLigne;
+    private final List<List<String>> lignes;
     private final int identifiant;
     private final int note;
     private final int maximum;
@@ -54,26 +59,30 @@ public final class FeuilleMoodle {
         String texte;
         try {
             texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier))).toString();
+            lignes = lignes(texte);
         } catch (CharacterCodingException e) {
             throw new Panne(2, fichier
                     + " : n'est pas en UTF-8 ; attendu : la feuille de notes telle que Moodle la donne");
-        } catch (IOException e) {
+        } catch (IOException | RuntimeException e) {
             throw new Panne(2, "feuille de notes illisible : " + fichier + " (" + e.getMessage() + ")");
         }
         bom = texte.startsWith(BOM);
-        try (CSVParser csv = CSVParser.parse(new StringReader(bom ? texte.substring(1) : texte), CSVFormat.DEFAULT)) {
-            for (CSVRecord ligne : csv) {
-                lignes.add(new ArrayList<>(ligne.toList()));
-            }
-        } catch (IOException | RuntimeException e) {
-            throw new Panne(2, fichier + " : n'est pas un tableau CSV (" + e.getMessage() + ")");
-        }
+        finDeLigne = texte.contains("\r\n") ? "\r\n" : "\n";
         identifiant = colonne(true, "Identifier", "Identifiant");
         note = colonne(true, "Grade", "Note");
         colonne(true, "Last modified (grade)", "Dernière modification (note)");
         maximum = colonne(false, "Maximum Grade", "Note maximale");
         commentaire = colonne(false, "Feedback comments", "Feedback par commentaires");
         modifiable = colonne(false, "Grade can be changed", "La note peut être modifiée");
+    }
+
+    private static List<List<String>> lignes(String texte) throws IOException {
+        List<List<String>> lignes = new ArrayList<>();
+        try (CSVParser csv = CSVParser.parse(new StringReader(texte.startsWith(BOM) ? texte.substring(1) : texte),
+                CSVFormat.DEFAULT)) {
+            csv.forEach(ligne -> lignes.add(new ArrayList<>(ligne.toList())));
+        }
+        return lignes;
     }
 
     private int colonne(boolean exigee, String anglais, String francais) {
@@ -86,57 +95,84 @@ public final class FeuilleMoodle {
         return k;
     }
 
+    /** Les notes que nous avions écrites dans ce dossier, par identifiant ; aucune si ce n'est pas lisible. */
+    private Map<String, String> deposees(Path dossier) {
+        Map<String, String> notes = new HashMap<>();
+        try {
+            lignes(Files.readString(dossier.resolve(DEPOSEES))).stream().filter(l -> l.size() > note)
+                    .forEach(l -> notes.put(l.get(identifiant), l.get(note)));
+        } catch (IOException | RuntimeException e) {
+            // la première fois, ou un autre tableau : rien de nous n'est à reconnaître
+        }
+        return notes;
+    }
+
     /**
-     * Écrit {@code notes-a-deposer.csv} et {@code retours.zip}.
+     * Écrit {@code notes-a-deposer.csv}. Une note que nous n'avons pas écrite y reste : le rendu est à regarder.
      *
      * @return les rendus jugés dont la note n'est pas dans la feuille : elle ne les a pas, ou la leur est verrouillée
      */
     public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
+        Map<String, String> deposees = deposees(dossier);
         Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.rendu.getId(), e));
-        try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"),
+        try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve(DEPOSEES),
                 StandardCharsets.UTF_8)) {
             if (bom) {
                 texte.write(BOM);
             }
-            CSVFormat format = CSVFormat.DEFAULT.builder().setRecordSeparator('\n').setQuoteMode(QuoteMode.MINIMAL)
+            CSVFormat format = CSVFormat.DEFAULT.builder().setRecordSeparator(finDeLigne).setQuoteMode(QuoteMode.MINIMAL)
                     .get();
             try (CSVPrinter csv = new CSVPrinter(texte, format)) {
                 for (int k = 0; k < lignes.size(); k++) {
                     List<String> ligne = new ArrayList<>(lignes.get(k));
                     if (k > 0) {
-                        noter(ligne, parId, bareme);
+                        noter(ligne, parId, bareme, deposees);
                     }
                     csv.printRecord(ligne);
                 }
             }
         }
-        retours(dossier, eleves);
         parId.values().removeIf(Eleve::illisible);
         return parId.values();
     }
 
     /** Note cette ligne, si elle est celle d'un de ces élèves, et se change ; il n'est alors plus à noter. */
-    private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme) {
+    private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme, Map<String, String> deposees) {
         Matcher m = NUMERO.matcher(ligne.size() > identifiant ? ligne.get(identifiant) : "");
         Eleve eleve = m.matches() ? parId.get(m.group(1)) : null;
         if (eleve == null || ligne.size() <= note || !modifiable(ligne)) {
             return;
         }
         parId.remove(m.group(1));
-        if (!eleve.illisible()) {
-            double sur = maximum(ligne, bareme.total());
-            ligne.set(note, String.format(Locale.ROOT, "%.2f",
-                    Math.min(sur, eleve.note.total() / bareme.total() * sur)));
+        if (eleve.illisible()) {
+            return;
+        }
+        double sur = maximum(ligne, bareme.total());
+        String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.note.total() / bareme.total() * sur));
+        String dit = commentaire >= 0 && commentaire < ligne.size() ? ligne.get(commentaire) : "";
+        Matcher notre = NOTRE.matcher(dit);
+        double ancienne = reel(ligne.get(note));
+        if (Double.isNaN(ancienne) && ligne.get(note).isBlank() || ancienne == reel(neuve)
+                || ancienne == reel(deposees.getOrDefault(ligne.get(identifiant), ""))
+                || notre.find() && notre.group(1) != null && ancienne == reel(notre.group(1).replace(", ", ""))) {
+            ligne.set(note, neuve);
+        } else {
+            eleve.aRegarder.add("note de la feuille gardée, que nous n'avons pas écrite : " + ligne.get(note)
+                    + " ; la nôtre serait " + neuve);
         }
         if (commentaire >= 0 && commentaire < ligne.size()) {
             // ce que l'enseignant y a mis reste ; ce que nous y avions mis est refait
-            String dit = ligne.get(commentaire).replaceFirst("\\s*" + Pattern.quote(DEBUT) + ".*" + Pattern.quote(FIN),
-                    "").trim();
-            ligne.set(commentaire, (dit.isEmpty() ? "" : dit + " ") + DEBUT
-                    + (eleve.illisible() ? "rendu qui n'a pas pu être jugé"
-                    : "étape atteinte, « " + eleve.note.getAtteinte() + " »") + FIN);
+            String reste = NOTRE.matcher(dit).replaceFirst("").trim();
+            ligne.set(commentaire, (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "
+                    + eleve.note.getAtteinte() + " »" + FIN);
         }
+    }
+
+    /** @return NaN si ce n'est pas un nombre */
+    private static double reel(String texte) {
+        String propre = texte.trim().replace(',', '.');
+        return propre.matches("\\d{1,9}(\\.\\d+)?") ? Double.parseDouble(propre) : Double.NaN;
     }
 
     /** Une note verrouillée serait ignorée : autant la laisser. */
@@ -145,12 +181,15 @@ public final class FeuilleMoodle {
     }
 
     private double maximum(List<String> ligne, double defaut) {
-        String texte = maximum >= 0 && maximum < ligne.size() ? ligne.get(maximum).trim().replace(',', '.') : "";
-        return texte.matches("\\d{1,9}(\\.\\d+)?") ? Double.parseDouble(texte) : defaut;
+        double sur = reel(maximum >= 0 && maximum < ligne.size() ? ligne.get(maximum) : "");
+        return Double.isNaN(sur) ? defaut : sur;
     }
 
-    /** Chaque page, dans le dossier où Moodle la cherche ({@code mod/assign/feedback/file/importziplib.php}). */
-    private static void retours(Path dossier, List<Eleve> eleves) throws IOException {
+    /**
+     * Écrit {@code retours.zip} : chaque page, dans le dossier où Moodle la cherche ({@code
+     * mod/assign/feedback/file/importziplib.php}).
+     */
+    public static void ecrireRetours(Path dossier, List<Eleve> eleves) throws IOException {
         try (OutputStream flux = Files.newOutputStream(dossier.resolve("retours.zip"));
                 ZipOutputStream zip = new ZipOutputStream(flux, StandardCharsets.UTF_8)) {
             for (Eleve eleve : eleves) {

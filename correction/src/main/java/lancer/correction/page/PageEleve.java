@@ -44,6 +44,8 @@ final class PageEleve {
             return html.page(eleve.rendu.getNom());
         }
         html.brut("<p>").dire(Html.nombre(eleve.note.total()) + " points sur " + Html.nombre(bareme.total()))
+                .dire(eleve.note.getPerduSansJuger() > 0 ? " (dont " + Html.nombre(eleve.note.getPerduSansJuger())
+                + " perdus par ce qui n'a pu être évalué, et ne rapporte rien)" : "")
                 .dire(" ; étape atteinte : ").element("strong", eleve.note.getAtteinte()).brut("</p>\n");
         aReprendre(grille, bareme, eleve, html, "<p class=\"avis\">À reprendre d'abord : ", "</p>\n");
         remarques();
@@ -95,23 +97,43 @@ final class PageEleve {
                 + "class=\"n\">points<th>détail</tr>\n");
         for (Grille.Etape etape : grille.getEtapes()) {
             Note.Part part = eleve.note.part(etape.nom);
-            html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"n\"><span class=\"e " + classe(part) + "\">"
-                    + part.reussis + "/" + part.comptent
-                    + "</span><td class=\"n\">").dire(Html.nombre(part.points) + " / " + Html.nombre(part.poids))
-                    .brut("<td>");
+            part(etape.titre, part, etape.nom.equals(Grille.CONSIGNES) ? 0 : part.poids);
             for (Grille.Critere critere : etape.criteres) {
                 critere(critere);
             }
             html.brut("</tr>\n");
         }
+        for (String libre : bareme.getLibres()) {
+            part(libre, eleve.note.part(libre), bareme.poids(libre));
+            html.brut("</tr>\n");
+        }
         html.brut("</table>\n");
+    }
+
+    private void part(String titre, Note.Part part, double sur) {
+        html.brut("<tr><td>").dire(titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
+                .dire(Html.nombre(part.points) + " / " + Html.nombre(sur)).brut("<td>");
+        if (part.ajustement != null) {
+            html.element("p class=\"avis\"", "Donné par l'enseignant"
+                    + (part.ajustement.commentaire.isEmpty() ? "" : " : " + part.ajustement.commentaire));
+        }
+    }
+
+    /** « 5/8 », « 0,5/1 » ; d'une ligne libre, les points. */
+    static String combien(Note.Part part) {
+        return part.comptent > 0 ? Html.nombre(part.reussis) + "/" + part.comptent
+                : part.ajustement != null ? Html.nombre(part.points) : "à donner";
+    }
+
+    static String pastille(Note.Part part) {
+        return "<span class=\"e " + classe(part) + "\">" + combien(part) + (part.ajustement != null ? " *" : "") + "</span>";
     }
 
     private void critere(Grille.Critere critere) {
         Verdict verdict = eleve.resultat.verdicts.get(critere.id);
         Verdict.Etat etat = verdict == null ? Verdict.Etat.NON_COMMENCE : verdict.etat;
         String css = etat == Verdict.Etat.REUSSI ? "reussi" : etat == Verdict.Etat.CACHE ? "cache"
-                : etat == Verdict.Etat.RATE ? "rate" : "vide";
+                : etat == Verdict.Etat.PARTIEL ? "partiel" : etat == Verdict.Etat.RATE ? "rate" : "vide";
         boolean muet = verdict == null || verdict.message.isEmpty();
         boolean ouvert = etat == Verdict.Etat.RATE && !muet && !verdict.message.equals(deplie);
         deplie = ouvert ? verdict.message : deplie;
@@ -121,42 +143,48 @@ final class PageEleve {
         if (muet) {
             html.brut("</div>");
         } else {
-            html.brut("</summary>").element("code", verdict.message).brut("</details>");
+            html.brut("</summary>").element("code", verdict.message);
+            String methode = eleve.resultat.methodes.get(critere.id);
+            if (methode != null && ouvert) {
+                html.element("pre", methode);
+            }
+            html.brut("</details>");
         }
     }
 
     static String classe(Note.Part part) {
-        return part.complete() ? "complet" : part.reussis > 0 ? "partiel"
+        return part.comptent == 0 ? "vide" : part.complete() ? "complet" : part.reussis > 0 ? "partiel"
                 : part.aFaire == part.comptent ? "vide" : "rate";
     }
 
     private void images() {
         Resultat resultat = eleve.resultat;
-        html.brut("<h2>L'image</h2>\n");
-        if (resultat.image == null) {
-            html.element("p", "Le rendu n'a pas pu dessiner la scène du cours : " + resultat.sansImage);
-            return;
-        }
-        Image lui = resultat.image;
-        Image nous = reference.getImage(resultat.centre);
-        Ecart ecart = resultat.ecart;
-        html.brut("<p>").dire(ecart.memeImage() ? "La même image que celle du corrigé"
-                : "Une autre image que celle du corrigé")
-                .dire(String.format(Locale.FRANCE,
-                " : écart quadratique moyen %.2f niveaux sur 255, %s sur %d (plus de 2 niveaux)",
-                        ecart.rmse, ecart.combien(), ecart.pixels))
-                .dire(resultat.centre ? ". Votre getCouleurPixel vise un demi-pixel plus loin que (xe, ye), au centre "
-                + "du pixel : le corrigé aussi, ici." : ".");
+        html.brut("<h2>Les images</h2>\n");
         if (!resultat.classesFautives.isEmpty()) {
-            html.dire(" Cela vient de ").element("strong", String.join(", ", resultat.classesFautives))
-                    .dire(" (une classe est en cause si, seule parmi celles du corrigé, elle change l'image).");
+            html.brut("<p>").dire("Ce qui diffère vient de ").element("strong", String.join(", ", resultat.classesFautives))
+                    .dire(" (une classe est en cause si, seule parmi celles du corrigé, elle change l'image).").brut("</p>\n");
         }
-        html.brut("</p>\n");
-        figure("la vôtre", Html.image(lui.largeur, lui.hauteur, lui::code, "l'image du rendu"));
-        figure("celle du corrigé", Html.image(nous.largeur, nous.hauteur, nous::code, "l'image du corrigé"));
-        figure("leur différence, quatre fois plus forte", Html.image(lui.largeur, lui.hauteur,
-                (x, y) -> difference(lui.code(x, y), nous.code(x, y)),
-                "la différence des deux images"));
+        for (String scene : Reference.SCENES.keySet()) {
+            Image lui = resultat.images.get(scene);
+            Image nous = reference.getImage(scene, resultat.centre);
+            if (lui == null) {
+                html.element("p", "« " + scene + " » n'a pas pu être dessinée : "
+                        + resultat.verdicts.get(Grille.IMAGE + "." + scene).message);
+                continue;
+            }
+            Ecart ecart = new Ecart(nous, lui);
+            html.element("p", String.format(Locale.FRANCE,
+                    "« %s » : %s ; écart quadratique moyen %.2f niveaux, %s sur %d (plus de 2 niveaux)%s", scene,
+                    ecart.memeImage() ? "la même image que celle du corrigé" : "une autre image que celle du corrigé",
+                    ecart.rmse, ecart.combien(), ecart.pixels, resultat.centre ? ". Votre getCouleurPixel vise un demi-pixel "
+                    + "plus loin que (xe, ye), au centre du pixel : le corrigé aussi, ici." : ""));
+            figure("la vôtre", Html.image(lui.largeur, lui.hauteur, lui::code, "l'image du rendu"));
+            figure("celle du corrigé", Html.image(nous.largeur, nous.hauteur, nous::code, "l'image du corrigé"));
+            figure("leur différence, quatre fois plus forte", Html.image(lui.largeur, lui.hauteur,
+                    (x, y) -> difference(lui.code(x, y), nous.code(x, y)), "la différence des deux images"));
+        }
+        resultat.variantes.forEach((nom, image) -> figure("l'extension « " + nom + " »",
+                Html.image(image.largeur, image.hauteur, image::code, "l'image de l'extension")));
     }
 
     private void figure(String legende, String image) {

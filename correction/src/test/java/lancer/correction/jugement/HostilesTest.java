@@ -64,7 +64,7 @@ class HostilesTest extends JuryEssai {
         resultats.putAll(juger(gourmands, dossier.resolve("travail"), confinement, PATIENTES));
 
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
-        assertTrue(resultats.get("ordinaire").ecart.memeImage());
+        assertTrue(imageJuste(resultats.get("ordinaire")));
         rate(resultats, "imprime", "s de calcul");
         rate(resultats, "recursion", "appels sans fin");
         rate(resultats, "boucle", "s de calcul");
@@ -81,9 +81,9 @@ class HostilesTest extends JuryEssai {
         rate(resultats, "faux-junit", "obtenu : (1.0, 1.0, 1.0)");
         assertTrue(resultats.get("faux-junit").remarques.stream().anyMatch(r -> r.contains("org/junit/jupiter/api/Assertions.java")),
                 resultats.get("faux-junit").remarques.toString());
-        assertEquals(Verdict.Etat.CACHE, resultats.get("tout-noir").verdicts.get("lambert.faceALaLampeLaCouleurEstKd").etat,
+        assertEquals(Verdict.Etat.RATE, resultats.get("tout-noir").verdicts.get("lambert.faceALaLampeLaCouleurEstKd").etat,
                 "une Couleur qui confond toutes les couleurs ne rend pas égales l'attendue et l'obtenue");
-        assertFalse(resultats.get("tout-noir").ecart.memeImage());
+        assertFalse(imageJuste(resultats.get("tout-noir")));
         assertEquals(Verdict.Etat.REUSSI, resultats.get("fils").verdicts.get(SOUSTRACTION).etat,
                 "des fils laissés ne changent pas le résultat");
         for (String nom : List.of("disque", "processus", "imprime", "boucle", "sortie", "memoire", "memoire-native")) {

@@ -48,6 +48,11 @@ abstract class JuryEssai extends ClasseEssai {
         return sources;
     }
 
+    /** Vrai si les images de toutes les scènes sont celles du corrigé. */
+    static boolean imageJuste(Resultat resultat) {
+        return Reference.SCENES.keySet().stream().allMatch(scene -> resultat.verdicts.get(Grille.IMAGE + "." + scene).compte());
+    }
+
     /** Les étapes où quelque chose est raté. */
     static TreeSet<String> ratees(Resultat resultat) {
         TreeSet<String> etapes = new TreeSet<>();

@@ -34,13 +34,14 @@ class ReferenceTest extends JuryEssai {
         Resultat corrige = resultats.get("corrige");
         assertEquals(new TreeSet<>(), ratees(corrige));
         assertTrue(corrige.verdicts.values().stream().allMatch(Verdict::compte));
-        Lancer lancer = new Lancer(new Scene("../scenes/scene1.ini"), new Camera(Juge.LARGEUR, Juge.HAUTEUR));
         int faux = 0;
-        for (int y = 0; y < Juge.HAUTEUR; y++) {
-            for (int x = 0; x < Juge.LARGEUR; x++) {
-                Couleur c = lancer.getCouleurPixel(x, y, Juge.PROFONDEUR);
+        for (String nom : Reference.SCENES.keySet()) {
+            int[] taille = Reference.SCENES.get(nom);
+            Lancer lancer = new Lancer(new Scene("../scenes/" + nom + ".ini"), new Camera(taille[0], taille[1]));
+            for (int p = 0; p < taille[0] * taille[1]; p++) {
+                Couleur c = lancer.getCouleurPixel(p % taille[0], p / taille[0], taille[2]);
                 for (int k = 0; k < 3; k++) {
-                    int sien = corrige.image.code(x, y) >> 16 - 8 * k & 255;
+                    int sien = corrige.images.get(nom).code(p % taille[0], p / taille[0]) >> 16 - 8 * k & 255;
                     faux += Math.abs(sien - (c.getCode() >> 16 - 8 * k & 255)) > 1 ? 1 : 0;
                 }
             }

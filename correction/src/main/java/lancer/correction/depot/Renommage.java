@@ -1,0 +1,145 @@
+package lancer.correction.depot;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lancer.correction.modele.Modele;
+
+/**
+ * Les noms du cours que l'étudiant a changés partout, là où un seul des siens peut en tenir lieu : c'est alors ce que
+ * nous écrivons nous-mêmes, ce qui l'appelle et le corrigé, qui prend le sien. Son texte n'est jamais changé.
+ */
+public final class Renommage {
+
+    private static final Pattern DECLARATION = Pattern.compile(
+            "\\b(?!(?:return|new|else|throw|public|protected|private)\\b)(\\w+)\\s+(\\w+)\\s*\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]");
+
+    /** Une méthode déclarée. */
+    private static final class Methode {
+
+        private final String rend;
+        private final String nom;
+        private final List<String> types;
+
+        Methode(Matcher m) {
+            rend = m.group(1);
+            nom = m.group(2);
+            types = Arrays.stream(m.group(3).split(",")).map(p -> p.replaceAll("\\bfinal\\b", "").trim().split("\\s+")[0])
+                    .collect(Collectors.toList());
+        }
+    }
+
+    private final Map<String, String> siennes;
+    private final Map<String, String> noms = new LinkedHashMap<>();
+    private final List<String> changes = new ArrayList<>();
+
+    /** @param siennes le texte de chacune de ses classes, par nom complet */
+    public Renommage(Map<String, String> siennes) {
+        this.siennes = siennes;
+        for (String classe : Modele.classes()) {
+            Set<String> attendues = nommees(declarees(Modele.squelette(classe)));
+            if (texte(classe) == null && attendues.size() > 3) {
+                seul(siennes.keySet().stream().map(c -> c.replace("lancer/", "")).filter(c -> texte(c) != null
+                        && !Modele.classes().contains(c) && nommees(declarees(texte(c))).containsAll(attendues)),
+                        sien -> renommer(classe, sien, "la classe " + classe + " s'appelle " + sien));
+            }
+        }
+        for (String classe : Modele.A_COMPLETER) {
+            if (texte(classe(classe)) != null) {
+                chercherMethodes(classe);
+            }
+        }
+    }
+
+    private void chercherMethodes(String classe) {
+        List<Methode> duCours = declarees(Modele.squelette(classe));
+        List<Methode> lesSiennes = declarees(texte(classe(classe)));
+        Set<String> connues = nommees(duCours);
+        for (Methode m : duCours) {
+            if (nommees(lesSiennes).contains(m.nom) || nommees(lesSiennes).contains(dans(m.nom)) || m.nom.equals("toString")) {
+                continue;
+            }
+            List<String> types = m.types.stream().map(this::dans).collect(Collectors.toList());
+            boolean trouvee = seul(lesSiennes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(types)
+                    && s.rend.equals(dans(m.rend))).map(s -> s.nom).distinct(), sien -> {
+                boolean ailleurs = Modele.classes().stream().filter(c -> texte(classe(c)) != null)
+                        .anyMatch(c -> nommees(declarees(texte(classe(c)))).contains(m.nom));
+                renommer(ailleurs ? "" : m.nom, sien, "la méthode " + classe + "." + m.nom + " s'appelle " + sien);
+            });
+            if (!trouvee) {
+                seul(Modele.classes().stream().filter(c -> texte(classe(c)) != null
+                        && !nommees(declarees(Modele.squelette(c))).contains(m.nom)
+                        && nommees(declarees(texte(classe(c)))).contains(m.nom)),
+                        autre -> renommer("", "", "la méthode " + m.nom + " est dans " + autre + ", au lieu de " + classe));
+            }
+        }
+    }
+
+    private void renommer(String duCours, String sien, String dit) {
+        if (!duCours.isEmpty()) {
+            noms.put(duCours, sien);
+        }
+        if (!changes.contains(dit)) {
+            changes.add(dit);
+        }
+    }
+
+    /** S'il n'y en a qu'un, en fait cela. */
+    private static boolean seul(Stream<String> flux, Consumer<String> suite) {
+        List<String> liste = flux.limit(2).collect(Collectors.toList());
+        if (liste.size() == 1) {
+            suite.accept(liste.get(0));
+        }
+        return liste.size() == 1;
+    }
+
+    private String texte(String classe) {
+        return siennes.get("lancer/" + classe);
+    }
+
+    private static List<Methode> declarees(String texte) {
+        List<Methode> methodes = new ArrayList<>();
+        Matcher m = DECLARATION.matcher(Source.sansCommentaires(texte));
+        while (m.find()) {
+            methodes.add(new Methode(m));
+        }
+        return methodes;
+    }
+
+    private static Set<String> nommees(Collection<Methode> methodes) {
+        return methodes.stream().map(m -> m.nom).collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    /** Le nom qu'il donne à une classe du cours : le même, le plus souvent. */
+    public String classe(String duCours) {
+        return noms.getOrDefault(duCours, duCours);
+    }
+
+    /** Un texte à nous, où chaque nom du cours est celui qu'il lui donne. */
+    public String dans(String texte) {
+        return noms.isEmpty() ? texte : Pattern.compile("(?<!\")\\b(?:" + String.join("|", noms.keySet()) + ")\\b")
+                .matcher(texte).replaceAll(m -> noms.get(m.group()));
+    }
+
+    /** Des classes à nous, par nom complet, où de même. */
+    public Map<String, String> dans(Map<String, String> classes) {
+        Map<String, String> autres = new LinkedHashMap<>();
+        classes.forEach((nom, texte) -> autres.put("lancer/" + classe(nom.replace("lancer/", "")), dans(texte)));
+        return autres;
+    }
+
+    /** Ce qui a changé de nom ou de place, une phrase chacun. */
+    public List<String> getChanges() {
+        return changes;
+    }
+}
