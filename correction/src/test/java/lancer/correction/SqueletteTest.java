@@ -162,9 +162,9 @@ class SqueletteTest extends ClasseEssai {
             completer(projet, faite);
         }
         String dit = makeTest(projet);
-        assertEquals("3. Intersection d'un rayon et d'une sphère : 6/6", ligne(dit, "3."));
+        assertEquals("3. Intersection d'un rayon et d'une sphère : 7/7", ligne(dit, "3."));
         contient(ligne(dit, "4."), "; à commencer : getClosestIntersection ne trouve encore rien");
-        contient(ligne(dit, "8."), "0/7");
+        contient(ligne(dit, "8."), "0/8");
         contient(ligne(dit, "L'étape suivante"), "4. Scène de sphères ; à compléter : Scene.java:");
 
         for (String faite : List.of("Scene", "Lancer", "Objet3D")) {
@@ -180,7 +180,7 @@ class SqueletteTest extends ClasseEssai {
         changer(projet, "Sphere", "if (delta >= 0) {", "while (delta >= 0) {");
         dit = makeTest(projet);
         contient(dit, "sans réponse après 2 secondes");
-        contient(ligne(dit, "5."), "0/8 ; pas essayée");
+        contient(ligne(dit, "5."), "0/9 ; pas essayée");
         contient(ligne(dit, "L'étape suivante"), "3. Intersection d'un rayon et d'une sphère ; à reprendre : Sphere.java:");
         assertTrue(!dit.contains("[ERROR]") && !dit.contains("access$"), dit);
 
