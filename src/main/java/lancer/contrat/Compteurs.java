@@ -24,11 +24,6 @@ public final class Compteurs {
     /** Nœuds ou cases de structures de recherche visités. */
     public long noeudsVisites;
 
-    /**
-     * Sphères et cases qu'a examinées le choix des structures, avant le dessin ; elles ne comptent pour rien d'autre.
-     */
-    public long examensEssais;
-
     /** Pixels que l'échantillonnage a raffinés. */
     public long pixelsRaffines;
 
@@ -47,7 +42,11 @@ public final class Compteurs {
         noeudsVisites += autres.noeudsVisites;
         pixelsRaffines += autres.pixelsRaffines;
         pixelsTemoins += autres.pixelsTemoins;
-        examensEssais += autres.examensEssais;
+    }
+
+    /** Le nombre de sphères et de cases examinées. */
+    public long examens() {
+        return testsSpheres + noeudsVisites;
     }
 
     /** Le nombre de rayons de toutes sortes. */

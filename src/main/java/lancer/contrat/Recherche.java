@@ -1,5 +1,6 @@
 package lancer.contrat;
 
+import java.util.concurrent.CancellationException;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
@@ -31,4 +32,16 @@ public interface Recherche {
 
     /** Recherche d'un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
+
+    /**
+     * Abandonne la question en cours si ce fil est interrompu : une recherche l'appelle au moins une fois par
+     * milliseconde.
+     *
+     * @throws CancellationException dans ce cas ; le fil reste interrompu
+     */
+    static void obeir() {
+        if (Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("travail interrompu");
+        }
+    }
 }

@@ -11,6 +11,9 @@ import lancer.Vecteur;
 /** Les deux boucles du cours : tous les objets, l'un après l'autre. */
 public class RechercheSimple implements Recherche {
 
+    /** Objets examinés, moins un, entre deux regards à l'interruption du fil : un dixième de milliseconde. */
+    private static final long PAS = (1 << 14) - 1;
+
     private final List<Objet3D> objets;
     private final Compteurs compteurs;
 
@@ -23,9 +26,10 @@ public class RechercheSimple implements Recherche {
     public void plusProche(Rayon incident, Objet3D saufLui) {
         Objet3D plusProche = null;
         double distance = Constantes.INFINI;
+        Recherche.obeir();
         for (Objet3D objet : objets) {
             if (objet != saufLui) {
-                compteurs.testsSpheres++;
+                compter();
                 double d = verifier(objet.getIntersectionDistance(incident), objet);
                 if (d < distance) {
                     plusProche = objet;
@@ -41,13 +45,19 @@ public class RechercheSimple implements Recherche {
         Rayon ombre = Rayon.dOmbre(P, V);
         for (Objet3D autre : objets) {
             if (autre != objet) {
-                compteurs.testsSpheres++;
+                compter();
                 if (verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
                     return true;
                 }
             }
         }
         return false;
+    }
+
+    private void compter() {
+        if ((++compteurs.testsSpheres & PAS) == 0) {
+            Recherche.obeir();
+        }
     }
 
     /**

@@ -196,11 +196,11 @@ public final class Dessinateur {
         Compteurs c = dessine.getCompteurs();
         double traceNs = mediane(tracesNs);
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
-                + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\nexamens.essais: %d\npixels.raffines: %d\n"
+                + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "pixels.temoins: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
-                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites, c.examensEssais,
-                c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS, preparationNs / NS_PAR_MS,
+                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
+                c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS, (preparationNs + dessine.getConstructionNs()) / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }
 

@@ -1,8 +1,8 @@
 package lancer.fils;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntConsumer;
 
@@ -18,6 +18,7 @@ public final class Equipe {
     private final String nom;
     private final AtomicInteger suivante = new AtomicInteger();
     private final AtomicInteger faites = new AtomicInteger();
+    private final List<Thread> fils = new CopyOnWriteArrayList<>();
     private volatile boolean arretee;
     private volatile Throwable echec;
 
@@ -36,18 +37,21 @@ public final class Equipe {
         suivante.set(0);
         faites.set(0);
         echec = null;
-        List<Thread> fils = new ArrayList<>();
+        fils.clear();
         try {
             for (IntConsumer ouvrier : ouvriers) {
                 Thread fil = new Fil(nom + "-" + (fils.size() + 1), nombre, ouvrier);
                 fil.start();
                 fils.add(fil);
+                if (arretee) {
+                    fil.interrupt();
+                }
             }
         } catch (RuntimeException | Error e) {
             // plus de mémoire pour un fil : ceux qui sont partis ne doivent pas travailler sans nous
             echouer(e);
         }
-        attendre(fils);
+        attendre();
         if (echec instanceof Error) {
             throw (Error) echec;
         }
@@ -57,9 +61,15 @@ public final class Equipe {
         verifier();
     }
 
-    /** Abandonne le travail en cours, au prochain {@link #verifier()} de chaque fil, et tous les suivants. */
+    /**
+     * Abandonne le travail en cours, et tous les suivants : chaque fil est interrompu, et s'arrête là où il y obéit
+     * ({@link lancer.contrat.Recherche#obeir()}, {@link #verifier()}).
+     */
     public void arreter() {
         arretee = true;
+        for (Thread fil : fils) {
+            fil.interrupt();
+        }
     }
 
     /** @throws CancellationException si l'équipe est arrêtée */
@@ -76,10 +86,10 @@ public final class Equipe {
 
     private void echouer(Throwable e) {
         echec = e;
-        arretee = true;
+        arreter();
     }
 
-    private void attendre(List<Thread> fils) {
+    private void attendre() {
         boolean interrompu = false;
         for (Thread fil : fils) {
             while (fil.isAlive()) {
@@ -88,7 +98,7 @@ public final class Equipe {
                 } catch (InterruptedException e) {
                     // on nous demande d'abandonner : les fils d'abord, ils s'arrêtent aussitôt
                     interrompu = true;
-                    arretee = true;
+                    arreter();
                 }
             }
         }

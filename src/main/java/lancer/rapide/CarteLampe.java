@@ -18,7 +18,7 @@ final class CarteLampe implements Occultations {
     private final double y;
     private final double z;
     final Carte carte;
-    /** Pour les rares questions auxquelles la carte ne sait pas répondre. */
+    /** Pour les questions auxquelles la carte ne sait pas répondre, ou pas dans les limites du compte. */
     private final Arbre secours;
 
     CarteLampe(Spheres spheres, Point lampe, Carte carte, Arbre secours) {
@@ -48,9 +48,11 @@ final class CarteLampe implements Occultations {
             return q.coupeuse[c] != sauf || secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
         double[] g = spheres.geometrie;
-        int fin = q.debut[c + 1];
+        int premiere = q.debut[c];
+        int derniere = q.debut[c + 1];
+        int fin = (int) Math.min(derniere, premiere + parcours.credit);
         int tests = 0;
-        int e = q.debut[c];
+        int e = premiere;
         boolean cachee = false;
         for (; e < fin && !cachee && q.pres[e] < distance; e++) {
             int k = q.entrees[e];
@@ -63,6 +65,8 @@ final class CarteLampe implements Occultations {
             }
         }
         parcours.compteurs.testsSpheres += tests;
-        return cachee;
+        parcours.credit -= e - premiere;
+        return cachee || e >= fin && e < derniere && q.pres[e] < distance
+                && secours.relayer(parcours, px, py, pz, vx, vy, vz, distance, sauf);
     }
 }

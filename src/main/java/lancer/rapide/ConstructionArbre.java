@@ -1,7 +1,7 @@
 package lancer.rapide;
 
 import java.util.Arrays;
-import lancer.fils.Equipe;
+import lancer.contrat.Recherche;
 
 /**
  * La construction des {@link Noeuds} d'un arbre : à chaque nœud, la coupe qui coûtera le moins selon l'aire des deux
@@ -16,7 +16,6 @@ final class ConstructionArbre {
     private static final int FEUILLE_MAX = 12;
     private static final double COUT_NOEUD = 3;
 
-    private final Equipe equipe;
     private final double[] g;
     private final int[] ordre;
     private double[] boites;
@@ -24,8 +23,7 @@ final class ConstructionArbre {
     private byte[] compte;
     private int noeuds;
 
-    ConstructionArbre(Spheres spheres, Equipe equipe) {
-        this.equipe = equipe;
+    ConstructionArbre(Spheres spheres) {
         g = spheres.geometrie;
         ordre = spheres.toutes();
         int places = Math.max(2, ordre.length / 2);
@@ -34,7 +32,7 @@ final class ConstructionArbre {
         compte = new byte[places];
     }
 
-    /** @throws java.util.concurrent.CancellationException si l'équipe est arrêtée */
+    /** @throws java.util.concurrent.CancellationException si ce fil est interrompu */
     Noeuds construire() {
         if (ordre.length > 0) {
             noeuds = 1;
@@ -45,7 +43,7 @@ final class ConstructionArbre {
     }
 
     private void diviser(int noeud, int debut, int fin, int profondeur) {
-        equipe.verifier();
+        Recherche.obeir();
         Boite centres = new Boite();
         Boite boite = new Boite();
         for (int i = debut; i < fin; i++) {

@@ -3,6 +3,7 @@ package lancer.rapide;
 import java.util.Arrays;
 import lancer.Camera;
 import lancer.Constantes;
+import lancer.precision.Intersection;
 
 /**
  * Une fenêtre découpée en cases, vue d'un point : la case d'une direction, et les cases que couvre la silhouette d'une

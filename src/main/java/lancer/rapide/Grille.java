@@ -2,7 +2,7 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import lancer.Constantes;
-import lancer.fils.Equipe;
+import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
@@ -30,6 +30,9 @@ final class Grille implements Intersections {
     private static final double MARGE = 0x1.0p-34;
     private static final double DEPART_MAX = 64;
 
+    /** Réponse d'une marche dont le compte est vide : à l'arbre de répondre. */
+    private static final int COMPTE_VIDE = -2;
+
     private final Spheres spheres;
     private final int[] grosses;
     private final int nx;
@@ -48,7 +51,7 @@ final class Grille implements Intersections {
     /** La première place de chaque case dans {@link #entrees}. */
     private int[] debut;
     int[] entrees;
-    /** Pour un rayon qui part de trop loin. */
+    /** Pour un rayon qui part de trop loin, ou va trop loin. */
     private final Arbre secours;
 
     private Grille(Spheres spheres, int[] lesquelles, int[] grosses, Arbre secours) {
@@ -84,10 +87,9 @@ final class Grille implements Intersections {
     /**
      * La grille de ces sphères.
      *
-     * @param equipe celle dont l'arrêt arrête aussi la construction
      * @return {@code null} si elles occupent trop de cases, ou si trop d'entre elles sont démesurées
      */
-    static Grille de(Spheres spheres, Arbre secours, Equipe equipe) {
+    static Grille de(Spheres spheres, Arbre secours) {
         int[] grosses = Demesurees.parmi(spheres);
         if (grosses.length > GROSSES_MAX || grosses.length == spheres.nombre) {
             return null;
@@ -103,15 +105,15 @@ final class Grille implements Intersections {
         }
         lesquelles = Arrays.copyOf(lesquelles, m);
         Grille grille = new Grille(spheres, lesquelles, grosses, secours);
-        return grille.remplir(lesquelles, equipe) ? grille : null;
+        return grille.remplir(lesquelles) ? grille : null;
     }
 
     /** Note chaque sphère dans les cases qu'elle touche ; faux si elles sont trop. */
-    private boolean remplir(int[] lesquelles, Equipe equipe) {
+    private boolean remplir(int[] lesquelles) {
         debut = new int[nx * ny * nz + 1];
         long cases = 0;
         for (int k : lesquelles) {
-            equipe.verifier();
+            Recherche.obeir();
             cases += noter(k);
             if (cases > (long) BOITES_PAR_SPHERE * lesquelles.length) {
                 return false;
@@ -128,7 +130,7 @@ final class Grille implements Intersections {
         entrees = new int[total];
         // de la dernière à la première : chaque case se remplit par la fin, et son début recule
         for (int q = lesquelles.length - 1; q >= 0; q--) {
-            equipe.verifier();
+            Recherche.obeir();
             noter(lesquelles[q]);
         }
         return true;
@@ -189,6 +191,7 @@ final class Grille implements Intersections {
         double[] g = spheres.geometrie;
         parcours.distance = Double.MAX_VALUE;
         parcours.trouvee = -1;
+        parcours.credit -= grosses.length;
         for (int k : grosses) {
             if (k != sauf) {
                 parcours.compteurs.testsSpheres++;
@@ -202,6 +205,9 @@ final class Grille implements Intersections {
             parcours.retenir(spheres, k, parcours.doute, px, py, pz, vx, vy, vz);
             k = marcher(parcours, px, py, pz, vx, vy, vz, sauf, true);
         }
+        if (k == COMPTE_VIDE) {
+            return secours.relayer(parcours, px, py, pz, vx, vy, vz, sauf);
+        }
         if (parcours.trouvee < 0) {
             parcours.distance = Constantes.INFINI;
         }
@@ -209,12 +215,12 @@ final class Grille implements Intersections {
     }
 
     /**
-     * Traverse les cases, en retenant dans le parcours la sphère la plus proche, jusqu'à la dernière case utile ou
-     * jusqu'à une sphère en doute. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la
+     * Traverse les cases, en retenant dans le parcours la sphère la plus proche, jusqu'à la dernière case utile,
+     * jusqu'à une sphère en doute, ou jusqu'à une case que le compte ne permet plus. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la
      * boucle tient en registres irait en mémoire.
      *
      * @param reprise vrai pour repartir d'où la marche précédente s'est arrêtée
-     * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini
+     * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini, ou {@link #COMPTE_VIDE}
      */
     private int marcher(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf,
             boolean reprise) {
@@ -234,6 +240,8 @@ final class Grille implements Intersections {
         int e;
         int tests = 0;
         int cases = 0;
+        long credit = parcours.credit;
+        // d'où repartir, ou entrer : la case, et les distances où le rayon en sort par chaque axe
         if (reprise) {
             tx = parcours.tx;
             ty = parcours.ty;
@@ -262,8 +270,8 @@ final class Grille implements Intersections {
             resteZ = iz < 0 ? k3 : nz - 1 - k3;
             c = (k3 * ny + j) * nx + i;
             e = debut[c];
-            cases++;
         }
+        // d'une case à la suivante, par chaque axe
         int pasX = ix < 0 ? -1 : 1;
         int pasY = iy < 0 ? -nx : nx;
         int pasZ = iz < 0 ? -nx * ny : nx * ny;
@@ -273,7 +281,14 @@ final class Grille implements Intersections {
         int douteuse = -1;
         marche:
         while (true) {
+            // les sphères de la case
             int fin = debut[c + 1];
+            if (credit <= fin - e) {
+                douteuse = COMPTE_VIDE;
+                break;
+            }
+            credit -= 1 + fin - e;
+            cases++;
             for (; e < fin; e++) {
                 int k = entrees[e];
                 if (k == sauf) {
@@ -297,12 +312,14 @@ final class Grille implements Intersections {
                         parcours.resteZ = resteZ;
                         parcours.arretCase = c;
                         parcours.arretEntree = e + 1;
+                        credit += fin - e;
                         break marche;
                     }
                     distance = d;
                     trouvee = k;
                 }
             }
+            // la case suivante : par l'axe où le rayon sort d'abord
             if (tx < ty) {
                 if (tx < tz) {
                     if (tx > distance || --resteX < 0) {
@@ -311,7 +328,6 @@ final class Grille implements Intersections {
                     tx += sautX;
                     c += pasX;
                     e = debut[c];
-                    cases++;
                     continue;
                 }
             } else if (ty < tz) {
@@ -321,7 +337,6 @@ final class Grille implements Intersections {
                 ty += sautY;
                 c += pasY;
                 e = debut[c];
-                cases++;
                 continue;
             }
             if (tz > distance || --resteZ < 0) {
@@ -330,8 +345,8 @@ final class Grille implements Intersections {
             tz += sautZ;
             c += pasZ;
             e = debut[c];
-            cases++;
         }
+        parcours.credit = credit;
         parcours.compteurs.testsSpheres += tests;
         parcours.compteurs.noeudsVisites += cases;
         parcours.distance = distance;

@@ -8,7 +8,7 @@ import lancer.precision.Intersection;
 /**
  * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque
  * par tuile de l'écran, un par sphère quittée et par petit cube où tombe la direction, un par lampe et par sphère
- * éclairée. Un rayon qui n'est pas de ceux d'un masque (comparé avant de s'en servir) est pour la secours.
+ * éclairée. Un rayon qui n'est pas de ceux d'un masque (comparé avant de s'en servir) est pour des boucles.
  */
 final class Masques implements Intersections {
 
@@ -29,7 +29,8 @@ final class Masques implements Intersections {
     private static final double MARGE = 1e-9;
 
     private final Spheres spheres;
-    private final Arbre secours;
+    /** Pour les rayons qui ne sont pas de ceux d'un masque. */
+    private final Boucles secours;
     private final double portee;
     private final Face image;
     private final long[] parTuile;
@@ -38,7 +39,7 @@ final class Masques implements Intersections {
     private final double[] limites;
 
     /** @param portee plus grande coordonnée des sphères et de l'œil */
-    Masques(Spheres spheres, Arbre secours, double portee, Camera camera) {
+    Masques(Spheres spheres, Boucles secours, double portee, Camera camera) {
         this.spheres = spheres;
         this.secours = secours;
         this.portee = portee;

@@ -3,20 +3,25 @@ package lancer.rapide;
 import lancer.contrat.Compteurs;
 import lancer.precision.Intersection;
 
-/** Ce qu'un fil garde à côté de ses questions aux structures : la distance trouvée, une pile, ses comptes. */
+/**
+ * Ce qu'un fil garde à côté de ses questions aux structures : le compte du pixel, la distance trouvée, une pile.
+ */
 final class Parcours {
 
-    /** Distance du dernier contact trouvé, +∞ s'il n'y en a pas. */
-    double distance;
+    /** Examens qui restent permis aux structures, dans ce pixel. */
+    long credit;
 
-    /** De quoi descendre un arbre. */
+    /** Numéro de la sphère qui a caché une lampe en dernier dans ce pixel, -1 s'il n'y en a pas. */
+    int bloqueur = -1;
+
+    /** Distance du dernier contact trouvé, +∞ s'il n'y en a pas, et sa sphère, -1. */
+    double distance;
+    int trouvee;
+
+    /** De quoi descendre un arbre : ce qui reste à visiter, et d'où le rayon y entre ; le nombre de ces restes. */
     final int[] pile = new int[Noeuds.PROFONDEUR_MAX];
     final double[] entrees = new double[Noeuds.PROFONDEUR_MAX];
-
-    final Compteurs compteurs;
-
-    /** La sphère de ce contact, -1 s'il n'y en a pas. */
-    int trouvee;
+    int haut;
 
     /** Où une marche dans une {@link Grille} s'est arrêtée sur une sphère en doute, et ce doute. */
     double doute;
@@ -28,6 +33,8 @@ final class Parcours {
     double tx;
     double ty;
     double tz;
+
+    final Compteurs compteurs;
 
     Parcours(Compteurs compteurs) {
         this.compteurs = compteurs;
@@ -49,6 +56,17 @@ final class Parcours {
             distance = d;
             trouvee = k;
         }
+    }
+
+    /** Vrai si le rayon rencontre la sphère k à moins de cette distance. */
+    boolean touche(Spheres spheres, int k, double px, double py, double pz, double vx, double vy, double vz,
+            double auPlus) {
+        compteurs.testsSpheres++;
+        double[] g = spheres.geometrie;
+        int s = Spheres.PAS * k;
+        double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+        return d < auPlus && (d >= 0 || Intersection.auMoins(d) < auPlus
+                && trancher(spheres, k, px, py, pz, vx, vy, vz) < auPlus);
     }
 
     /** La distance de la sphère k, que {@link Intersection#distanceOuDoute} a laissée en doute. */

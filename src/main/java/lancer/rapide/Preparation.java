@@ -15,12 +15,14 @@ import lancer.fils.Equipe;
 
 /**
  * Le choix des structures : ce que la scène et l'image demandent, et rien de plus. Une préparation vaut pour un
- * dessin : la place des objets et les lampes sont celles du moment où elle est faite.
+ * dessin : la place des objets et les lampes sont celles du moment où elle est faite. Un mauvais choix ne coûte qu'une
+ * construction : ce que les structures examinent est compté, rayon par rayon ({@link Comptes}).
  *
- * <p>Mémoire, pour N sphères : 40 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
+ * <p>Mémoire, pour N sphères : 44 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
  * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8
  * octets et autant de cases, de 12 octets, que de tuiles de l'image et que {@value #CASES_PAR_SPHERE} N ; une carte en
- * prend trois fois plus pendant qu'elle se fait. Les masques d'une petite scène en prennent 100 ko au plus.
+ * prend trois fois plus pendant qu'elle se fait. Les masques d'une petite scène en prennent 100 ko, et ceux de ses
+ * ombres 1 Mo au plus.
  */
 public final class Preparation {
 
@@ -31,11 +33,14 @@ public final class Preparation {
     private static final double LONGUEUR_MIN = 1e-90;
     private static final double LONGUEUR_MAX = 1e101;
 
-    /** Moins de questions que cela : toute structure coûterait plus que les boucles du cours. */
-    private static final int QUESTIONS_MIN = 32;
-
-    /** Plus de sphères que cela par pixel : seul l'arbre, et non une carte ou une grille, vaut d'être fait. */
+    /** Plus de sphères que cela par pixel : ni carte, ni grille ne vaut d'être faite. */
     private static final int SPHERES_PAR_PIXEL = 8;
+
+    /** Les masques des ombres d'une lampe regardent chaque sphère de chaque autre : il leur faut assez de pixels. */
+    private static final int PAIRES_PAR_PIXEL = 4;
+
+    /** Lampes dont les ombres ont des masques, au plus. */
+    private static final int LAMPES_MASQUEES = 2048;
 
     /**
      * Places de toutes les cartes, par sphère ; cases de celles des lampes, par sphère, et d'une lampe, par sphère et
@@ -55,27 +60,25 @@ public final class Preparation {
     /** Au-dessous de ce nombre de sphères, un fil coûte plus à lancer qu'il ne fait gagner. */
     private static final int SPHERES_PAR_FIL = 200;
 
-    /** Ce qui est fait du travail après l'arbre, le rangement et les autres structures, à peu près. */
-    private static final double PART_ARBRE = 0.3;
+    /** Ce qui est fait du travail après la copie et le rangement, à peu près. */
+    private static final double PART_COPIE = 0.3;
     private static final double PART_RANGEMENT = 0.4;
-    private static final double PART_STRUCTURES = 0.9;
 
-    /** Ce qu'un test peut imposer, au lieu du choix. */
-    enum Genre { AU_CHOIX, MASQUES, CARTES, ARBRE }
+    /** Les structures possibles : ce que le choix dit, ou qu'un test impose. */
+    enum Genre { BOUCLES, MASQUES, CARTES, ARBRE }
 
-    private final Equipe equipe = new Equipe("preparation");
-    private final Scene scene;
     private final Camera camera;
     private final Spheres spheres;
     private final List<Lampe> lampes;
     private final Structures structures;
+    private final long pixels;
 
     private Preparation(Scene scene, Camera camera) {
-        this.scene = scene;
         this.camera = camera;
         spheres = new Spheres(scene.getObjets());
         lampes = scene.getLampes();
-        structures = new Structures(spheres, new Arbre(spheres, equipe), lampes);
+        structures = new Structures(spheres, lampes, camera);
+        pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
     /**
@@ -88,63 +91,81 @@ public final class Preparation {
         return pour(scene, camera, part -> { });
     }
 
-    /** De même, en disant à {@code suivi} la part faite, de 0 à 1, après chaque étape. */
+    /**
+     * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
+     *
+     * @param suivi à qui se dit la part faite, de 0 à 1, après chaque étape
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
+     */
     public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
-        long questions = (long) camera.getLargeur() * camera.getHauteur() * (2 + scene.getLampes().size());
-        return questions <= QUESTIONS_MIN ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
-                : pour(scene, camera, Genre.AU_CHOIX, suivi);
+        return pour(scene, camera, null, suivi);
     }
 
-    static Recherche pour(Scene scene, Camera camera, Genre genre, DoubleConsumer suivi) {
-        return new RechercheRapide(new Preparation(scene, camera).faire(genre, suivi), new Compteurs());
+    /** @param impose {@code null} pour laisser le choix */
+    static Recherche pour(Scene scene, Camera camera, Genre impose, DoubleConsumer suivi) {
+        Preparation preparation = new Preparation(scene, camera);
+        suivi.accept(PART_COPIE);
+        preparation.faire(impose, suivi);
+        return new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs());
     }
 
-    private Structures faire(Genre genre, DoubleConsumer suivi) {
-        suivi.accept(PART_ARBRE);
+    /** Des masques pour peu de sphères ; une grille et des cartes, si des boucles n'ont de quoi répondre à rien. */
+    private Genre choisir() {
+        int n = spheres.nombre;
+        return n <= PEU ? Genre.MASQUES
+                : n <= SPHERES_PAR_PIXEL * pixels && Comptes.part(n, camera) < n ? Genre.CARTES : Genre.BOUCLES;
+    }
+
+    private void faire(Genre impose, DoubleConsumer suivi) {
         int n = spheres.nombre;
         Boite boite = Boite.de(spheres, spheres.toutes());
         double portee = Math.max(boite.portee(), Camera.FOCALE);
-        boolean masques = genre == Genre.AU_CHOIX ? n <= PEU : genre == Genre.MASQUES && n <= Masques.MAX;
-        long pixels = (long) camera.getLargeur() * camera.getHauteur();
-        if (n == 0 || genre == Genre.ARBRE || !(portee < LONGUEUR_MAX && boite.portee() > LONGUEUR_MIN)) {
-            return structures;
+        boolean ordinaire = n > 0 && portee < LONGUEUR_MAX && boite.portee() > LONGUEUR_MIN;
+        Genre genre = impose == null ? choisir() : impose;
+        structures.repondrePar(new Boucles(spheres, n <= PEU ? null : structures.arbre));
+        if (genre == Genre.ARBRE) {
+            structures.repondrePar(structures.arbre);
+        } else if (genre == Genre.MASQUES && n <= Masques.MAX && ordinaire) {
+            masquer(portee);
+        } else if (genre == Genre.CARTES && ordinaire) {
+            structures.repondrePar(structures.arbre);
+            spheres.ranger(Morton.ordre(spheres, boite));
+            suivi.accept(PART_RANGEMENT);
+            construire(suivi);
         }
-        if (masques) {
-            Masques parBits = new Masques(spheres, structures.arbre, portee, camera);
-            structures.premiers = parBits;
-            structures.suivants = parBits;
-            for (int l = 0; l < structures.ombres.length; l++) {
-                if (!Scene.estLointaine(lampes.get(l))) {
-                    structures.ombres[l] = parBits.ombres(lampes.get(l).getPosition());
-                }
+    }
+
+    private void masquer(double portee) {
+        Boucles boucles = new Boucles(spheres, null);
+        Masques parBits = new Masques(spheres, boucles, portee, camera);
+        structures.premiers = parBits;
+        structures.suivants = parBits;
+        boolean assez = pixels * PAIRES_PAR_PIXEL >= (long) spheres.nombre * spheres.nombre;
+        for (int l = 0; assez && l < Math.min(LAMPES_MASQUEES, lampes.size()); l++) {
+            Recherche.obeir();
+            if (!Scene.estLointaine(lampes.get(l))) {
+                structures.ombres[l] = parBits.ombres(lampes.get(l).getPosition());
             }
-            return structures;
         }
-        spheres.ranger(Morton.ordre(spheres, boite));
-        if (genre == Genre.AU_CHOIX && n > SPHERES_PAR_PIXEL * pixels) {
-            return structures;
-        }
-        suivi.accept(PART_RANGEMENT);
-        construire(suivi);
-        return genre == Genre.CARTES ? structures : new Sondage(scene, camera, equipe).choisir(structures);
     }
 
     /** La grille et les cartes, sans rapport entre elles, par autant de fils que de cœurs si cela en vaut la peine. */
     private void construire(DoubleConsumer suivi) {
         int nombre = 2 + structures.ombres.length;
+        Equipe equipe = new Equipe("preparation");
         IntConsumer construction = new IntConsumer() {
             @Override
             public void accept(int k) {
+                Recherche.obeir();
                 if (k == 0) {
-                    Grille grille = Grille.de(spheres, structures.arbre, equipe);
+                    Grille grille = Grille.de(spheres, structures.arbre);
                     structures.suivants = grille == null ? structures.arbre : grille;
                 } else if (k <= structures.ombres.length) {
                     structures.ombres[k - 1] = deLaLampe(lampes.get(k - 1));
                 } else {
                     structures.premiers = deLOeil();
                 }
-                int faites = 1 + equipe.getFaites();
-                suivi.accept(PART_RANGEMENT + (PART_STRUCTURES - PART_RANGEMENT) * faites / nombre);
+                suivi.accept(PART_RANGEMENT + (1 - PART_RANGEMENT) * (1 + equipe.getFaites()) / nombre);
             }
         };
         if (spheres.nombre < SPHERES_PAR_FIL) {
@@ -154,6 +175,9 @@ public final class Preparation {
         } else {
             int fils = Math.min(nombre, Runtime.getRuntime().availableProcessors());
             equipe.faire(nombre, Collections.nCopies(fils, construction));
+        }
+        if (structures.demandentLArbre()) {
+            structures.arbre.noeuds();
         }
     }
 
@@ -165,14 +189,13 @@ public final class Preparation {
         Point p = lampe.getPosition();
         int cases = (int) Math.min(Math.min(sienne, (long) CASES_PAR_LAMPE * spheres.nombre), CASES_MAX);
         Carte carte = Carte.deLaLampe(spheres, p, Faces.pour(spheres, p.x, p.y, p.z, Math.max(CASES_MIN, cases)),
-                places(), equipe);
+                places());
         return carte == null ? structures.arbre : new CarteLampe(spheres, p, carte, structures.arbre);
     }
 
     private Intersections deLOeil() {
-        double pixels = (double) camera.getLargeur() * camera.getHauteur();
-        double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / Math.min(CASES_MAX, spheres.nombre)));
-        Carte carte = Carte.deLOeil(spheres, Face.deLImage(camera, cote), structures.arbre, places(), equipe);
+        double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / (double) Math.min(CASES_MAX, spheres.nombre)));
+        Carte carte = Carte.deLOeil(spheres, Face.deLImage(camera, cote), structures.arbre, places());
         return carte == null ? structures.arbre : carte;
     }
 

@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import java.util.List;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -12,24 +13,29 @@ import lancer.contrat.RechercheSimple;
 
 /**
  * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et
- * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a sa
- * {@link Parcours}.
+ * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a
+ * son {@link Parcours}.
  */
 public final class RechercheRapide implements Recherche {
 
+    /**
+     * Objets, les premiers de la scène, examinés d'abord pour une ombre si l'un d'eux n'est pas une sphère.
+     */
+    private static final int PREMIERS = 8;
+
+    /** Questions entre deux regards à l'interruption du fil, moins une. */
+    private static final int PAS = 255;
+
     final Structures structures;
+    private final List<Objet3D> objets;
+    private final Objet3D[] dAbord;
     private final Spheres spheres;
     private final Intersections premiers;
     private final Intersections suivants;
     private final Lampe[] lampes;
     private final Occultations[] ombres;
     private final Parcours parcours;
-
-    /**
-     * Celle qui répond à la place de celle-ci, d'ordinaire {@code null}. Sous cette forme la recherche d'une scène est
-     * toujours de cette classe, et quelques témoins ne coûtent rien aux autres rayons.
-     */
-    private final Recherche remplacante;
+    private final Comptes comptes;
 
     /**
      * Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon
@@ -40,34 +46,40 @@ public final class RechercheRapide implements Recherche {
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
 
-    RechercheRapide(Structures structures, Compteurs compteurs) {
-        this(structures, compteurs, null);
-    }
+    private int questions;
 
-    private RechercheRapide(Structures structures, Compteurs compteurs, Recherche remplacante) {
+    /** @param objets ceux de la scène, dans son ordre */
+    RechercheRapide(Structures structures, List<Objet3D> objets, Compteurs compteurs) {
         this.structures = structures;
+        this.objets = objets;
         spheres = structures.spheres;
         premiers = structures.premiers;
         suivants = structures.suivants;
         lampes = structures.lampes;
         ombres = structures.ombres;
         parcours = new Parcours(compteurs);
-        this.remplacante = remplacante;
+        comptes = new Comptes(parcours, spheres.nombre, structures.camera);
+        boolean melees = spheres.autres.length > 0 && spheres.rangAutres[0] < PREMIERS;
+        dAbord = melees ? objets.subList(0, Math.min(PREMIERS, objets.size())).toArray(new Objet3D[0])
+                : new Objet3D[0];
     }
 
-    /** La même, qui laisse toujours répondre l'autre. */
-    public RechercheRapide remplacee(Recherche autre) {
-        return new RechercheRapide(structures, parcours.compteurs, autre);
+    /** Permet à cette question les examens d'un rayon de plus. */
+    private void commencer() {
+        parcours.credit += Comptes.PAR_RAYON;
+        if ((++questions & PAS) == 0) {
+            Recherche.obeir();
+        }
     }
 
     @Override
     public void plusProche(Rayon incident, Objet3D saufLui) {
-        if (remplacante != null) {
-            remplacante.plusProche(incident, saufLui);
-            return;
-        }
         Point P = incident.getP();
         Vecteur V = incident.getV();
+        if (saufLui == null) {
+            comptes.ouvrir(P);
+        }
+        commencer();
         int k = saufLui == null ? premiers.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, -1)
                 : suivants.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
         derniere = k;
@@ -84,13 +96,12 @@ public final class RechercheRapide implements Recherche {
 
     @Override
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-        if (remplacante != null) {
-            // une copie : V n'a sinon pas à exister hors des registres
-            return remplacante.estCachee(lampe, P, new Vecteur(V.x, V.y, V.z), distance, objet);
-        }
-        return ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
+        commencer();
+        // une copie de V, qui n'a sinon pas à exister hors des registres
+        return dAbord.length > 0 && unCache(dAbord, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet)
+                || ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
                 || spheres.autres.length > 0
-                && unAutreCache(Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet);
+                && unCache(spheres.autres, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet);
     }
 
     /** Ce qui cache cette lampe ; si elle n'est pas de la scène, ce qui les cache toutes. */
@@ -101,7 +112,7 @@ public final class RechercheRapide implements Recherche {
             }
             lampe = lampe + 1 < lampes.length ? lampe + 1 : 0;
         }
-        return structures.arbre;
+        return structures.ombresDAilleurs;
     }
 
     /**
@@ -128,8 +139,8 @@ public final class RechercheRapide implements Recherche {
         incident.setContact(plusProche, distance);
     }
 
-    private boolean unAutreCache(Rayon ombre, double distance, Objet3D objet) {
-        for (Objet3D autre : spheres.autres) {
+    private boolean unCache(Objet3D[] lesquels, Rayon ombre, double distance, Objet3D objet) {
+        for (Objet3D autre : lesquels) {
             if (autre != objet) {
                 parcours.compteurs.testsSpheres++;
                 if (RechercheSimple.verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
@@ -140,14 +151,14 @@ public final class RechercheRapide implements Recherche {
         return false;
     }
 
-    /** Sphères et cases examinées pour choisir les structures. */
-    public long getEssais() {
-        return structures.essais;
+    /** Le temps passé à construire ce dont les rayons ont eu besoin, avant le dessin ou pendant, en nanosecondes. */
+    public long getConstructionNs() {
+        return structures.arbre.getConstructionNs();
     }
 
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheRapide(structures, compteurs);
+        return new RechercheRapide(structures, objets, compteurs);
     }
 
     /** Ce que {@link Preparation} a choisi pour cette scène. */

@@ -23,6 +23,8 @@ final class Spheres {
     int[] rang;
     /** La sphère de chaque numéro. */
     Objet3D[] objets;
+    /** Les numéros, dans l'ordre de la scène. */
+    final int[] deRang;
 
     /** Les objets qui ne sont pas exactement des sphères, et leur rang dans la scène. */
     final Objet3D[] autres;
@@ -61,6 +63,7 @@ final class Spheres {
             rang[k] = r++;
             objets[k++] = objet;
         }
+        deRang = toutes();
     }
 
     /** Les numéros de toutes les sphères, croissants. */
@@ -72,7 +75,7 @@ final class Spheres {
         return toutes;
     }
 
-    /** Range les sphères dans un ordre nouveau : la sphère {@code ordre[k]} devient la k-ième. */
+    /** Range dans un autre ordre les sphères, qui sont dans celui de la scène : la sphère {@code ordre[k]} devient la k-ième. */
     void ranger(int[] ordre) {
         double[] g = new double[geometrie.length];
         int[] r = new int[nombre];
@@ -81,6 +84,7 @@ final class Spheres {
             System.arraycopy(geometrie, PAS * ordre[k], g, PAS * k, PAS);
             r[k] = rang[ordre[k]];
             o[k] = objets[ordre[k]];
+            deRang[ordre[k]] = k;
         }
         geometrie = g;
         rang = r;

@@ -2,35 +2,45 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import java.util.List;
+import lancer.Camera;
 import lancer.Lampe;
 
 /** Ce qui répond à chaque sorte de rayon d'une scène. Partagé par tous les fils : sans état. */
 final class Structures {
 
     final Spheres spheres;
-    /** Celle qui répond à tout, et d'abord aux rayons pour qui les autres ne sont pas faites. */
+    /** Celui qui répond là où les autres ne savent pas, ou n'en ont pas les moyens. */
     final Arbre arbre;
     final Lampe[] lampes;
+    final Camera camera;
 
     /** Pour les rayons qui ne quittent aucun objet, et pour les autres. */
     Intersections premiers;
     Intersections suivants;
 
-    /** Pour les rayons d'ombre de chaque lampe. */
+    /** Pour les rayons d'ombre de chaque lampe, et d'une lampe qui n'est pas de la scène. */
     final Occultations[] ombres;
+    Occultations ombresDAilleurs;
 
-    /** Sphères et cases examinées pour les choisir. */
-    long essais;
-
-    /** L'arbre seul. */
-    Structures(Spheres spheres, Arbre arbre, List<Lampe> lampes) {
+    Structures(Spheres spheres, List<Lampe> lampes, Camera camera) {
         this.spheres = spheres;
-        this.arbre = arbre;
+        this.camera = camera;
         this.lampes = lampes.toArray(new Lampe[0]);
-        premiers = arbre;
-        suivants = arbre;
+        arbre = new Arbre(spheres);
         ombres = new Occultations[this.lampes.length];
-        Arrays.fill(ombres, arbre);
+    }
+
+    /** Répond à toutes les questions par cela. */
+    <T extends Intersections & Occultations> void repondrePar(T toutes) {
+        premiers = toutes;
+        suivants = toutes;
+        ombresDAilleurs = toutes;
+        Arrays.fill(ombres, toutes);
+    }
+
+    /** Vrai si une sorte de rayon n'a que l'arbre. */
+    boolean demandentLArbre() {
+        return premiers == arbre || suivants == arbre || Arrays.asList(ombres).contains(arbre);
     }
 
     /** Leurs noms : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */

@@ -1,6 +1,5 @@
 package lancer.temoins;
 
-import java.util.Collections;
 import java.util.function.DoubleConsumer;
 import lancer.Camera;
 import lancer.Scene;
@@ -11,21 +10,29 @@ import lancer.contrat.Toile;
 import lancer.fils.Traceur;
 import lancer.rapide.Preparation;
 import lancer.rapide.RechercheRapide;
+import lancer.rapide.Temoins;
 
 /** Un {@link Traceur} dont des {@link Temoins} jugent la recherche ; si elle se trompe, les boucles dessinent. */
 public final class LancerSurveille extends Traceur {
 
     private volatile String ecart;
-    /** Ceux du dessin en cours, {@code null} s'ils ne sont pas tirés, ou n'ont plus rien à dire. */
-    private Temoins temoins;
     private int nombre;
+    /** Le temps des témoins tirés depuis le dernier dessin, et celui du dernier dessin, eux compris. */
     private long jugementNs;
-    /** La recherche qu'ils jugent ou ont jugée, et à quelle profondeur : refaire le même dessin n'en apprend rien. */
-    private RechercheRapide jugee;
+    private long dureeNs;
+    /** Ce qui se construit, et le temps que cela avait pris à la fin de la préparation, et au dernier dessin. */
+    private final Recherche construite;
+    private final long prepareNs;
+    private long construitNs;
+    /** La recherche jugée, et à quelle profondeur : refaire le même dessin n'en apprend rien. */
+    private Recherche jugee;
     private int profondeurJugee;
 
     public LancerSurveille(Scene scene, Camera camera) {
         super(scene, camera);
+        construite = scene.getModele().getRecherche();
+        prepareNs = construitNs();
+        construitNs = prepareNs;
     }
 
     /**
@@ -55,56 +62,48 @@ public final class LancerSurveille extends Traceur {
     /** {@inheritDoc} Des témoins sont tirés au hasard avant le brouillon, que l'on regarde déjà. */
     @Override
     public void TracerImage(Toile toile, int profondeur, int fils) {
-        tirer(profondeur);
+        juger(profondeur);
         super.TracerImage(toile, profondeur, fils);
     }
 
-    /** {@inheritDoc} Si personne ne regarde encore l'image, ses témoins viennent tous après elle. */
+    /** {@inheritDoc} Si personne ne regarde encore l'image, ses témoins viennent après elle. */
     @Override
     public void TracerPixels(Toile toile, int profondeur, int fils) {
-        boolean juste = ecart == null;
         super.TracerPixels(toile, profondeur, fils);
-        if (temoins == null) {
-            tirer(profondeur);
-        }
-        if (temoins != null) {
-            juger();
-            temoins = null;
-        }
-        if (juste && ecart != null) {
+        dureeNs = super.getDureeNs();
+        if (juger(profondeur)) {
             super.TracerPixels(toile, profondeur, fils);
+            dureeNs += super.getDureeNs();
         }
-        getCompteurs().pixelsTemoins = nombre;
-        getCompteurs().examensEssais = jugee == null ? 0 : jugee.getEssais();
-    }
-
-    /** Tire des témoins au hasard, si cette recherche en a besoin. */
-    private void tirer(int profondeur) {
+        long construit = construitNs();
+        dureeNs += jugementNs - (construit - construitNs);
+        construitNs = construit;
         jugementNs = 0;
-        Recherche recherche = getScene().getModele().getRecherche();
-        if (recherche instanceof RechercheRapide && (recherche != jugee || profondeur != profondeurJugee)) {
-            jugee = (RechercheRapide) recherche;
-            profondeurJugee = profondeur;
-            temoins = new Temoins(jugee, getLancer(), profondeur);
-            juger();
-        }
+        getCompteurs().pixelsTemoins = nombre;
     }
 
-    /**
-     * Fait juger la recherche, dans un fil dont la pile suffit aux réflexions permises.
-     *
-     * @throws lancer.contrat.PixelFautif si un témoin ne peut être calculé
-     */
-    private void juger() {
+    private long construitNs() {
+        return construite instanceof RechercheRapide ? ((RechercheRapide) construite).getConstructionNs() : 0;
+    }
+
+    /** Juge la recherche, si elle ne l'est pas encore. @return vrai si les boucles du cours la remplacent */
+    private boolean juger(int profondeur) {
+        Recherche recherche = getScene().getModele().getRecherche();
+        if (!(recherche instanceof RechercheRapide) || recherche == jugee && profondeur == profondeurJugee) {
+            return false;
+        }
+        jugee = recherche;
+        profondeurJugee = profondeur;
         long debut = System.nanoTime();
-        temoins.equipe.faire(1, Collections.singletonList(temoins));
-        nombre = temoins.nombre;
-        ecart = temoins.ecart;
+        Temoins temoins = new Temoins(getScene(), getCamera(), profondeur);
+        temoins.juger();
+        nombre = temoins.getNombre();
+        ecart = temoins.getEcart();
         if (ecart != null) {
-            temoins = null;
             getScene().getModele().setRecherche(new RechercheSimple(getScene().getObjets(), getScene().getCompteurs()));
         }
-        jugementNs += System.nanoTime() - debut;
+        jugementNs = System.nanoTime() - debut;
+        return ecart != null;
     }
 
     @Override
@@ -112,9 +111,14 @@ public final class LancerSurveille extends Traceur {
         return ecart;
     }
 
-    /** {@inheritDoc} Celui des témoins est compris. */
+    /** {@inheritDoc} Celui des témoins est compris, celui d'une construction ne l'est pas. */
     @Override
     public long getDureeNs() {
-        return super.getDureeNs() + jugementNs;
+        return dureeNs;
+    }
+
+    @Override
+    public long getConstructionNs() {
+        return construitNs - prepareNs;
     }
 }

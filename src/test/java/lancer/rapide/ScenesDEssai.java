@@ -231,7 +231,7 @@ final class ScenesDEssai {
         return this;
     }
 
-    private ScenesDEssai lampes(int n) {
+    ScenesDEssai lampes(int n) {
         for (int k = 0; k < n; k++) {
             lampe(entre(-5, 5), entre(-5, 5), entre(-5, 15));
         }

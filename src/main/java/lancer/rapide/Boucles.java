@@ -1,0 +1,69 @@
+package lancer.rapide;
+
+import lancer.Constantes;
+import lancer.contrat.Recherche;
+import lancer.precision.Intersection;
+
+/**
+ * Les boucles du cours, sur les sphères recopiées : pour si peu de rayons que rien ne vaut d'être construit, ou si peu
+ * de sphères que rien ne ferait mieux. Quand le compte ne permet pas toutes les sphères, l'arbre.
+ */
+final class Boucles implements Intersections, Occultations {
+
+    /** Sphères examinées entre deux regards à l'interruption du fil. */
+    private static final int PAS = 1 << 14;
+
+    private final Spheres spheres;
+    private final Arbre secours;
+
+    /** @param secours {@code null} pour tout examiner, quel que soit le compte */
+    Boucles(Spheres spheres, Arbre secours) {
+        this.spheres = spheres;
+        this.secours = secours;
+    }
+
+    @Override
+    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            int sauf) {
+        int n = spheres.nombre;
+        if (n > parcours.credit && secours != null) {
+            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
+        }
+        parcours.credit -= n;
+        parcours.distance = Constantes.INFINI;
+        parcours.trouvee = -1;
+        double[] g = spheres.geometrie;
+        for (int k = 0; k < n; k++) {
+            if (k % PAS == 0) {
+                Recherche.obeir();
+            }
+            if (k != sauf) {
+                parcours.compteurs.testsSpheres++;
+                int s = Spheres.PAS * k;
+                double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                parcours.retenir(spheres, k, d, px, py, pz, vx, vy, vz);
+            }
+        }
+        return parcours.trouvee;
+    }
+
+    @Override
+    public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            double distance, int sauf) {
+        int n = spheres.nombre;
+        if (n > parcours.credit && secours != null) {
+            return secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+        }
+        int r = 0;
+        boolean cachee = false;
+        for (; r < n && !cachee; r++) {
+            if (r % PAS == 0) {
+                Recherche.obeir();
+            }
+            int k = spheres.deRang[r];
+            cachee = k != sauf && parcours.touche(spheres, k, px, py, pz, vx, vy, vz, distance);
+        }
+        parcours.credit -= r;
+        return cachee;
+    }
+}

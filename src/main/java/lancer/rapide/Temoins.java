@@ -1,0 +1,227 @@
+package lancer.rapide;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Collections;
+import java.util.List;
+import java.util.Objects;
+import java.util.Random;
+import java.util.function.IntConsumer;
+import java.util.zip.CRC32;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Tuple;
+import lancer.Vecteur;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
+import lancer.contrat.RechercheSimple;
+import lancer.fils.Equipe;
+import lancer.fils.Regard;
+
+/**
+ * Les pixels témoins, dessinés par les boucles du cours puis par une {@link RechercheRapide} : leurs deux couleurs sont
+ * comparées au bit près. Ils jugent ce à quoi elle répond autrement que par les méthodes du cours. Une faute qui change
+ * une part p des pixels est vue avec une probabilité d'au moins 1 − (1 − p)^N, N étant tirés au hasard, un dans chacune
+ * de N parts égales de l'image ; le tirage suit la scène, la taille, la profondeur et les classes du cours, pour que ce
+ * qu'une scène cache, la suivante ou la retouche suivante ne le cache pas.
+ *
+ * <p>Leur nombre est fixé d'avance, par des comptes. Un témoin trop long pour ce qui reste est coupé : les deux
+ * recherches n'y répondent plus, après autant de questions ; il se compare encore, et ne compte pas dans N.
+ */
+public final class Temoins implements IntConsumer {
+
+    /** Pixels tirés au hasard, au plus. */
+    private static final int NOMBRE = 64;
+
+    /** Examens de tous les témoins, au plus : cinq millisecondes, une fois compilés. */
+    private static final long EXAMENS = 800_000;
+
+    /** Un examen pour tant de ceux du dessin, si c'est plus. */
+    private static final long PART_DU_DESSIN = 20;
+
+    /** Du plus petit de ces nombres, la part qui va aux sondes ; à un témoin, au plus, celle de ce qui reste. */
+    private static final long PART_DES_SONDES = 4;
+    private static final int PART_D_UN_TEMOIN = 4;
+
+    /** Objets et lampes dont se tire le hasard, au plus. */
+    private static final int CONTENU = 500;
+
+    private static final Class<?>[] COURS = {Camera.class, Constantes.class, Couleur.class, Lampe.class, Lancer.class,
+        Objet3D.class, Point.class, PointContact.class, Rayon.class, Scene.class, Sphere.class, Tuple.class,
+        Vecteur.class};
+
+    private final Scene scene;
+    private final Camera camera;
+    private final int profondeur;
+    private final long pixels;
+    private final Equipe equipe = new Equipe("temoins");
+    private int nombre;
+    private String ecart;
+
+    /** @param profondeur nombre de réflexions permises */
+    public Temoins(Scene scene, Camera camera, int profondeur) {
+        this.scene = scene;
+        this.camera = camera;
+        this.profondeur = profondeur;
+        pixels = (long) camera.getLargeur() * camera.getHauteur();
+    }
+
+    /**
+     * Juge la recherche de la scène, dans un fil dont la pile suffit aux réflexions permises.
+     *
+     * @throws lancer.contrat.PixelFautif si un témoin ne peut être calculé
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
+     */
+    public void juger() {
+        equipe.faire(1, Collections.singletonList(this));
+    }
+
+    /** Le nombre N de pixels dessinés tout entiers des deux façons. */
+    public int getNombre() {
+        return nombre;
+    }
+
+    /** Le premier écart, en une phrase qui nomme le pixel ; {@code null} s'il n'y en a pas. */
+    public String getEcart() {
+        return ecart;
+    }
+
+    @Override
+    public void accept(int rang) {
+        Random hasard = new Random(graine());
+        int sondes = (int) Math.min(NOMBRE, pixels);
+        // ce que coûte un pixel : à la recherche jugée, puis aux boucles, au plus
+        long rayons = 0;
+        long examens = 0;
+        for (int k = 0; k < sondes; k++) {
+            Bornee sonde = new Bornee(false, EXAMENS / PART_DES_SONDES / sondes, Long.MAX_VALUE);
+            voir(sonde, tirer(hasard, k, sondes));
+            rayons += sonde.questions;
+            examens += sonde.examens();
+        }
+        long reste = Math.max(EXAMENS, pixels * examens / sondes / PART_DU_DESSIN) - examens;
+        long prix = Math.max(1, (rayons * scene.getObjets().size() + examens) / sondes);
+        int voulus = (int) Math.max(1, Math.min(sondes, reste / prix));
+        for (int k = 0; k < voulus && ecart == null; k++) {
+            long pixel = tirer(hasard, k, voulus);
+            Bornee boucles = new Bornee(true, reste / Math.min(PART_D_UN_TEMOIN, voulus - k), Long.MAX_VALUE);
+            Couleur attendue = voir(boucles, pixel);
+            Bornee rapide = new Bornee(false, Long.MAX_VALUE, boucles.questions);
+            if (!voir(rapide, pixel).equals(attendue)) {
+                ecart = "au pixel " + x(pixel) + ", " + y(pixel) + ", la recherche rapide ne répond pas comme les "
+                        + "classes du cours : ce sont leurs boucles qui dessinent";
+            }
+            nombre += boucles.coupee ? 0 : 1;
+            reste -= boucles.examens() + rapide.examens();
+        }
+    }
+
+    /** Un pixel de la k-ième des n parts de l'image, dans l'ordre de la lecture. */
+    private long tirer(Random hasard, int k, int n) {
+        long debut = k * pixels / n;
+        return debut + hasard.nextInt((int) ((k + 1) * pixels / n - debut));
+    }
+
+    private Couleur voir(Bornee recherche, long pixel) {
+        return new Regard(equipe, new Lancer(recherche.vue, camera), profondeur).couleur(x(pixel) + 0.5, y(pixel) + 0.5);
+    }
+
+    private int x(long pixel) {
+        return (int) (pixel % camera.getLargeur());
+    }
+
+    private int y(long pixel) {
+        return (int) (pixel / camera.getLargeur());
+    }
+
+    /** D'où se tirent les pixels : la scène, la taille, la profondeur, et les classes du cours. */
+    private long graine() {
+        long graine = Objects.hash(camera.getLargeur(), camera.getHauteur(), profondeur, scene.getObjets().size(),
+                scene.getLampes().size());
+        List<Objet3D> objets = scene.getObjets();
+        for (int k = 0; k < objets.size(); k += 1 + objets.size() / CONTENU) {
+            Objet3D o = objets.get(k);
+            graine = 31 * graine + Objects.hash(o.getClass().getName(), o.getKd(), o.getKs(), o.getNs());
+            if (o instanceof Sphere) {
+                graine = 31 * graine + Objects.hash(((Sphere) o).getCentre(), ((Sphere) o).getRayon());
+            }
+        }
+        List<Lampe> lampes = scene.getLampes();
+        for (int k = 0; k < lampes.size(); k += 1 + lampes.size() / CONTENU) {
+            graine = 31 * graine + Objects.hash(lampes.get(k).getPosition(), lampes.get(k).getCouleur());
+        }
+        CRC32 classes = new CRC32();
+        byte[] octets = new byte[1 << 14];
+        for (Class<?> classe : COURS) {
+            try (InputStream lue = classe.getResourceAsStream(classe.getSimpleName() + ".class")) {
+                for (int n = 0; lue != null && n >= 0; n = lue.read(octets)) {
+                    classes.update(octets, 0, n);
+                }
+            } catch (IOException e) {
+                // une classe qui ne se relit pas : le reste suffit à tirer
+            }
+        }
+        return graine ^ classes.getValue() << Integer.SIZE;
+    }
+
+    /**
+     * Une recherche qui ne répond plus passé tant d'examens, ou tant de questions : le ciel partout, et toute lampe
+     * cachée.
+     */
+    private final class Bornee implements Recherche {
+
+        final Scene vue = scene.avec(scene.getModele());
+        private final Compteurs compteurs = new Compteurs();
+        private final Recherche recherche;
+        private final long permis;
+        private final long questionsPermises;
+        long questions;
+        boolean coupee;
+
+        Bornee(boolean boucles, long permis, long questionsPermises) {
+            this.permis = permis;
+            this.questionsPermises = questionsPermises;
+            recherche = boucles ? new RechercheSimple(scene.getObjets(), compteurs)
+                    : scene.getModele().getRecherche().pourUnFil(compteurs);
+            vue.getModele().setRecherche(this);
+        }
+
+        long examens() {
+            return questions + compteurs.examens();
+        }
+
+        private boolean repond() {
+            coupee |= questions >= questionsPermises || examens() >= permis;
+            questions += coupee ? 0 : 1;
+            return !coupee;
+        }
+
+        @Override
+        public void plusProche(Rayon incident, Objet3D saufLui) {
+            if (repond()) {
+                recherche.plusProche(incident, saufLui);
+            } else {
+                incident.setContact(null, Constantes.INFINI);
+            }
+        }
+
+        @Override
+        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+            return !repond() || recherche.estCachee(lampe, P, V, distance, objet);
+        }
+
+        @Override
+        public Recherche pourUnFil(Compteurs autres) {
+            return this;
+        }
+    }
+}
