@@ -29,6 +29,11 @@ public abstract class Objet3D {
         return contact;
     }
 
+    /** Le point de la surface le plus proche d'un contact à cette distance du départ de son rayon. */
+    Point getPointDeSurface(Point contact, double distance) {
+        return getPointDeSurface(contact);
+    }
+
     /**
      * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes, plus le reflet des objets.
      *

@@ -87,7 +87,7 @@ public class Rayon {
      */
     public PointContact calcContact() {
         return distance == Constantes.INFINI ? null
-                : new PointContact(objet.getPointDeSurface(P.add(distance, V)), objet, distance);
+                : new PointContact(objet.getPointDeSurface(P.add(distance, V), distance), objet, distance);
     }
 
     /** La couleur du ciel dans la direction du rayon : bleu au-dessus de l'horizon, brun au-dessous. */

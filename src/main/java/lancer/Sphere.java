@@ -9,6 +9,9 @@ public class Sphere extends Objet3D {
     /** La normale convenue au centre même : vers l'œil. */
     private static final Vecteur VERS_L_OEIL = new Vecteur(0, 0, -1);
 
+    /** Rayon au-delà duquel ramener un contact proche sur la surface l'en écarterait. */
+    private static final double GEANTE = 1e8;
+
     private final Point centre;
     private final double rayon;
 
@@ -53,6 +56,12 @@ public class Sphere extends Objet3D {
             return contact.add(-Norme.ecart(carre, rayon), n);
         }
         return pointExtreme(n, contact);
+    }
+
+    /** {@inheritDoc} D'une géante vue de plus près que son rayon, P + tV, à 2 u t près, est déjà le plus juste. */
+    @Override
+    Point getPointDeSurface(Point contact, double distance) {
+        return rayon > GEANTE && distance < rayon ? contact : getPointDeSurface(contact);
     }
 
     private Point pointExtreme(Vecteur n, Point contact) {

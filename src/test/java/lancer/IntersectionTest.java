@@ -238,6 +238,17 @@ class IntersectionTest {
         assertEquals(new Point(0, 0, -3), new Sphere(new Point(), 3).getPointDeSurface(new Point(0, 0, -Double.MIN_VALUE)));
     }
 
+    /** Ramener sur sa surface un contact d'une sphère si grande le déplacerait de milliers d'unités. */
+    @Test
+    void unContactProcheDUneSphereGeanteResteSurSonRayon() {
+        Sphere geante = new Sphere(new Point(3e19, -1.4e20, 5e19), new Vecteur(3e19, -1.4e20, 5e19).norme() * (1 - 1e-13));
+        Rayon rayon = new Rayon(new Point(1, 2, 3), new Vecteur(0.3, -1, 0.4));
+        geante.getIntersectionDistance(rayon);
+        assertTrue(rayon.getDistance() < 1e8, "distance " + rayon.getDistance());
+        Point attendu = rayon.getP().add(rayon.getDistance(), rayon.getV());
+        assertEquals(attendu, new Point().add(new Vecteur(new Point(), rayon.calcContact())));
+    }
+
     @Test
     void leCentreNeSeRameneNullePart() {
         Point centre = new Point(1, 2, 3);

@@ -117,31 +117,50 @@ final class Carte implements Intersections {
             float tangente = enHaut(loin * Math.sqrt(1 - r * r) * (1 + MARGE_COUPE));
             boolean peutCouper = secours == null || g[s + 2] - g[s + 3] > 1e-9 * (loin + g[s + 3]);
             for (int f = 0; f < faces.length; f++) {
-                Face face = faces[f];
-                if (!face.silhouette(x, y, z, r)) {
-                    continue;
-                }
-                for (int j = face.ligne0; j <= face.ligne1; j++) {
-                    int ligne = f * parFace + j * face.colonnes;
-                    int a = face.a[j];
-                    travail -= 1 + Math.max(0, a - face.de[j]);
-                    for (int i = face.de[j]; i <= a; i++) {
-                        int c = ligne + i;
-                        if (proche > coupe[c]) {
-                            continue;
-                        }
-                        liste.noter(c, k, proche);
-                        if (peutCouper && tangente < coupe[c] && i >= face.couvertDe[j] && i <= face.couvertA[j]) {
-                            coupe[c] = tangente;
-                            coupeuse[c] = k;
-                        }
-                    }
+                if (faces[f].silhouette(x, y, z, r)) {
+                    travail -= noter(liste, f, k, proche, peutCouper ? tangente : Float.POSITIVE_INFINITY);
                 }
             }
         }
         if (liste.nombre > places) {
             return false;
         }
+        garder(liste);
+        return !estEncombree(n);
+    }
+
+    /**
+     * Note la sphère k dans les cases de la face f que touche sa silhouette, où aucune autre ne la cache.
+     *
+     * @param proche distance qu'aucun de ses points ne précède
+     * @param tangente distance au-delà de laquelle ce qu'elle couvre est caché, +∞ si elle ne cache rien
+     * @return le nombre de cases regardées
+     */
+    private long noter(Entrees liste, int f, int k, float proche, float tangente) {
+        Face face = faces[f];
+        long regardees = 0;
+        for (int j = face.ligne0; j <= face.ligne1; j++) {
+            int ligne = f * parFace + j * face.colonnes;
+            int a = face.a[j];
+            regardees += 1 + Math.max(0, a - face.de[j]);
+            for (int i = face.de[j]; i <= a; i++) {
+                int c = ligne + i;
+                if (proche > coupe[c]) {
+                    continue;
+                }
+                liste.noter(c, k, proche);
+                if (tangente < coupe[c] && i >= face.couvertDe[j] && i <= face.couvertA[j]) {
+                    coupe[c] = tangente;
+                    coupeuse[c] = k;
+                }
+            }
+        }
+        return regardees;
+    }
+
+    /** Range à plat les entrées qu'aucune coupe ne cache. */
+    private void garder(Entrees liste) {
+        int cases = coupe.length;
         entrees = new int[liste.nombre];
         pres = new float[liste.nombre];
         debut = new int[cases + 1];
@@ -155,7 +174,6 @@ final class Carte implements Intersections {
             }
         }
         debut[cases] = e;
-        return !estEncombree(n);
     }
 
     /** Vrai si une sphère prise au hasard a trop de voisines dans ses cases. */

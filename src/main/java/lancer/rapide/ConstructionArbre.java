@@ -98,6 +98,7 @@ final class ConstructionArbre {
             if (!(pas[a] > 0)) {
                 continue;
             }
+            // les sphères de chaque tranche
             Boite[] parts = new Boite[TRANCHES];
             int[] nombres = new int[TRANCHES];
             for (int i = debut; i < fin; i++) {
@@ -109,6 +110,7 @@ final class ConstructionArbre {
                 parts[t].ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
                 nombres[t]++;
             }
+            // la coupe la moins chère
             double[] aDroite = new double[TRANCHES];
             Boite e = new Boite();
             int c = 0;
@@ -136,6 +138,7 @@ final class ConstructionArbre {
         if (n <= FEUILLE_MAX && COUT_NOEUD + meilleur / boite.aire() >= n) {
             return -1;
         }
+        // de part et d'autre de la coupe
         int i = debut;
         int j = fin;
         while (i < j) {

@@ -126,6 +126,7 @@ final class Face {
      * ressemble.
      */
     private boolean ellipse(double cx, double cy, double cz, double r) {
+        // la boîte de l'ellipse, et ses cases
         double q = cz * cz - r * r;
         double ru = r * Math.sqrt(cx * cx + q);
         double rv = r * Math.sqrt(cy * cy + q);
@@ -149,6 +150,7 @@ final class Face {
             }
             return true;
         }
+        // ligne par ligne, entre ses deux bords, g0 et d0 en haut, g1 et d1 en bas
         double kq = (1 - r * r) * q;
         double parA = 1 / (cy * cy + q);
         double vDeMin = cy * (1 + uMin * uMin) / (cz + cx * uMin);

@@ -13,10 +13,13 @@ import java.util.concurrent.CancellationException;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
+import lancer.contrat.RechercheSimple;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -116,6 +119,74 @@ class ComptesTest {
             }
         }
         assertEquals(Collections.emptyList(), fautes);
+    }
+
+    @Test
+    void niLampesNiMiroirsNiSousPixelsNiProfondeurNeCoutentPlusQueLaBorne() {
+        essayer("25 sphères, 20 000 lampes", ScenesDEssai.foule(25, 25, 0).lampes(20_000).scene(), 6, 4, 5, 1, true);
+        essayer("24 sphères, 20 000 lampes", ScenesDEssai.foule(24, 24, 0).lampes(20_000).scene(), 6, 4, 5, 1, true);
+        essayer("trois reflets plus loin", ScenesDEssai.entreDeuxMiroirs(20_000), 200, 4, 5, 1, false);
+        essayer("dix reflets plus loin", ScenesDEssai.entreDeuxMiroirs(5000), 60, 2, 10, 1, false);
+        essayer("mille reflets permis", ScenesDEssai.entreDeuxMiroirs(20_000), 16, 1, 1000, 1, false);
+        essayer("trois pixels de haut, mille points chacun", ScenesDEssai.foule(26, 20_000, 0).scene(), 3, 3, 5, 32, false);
+        essayer("douze pixels, seize points chacun", ScenesDEssai.foule(26, 2000, 0).scene(), 12, 12, 5, 4, true);
+        essayer("lampes dans la première", ScenesDEssai.lampesDansUneSphere(3000, 0, 100), 20, 15, 2, 1, true);
+        essayer("lampes dans la vingtième", ScenesDEssai.lampesDansUneSphere(3000, 19, 100), 20, 15, 2, 1, true);
+        essayer("une lampe dans la première", ScenesDEssai.lampesDansUneSphere(3000, 0, 1), 60, 45, 5, 1, true);
+    }
+
+    /** @param points par côté de chaque pixel */
+    private static void essayer(String nom, Scene scene, int largeur, int hauteur, int profondeur, int points, boolean avecBoucles) {
+        Camera camera = new Camera(largeur, hauteur);
+        scene.getModele().setSeuil(0);
+        Compteurs arbre = compter(scene, camera, new ArbreSimple(scene.getObjets(), new Compteurs()), profondeur, points);
+        Compteurs rapide = compter(scene, camera, Preparation.pour(scene, camera), profondeur, points);
+        long autres = avecBoucles ? compter(scene, camera, new RechercheSimple(scene.getObjets(), new Compteurs()), profondeur, points).examens()
+                : Long.MAX_VALUE;
+        assertEquals(arbre.rayons(), rapide.rayons(), nom);
+        double n = scene.getObjets().size();
+        double permis = AU_PLUS * (double) Math.min(autres, arbre.examens()) + PLUS * rapide.rayons() + 10 * n * Math.log(n) / Math.log(2);
+        assertTrue(rapide.examens() <= permis, nom + " : " + rapide.examens() + " examens, permis " + permis);
+    }
+
+    private static Compteurs compter(Scene scene, Camera camera, Recherche recherche, int profondeur, int points) {
+        scene.getModele().setRecherche(recherche);
+        Lancer lancer = new Lancer(scene.avec(scene.getModele()), camera);
+        for (int y = 0; y < camera.getHauteur() * points; y++) {
+            for (int x = 0; x < camera.getLargeur() * points; x++) {
+                lancer.getCouleurPixel((x + 0.5) / points, (y + 0.5) / points, profondeur);
+            }
+        }
+        return lancer.getScene().getCompteurs();
+    }
+
+    @Test
+    void lesMasquesDeVingtMilleLampesNePrennentPasPlusDUnMegaoctet() {
+        Scene scene = ScenesDEssai.foule(24, 24, 0).lampes(20_000).scene();
+        Structures s = ((RechercheRapide) Preparation.pour(scene, new Camera(800, 600))).structures;
+        long masquees = Arrays.stream(s.ombres).filter(o -> !(o instanceof Boucles)).count();
+        assertTrue(masquees > 100 && masquees * 24 * 16 <= 1 << 20, masquees + " lampes ont des masques");
+        s = ((RechercheRapide) Preparation.pour(scene, new Camera(10, 10))).structures;
+        assertTrue(s.ombres[0] instanceof Boucles, "cent pixels ne valent pas 576 paires de sphères par lampe");
+    }
+
+    /** Dans un pixel, dans ses questions : ni les boucles, ni l'arbre, ni les témoins ne vont au bout. */
+    @Test
+    void unFilInterrompuSArreteDansUnPixel() {
+        Scene scene = ScenesDEssai.foule(7, 20_000, 0).lampes(2000).scene();
+        for (Recherche recherche : new Recherche[] {new RechercheSimple(scene.getObjets(), new Compteurs()), Preparation.pour(scene, new Camera(2, 2)),
+            Preparation.pour(scene, CAMERA, Preparation.Genre.ARBRE, part -> { })}) {
+            scene.getModele().setRecherche(recherche);
+            Lancer lancer = new Lancer(scene.avec(scene.getModele()), CAMERA);
+            Thread.currentThread().interrupt();
+            try {
+                assertThrows(CancellationException.class, () -> lancer.getCouleurPixel(40, 30, 5));
+                assertThrows(CancellationException.class, () -> new Temoins(scene, CAMERA, 5).juger());
+            } finally {
+                assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
+            }
+            assertTrue(lancer.getScene().getCompteurs().ombre <= 256, "ombres : " + lancer.getScene().getCompteurs().ombre);
+        }
     }
 
     @Test

@@ -112,6 +112,27 @@ final class ScenesDEssai {
         return scenes;
     }
 
+    /** Deux miroirs face à face, et une foule qu'on ne voit que par eux. */
+    static Scene entreDeuxMiroirs(int taille) {
+        ScenesDEssai essai = new ScenesDEssai(70).sphere(0, 0, 1020, 1000).sphere(0, 0, -1010, 1000);
+        for (Objet3D miroir : essai.objets) {
+            miroir.setKs(new Couleur(1));
+        }
+        for (int k = 0; k < taille; k++) {
+            essai.sphere(essai.entre(5, 11), essai.entre(-3, 3), essai.entre(2, 14), 0.02);
+        }
+        return essai.lampe(0, 5, 0).scene();
+    }
+
+    /** Un nuage, et toutes les lampes dans la sphère de ce rang, loin au-dessus. */
+    static Scene lampesDansUneSphere(int taille, int rang, int lampes) {
+        ScenesDEssai essai = new ScenesDEssai(71).foule(rang, 3, 0.05, 0.3).sphere(0, 20, 0, 3).foule(taille, 3, 0.05, 0.3);
+        for (int k = 0; k < lampes; k++) {
+            essai.lampe(essai.entre(-1, 1), essai.entre(19, 21), essai.entre(-1, 1));
+        }
+        return essai.scene();
+    }
+
     Scene scene() {
         return new Scene(objets, lampes);
     }
