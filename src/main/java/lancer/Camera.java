@@ -1,8 +1,8 @@
 package lancer;
 
 /**
- * D'un pixel à son rayon (cours, « Écran, œil et projection »). L'écran est dans le plan z = 0, l'œil derrière lui, la
- * scène devant (z &gt; 0). Immuable.
+ * Passage d'un pixel à son rayon (cours, « Écran, œil et projection »). L'écran est dans le plan z = 0, l'œil derrière
+ * lui, la scène devant (z &gt; 0). Immuable.
  */
 public class Camera {
 

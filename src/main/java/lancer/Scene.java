@@ -17,7 +17,7 @@ import lancer.scene.LecteurScene;
 public final class Scene {
 
     private final List<Objet3D> objets;
-    /** En tableau, que chaque contact parcourt. */
+    /** Lampes, en tableau, que chaque contact parcourt. */
     final Lampe[] lampes;
     private final Modele modele;
     private final Compteurs compteurs = new Compteurs();

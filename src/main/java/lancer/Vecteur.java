@@ -26,7 +26,7 @@ public class Vecteur extends Tuple {
         return new Vecteur(x + v.x, y + v.y, z + v.z);
     }
 
-    /** u + k·v. */
+    /** Somme u + k·v. */
     public Vecteur add(double k, Vecteur v) {
         return new Vecteur(x + k * v.x, y + k * v.y, z + k * v.z);
     }

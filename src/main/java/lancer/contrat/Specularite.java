@@ -27,9 +27,9 @@ public interface Specularite {
     double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns);
 
     /**
-     * max(0, cosinus)^exposant, le cosinus ne comptant jamais pour plus de 1 (deux vecteurs de longueur 1 à un arrondi
-     * près ont un produit qui peut dépasser 1) ; 0^0 = 1. Un petit exposant entier se fait par carrés successifs,
-     * à quelques unités du dernier chiffre.
+     * Puissance max(0, cosinus)^exposant, le cosinus ne comptant jamais pour plus de 1 (deux vecteurs de longueur 1 à
+     * un arrondi près ont un produit qui peut dépasser 1) ; 0^0 = 1. Un petit exposant entier se fait par carrés
+     * successifs, à quelques unités du dernier chiffre.
      *
      * @param exposant positif ou nul
      */
@@ -68,7 +68,7 @@ public interface Specularite {
         return this;
     }
 
-    /** Phong, 1975. */
+    /** Reflet de Phong, 1975. */
     final class Phong implements Specularite {
 
         private final Ecoute ecoute;

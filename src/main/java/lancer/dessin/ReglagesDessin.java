@@ -26,9 +26,9 @@ public final class ReglagesDessin {
 
     private final int reflets;
     private final double seuil;
-    /** Pour chaque variante présente, section du fichier, de ligne 0 s'il ne l'a pas. */
+    /** Section du fichier de chaque variante présente, de ligne 0 s'il ne l'a pas. */
     private final Map<Variante, Section> lues;
-    /** Par type, quelle que soit la casse, sections qui remplacent celles du fichier, et les débranchées. */
+    /** Sections, par type quelle que soit la casse, qui remplacent celles du fichier, et les débranchées. */
     private final SortedMap<String, Section> changees;
     private final SortedSet<String> debranchees;
 

@@ -5,11 +5,11 @@ import lancer.Couleur;
 /** Un rayon parti de l'écran, et ce qu'il voit, autant de fois qu'il compte. */
 public final class Echantillon {
 
-    /** En pixels depuis le coin en haut à gauche de l'image. */
+    /** Point de l'écran, en pixels depuis le coin en haut à gauche de l'image. */
     public final double xe;
     public final double ye;
 
-    /** 1, s'il n'est pas un terme d'une somme pesée. */
+    /** Poids ; 1, s'il n'est pas un terme d'une somme pesée. */
     final double poids;
     public final Couleur couleur;
 

@@ -10,7 +10,7 @@ public final class Eclairage {
 
     public final Lampe lampe;
 
-    /** N·(lampe − contact) : la lampe est devant la surface s'il est positif. */
+    /** Produit N·(lampe − contact) : la lampe est devant la surface s'il est positif. */
     public final double devant;
 
     double cosinus;

@@ -9,10 +9,10 @@ import lancer.Vecteur;
 /** Vue d'un rayon de la chaîne : un contact et ses lampes, ou le ciel. Ce qui n'a pas été calculé est nul. */
 public final class Etape {
 
-    /** 1 pour le rayon parti de l'écran. */
+    /** Rang dans la chaîne, 1 pour le rayon parti de l'écran. */
     public final int numero;
 
-    /** {@code null} pour le ciel. */
+    /** Contact rencontré, {@code null} pour le ciel. */
     public final PointContact contact;
 
     public final List<Eclairage> lampes = new ArrayList<>();

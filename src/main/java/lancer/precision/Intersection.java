@@ -55,8 +55,8 @@ public final class Intersection {
     }
 
     /**
-     * {@link #distance}, ou un nombre négatif si {@link #trancher} doit en décider ; cette distance n'est alors pas
-     * inférieure à {@link #auMoins} de ce nombre. À part pour qu'une boucle puisse trancher dehors.
+     * Rend {@link #distance}, ou un nombre négatif si {@link #trancher} doit en décider ; cette distance n'est alors
+     * pas inférieure à {@link #auMoins} de ce nombre. À part pour qu'une boucle puisse trancher dehors.
      */
     public static double distanceOuDoute(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {

@@ -80,8 +80,9 @@ public final class IntersectionCompensee {
     }
 
     /**
-     * |f + e|² − r², à 2⁻⁵³ près en valeur relative, ou à 2⁻¹²⁷ r² près là où c'est davantage. Chaque longueur x vaut h
-     * + d, h multiple d'un même pas, assez court pour que les carrés et leur somme tombent juste ; x² = h² + 2hd + d².
+     * Puissance |f + e|² − r², à 2⁻⁵³ près en valeur relative, ou à 2⁻¹²⁷ r² près là où c'est davantage. Chaque
+     * longueur x vaut h + d, h multiple d'un même pas, assez court pour que les carrés et leur somme tombent juste ; x²
+     * = h² + 2hd + d².
      */
     static double puissance(double fx, double fy, double fz, double ex, double ey, double ez, double r) {
         double pas = Double.longBitsToDouble(Double.doubleToRawLongBits(r) & EXPOSANT);
@@ -100,7 +101,10 @@ public final class IntersectionCompensee {
         return Math.abs(c) > ASSEZ * (r * r) ? c : finement(haut, pas, hx, hy, hz, hr, dx, dy, dz, dr, ex, ey, ez);
     }
 
-    /** Quand presque tout s'annule : d et e sont coupés aussi, et rien de plus grand que 2⁻⁷⁶ r² n'est arrondi. */
+    /**
+     * Puissance quand presque tout s'annule : d et e sont coupés aussi, et rien de plus grand que 2⁻⁷⁶ r² n'est
+     * arrondi.
+     */
     private static double finement(double haut, double pas, double hx, double hy, double hz, double hr,
             double dx, double dy, double dz, double dr, double ex, double ey, double ez) {
         double coupeD = COUPE_DU_RESTE * pas;

@@ -148,7 +148,7 @@ public class LecteurScene {
         return avertissements;
     }
 
-    /** Ini4j sans ses échappements ; le constructeur évite la recherche de services. */
+    /** Découpage d'ini4j, sans ses échappements ; le constructeur évite la recherche de services. */
     private static final class Decoupeur extends IniParser {
         Decoupeur() {
             Config config = new Config();

@@ -1,5 +1,5 @@
 /**
- * D'un fichier INI à une scène, ou au refus d'une ligne qui dit où est la faute. Le seul paquet qui connaisse
+ * Passage d'un fichier INI à une scène, ou au refus d'une ligne qui dit où est la faute. Le seul paquet qui connaisse
  * ini4j.
  *
  * <p>Y entre ce qui juge un texte : lignes, sections, nombres ; rien de ce qu'on fait de la scène ensuite.
