@@ -1,7 +1,10 @@
 package lancer.contrat;
 
+import java.util.List;
+import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
+import lancer.Objet3D;
 
 /**
  * Des points de l'écran aux pixels : où prendre la couleur de chaque pixel d'un pavé. Un pavé entier à la fois, pour
@@ -29,6 +32,13 @@ public interface Echantillonnage {
      */
     default int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
         return tracer(pave, vue, toile);
+    }
+
+    /**
+     * Le même, une fois connu ce qu'il y a à voir et d'où : appelé au début de chaque dessin. Par défaut, il n'en a que faire.
+     */
+    default Echantillonnage pour(List<Objet3D> objets, Camera camera) {
+        return this;
     }
 
     /** Un rayon au centre de chaque pixel. */

@@ -110,9 +110,10 @@ public class Traceur implements Boucle {
     public void parcourir(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
         long debut = System.nanoTime();
         int nombre = Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur());
+        Echantillonnage prepare = echantillonnage.pour(getScene().getObjets(), getCamera());
         List<Fil> ouvriers = new ArrayList<>();
         for (int k = 0; k < Math.min(fils, nombre); k++) {
-            ouvriers.add(new Fil(echantillonnage, toile, profondeur));
+            ouvriers.add(new Fil(prepare, toile, profondeur));
         }
         equipe.faire(nombre, ouvriers);
         Compteurs total = new Compteurs();

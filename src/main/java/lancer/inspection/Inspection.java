@@ -64,7 +64,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         this.profondeur = profondeur;
         this.x = x;
         this.y = y;
-        entier = scene.getModele().getEchantillonnage();
+        entier = scene.getModele().getEchantillonnage().pour(scene.getObjets(), camera);
         Modele modele = scene.getModele();
         traceur = new Traceur(scene.avec(modele.avec(this, modele.getSeuil()).ecoute(chaine)), camera);
     }

@@ -17,6 +17,7 @@ final class Cases {
 
     private final int n;
     private final double seuil;
+    private final Petites petites;
     private final Pave pave;
     private final Vue vue;
     private final SousPixels sousPixels;
@@ -32,9 +33,10 @@ final class Cases {
     private double v;
     private double b;
 
-    Cases(int n, double seuil, Pave pave, Vue vue) {
+    Cases(int n, double seuil, Petites petites, Pave pave, Vue vue) {
         this.n = n;
         this.seuil = seuil;
+        this.petites = petites;
         this.pave = pave;
         this.vue = vue;
         sousPixels = new SousPixels(n, pave, vue);
@@ -50,7 +52,7 @@ final class Cases {
             for (int x = voulus.i0 - pave.i0; x < voulus.i1 - pave.i0; x++) {
                 commencer(x, y);
                 boolean divisible = finX > 1 || finY > 1;
-                if (divisible && voisinSuspect(suspects)) {
+                if (divisible && (voisinSuspect(suspects) || peutEchapper(0, 0, finX, finY))) {
                     couper(0, 0, finX, finY);
                     raffines++;
                 } else {
@@ -105,6 +107,14 @@ final class Cases {
         return (contraste + PRUDENCE) * Math.sqrt((double) (x1 - x0) * (y1 - y0)) / n > seuil;
     }
 
+    /** Vrai si une petite boule peut être dans la case sans être vue de ses coins. */
+    private boolean peutEchapper(int x0, int y0, int x1, int y1) {
+        double x = pave.i0 + i + 0.5 / n;
+        double y = pave.j0 + j + 0.5 / n;
+        return !petites.estVide() && petites.peutEchapper(x + (double) x0 / n, y + (double) y0 / n, x + (double) x1 / n,
+                y + (double) y1 / n);
+    }
+
     private Couleur voir(int x, int y) {
         return sousPixels.voir(i, j, x, y);
     }
@@ -124,7 +134,7 @@ final class Cases {
             return;
         }
         boolean divisible = x1 - x0 > 1 || y1 - y0 > 1;
-        if (divisible && depasse(x0, y0, x1, y1)) {
+        if (divisible && (depasse(x0, y0, x1, y1) || peutEchapper(x0, y0, x1, y1))) {
             couper(x0, y0, x1, y1);
         } else {
             interpoler(x0, y0, x1, y1);

@@ -1,17 +1,21 @@
 package lancer.antialias;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
@@ -197,8 +201,74 @@ class PartageTest {
         return Math.sqrt(somme / a.length);
     }
 
+    /** Des boules noires d'un même rayon, en pixels, au hasard sur un ciel ; le pixel central en est à 1 de l'écran à z = 0. */
+    private static Scene poussiere(double rayon) {
+        Camera camera = new Camera(L, H);
+        Random hasard = new Random(5);
+        List<Sphere> boules = new ArrayList<>();
+        double loin = (8 + Camera.FOCALE) / Camera.FOCALE;
+        for (int k = 0; k < 40; k++) {
+            boules.add(new Sphere(new Point(camera.getX(L * hasard.nextDouble()) * loin, camera.getY(H * hasard.nextDouble()) * loin, 8),
+                    rayon * 2 / L * loin));
+        }
+        return new Scene(boules, Collections.emptyList());
+    }
+
+    private static final int L = 64;
+    private static final int H = 48;
+
+    private static double[] rouges(Scene scene, Echantillonnage echantillonnage, long[] rayons) {
+        double[] rouges = new double[L * H];
+        Traceur traceur = new Traceur(scene.avec(scene.getModele().avec(echantillonnage, 0)), new Camera(L, H));
+        traceur.TracerPixels((couleur, i, j) -> rouges[L * j + i] = Math.min(1, couleur.r), 0, 2);
+        rayons[0] = traceur.getCompteurs().primaires;
+        return rouges;
+    }
+
+    /** Le remède : une boule plus petite qu'un pixel se cherche là où elle est, et pour bien moins de rayons que la grille. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.2, 0.4, 0.6})
+    void desBoulesPlusPetitesQuUnPixelSontVuesCommeParLaGrilleComplete(double rayon) {
+        Scene scene = poussiere(rayon);
+        long[] rayons = new long[1];
+        double[] juste = rouges(scene, new Coins(24, 0), rayons);
+        double grille = rms(juste, rouges(scene, new Coins(8, 0), rayons));
+        double aveugle = rms(juste, rouges(scene, (pave, vue, toile) -> new Partage(8, 0.06).tracer(pave, vue, toile), rayons));
+        double partage = rms(juste, rouges(scene, new Partage(8, 0.06), rayons));
+        assertTrue(partage < 1.4 * grille, () -> partage + " contre " + grille);
+        assertTrue(rayon > 0.5 || aveugle > 3 * partage, () -> "sans savoir où elles sont : " + aveugle);
+        assertTrue(rayons[0] < 4 * L * H, () -> rayons[0] + " rayons");
+    }
+
+    @Test
+    void unPixelDUnePoussiereADemandeSeulLesBitsDeLImageEntiere() {
+        Scene scene = poussiere(0.3);
+        Camera camera = new Camera(L, H);
+        Echantillonnage partage = new Partage(8, 0.06).pour(scene.getObjets(), camera);
+        Scene prete = scene.avec(scene.getModele().avec(partage, 0));
+        Couleur[] entiere = new Couleur[L * H];
+        new Traceur(prete, camera).TracerPixels((couleur, i, j) -> entiere[L * j + i] = couleur, 0, 2);
+        Vue vue = (xe, ye) -> new Lancer(prete, camera).getCouleurPixel(xe, ye, 0);
+        for (int k = 0; k < L * H; k += 37) {
+            int i = k % L;
+            int j = k / L;
+            Pave pave = Pave.deRang(j / Pave.COTE * (L / Pave.COTE) + i / Pave.COTE, L, H);
+            partage.tracer(pave, new Pave(i, j, i + 1, j + 1), vue, (couleur, x, y) -> assertEquals(entiere[L * y + x], couleur));
+        }
+    }
+
+    @Test
+    void uneGrosseBouleNeFaitRienLancerDePlus() {
+        Scene scene = poussiere(3);
+        long[] sans = new long[1];
+        long[] avec = new long[1];
+        double[] aveugle = rouges(scene, (pave, vue, toile) -> new Partage(8, 0.06).tracer(pave, vue, toile), sans);
+        assertArrayEquals(aveugle, rouges(scene, new Partage(8, 0.06), avec), 0);
+        assertEquals(sans[0], avec[0]);
+    }
+
     /**
-     * Là où elle échoue : au-dessus de {@link Cases#PRUDENCE}, il n'y a qu'un point par pixel, et un disque de rayon ρ ≤ 1/2 est
+     * Là où elle échoue, si rien ne lui dit où sont les objets : au-dessus de {@link Cases#PRUDENCE}, il n'y a qu'un point par pixel, et un disque de rayon ρ ≤ 1/2 est
      * manqué avec la probabilité 1 − πρ² ; juste au-dessous, quatre points par pixel, séparés d'au moins ⌊n/2⌋/n, et 1 − 4πρ²
      * pour ρ ≤ ⌊n/2⌋/(2n) : 1/4 si n est pair, 1/6 si n = 3.
      */
