@@ -82,7 +82,7 @@ scene-geante: mesures/target/mesures.jar
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
 # Une famille des mesures : de une à un million de sphères, avec et sans étoiles lointaines.
-bench: mesures/target/mesures.jar
+bench: mesures/target/mesures.jar | mesures/target/embree
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --spheres $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
 # Le temps de chaque façon de calculer une intersection, par JMH, et la courbe des méthodes ; JMH="-p formule=MANUEL" pour ses options.
@@ -90,9 +90,14 @@ noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux $(JMH)
 
 # Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
-# MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--stabilite ne mesure que la stabilité.
-mesures: mesures/target/mesures.jar
+# MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se
+# chronomètre pas, si chargée que soit la machine ; MESURES=--stabilite n'en mesure que la stabilité.
+mesures: mesures/target/mesures.jar | mesures/target/embree
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
+
+# Un pair en C++, pour les mesures.
+mesures/target/embree: mesures/src/main/cpp/embree.cpp
+	@g++ -O3 -march=native -pthread -o $@ $< -lembree3 2>/dev/null || echo "Sans Embree : sudo apt-get install g++ libembree-dev"
 
 # Les mêmes scènes dessinées par POV-Ray ; JUGE="--reflets 3 target/geante.ini" pour d'autres.
 JUGE ?= --csv mesures/resultats/juge.csv
@@ -107,13 +112,13 @@ mesure-auto: mesures/target/mesures.jar
 auto-a-froid: antialias/target/antialias.jar
 	@JAVA="$(JAVA)" TOURS="$(TOURS)" outils/auto-a-froid.sh
 
-# Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; docs/mutations.md dit ce qui leur échappe, et pourquoi.
+# Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; outils/mutants.md dit ce qui leur échappe, et pourquoi.
 mutations: mesures/target/mesures.jar
 	@rm -rf $(patsubst %,%/target/pit-reports,. $(VARIANTES_TOUTES))
 	@echo "Un millier de fautes, l'une après l'autre : six à huit minutes"
 	@nice -n 19 $(MVN) -q -f ensemble.xml -Pmutations -pl :lancer,:brume,:blinn,:antialias \
 	    test-compile org.pitest:pitest-maven:mutationCoverage > target/mutations.log 2>&1 || { cat target/mutations.log >&2; exit 1; }
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md . $(VARIANTES_TOUTES)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md outils/mutants.md . $(VARIANTES_TOUTES)
 
 CORRECTION := correction/target/correction.jar
 $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(shell find correction/src/main correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \

@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Compare les rapports CSV de PIT à ce qu'en dit docs/mutations.md : le score de chaque classe, et les mutants qu'aucun test n'a tués.
+ * Compare les rapports CSV de PIT à ce qu'en disent une page, le score de chaque classe, et une liste, les mutants qu'aucun test n'a tués.
  * Un mutant est reconnu à sa méthode, à sa mutation et au texte de sa ligne, non au numéro de celle-ci. Lancé par {@code make mutations}.
  */
 public final class Mutations {
@@ -26,16 +26,16 @@ public final class Mutations {
     private Mutations() {
     }
 
-    /** @param args docs/mutations.md, puis les dossiers des modules */
+    /** @param args la page, la liste, puis les dossiers des modules */
     public static void main(String[] args) {
-        if (args.length < 2) {
-            System.err.println("Mutations : usage : Mutations LISTE.md MODULE…");
+        if (args.length < 3) {
+            System.err.println("Mutations : usage : Mutations PAGE.md LISTE.md MODULE…");
             System.exit(2);
         }
         try {
-            List<Path> modules = Arrays.stream(args).skip(1).map(Paths::get).collect(Collectors.toList());
+            List<Path> modules = Arrays.stream(args).skip(2).map(Paths::get).collect(Collectors.toList());
             StringBuilder dit = new StringBuilder();
-            boolean conforme = verifier(Paths.get(args[0]), modules, dit);
+            boolean conforme = verifier(Arrays.asList(Paths.get(args[0]), Paths.get(args[1])), modules, dit);
             System.out.print(dit);
             System.exit(conforme ? 0 : 1);
         } catch (IOException e) {
@@ -45,11 +45,11 @@ public final class Mutations {
     }
 
     /**
-     * Vrai si la page dit exactement ce que disent les rapports.
+     * Vrai si les pages disent exactement, ensemble, ce que disent les rapports.
      *
-     * @param dit le score de chaque classe, puis ce qui manque à la page, prêt à y être mis, et ce qu'elle a de trop
+     * @param dit le score de chaque classe, puis ce qui manque aux pages, prêt à y être mis, et ce qu'elles ont de trop
      */
-    static boolean verifier(Path page, List<Path> modules, StringBuilder dit) throws IOException {
+    static boolean verifier(List<Path> pages, List<Path> modules, StringBuilder dit) throws IOException {
         Map<String, int[]> scores = new TreeMap<>();
         Map<String, Integer> survivants = new TreeMap<>();
         int tropLongs = 0;
@@ -63,10 +63,13 @@ public final class Mutations {
             dit.append("dont arrêtés, trop longs : ").append(tropLongs).append(" (boucle sans fin, ou machine trop chargée)\n");
         }
         survivants.forEach((mutant, fois) -> vrai.add("- " + mutant.replaceFirst(", `", " ×" + fois + ", `")));
-        Set<String> ecrit = Files.readAllLines(page).stream().map(ECRIT::matcher).filter(Matcher::matches)
-                .map(m -> m.group(1) != null ? m.group(1) : m.group(2)).collect(Collectors.toSet());
-        dire(dit, "manque à " + page, vrai, ecrit);
-        dire(dit, "n'est plus vrai dans " + page, ecrit, vrai);
+        Set<String> ecrit = new TreeSet<>();
+        for (Path page : pages) {
+            Files.readAllLines(page).stream().map(ECRIT::matcher).filter(Matcher::matches)
+                    .forEach(m -> ecrit.add(m.group(1) != null ? m.group(1) : m.group(2)));
+        }
+        dire(dit, "manque à " + pages, vrai, ecrit);
+        dire(dit, "n'est plus vrai dans " + pages, ecrit, vrai);
         return vrai.equals(ecrit);
     }
 

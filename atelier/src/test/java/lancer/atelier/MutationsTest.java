@@ -25,10 +25,13 @@ class MutationsTest {
     @TempDir
     Path module;
     private Path page;
+    private Path liste;
 
     @BeforeEach
     void ecrireUnModule() throws IOException {
         page = module.resolve("page.md");
+        liste = module.resolve("liste.md");
+        ecrire("liste.md", "# Liste");
         ecrire("src/main/java/rond/Cercle.java", "package rond;", "class Cercle {", "    if (r > 0 || r == 0) {",
                 "    return 3.14 * r * r;");
         ecrire("target/pit-reports/mutations.csv",
@@ -46,13 +49,14 @@ class MutationsTest {
 
     private void verifier(boolean conforme, String suite) throws IOException {
         StringBuilder dit = new StringBuilder();
-        assertEquals(conforme, Mutations.verifier(page, Collections.singletonList(module), dit));
-        assertEquals(SCORES + LONG + suite.replace("PAGE", page.toString()), dit.toString());
+        assertEquals(conforme, Mutations.verifier(Arrays.asList(page, liste), Collections.singletonList(module), dit));
+        assertEquals(SCORES + LONG + suite.replace("PAGE", "[" + page + ", " + liste + "]"), dit.toString());
     }
 
     @Test
-    void unePageQuiDitLeScoreEtChaqueSurvivantEstConforme() throws IOException {
-        ecrire("page.md", "# Page", "```", SCORES + "```", "", BORNE + RAISON, CALCUL + RAISON);
+    void unePageEtUneListeQuiDisentLeScoreEtChaqueSurvivantSontConformes() throws IOException {
+        ecrire("page.md", "# Page", "```", SCORES + "```", "", BORNE + RAISON);
+        ecrire("liste.md", CALCUL + RAISON);
         verifier(true, "");
     }
 
