@@ -231,7 +231,7 @@ class PartageTest {
     void desBoulesPlusPetitesQuUnPixelSontVuesCommeParLaGrilleComplete(double rayon) {
         Scene scene = poussiere(rayon);
         long[] rayons = new long[1];
-        double[] juste = rouges(scene, new Coins(24, 0), rayons);
+        double[] juste = rouges(scene, new Coins(16, 0), rayons);
         double grille = rms(juste, rouges(scene, new Coins(8, 0), rayons));
         double aveugle = rms(juste, rouges(scene, (pave, vue, toile) -> new Partage(8, 0.06).tracer(pave, vue, toile), rayons));
         double partage = rms(juste, rouges(scene, new Partage(8, 0.06), rayons));

@@ -23,8 +23,14 @@ public final class Gabarit {
 
     private static final double NIVEAUX = 255;
 
+    /** Un écart que l'œil voit, en niveaux. */
+    public static final int VISIBLE = 8;
+
     /** Sous-pixels d'un côté ; un rayon au hasard dans chacun. */
     private static final int COTE = 8;
+
+    /** De chaque pixel semé, dans les deux images. */
+    public static final int RAYONS = 2 * COTE * COTE;
 
     private final double[] a;
     private final double[] b;
@@ -37,7 +43,11 @@ public final class Gabarit {
      * @param pas côté des carrés où semer, en pixels ; 1 pour tous les pixels
      */
     public Gabarit(Scene scene, int largeur, int hauteur, int pas) {
-        boolean[] semes = semer(largeur, hauteur, pas);
+        this(scene, largeur, hauteur, semer(largeur, hauteur, pas));
+    }
+
+    /** @param semes où la mesurer, par rang de pixel */
+    public Gabarit(Scene scene, int largeur, int hauteur, boolean... semes) {
         pixels = IntStream.range(0, semes.length).filter(k -> semes[k]).toArray();
         a = image(scene, largeur, hauteur, semes, 1).getComposantes();
         b = image(scene, largeur, hauteur, semes, 2).getComposantes();
@@ -80,6 +90,11 @@ public final class Gabarit {
         return somme.div(COTE * COTE);
     }
 
+    /** Les rangs des pixels semés, dans l'ordre de {@link #carres}. */
+    public int[] getPixels() {
+        return pixels;
+    }
+
     /** Le carré de l'erreur de chaque pixel semé, en niveaux, sans biais, donc parfois négatif. */
     public double[] carres(ImageLineaire image) {
         double[] x = image.getComposantes();
@@ -93,7 +108,14 @@ public final class Gabarit {
         return carres;
     }
 
-    /** La vérité, connue de 128 rayons par pixel : pour la montrer. */
+    /** La part des pixels semés dont une composante s'écarte de la vérité de plus de {@value #VISIBLE} niveaux : visiblement faux. */
+    public double visibles(ImageLineaire image) {
+        double[] x = image.getComposantes();
+        return (double) Arrays.stream(pixels).filter(p -> IntStream.range(3 * p, 3 * p + 3)
+                .anyMatch(k -> Math.abs(niveau(x[k]) - (niveau(a[k]) + niveau(b[k])) / 2) > VISIBLE)).count() / pixels.length;
+    }
+
+    /** La vérité des pixels semés, connue de {@value #RAYONS} rayons chacun : pour la montrer. */
     public ImageLineaire moyenne(int largeur, int hauteur) {
         ImageLineaire moyenne = new ImageLineaire(largeur, hauteur);
         Arrays.setAll(moyenne.getComposantes(), k -> (a[k] + b[k]) / 2);

@@ -1,9 +1,5 @@
 package lancer.mesures;
 
-import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import lancer.Couleur;
 import lancer.contrat.Toile;
 import lancer.fils.Traceur;
@@ -44,17 +40,5 @@ public final class ImageLineaire implements Toile {
     /** Le pixel de rang {@code k}, dans l'ordre de la lecture. */
     public Couleur getCouleur(int k) {
         return new Couleur(composantes[3 * k], composantes[3 * k + 1], composantes[3 * k + 2]);
-    }
-
-    /** Pour une autre machine virtuelle : ces nombres, et rien d'autre. */
-    public void ecrire(Path fichier) throws IOException {
-        ByteBuffer octets = ByteBuffer.allocate(Double.BYTES * composantes.length);
-        octets.asDoubleBuffer().put(composantes);
-        Files.write(fichier, octets.array());
-    }
-
-    /** L'inverse de {@link #ecrire}, dans une image de cette taille. */
-    public void lire(Path fichier) throws IOException {
-        ByteBuffer.wrap(Files.readAllBytes(fichier)).asDoubleBuffer().get(composantes);
     }
 }

@@ -43,7 +43,7 @@ final class Accord {
         moyen = Math.sqrt(Arrays.stream(ecarts).map(e -> e * e).average().orElse(0)) / PAS_8;
     }
 
-    /** Vrai si aucun pixel ne s'écarte d'un pas d'écran, ni plus d'un sur mille d'un pas de 16 bits. */
+    /** Vrai si aucun pixel ne s'écarte d'un niveau d'écran, ni plus d'un sur mille d'un niveau de 16 bits. */
     boolean estLa() {
         return auDela8 == 0 && (long) auDela16 * UN_SUR <= pixels;
     }

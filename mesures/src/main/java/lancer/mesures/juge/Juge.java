@@ -74,7 +74,7 @@ public final class Juge {
     private int juger() throws IOException {
         PovRay juge = new PovRay(arguments.valeur("--povray", PovRay.COMMANDE), Files.createDirectories(DOSSIER));
         sortie.println("Le juge est " + juge.nom() + " ; " + dessin.largeur + " × " + dessin.hauteur
-                + " ; écarts en pas de 8 bits (1/255)");
+                + " ; écarts en niveaux");
         sortie.println();
         sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
         csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");

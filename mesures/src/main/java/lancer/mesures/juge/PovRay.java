@@ -24,6 +24,7 @@ public final class PovRay {
 
     private static final Pattern TRACE =
             Pattern.compile("Trace Time:[^(]*\\(([\\d.]+) seconds\\)\\s+using \\d+ thread\\(s\\) with ([\\d.]+) CPU");
+    private static final Pattern RAYONS = Pattern.compile("(?:Rays|Shadow Ray Tests): +(\\d+)");
     private static final Pattern VERSION = Pattern.compile("POV-Ray (\\d[\\w.]*)");
 
     private final String commande;
@@ -97,6 +98,15 @@ public final class PovRay {
         Matcher m = TRACE.matcher(dit);
         return m.find() ? new double[] {dureeNs, 1e9 * Double.parseDouble(m.group(1)), 1e9 * Double.parseDouble(m.group(2))}
                 : new double[] {dureeNs, Double.NaN, Double.NaN};
+    }
+
+    /** De toutes sortes, du dernier dessin, selon elle. */
+    public long rayons() {
+        long rayons = 0;
+        for (Matcher m = RAYONS.matcher(dit); m.find();) {
+            rayons += Long.parseLong(m.group(1));
+        }
+        return rayons;
     }
 
     /** @return le statut de la commande */

@@ -24,7 +24,11 @@ final class Bilan {
     }
 
     List<Exactitude> de(String figure, Aspect methode) {
-        return tous.stream().filter(r -> r.figure.equals(figure) && r.formule.equals(methode.cle())).collect(Collectors.toList());
+        return de(figure, methode.cle());
+    }
+
+    List<Exactitude> de(String figure, String methode) {
+        return tous.stream().filter(r -> r.figure.equals(figure) && r.formule.equals(methode)).collect(Collectors.toList());
     }
 
     /** Les défauts, du plus voyant au moins voyant. */
@@ -103,6 +107,32 @@ final class Bilan {
         valeurs.put("stabilite.defauts", String.valueOf(naifs.size()));
         valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Mesures.DEFAUTS, Aspect.PROGRAMME, 0)));
         naifs.forEach(r -> valeurs.put("stabilite.defaut." + r.formule, Style.nombre(r.faux)));
+        petites(valeurs);
+        reflets(valeurs);
         return valeurs;
+    }
+
+    /** Là où la méthode recommandée échouait le plus : son erreur, celles des autres, et ce qu'elle coûte. */
+    private void petites(Map<String, String> valeurs) {
+        Exactitude pire = de(PetitesBoules.FIGURE, PetitesBoules.SANS).stream()
+                .max(Comparator.comparingDouble(r -> r.y / en(de(PetitesBoules.FIGURE, "partage"), r.x).y)).get();
+        for (String methode : new String[] {"un_rayon", "coins", PetitesBoules.SANS, "partage", "grille"}) {
+            valeurs.put("stabilite.petites." + methode, Style.arrondi(en(de(PetitesBoules.FIGURE, methode), pire.x).y));
+        }
+        valeurs.put("stabilite.petites.x", Style.nombre(pire.x));
+        valeurs.put("stabilite.petites.prix", Style.arrondi(en(de(PetitesBoules.FIGURE, "grille"), pire.x).erreurEnUnites
+                / en(de(PetitesBoules.FIGURE, "partage"), pire.x).erreurEnUnites));
+    }
+
+    /** Combien de chiffres un reflet prend à un double, tant qu'il en a, et auquel il n'en reste pas. */
+    private void reflets(Map<String, String> valeurs) {
+        for (String facon : new String[] {"float", "double", "compensee", "deux_doubles"}) {
+            valeurs.put("stabilite.reflets." + facon, de(Reflets.FIGURE, facon).stream().filter(r -> r.erreurRelative >= 0.1).findFirst()
+                    .map(r -> Style.nombre(r.x)).orElse("plus de " + Reflets.MAX));
+        }
+        List<Exactitude> justes = de(Reflets.FIGURE, "double").stream().filter(r -> r.erreurRelative < 0.01).collect(Collectors.toList());
+        Exactitude dernier = justes.get(justes.size() - 1);
+        valeurs.put("stabilite.reflets.perte", Style.arrondi(
+                Math.log10(dernier.erreurRelative / justes.get(0).erreurRelative) / (dernier.x - justes.get(0).x)));
     }
 }

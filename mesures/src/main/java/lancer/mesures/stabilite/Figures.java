@@ -47,8 +47,8 @@ final class Figures {
 
     /** A : de loin. */
     Planche loin() {
-        Volet erreur = new Volet("Manuel : une erreur comme |P − C| à la puissance " + nombre("pente") + ". Programme : jamais plus de "
-                + nombre("unites") + " unités", "Erreur de la distance", "|P − C| / r", "erreur de t, en unités de κ u t")
+        Volet erreur = new Volet("Manuel : une erreur comme |P − C| à la puissance " + nombre("pente") + ". Programme, ici : "
+                + nombre("unites") + " unités au plus", "Erreur de la distance", "|P − C| / r", "erreur de t, en unités de κ u t")
                 .repere(Cas.K, "K = 8, la borne promise");
         courbes(erreur, Mesures.LOIN, r -> Math.max(0.1, r.erreurEnUnites), true);
         Volet genre = new Volet("À " + nombre("bout") + " r, le manuel se trompe " + nombre("bout.manuel") + " fois sur cent",
@@ -102,9 +102,51 @@ final class Figures {
         }
         return new Planche(naifs.size() + " défauts courants : de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à "
                 + Style.nombre(naifs.get(0).faux) + " pixels faux ; le programme : " + nombre("defauts.programme"),
-                "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-pas de "
+                "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-niveau de "
                 + "l'écran d'écart à ce que donne la géométrie. Images de " + Style.nombre(naifs.get(0).essais) + " pixels. make mesures")
                 .taille(Style.LARGEUR, 1480).vignettes(vignettes);
+    }
+
+    /** E : des boules plus petites qu'un pixel. */
+    Planche petites() {
+        Volet volet = new Volet("", "", "rayon des boules, en pixels", "erreur, en niveaux");
+        Object[][] series = {{"un_rayon", "un rayon", Style.NOIR, FormeDePoint.ROND},
+            {"coins", "coins, 4 × 4", Style.ORANGE, FormeDePoint.TRIANGLE},
+            {PetitesBoules.SANS, "partage, si rien ne lui dit où sont les boules", Style.CIEL, FormeDePoint.POINTE},
+            {"partage", "partage, 4 (0,1)", Style.VERT, FormeDePoint.LOSANGE},
+            {"grille", "grille 4 × 4, partout", Style.BLEU, FormeDePoint.CARRE}};
+        for (Object[] s : series) {
+            List<Exactitude> siennes = bilan.de(PetitesBoules.FIGURE, (String) s[0]);
+            volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], false,
+                    siennes.stream().map(r -> Marque.en(r.x, r.y)).collect(Collectors.toList())))
+                    .serie(new Serie("l'erreur attendue, en forme close", Style.GRIS, FormeDePoint.AUCUNE, true,
+                    siennes.stream().filter(r -> r.erreurRelative > 0).map(r -> Marque.en(r.x, r.erreurRelative))
+                    .collect(Collectors.toList())));
+        }
+        return new Planche("Des boules de " + nombre("petites.x") + " pixel : partage se trompe de " + nombre("petites.partage_aveugle")
+                + " niveaux si rien ne lui dit où elles sont, de " + nombre("petites.partage") + " sinon, pour " + nombre("petites.prix")
+                + " fois moins de rayons que la grille", "Des boules noires sur le ciel, au hasard auprès des pixels. La forme close : la "
+                + "racine de la somme, sur toutes les paires de points et du pixel, de l'aire commune à deux disques centrés là ; pour "
+                + "coins, tant qu'un disque ne peut couvrir deux sous-pixels. make mesures").volet(volet);
+    }
+
+    /** F : d'un reflet à l'autre. */
+    Planche reflets() {
+        Volet volet = new Volet("", "", "reflets, de boule en boule", "erreur du contact, en rayons de la boule").repere(1,
+                "la boule elle-même est perdue");
+        Object[][] series = {{"float", "float", Style.ORANGE, FormeDePoint.TRIANGLE},
+            {"double", "double", Style.VERMILLON, FormeDePoint.ROND},
+            {"compensee", "chaque reflet sans erreur, puis rangé en double", Style.POURPRE, FormeDePoint.CROIX},
+            {"deux_doubles", "deux doubles par nombre", Style.BLEU, FormeDePoint.CARRE}};
+        for (Object[] s : series) {
+            volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true, bilan.de(Reflets.FIGURE, (String) s[0]).stream()
+                    .map(r -> Marque.en(r.x, r.erreurRelative)).collect(Collectors.toList())));
+        }
+        return new Planche("Chaque reflet entre petites boules prend " + nombre("reflets.perte") + " chiffre : le dernier d'un double part au "
+                + nombre("reflets.double") + "e, d'un float au " + nombre("reflets.float") + "e", "Erreur médiane de "
+                + Style.nombre(bilan.de(Reflets.FIGURE, "double").get(0).essais) + " chaînes de boules de rayon 1, à des distances de 5 à 40, "
+                + "jugées à 140 chiffres. Aucune formule n'y peut rien : le contact, une fois rangé dans un double, n'y est qu'à un arrondi "
+                + "près, et le reflet suivant multiplie cet arrondi. make mesures").volet(volet);
     }
 
     /** L'image juste, celle du défaut, et où celle-ci est fausse ; de rares pixels sont grossis. */

@@ -34,8 +34,7 @@ final class Mesures {
     static final double LOINTAIN = 1000;
 
     /** Méthodes que comparent les courbes. */
-    static final List<Aspect> DES_COURBES = Arrays.asList(Aspect.GEOMETRIQUE, Aspect.RACINES, Aspect.MANUEL, Aspect.PERPENDICULAIRE,
-            Aspect.PROGRAMME);
+    static final List<Aspect> DES_COURBES = Arrays.asList(Aspect.MANUEL, Aspect.PERPENDICULAIRE, Aspect.PROGRAMME);
 
     /** Des rayons tirés pour une abscisse, part qui doit se juger pour qu'elle soit tracée. */
     private static final double PART_JUGEE = 0.5;
@@ -58,6 +57,8 @@ final class Mesures {
         tous.addAll(sol());
         tous.addAll(courbe(POSE, 5, -16, -1, 1, e -> h -> Cas.pose(h, e)));
         tous.addAll(defauts());
+        tous.addAll(PetitesBoules.mesurer(pas > 1));
+        tous.addAll(Reflets.mesurer(pas > 1 ? 15 : 41));
         return tous;
     }
 

@@ -36,6 +36,8 @@ public final class Stabilite {
         figures.ras().ecrire(dossier.resolve("stabilite-ras.png"));
         figures.sol().ecrire(dossier.resolve("stabilite-sol.png"));
         figures.defauts().ecrire(dossier.resolve("stabilite-defauts.png"));
+        figures.petites().ecrire(dossier.resolve("stabilite-petites.png"));
+        figures.reflets().ecrire(dossier.resolve("stabilite-reflets.png"));
         if (Files.exists(dossier.resolve(Methodes.CSV))) {
             new Methodes(dossier).planche().ecrire(dossier.resolve("methodes.png"));
         }

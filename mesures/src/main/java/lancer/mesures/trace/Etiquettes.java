@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** Écrit des noms à côté de points, là où rien n'est déjà dessiné ; un nom qui n'a pas de place n'est pas écrit. */
@@ -49,8 +50,9 @@ final class Etiquettes {
      */
     boolean ecrire(String texte, double x, double y, double depart, Font police, Color couleur, boolean loin) {
         FontMetrics mesures = g.getFontMetrics(police);
-        double largeur = mesures.stringWidth(texte);
-        double hauteur = mesures.getAscent();
+        String[] lignes = texte.split("\n");
+        double largeur = Arrays.stream(lignes).mapToInt(mesures::stringWidth).max().orElse(0);
+        double hauteur = mesures.getAscent() + (lignes.length - 1) * mesures.getHeight();
         for (double distance : loin ? DISTANCES : PRES) {
             for (double[] d : DIRECTIONS) {
                 double norme = Math.hypot(d[0], d[1]);
@@ -64,7 +66,10 @@ final class Etiquettes {
                     if (distance > FIL) {
                         fil(x, y, place);
                     }
-                    g.drawString(texte, (float) (cx - largeur / 2), (float) (cy + hauteur / 2 - mesures.getDescent() / 2.0));
+                    for (int k = 0; k < lignes.length; k++) {
+                        g.drawString(lignes[k], (float) (cx - largeur / 2),
+                                (float) (cy - hauteur / 2 + mesures.getAscent() - mesures.getDescent() / 2.0 + k * mesures.getHeight()));
+                    }
                     return true;
                 }
             }

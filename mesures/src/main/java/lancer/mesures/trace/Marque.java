@@ -8,7 +8,7 @@ public final class Marque {
     final Intervalle x;
     final Intervalle y;
 
-    /** Ce qui est écrit à côté, vide si rien. */
+    /** Ce qui est écrit à côté, d'une ligne ou deux, vide si rien. */
     String etiquette = "";
 
     /** Faux pour un point qui ne vaut pas la peine : il est dessiné en creux. */
@@ -24,6 +24,14 @@ public final class Marque {
 
     public static Marque en(double x, double y) {
         return new Marque(Intervalle.exact(x), Intervalle.exact(y));
+    }
+
+    public Intervalle x() {
+        return x;
+    }
+
+    public Intervalle y() {
+        return y;
     }
 
     public Marque nommee(String texte) {

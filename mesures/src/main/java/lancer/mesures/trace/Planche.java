@@ -103,9 +103,12 @@ public final class Planche {
             vignettes.dessiner(g, new Rectangle2D.Double(Style.MARGE, haut, utile, bas - haut - 10));
         }
         int parRangee = Math.min(colonnes, volets.size());
+        double parts = IntStream.range(0, volets.size()).filter(k -> k % parRangee == 0).mapToDouble(k -> volets.get(k).part).sum();
+        double reste = bas - haut;
         for (int k = 0; k < volets.size(); k += parRangee) {
-            double h = (bas - haut) / ((volets.size() - 1) / parRangee + 1);
-            rangee(g, volets.subList(k, Math.min(volets.size(), k + parRangee)), haut + k / parRangee * h, h - 10);
+            double h = reste * volets.get(k).part / parts;
+            rangee(g, volets.subList(k, Math.min(volets.size(), k + parRangee)), haut, h - 10);
+            haut += h;
         }
         g.dispose();
         return image;

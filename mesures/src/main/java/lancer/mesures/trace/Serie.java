@@ -15,6 +15,9 @@ public final class Serie {
     final List<Marque> marques;
     Stroke trait;
 
+    /** Ce qui est écrit près de la dernière marque, vide si rien. */
+    String bout = "";
+
     /** @param reliee vrai si un trait joint les marques, dans l'ordre donné */
     public Serie(String nom, Color couleur, FormeDePoint forme, boolean reliee, List<Marque> marques) {
         this.nom = nom;
@@ -23,6 +26,12 @@ public final class Serie {
         this.reliee = reliee;
         this.marques = new ArrayList<>(marques);
         trait = couleur == Style.FRONT ? Style.TRAIT_FRONT : Style.TRAIT;
+    }
+
+    /** Ce nom-là est écrit au bout du trait. */
+    public Serie auBout(String texte) {
+        bout = texte;
+        return this;
     }
 
     /** Ce trait-là n'est pas mesuré. */

@@ -14,7 +14,7 @@ import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
-import org.jfree.chart.axis.SymbolAxis;
+import org.jfree.chart.axis.AxisSpace;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.IntervalMarker;
 import org.jfree.chart.plot.ValueMarker;
@@ -29,12 +29,15 @@ import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 
 /**
- * Des séries entre deux axes logarithmiques, ou des rangées nommées et un seul : une partie d'une {@link Planche}. Les noms des points
+ * Des séries entre deux axes logarithmiques : une partie d'une {@link Planche}. Les noms des points
  * sont écrits près d'eux, là où il y a de la place.
  */
 public final class Volet {
 
     private static final double RETRAIT = 8;
+
+    /** La place des ordonnées et de leur nom. */
+    private static final double GAUCHE = 120;
 
     private final String constat;
     private final String sujet;
@@ -43,12 +46,13 @@ public final class Volet {
     private final List<Serie> fonds = new ArrayList<>();
     private final List<Serie> series = new ArrayList<>();
     private final Map<Double, String> niveaux = new LinkedHashMap<>();
-    private String[] rangees;
     private double zone;
-    private double repereX;
     private boolean versZero;
+
+    /** Ce qu'il prend de la hauteur d'une planche, ses voisins d'au-dessus et d'au-dessous en prenant autant. */
+    double part = 1;
     private Axe axeX;
-    private ValueAxis axeY;
+    private Axe axeY;
 
     /**
      * @param constat ce que l'on y voit, en une phrase
@@ -61,17 +65,10 @@ public final class Volet {
         this.nomY = nomY;
     }
 
-    /**
-     * Des choses nommées à gauche, une par rangée, et pour chacune combien.
-     *
-     * @param noms des rangées, de haut en bas ; une marque d'ordonnée k est dans la k-ième, comptée de 0
-     * @param repere où tracer une droite verticale
-     */
-    public static Volet rangees(String constat, String nomX, List<String> noms, double repere) {
-        Volet volet = new Volet(constat, "", nomX, null);
-        volet.rangees = noms.toArray(new String[0]);
-        volet.repereX = repere;
-        return volet;
+    /** De tant de fois la hauteur de ceux d'une autre rangée. */
+    public Volet part(double fois) {
+        part = fois;
+        return this;
     }
 
     /** Les abscisses décroissent vers la droite : ce qui est difficile est à droite de ce qui est facile. */
@@ -147,6 +144,10 @@ public final class Volet {
         plot.setDataset(1, donnees(fonds));
         plot.setRenderer(1, new Points(fonds));
         plot.setBackgroundPaint(null);
+        // deux volets l'un sous l'autre ont ainsi les mêmes abscisses
+        AxisSpace gauche = new AxisSpace();
+        gauche.setLeft(GAUCHE);
+        plot.setFixedRangeAxisSpace(gauche);
         plot.setOutlinePaint(Style.GRIS);
         plot.setDomainGridlinePaint(Style.GRILLE);
         plot.setRangeGridlinePaint(Style.GRILLE);
@@ -156,25 +157,14 @@ public final class Volet {
             plot.addRangeMarker(new IntervalMarker(axeY.getLowerBound(), zone, Style.BANDE), Layer.BACKGROUND);
         }
         niveaux.keySet().forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
-        if (repereX > 0) {
-            plot.addDomainMarker(new ValueMarker(repereX, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND);
-        }
         return plot;
     }
 
     private void axes(XYIntervalSeriesCollection montrees) {
-        Range x = DatasetUtils.iterateDomainBounds(montrees, true);
-        axeX = axe(nomX, repereX > 0 ? Range.expandToInclude(x, repereX) : x);
+        axeX = axe(nomX, DatasetUtils.iterateDomainBounds(montrees, true));
         axeX.setInverted(versZero);
-        if (rangees == null) {
-            Range y = DatasetUtils.iterateRangeBounds(montrees, true);
-            axeY = axe(nomY, zone > 0 ? Range.expandToInclude(Range.expandToInclude(y, zone), zone / 2) : y);
-        } else {
-            SymbolAxis noms = new SymbolAxis(null, rangees);
-            noms.setGridBandsVisible(false);
-            noms.setInverted(true);
-            axeY = noms;
-        }
+        Range y = DatasetUtils.iterateRangeBounds(montrees, true);
+        axeY = axe(nomY, zone > 0 ? Range.expandToInclude(Range.expandToInclude(y, zone), zone / 2) : y);
         for (ValueAxis axe : new ValueAxis[] {axeX, axeY}) {
             axe.setLabelFont(Style.TEXTE);
             axe.setLabelPaint(Style.ENCRE);
@@ -199,16 +189,11 @@ public final class Volet {
         for (int s = 0; s < partie.size(); s++) {
             XYIntervalSeries points = new XYIntervalSeries(partie.get(s).nom, false, true);
             for (Marque m : partie.get(s).marques) {
-                points.add(m.x.valeur, m.x.min, m.x.max, y(m.y.valeur, s), y(m.y.min, s), y(m.y.max, s));
+                points.add(m.x.valeur, m.x.min, m.x.max, m.y.valeur, m.y.min, m.y.max);
             }
             donnees.addSeries(points);
         }
         return donnees;
-    }
-
-    /** L'ordonnée d'une marque sur l'axe : dans une rangée, les séries sont l'une sous l'autre. */
-    private double y(double y, int serie) {
-        return rangees == null ? y : y + (serie - (series.size() - 1) / 2.0) * 0.8 / series.size();
     }
 
     /** Les traits, puis les points et leurs barres ; en creux ceux qui ne valent pas la peine. */
@@ -252,7 +237,7 @@ public final class Volet {
         for (int s = 0; s < series.size(); s++) {
             double[] avant = null;
             for (Marque m : series.get(s).marques) {
-                double[] ici = {px(m.x.valeur, cadre), py(m.y.valeur, s, cadre)};
+                double[] ici = {px(m.x.valeur, cadre), py(m.y.valeur, cadre)};
                 noms.reserver(ici[0], ici[1], FormeDePoint.DEMI_COTE);
                 if (m.cerclee) {
                     g.translate(ici[0], ici[1]);
@@ -265,22 +250,29 @@ public final class Volet {
                     noms.reserver(avant[0], avant[1], ici[0], ici[1]);
                 }
                 noms.reserver(px(m.x.min, cadre), ici[1], px(m.x.max, cadre), ici[1]);
-                noms.reserver(ici[0], py(m.y.min, s, cadre), ici[0], py(m.y.max, s, cadre));
+                noms.reserver(ici[0], py(m.y.min, cadre), ici[0], py(m.y.max, cadre));
                 avant = ici;
             }
         }
         niveaux.forEach((niveau, nom) -> {
-            double y = py(niveau, 0, cadre);
+            double y = py(niveau, cadre);
             noms.reserver(cadre.getMinX(), y, cadre.getMaxX(), y);
             // à droite s'il y a de la place, sinon un peu moins
             DoubleStream.iterate(cadre.getMaxX(), x -> x - 20).limit((long) cadre.getWidth() / 20).anyMatch(
                     x -> noms.ecrire(nom, x, y + (zone == niveau ? 18 : -18), -12, Style.ETIQUETTE, Style.GRIS, false));
         });
+        for (int s = 0; s < series.size(); s++) {
+            Marque bout = series.get(s).marques.get(series.get(s).marques.size() - 1);
+            if (!series.get(s).bout.isEmpty()) {
+                noms.ecrire(series.get(s).bout, px(bout.x.valeur, cadre), py(bout.y.valeur, cadre), 0, Style.ETIQUETTE_DEFAUT,
+                        series.get(s).couleur.darker(), true);
+            }
+        }
         for (int tour = 0; tour < 3; tour++) {
             for (int s = 0; s < series.size(); s++) {
                 for (Marque m : series.get(s).marques) {
                     if (tour == (m.cerclee ? 0 : m.pleine ? 1 : 2) && !m.etiquette.isEmpty()) {
-                        noms.ecrire(m.etiquette, px(m.x.valeur, cadre), py(m.y.valeur, s, cadre), m.cerclee ? 8 : 0,
+                        noms.ecrire(m.etiquette, px(m.x.valeur, cadre), py(m.y.valeur, cadre), m.cerclee ? 8 : 0,
                                 m.cerclee ? Style.ETIQUETTE_DEFAUT : Style.ETIQUETTE, series.get(s).couleur.darker(), true);
                     }
                 }
@@ -292,7 +284,7 @@ public final class Volet {
         return axeX.valueToJava2D(x, cadre, RectangleEdge.BOTTOM);
     }
 
-    private double py(double y, int serie, Rectangle2D cadre) {
-        return axeY.valueToJava2D(y(y, serie), cadre, RectangleEdge.LEFT);
+    private double py(double y, Rectangle2D cadre) {
+        return axeY.valueToJava2D(y, cadre, RectangleEdge.LEFT);
     }
 }

@@ -1,5 +1,7 @@
 package lancer.mesures.vitesse;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -9,12 +11,16 @@ import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
+import lancer.contrat.Recherche;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.mesures.Gabarit;
@@ -24,7 +30,7 @@ import lancer.temoins.LancerSurveille;
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
-            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_sans_economie", "rayons_utiles");
+            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_sans_economie", "rayons_utiles", "ombres_inutiles", "structures", "octets");
 
     /** Un Ks qui n'est pas nul, et qui ne se verra jamais. */
     private static final double INVISIBLE = 1e-300;
@@ -35,19 +41,33 @@ final class Besoin {
     private final Compteurs compteurs;
     private final int[] codes;
 
+    /** Ce que préparer la scène a pris de mémoire au fil qui le fait. */
+    private final long octets;
+
+    /** Ce que la recherche a construit, par genres de rayons. */
+    private final String structures;
+
+    /** Parmi les rayons utiles, ceux d'ombre dont la réponse contraire ne change rien à l'écran. */
+    private long ombresInutiles;
+
     Besoin(Path fichier, Taille taille) {
         this.taille = taille;
         nom = fichier.getFileName().toString().replace(".ini", "");
         scene = Scenes.lire(fichier);
+        ThreadMXBean memoire = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long avant = memoire.getThreadAllocatedBytes(Thread.currentThread().getId());
         Traceur lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
+        octets = memoire.getThreadAllocatedBytes(Thread.currentThread().getId()) - avant;
         codes = codes(lancer, Constantes.MAX_REFLETS);
         compteurs = lancer.getCompteurs();
+        structures = lancer.getScene().getModele().getRecherche().toString();
     }
 
     String ligne() {
+        long utiles = rayonsUtiles();
         return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
                 lampesUtiles(), profondeurUtile(), Releve.reel((double) compteurs.testsSpheres / compteurs.rayons()),
-                compteurs.rayons(), rayonsSansEconomie(), rayonsUtiles());
+                compteurs.rayons(), rayonsSansEconomie(), utiles, ombresInutiles, structures, octets);
     }
 
     private Traceur preparer(Scene copie, double seuil) {
@@ -94,9 +114,15 @@ final class Besoin {
         return utiles;
     }
 
-    /** Les rayons de chaque pixel, jusqu'à la dernière réflexion qui change sa couleur à l'écran. */
+    /**
+     * Les rayons de chaque pixel, jusqu'à la dernière réflexion qui change sa couleur à l'écran, moins ceux d'ombre dont la réponse,
+     * retournée l'une après l'autre, n'y change rien.
+     */
     long rayonsUtiles() {
         Traceur lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
+        Retournee ombres = new Retournee(lancer.getScene().getModele().getRecherche());
+        lancer.getScene().getModele().setRecherche(ombres);
+        ombresInutiles = 0;
         Compteurs siens = lancer.getScene().getCompteurs();
         long utiles = 0;
         for (int k = 0; k < codes.length; k++) {
@@ -105,11 +131,52 @@ final class Besoin {
             int reflets = 0;
             do {
                 avant = siens.rayons();
+                ombres.aRetourner(Integer.MAX_VALUE);
                 code = lancer.getLancer().getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets++).getCode();
             } while (code != codes[k]);
             utiles += siens.rayons() - avant;
+            for (int o = ombres.demandees - 1; o >= 0; o--) {
+                ombres.aRetourner(o);
+                code = lancer.getLancer().getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets - 1).getCode();
+                ombresInutiles += code == codes[k] ? 1 : 0;
+            }
         }
-        return utiles;
+        return utiles - ombresInutiles;
+    }
+
+    /** Une recherche dont une réponse, une seule, est le contraire de ce qu'elle est : celle d'un rayon d'ombre. */
+    private static final class Retournee implements Recherche {
+
+        private final Recherche vraie;
+        private int rang;
+
+        /** Depuis le dernier pixel commencé. */
+        private int demandees;
+
+        Retournee(Recherche vraie) {
+            this.vraie = vraie;
+        }
+
+        /** Commence un pixel. */
+        void aRetourner(int celle) {
+            rang = celle;
+            demandees = 0;
+        }
+
+        @Override
+        public void plusProche(Rayon incident, Objet3D saufLui) {
+            vraie.plusProche(incident, saufLui);
+        }
+
+        @Override
+        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+            return vraie.estCachee(lampe, P, V, distance, objet) != (demandees++ == rang);
+        }
+
+        @Override
+        public Recherche pourUnFil(Compteurs compteurs) {
+            return this;
+        }
     }
 
     /**

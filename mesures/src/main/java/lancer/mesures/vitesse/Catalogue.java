@@ -12,7 +12,6 @@ import lancer.antialias.Antialias;
 import lancer.atelier.Scenes;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
-import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.mesures.Gabarit;
 
@@ -23,7 +22,6 @@ final class Catalogue {
     static final String DEMANDES = "demandes";
     static final String SPHERES = "spheres";
 
-    static final String BROUILLON = "brouillon";
     static final String UN_RAYON = "un rayon";
     static final String GRILLE = "grille";
     static final String COINS = "coins";
@@ -31,8 +29,8 @@ final class Catalogue {
     static final String PROFONDEUR = "profondeur";
     static final String SEUIL = "seuil";
     static final String ENSEMBLE = "ensemble";
-    static final String AUTO = "auto";
     static final String POVRAY = "POV-Ray";
+    static final String EMBREE = "Embree";
     static final String TELLE_QUELLE = "telle quelle";
     static final String PROGRAMME = "programme";
     static final String BOUCLES = "boucles du cours";
@@ -41,11 +39,6 @@ final class Catalogue {
 
     /** Jusqu'à ce nombre de sphères, les boucles du cours se mesurent ; une seule fois à celui-ci. */
     static final int BOUCLES_MAX = 10000;
-
-    /** Ce que le catalogue court garde des réglages de la scène du cours. */
-    private static final List<String> COURT = Arrays.asList(UN_RAYON + "/", BROUILLON + "/4 × 4", GRILLE + "/2 × 2",
-            COINS + "/" + COINS_DEFAUT, PARTAGE + "/n=4 seuil=0.1", PROFONDEUR + "/p=0", PROFONDEUR + "/p=" + Gabarit.PROFONDEUR,
-            AUTO + "/erreur=2", POVRAY + "/-A");
 
     private final boolean court;
 
@@ -76,12 +69,18 @@ final class Catalogue {
         }
     }
 
-    /** Tous, dans l'ordre où les mesurer. */
-    List<Groupe> groupes() {
+    /** Les réglages qui se comparent sur une même scène, scène par scène. */
+    static List<Groupe> reglages() {
         List<Groupe> groupes = new ArrayList<>();
-        for (String scene : court ? new String[] {"scene1"} : new String[] {"scene1", "bowling", "miroirs", "tournesol"}) {
+        for (String scene : new String[] {"scene1", "bowling", "miroirs", "tournesol"}) {
             groupes.add(new Groupe(METHODES, scene, methodes(scene), 1));
         }
+        return groupes;
+    }
+
+    /** Tout ce qui se chronomètre, dans l'ordre ; le catalogue court n'a que la scène du cours, et de petites foules. */
+    List<Groupe> groupes() {
+        List<Groupe> groupes = new ArrayList<>(reglages().subList(0, court ? 1 : 4));
         groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5));
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
             groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(true, n <= BOUCLES_MAX), 1));
@@ -100,51 +99,39 @@ final class Catalogue {
     }
 
     /**
-     * Les réglages de la courbe principale d'une scène : tous sur celle du cours. Ailleurs, ceux qui feraient la même erreur
-     * (l'anticrénelage de {@code miroirs}), ou dureraient des minutes pour redire ce qu'elle dit, n'y sont pas.
+     * Tous sur la scène du cours ; ailleurs, sauf les plus chers. De {@code miroirs}, l'anticrénelage ne sert qu'à qui suit tous les
+     * reflets.
      */
-    private List<Methode> methodes(String scene) {
+    private static List<Methode> methodes(String scene) {
         boolean miroirs = scene.equals("miroirs");
         boolean cours = scene.equals("scene1");
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(UN_RAYON, ""));
-        m.add(new Methode(BROUILLON, "4 × 4").echantillonnee(Echantillonnage.BROUILLON)
-                .limitee(Constantes.REFLETS_BROUILLON, Constantes.SEUIL));
-        for (int n : miroirs ? new int[] {2, 8} : cours ? new int[] {2, 4, 8} : new int[] {2, 4}) {
+        for (int n : miroirs ? new int[] {2, 8} : cours ? new int[] {2, 3, 4, 8} : new int[] {2, 3, 4}) {
             m.add(new Methode(GRILLE, n + " × " + n).echantillonnee(Antialias.coins(n, 0)));
         }
-        for (int n : cours ? new int[] {3, 4, 8} : new int[] {3}) {
+        for (int n : miroirs ? new int[] {3} : cours ? new int[] {3, 4, 8} : new int[] {3, 4}) {
             m.add(new Methode(COINS, "n=" + n + " seuil=0.05").echantillonnee(Antialias.coins(n, 0.05)));
         }
-        double[][] partages = {{4, 0.1}, {4, 0.2}, {8, 0.06}, {16, 0.06}, {16, 0.03}};
-        for (double[] p : Arrays.copyOf(partages, miroirs ? 1 : cours ? 5 : 4)) {
+        double[][] partages = {{4, 0.1}, {3, 0.3}, {4, 0.2}, {8, 0.1}, {8, 0.06}, {16, 0.06}, {16, 0.03}, {16, 0.015}};
+        for (double[] p : Arrays.copyOf(partages, miroirs ? 1 : cours ? 8 : 7)) {
             m.add(new Methode(PARTAGE, "n=" + (int) p[0] + " seuil=" + p[1]).echantillonnee(Antialias.partage((int) p[0], p[1])));
         }
         for (int p : miroirs ? new int[] {0, 2, 10, 20, Gabarit.PROFONDEUR} : new int[] {0, 1, 2, Gabarit.PROFONDEUR}) {
             m.add(new Methode(PROFONDEUR, "p=" + p).limitee(p, Constantes.SEUIL));
         }
-        for (int s : miroirs ? new int[] {16, 128} : cours ? new int[] {16} : new int[] {}) {
+        for (int s : miroirs ? new int[] {16, 128} : new int[] {16}) {
             m.add(new Methode(SEUIL, "1/" + s).limitee(Gabarit.PROFONDEUR, 1.0 / s));
-            if (miroirs) {
-                // là seulement le front demande les deux à la fois
-                m.add(new Methode(ENSEMBLE, "n=4 seuil=0.1 reflets=" + Gabarit.PROFONDEUR + " jusqu'à 1/" + s)
-                        .echantillonnee(Antialias.partage(4, 0.1)).limitee(Gabarit.PROFONDEUR, 1.0 / s));
-            }
         }
-        for (String erreur : new String[] {"0.5", "1", "2", "4"}) {
-            m.add(new Methode(AUTO, "erreur=" + erreur).auto(Double.parseDouble(erreur)));
+        // là seulement il faut demander les deux à la fois
+        double[][] ensembles = {{4, 0.2, 16}, {4, 0.1, 16}, {4, 0.1, 128}, {8, 0.06, 128}, {8, 0.06, 512}};
+        for (double[] e : miroirs ? ensembles : new double[0][]) {
+            m.add(new Methode(ENSEMBLE, "n=" + (int) e[0] + " seuil=" + e[1] + " reflets=" + Gabarit.PROFONDEUR + " jusqu'à 1/" + (int) e[2])
+                    .echantillonnee(Antialias.partage((int) e[0], e[1])).limitee(Gabarit.PROFONDEUR, 1 / e[2]));
         }
-        m.add(povray("-A"));
-        m.add(povray("+A0.3 +R3 +AM1"));
-        if (cours) {
-            m.add(povray("+A0.03 +R4 +AM2"));
-        }
-        m.removeIf(methode -> court && !COURT.contains(methode.cle()));
+        m.add(new Methode(POVRAY, "3 × 3 où des voisins diffèrent").parPovRay("+A0.3", "+R3", "+AM1"));
+        m.add(new Methode(POVRAY, "grille adaptative").parPovRay("+A0.03", "+R4", "+AM2"));
         return m;
-    }
-
-    private static Methode povray(String options) {
-        return new Methode(POVRAY, options).parPovRay(options.split(" "));
     }
 
     /** Une chose changée à la fois. */
@@ -162,7 +149,7 @@ final class Catalogue {
         return m;
     }
 
-    /** Le programme entier et, là où la courbe les montre, les boucles du cours et POV-Ray. */
+    /** Le programme entier et, là où la courbe les montre, les boucles du cours, et ce que font d'autres. */
     private static List<Methode> spheres(boolean povray, boolean boucles) {
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(PROGRAMME, ""));
@@ -170,7 +157,8 @@ final class Catalogue {
             m.add(new Methode(BOUCLES, "").enBoucles());
         }
         if (povray) {
-            m.add(povray("-A"));
+            m.add(new Methode(POVRAY, "").parPovRay());
+            m.add(new Methode(EMBREE, ""));
         }
         return m;
     }

@@ -1,14 +1,15 @@
 package lancer.mesures.vitesse;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import lancer.Constantes;
 import lancer.atelier.Scenes;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
@@ -21,6 +22,9 @@ final class Constats {
 
     /** Ce que vaut, en moyenne quadratique, d'arrondir à l'écran. */
     static final double ARRONDI = 1 / Math.sqrt(12);
+
+    /** Centre, rayon, Kd, Ks et ns, en doubles. */
+    private static final int OCTETS_D_UNE_SPHERE = 11 * Double.BYTES;
 
     final Releves releves;
     final List<Map<String, String>> besoins;
@@ -42,7 +46,7 @@ final class Constats {
         return releves.de(Catalogue.SPHERES).methode(methode).tels(r -> r.scene.startsWith(famille + "-"));
     }
 
-    /** Ce que montrent les pages, par leurs noms. */
+    /** Ce que montrent les pages, par leurs noms ; sans les temps, là où ils n'ont pas été pris. */
     Map<String, String> pages() {
         Map<String, String> valeurs = new TreeMap<>();
         for (String scene : releves.de(Catalogue.METHODES).scenes()) {
@@ -50,60 +54,97 @@ final class Constats {
             valeurs.put(scene + ".coins", duel(scene, methodes(scene).le(Catalogue.COINS, Catalogue.COINS_DEFAUT)));
             valeurs.put(scene + ".povray", povray(scene));
             valeurs.put(scene + ".paliers", paliers(scene));
-            valeurs.put(scene + ".p=1000", description(methodes(scene).le(Catalogue.PROFONDEUR, "p=1000")));
-            methodes(scene).methode(Catalogue.GRILLE).tels(r -> r.parametres.equals("8 × 8")).get()
-                    .forEach(r -> valeurs.put(scene + ".8x8", duel(scene, r)));
-            valeurs.put(scene + ".unrayon", Style.nombre(methodes(scene).le(Catalogue.UN_RAYON, "").erreur().valeur));
+            valeurs.put(scene + ".pentes", pentes(scene));
+            for (Releve r : methodes(scene).aNous().get()) {
+                valeurs.put(scene + "." + r.nom(), description(r));
+            }
+            methodes(scene).tels(r -> r.parametres.equals("8 × 8")).get().forEach(r -> valeurs.put(scene + ".8x8", duel(scene, r)));
         }
-        valeurs.put("demandes.titre", "Le temps d'une lampe de plus : "
-                + Noms.rapport(demandes().le("lampe", "une de plus").rapport()));
         for (Releve r : demandes().get()) {
             valeurs.put("demandes." + r.nom(), Noms.rapport(r.rapport()));
         }
-        valeurs.put("spheres.titre", titreDesSpheres());
-        valeurs.put("spheres.povray", plusViteQue(Catalogue.POVRAY));
-        valeurs.put("spheres.boucles", plusViteQue(Catalogue.BOUCLES));
-        valeurs.put("spheres.etoiles", etoiles());
-        valeurs.put("parcimonie.titre", titreDeLaParcimonie());
+        if (!releves.de(Catalogue.SPHERES).get().isEmpty()) {
+            valeurs.put("spheres.titre", titreDesSpheres());
+            valeurs.put("spheres.povray", plusViteQue(Catalogue.POVRAY));
+            valeurs.put("spheres.embree", plusViteQue(Catalogue.EMBREE));
+            valeurs.put("spheres.boucles", plusViteQue(Catalogue.BOUCLES));
+            valeurs.put("spheres.etoiles", etoiles());
+        }
         valeurs.put("besoins.tableau", tableauDesBesoins());
+        DoubleSummaryStatistics exces = besoins.stream().mapToDouble(Constats::exces).summaryStatistics();
+        valeurs.put("parcimonie", "de " + Style.arrondi(100 * exces.getMin()) + " à " + Style.arrondi(100 * exces.getMax()) + " %");
         valeurs.put("besoins.taille", besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur"));
         valeurs.put("marge", Style.arrondi(100 * (releves.marge() - 1)) + " %");
-        valeurs.put("machine", releves.get().get(0).circonstances());
+        valeurs.put("machine", circonstances());
         return valeurs;
+    }
+
+    /** Sur quoi et quand les temps ont été pris. */
+    String circonstances() {
+        return releves.get().stream().filter(r -> !r.texte("machine").isEmpty()).findFirst().map(Releve::circonstances)
+                .orElse("aucun temps n'a été pris");
     }
 
     // ---- une scène
 
-    /** Ce qui bat de plus loin un réglage que l'on prendrait d'abord, une grille ou « coins », et de combien. */
-    String titre(String scene) {
+    /** Ce qu'il faut choisir : le moins cher sous l'arrondi de l'écran ou, si rien n'y est, le plus juste. */
+    Releve choix(String scene) {
         Releves siens = methodes(scene);
-        Map<Releve, Releve> vainqueurs = new LinkedHashMap<>();
-        siens.methode(Catalogue.GRILLE, Catalogue.COINS).get()
-                .forEach(r -> siens.vainqueur(r).ifPresent(v -> vainqueurs.put(r, v)));
-        return Noms.scene(scene) + " : " + vainqueurs.keySet().stream()
-                .max(Comparator.comparingDouble(r -> r.rapport().valeur / vainqueurs.get(r).rapport().valeur))
-                .map(r -> Noms.methode(vainqueurs.get(r)) + " bat " + Noms.methode(r) + ", "
-                        + fois(vainqueurs.get(r), r) + " moins de temps")
-                .orElse("aucune différence que la mesure porte entre grilles, « coins » et les autres");
+        List<Releve> front = siens.front();
+        return siens.leMoinsCher(ARRONDI).orElse(front.get(front.size() - 1));
     }
 
-    /** Combien de fois plus vite, d'après le moins que portent les deux intervalles, et le plus. */
-    private static String fois(Releve gagnant, Releve battu) {
-        return "de " + Style.nombre(battu.rapport().min / gagnant.rapport().max) + " à "
-                + Style.nombre(battu.rapport().max / gagnant.rapport().min) + " fois";
+    /** La décision : de quelle méthode, à quel prix. */
+    String titre(String scene) {
+        Releve r = choix(scene);
+        return Noms.scene(scene) + " : " + (r.erreur().max <= ARRONDI ? "sous l'arrondi de l'écran" : Noms.niveaux(r.erreur().valeur))
+                + " pour " + Style.arrondi(prix(r)) + " fois le prix d'un rayon : " + Noms.methode(r);
     }
 
-    /** Ce que coûte un réglage, et ce qui le bat. */
+    /** Combien de fois les rayons d'un rayon par pixel. */
+    double prix(Releve r) {
+        return r.rayons() / methodes(r.scene).le(Catalogue.UN_RAYON, "").rayons();
+    }
+
+    /** La pente d'une méthode, en logarithmes, d'un rayon par pixel à ses réglages : ce que rapporte un prix dix fois plus grand. */
+    double pente(String scene, String methode) {
+        Releves siens = methodes(scene);
+        double[] xy = new double[4];
+        List<Releve> points = siens.methode(methode, Catalogue.UN_RAYON).get();
+        for (Releve r : points) {
+            double x = Math.log(r.rayons());
+            double y = Math.log(r.erreur().valeur);
+            xy[0] += x;
+            xy[1] += y;
+            xy[2] += x * x;
+            xy[3] += x * y;
+        }
+        int n = points.size();
+        return (n * xy[3] - xy[0] * xy[1]) / (n * xy[2] - xy[0] * xy[0]);
+    }
+
+    /** Par combien l'erreur se divise quand le prix est dix fois plus grand. */
+    private String pentes(String scene) {
+        return "la grille la divise par " + Style.arrondi(Math.pow(10, -pente(scene, Catalogue.GRILLE))) + ", « coins » par "
+                + Style.arrondi(Math.pow(10, -pente(scene, Catalogue.COINS))) + ", « partage » par "
+                + Style.arrondi(Math.pow(10, -pente(scene, Catalogue.PARTAGE)));
+    }
+
+    /** Ce que donne un réglage, et ce qui le bat. */
     private String duel(String scene, Releve r) {
-        return description(r) + " ; " + methodes(scene).vainqueur(r).map(mieux -> "battu par " + Noms.methode(mieux)
-                + ", " + fois(mieux, r) + " moins de temps et " + Style.nombre(mieux.erreur().valeur) + " pas d'erreur")
-                .orElse("rien de ce qui est mesuré ne le bat à coup sûr");
+        return description(r) + " ; " + methodes(scene).vainqueur(r).map(mieux -> "battu par " + Noms.methode(mieux) + " : "
+                + Noms.niveaux(mieux.erreur().valeur) + " " + prixDit(mieux)).orElse("rien de ce qui est mesuré ne le bat à coup sûr");
     }
 
-    private static String description(Releve r) {
+    private String prixDit(Releve r) {
+        return "pour " + Style.arrondi(prix(r)) + " fois les rayons";
+    }
+
+    private String description(Releve r) {
         Intervalle e = r.erreur();
-        return Style.nombre(e.valeur) + " pas d'erreur (de " + Style.nombre(e.min) + " à " + Style.nombre(e.max) + "), pour le temps : "
-                + Noms.rapport(r.rapport());
+        String temps = Noms.temps(r);
+        return Style.nombre(e.valeur) + (e.valeur < 2 ? " niveau" : " niveaux") + " (de " + Style.nombre(e.min) + " à "
+                + Style.nombre(e.max) + ") et " + Noms.visibles(r) + ", " + prixDit(r) + (temps.isEmpty() ? "" : ", " + temps);
     }
 
     /** Le plus juste de POV-Ray, et ce qui le bat chez nous. */
@@ -113,35 +154,43 @@ final class Constats {
                 .map(r -> Noms.methode(r) + " : " + duel(scene, r)).orElse("POV-Ray n'était pas installé");
     }
 
-    /** Une ligne de tableau : pour chaque erreur à ne pas dépasser, le réglage le plus rapide qui la tient à coup sûr. */
+    /** Une ligne de tableau : pour chaque erreur à ne pas dépasser, le moins cher des réglages qui la tiennent à coup sûr. */
     String paliers(String scene) {
-        return DoubleStream.of(4, 2, 1, 0.5, ARRONDI).mapToObj(palier -> methodes(scene).get().stream()
-                .filter(r -> !r.methode.equals(Catalogue.POVRAY) && r.erreur().max <= palier)
-                .min(Comparator.comparingDouble(r -> r.rapport().valeur))
-                .map(r -> Noms.methode(r) + " : " + Noms.rapport(r.rapport())).orElse("rien")).collect(Collectors.joining(" | "));
+        return DoubleStream.of(4, 2, 1, 0.5, ARRONDI).mapToObj(palier -> methodes(scene).leMoinsCher(palier)
+                .map(r -> Noms.methode(r) + " : " + Noms.prix(prix(r))).orElse("rien")).collect(Collectors.joining(" | "));
     }
 
     // ---- le nombre de sphères
 
+    /** D'où le programme va plus vite que les boucles du cours, et de combien à la plus grande foule où elles se comparent. */
     String titreDesSpheres() {
-        List<Releve> siens = spheres(Scenes.FOULE, Catalogue.PROGRAMME).get();
-        Releve petit = siens.get(siens.size() > 2 ? 1 : 0);
-        Releve grand = siens.get(siens.size() - 1);
-        return "De " + nombre(petit) + " à " + nombre(grand) + " sphères, tout compris, " + (petit.rapport().nettementSous(grand.rapport())
-                ? "le programme prend " + fois(petit, grand) + " plus de temps" : "aucune différence que la mesure porte");
+        List<Releve> boucles = spheres(Scenes.FOULE, Catalogue.BOUCLES).tels(r -> r.rapport().max < Double.POSITIVE_INFINITY).get();
+        Releve des = null;
+        for (Releve r : boucles) {
+            des = !Intervalle.exact(1).nettementSous(r.rapport()) ? null : des == null ? r : des;
+        }
+        return des == null ? "Aucune foule où la mesure porte que le programme aille plus vite que les boucles du cours"
+                : "Dès " + nombre(des) + " sphères, le programme va plus vite que les boucles du cours : à "
+                + nombre(boucles.get(boucles.size() - 1)) + ", " + fois(boucles.get(boucles.size() - 1));
     }
 
-    /** À combien de sphères le programme va plus vite que cette méthode, à coup sûr, et combien de fois. */
+    private static String fois(Releve r) {
+        return "de " + Style.arrondi(r.rapport().min) + " à " + Style.arrondi(r.rapport().max) + " fois";
+    }
+
+    /** À combien de sphères le programme va plus vite que cette méthode, ou moins vite, à coup sûr, et combien de fois. */
     private String plusViteQue(String methode) {
         List<String> phrases = new ArrayList<>();
         for (Releve lui : spheres(Scenes.FOULE, methode).get()) {
-            Releve nous = releves.de(Catalogue.SPHERES).scene(lui.scene).le(Catalogue.PROGRAMME, "");
-            if (nous.rapport().nettementSous(lui.rapport())) {
-                phrases.add(nombre(nous) + " (" + fois(nous, lui) + ")");
+            Intervalle i = lui.rapport();
+            if (Intervalle.exact(1).nettementSous(i)) {
+                phrases.add(nombre(lui) + " (" + fois(lui) + " plus vite)");
+            } else if (i.nettementSous(Intervalle.exact(1))) {
+                phrases.add(nombre(lui) + " (de " + Style.arrondi(1 / i.max) + " à " + Style.arrondi(1 / i.min) + " fois moins vite)");
             }
         }
-        return phrases.isEmpty() ? "à aucun nombre de sphères la mesure ne porte que le programme soit le plus rapide"
-                : "le programme est le plus rapide à " + String.join(", ", phrases) + " sphères";
+        return phrases.isEmpty() ? "aucune différence que la mesure porte" : "le programme dessine " + String.join(", ", phrases)
+                + " sphères";
     }
 
     /** Ce que neuf étoiles ajoutent aux sphères et aux cases examinées : un compte, non un temps. */
@@ -163,13 +212,28 @@ final class Constats {
 
     // ---- la parcimonie
 
+    /** Une table par scène : ce qu'elle demande, et ce que fait le programme. */
     private String tableauDesBesoins() {
-        return "\n\n| scène | sphères | lampes qui changent au moins un pixel | réflexions qui changent au moins un pixel "
-                + "| sphères essayées par rayon | rayons non lancés | rayons lancés de trop |\n|---|---|---|---|---|---|---|\n"
-                + besoins.stream().map(b -> "| " + String.join(" | ", "`" + b.get("scene") + "`",
-                Style.nombre(nombre(b, "spheres")), b.get("lampes_utiles") + " sur " + b.get("lampes"), b.get("profondeur_utile"),
-                Style.nombre(nombre(b, "tests_par_rayon")), Style.arrondi(100 * economie(b)) + " %",
-                Style.arrondi(100 * exces(b)) + " %") + " |\n").collect(Collectors.joining()) + "\n";
+        return "\n" + besoins.stream().map(this::table).collect(Collectors.joining()) + "\n";
+    }
+
+    private String table(Map<String, String> b) {
+        double pixels = nombre(b, "largeur") * nombre(b, "hauteur");
+        double ms = releves.scene(b.get("scene")).tels(r -> r.nombre("reference_ms") > 0).referenceMs();
+        String[][] lignes = {{"rayons par pixel", Style.nombre(nombre(b, "rayons_utiles") / pixels) + " qui changent l'écran",
+            Style.nombre(nombre(b, "rayons") / pixels) + ", dont " + Style.arrondi(100 * exces(b)) + " % pour rien ("
+            + Style.arrondi(100 * nombre(b, "ombres_inutiles") / nombre(b, "rayons")) + " % d'ombre) ; "
+            + Style.arrondi(100 * economie(b)) + " % de ceux de qui les lancerait tous sont épargnés"},
+            {"lampes", b.get("lampes_utiles") + " qui changent l'écran", b.get("lampes")},
+            {"reflets à la suite", b.get("profondeur_utile"), Math.min(Constantes.MAX_REFLETS, Integer.parseInt(b.get("profondeur_utile")))
+                + " (" + Constantes.MAX_REFLETS + " au plus)"},
+            {"structures", Style.nombre(nombre(b, "spheres")) + (b.get("spheres").equals("1") ? " sphère" : " sphères"),
+                b.get("structures") + " ; " + Style.nombre(nombre(b, "tests_par_rayon")) + " sphères essayées par rayon"},
+            {"octets", Style.arrondi(nombre(b, "spheres") * OCTETS_D_UNE_SPHERE) + " de sphères, " + Style.arrondi(4 * pixels)
+                + " d'image", Style.arrondi(nombre(b, "octets")) + " pris pour préparer"},
+            {"millisecondes", "", Double.isNaN(ms) ? "non mesurées" : Style.arrondi(ms) + " par dessin, à chaud"}};
+        return "\n### `" + b.get("scene") + "`\n\n| | demandé par la scène | fait par le programme |\n|---|---|---|\n"
+                + Arrays.stream(lignes).map(l -> "| " + String.join(" | ", l) + " |\n").collect(Collectors.joining());
     }
 
     static double nombre(Map<String, String> b, String colonne) {
@@ -184,13 +248,5 @@ final class Constats {
     /** La part des rayons lancés qui ne changent rien à l'écran. */
     private static double exces(Map<String, String> b) {
         return 1 - nombre(b, "rayons_utiles") / nombre(b, "rayons");
-    }
-
-    String titreDeLaParcimonie() {
-        DoubleSummaryStatistics economies = besoins.stream().mapToDouble(Constats::economie).summaryStatistics();
-        Map<String, String> prodigue = besoins.stream().max(Comparator.comparingDouble(Constats::exces)).get();
-        return "De " + Style.arrondi(100 * economies.getMin()) + " à " + Style.arrondi(100 * economies.getMax())
-                + " % des rayons ne sont pas lancés ; il en reste jusqu'à "
-                + Style.arrondi(100 * exces(prodigue)) + " % (" + prodigue.get("scene") + ") qui ne changent rien à l'écran";
     }
 }

@@ -137,7 +137,18 @@ final class Manches {
         }
     }
 
+    /** La machine n'est pas assez à nous. */
+    static final class Troublee extends IOException {
+
+        private static final long serialVersionUID = 1;
+
+        Troublee(String message) {
+            super(message);
+        }
+    }
+
     private static IOException troublee(String raison) {
-        return new IOException("machine troublée : " + raison + " ; aucun résultat n'est changé");
+        return new Troublee("machine troublée : " + raison + " ; aucun temps n'est changé. Fermez ce qui l'occupe et recommencez ; ou "
+                + "MESURES=--comptes, qui refait le reste sans rien chronométrer");
     }
 }

@@ -1,11 +1,11 @@
 package lancer.mesures.vitesse;
 
-import java.awt.image.Raster;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -22,14 +22,14 @@ import lancer.Scene;
 import lancer.atelier.Circonstances;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
-import lancer.mesures.Gabarit;
-import lancer.mesures.ImageLineaire;
-import lancer.mesures.Intervalle;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
 
 /** Mesure un groupe après l'autre, et note chaque méthode dès qu'elle est finie. */
 final class Mesureur {
+
+    /** Celui que construit le Makefile, là où Embree est installé. */
+    static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
     /** D'ici à cinq fois plus, une manche est longue ; celles de POV-Ray le sont toutes. */
     private static final double LONGUE_NS = 1e9;
@@ -50,36 +50,27 @@ final class Mesureur {
     private final Path csv;
     private final Path dossier;
 
-    /** Celle qu'écrit un {@link Ouvrier}. */
-    private final Path image;
     private final PrintStream sortie;
     private final Manches manches;
     private final PovRay povray;
     private final Circonstances circonstances = new Circonstances();
 
-    /** @param csv où noter ; ses temporaires sont à côté */
-    Mesureur(boolean court, boolean agitee, Path csv, PrintStream sortie) throws IOException {
+    /**
+     * @param povray {@code null} s'il n'est pas installé
+     * @param csv où noter ; ses temporaires sont à côté
+     */
+    Mesureur(boolean court, boolean agitee, Taille taille, PovRay povray, Path csv, PrintStream sortie) throws IOException {
         this.court = court;
         this.agitee = agitee;
         this.csv = csv;
         this.sortie = sortie;
         echantillonNs = TimeUnit.MILLISECONDS.toNanos(court || agitee ? 20 : 50);
-        taille = court ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
+        this.taille = taille;
+        this.povray = povray;
         dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
-        image = dossier.resolve("image.bin");
         manches = new Manches(new Etalon()::estCalme, agitee);
-        povray = povray();
         sortie.println(circonstances.machine + ", " + circonstances.jvm + ", commit " + circonstances.commit);
         Files.write(csv, Collections.singletonList(String.join(",", Releve.COLONNES)));
-    }
-
-    private PovRay povray() {
-        try {
-            return new PovRay(PovRay.COMMANDE, dossier);
-        } catch (IOException e) {
-            sortie.println("Sans POV-Ray : " + e.getMessage());
-            return null;
-        }
     }
 
     /** @throws IOException si la machine ne nous est pas assez laissée */
@@ -87,7 +78,7 @@ final class Mesureur {
         long debut = System.nanoTime();
         for (Catalogue.Groupe groupe : groupes) {
             sortie.println(groupe.famille + ", " + groupe.scene + ", à " + (System.nanoTime() - debut) / 1_000_000_000 + " s");
-            groupe.methodes.removeIf(m -> povray == null && m.povray);
+            groupe.methodes.removeIf(m -> povray == null && m.povray || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
             Path fichier = Scenes.fichier(groupe.scene, dossier);
             if (groupe.enProcessus()) {
                 enProcessus(groupe, fichier);
@@ -117,16 +108,14 @@ final class Mesureur {
 
     private void enDessins(Catalogue.Groupe groupe, Path fichier) throws IOException {
         Scene scene = Scenes.lire(fichier);
-        Gabarit gabarit = groupe.famille.equals(Catalogue.METHODES)
-                ? new Gabarit(scene, taille.largeur, taille.hauteur, court ? 3 : 5) : null;
         int lancements = groupe.lancements;
         Map<Methode, Manches.Temps> temps = new HashMap<>();
         for (int lancement = 1; lancement <= lancements; lancement++) {
             try (Machine reperes = new Machine(groupe, groupe.methodes.get(0), fichier)) {
                 for (Methode methode : groupe.methodes) {
                     Map<String, Object> champs = new HashMap<>();
-                    Manches.Temps pris = methode.povray ? parPovRay(groupe, methode, reperes, gabarit, champs)
-                            : parNous(groupe, methode, fichier, reperes, gabarit, champs);
+                    Manches.Temps pris = methode.povray ? parPovRay(groupe, methode, reperes)
+                            : parNous(groupe, methode, fichier, reperes, champs);
                     temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
                     if (lancement == lancements) {
                         champs.put("lancements", lancements);
@@ -138,46 +127,30 @@ final class Mesureur {
     }
 
     /** @param champs où noter ce qui se compte et se vérifie, une fois les temps pris */
-    private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Gabarit gabarit,
-            Map<String, Object> champs) throws IOException {
+    private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Map<String, Object> champs)
+            throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
             Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs + machine.dureeNs));
-            String[] comptes = machine.demander("finir").split(" ", 8);
-            String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies", "choix"};
+            String[] comptes = machine.demander("finir").split(" ");
+            String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies"};
             for (int k = 0; k < noms.length; k++) {
                 champs.put(noms[k], comptes[k]);
-            }
-            if (gabarit != null) {
-                ImageLineaire dessinee = new ImageLineaire(taille.largeur, taille.hauteur);
-                dessinee.lire(image);
-                juger(gabarit, dessinee, champs);
             }
             return temps;
         }
     }
 
     /** Il ne prépare que ce dessin-ci : le temps est celui qu'il dit avoir passé à tracer. */
-    private Manches.Temps parPovRay(Catalogue.Groupe groupe, Methode methode, Machine reperes, Gabarit gabarit, Map<String, Object> champs)
-            throws IOException {
+    private Manches.Temps parPovRay(Catalogue.Groupe groupe, Methode methode, Machine reperes) throws IOException {
         SceneJugee jugee = jugee(groupe, Scenes.fichier(groupe.scene, dossier));
-        Raster[] dessinee = new Raster[1];
-        Manches.Temps temps = manches.mesurer(reperes, () -> {
-            dessinee[0] = jugee.dessiner(methode.options);
+        return manches.mesurer(reperes, () -> {
+            jugee.dessiner(methode.options);
             return new double[] {povray.temps()[1], povray.temps()[2]};
         }, voulues(groupe, 2 * LONGUE_NS));
-        juger(gabarit, jugee.image(dessinee[0], methode.options), champs);
-        return temps;
     }
 
     private SceneJugee jugee(Catalogue.Groupe groupe, Path fichier) throws IOException {
         return new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
-    }
-
-    private static void juger(Gabarit gabarit, ImageLineaire image, Map<String, Object> champs) {
-        Intervalle erreur = Intervalle.deLaRacine(gabarit.carres(image));
-        champs.put("erreur", Releve.reel(erreur.valeur));
-        champs.put("erreur_min", Releve.reel(erreur.min));
-        champs.put("erreur_max", Releve.reel(erreur.max));
     }
 
     /** Un {@link Ouvrier}, échauffé. */
@@ -189,8 +162,7 @@ final class Mesureur {
         private final double dureeNs;
 
         Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
-            super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur,
-                    image);
+            super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur);
             long debut = System.nanoTime();
             double dessinNs = chronometrer(1)[0];
             for (int k = 1; k < (agitee ? 1 : ECHAUFFEMENT) && System.nanoTime() - debut < ECHAUFFEMENT_NS; k++) {
@@ -214,7 +186,6 @@ final class Mesureur {
     // ---- le programme entier, lancé chaque fois
 
     private void enProcessus(Catalogue.Groupe groupe, Path fichier) throws IOException {
-        Path repere = Scenes.fichier(Scenes.FOULE + "-1", dossier);
         int spheres = Scenes.lire(fichier).getObjets().size();
         for (Methode methode : groupe.methodes) {
             Map<String, Object> champs = new HashMap<>();
@@ -226,10 +197,17 @@ final class Mesureur {
                     jugee.dessiner(methode.options);
                     return new double[] {povray.temps()[0], Double.NaN};
                 };
+            } else if (methode.nom.equals(Catalogue.EMBREE)) {
+                echantillon = () -> parEmbree(fichier);
             }
-            Manches.Temps temps = manches.mesurer(new Programme(repere), echantillon, voulues(methode, spheres));
+            // le programme, face à lui-même sur une seule boule ; les autres, face à lui sur leur scène
+            Programme repere = new Programme(methode.nom.equals(Catalogue.PROGRAMME) ? Scenes.fichier(Scenes.FOULE + "-1", dossier)
+                    : fichier);
+            Manches.Temps temps = manches.mesurer(repere, echantillon, voulues(methode, spheres));
             champs.put("lancements", temps.rapports.length);
-            if (echantillon == programme) {
+            if (methode.nom.equals(Catalogue.EMBREE)) {
+                Ouvrier.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
+            } else if (echantillon == programme) {
                 champs.putAll(programme.statistiques);
                 int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);
                 Ouvrier.pixels(fichier, taille, pixels, programme.png);
@@ -241,6 +219,16 @@ final class Mesureur {
             extrapoler(groupe, fichier, spheres);
         }
         Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));
+    }
+
+    /** Un programme en C++, de la scène à l'image ; il s'arrête avec le statut 1 s'il ne peut la lire ou l'écrire. */
+    private double[] parEmbree(Path fichier) throws IOException {
+        long debut = System.nanoTime();
+        try (Processus pair = new Processus(EMBREE.toString(), fichier, taille.largeur, taille.hauteur, taille.fils,
+                dossier.resolve("embree.ppm"))) {
+            pair.lignes();
+        }
+        return new double[] {System.nanoTime() - debut, Double.NaN};
     }
 
     /** Où noter une statistique du programme : « rayons.ombre » dans ombre, « tests.spheres » dans tests, « trace.ms » dans trace_ms. */
@@ -307,9 +295,8 @@ final class Mesureur {
         }
         String ligne = FichierCsv.ligne(Releve.COLONNES.stream().map(n -> champs.getOrDefault(n, "")).toArray());
         Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
-        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  %2d/%d%s", methode.nom,
+        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  %2d/%d", methode.nom,
                 methode.parametres, temps.rapport.valeur, temps.rapport.min, temps.rapport.max,
-                temps.rapport.valeur * temps.referenceNs / 1e6, temps.manches - temps.jetees, temps.manches,
-                champs.containsKey("erreur") ? "  erreur " + champs.get("erreur") : ""));
+                temps.rapport.valeur * temps.referenceNs / 1e6, temps.manches - temps.jetees, temps.manches));
     }
 }

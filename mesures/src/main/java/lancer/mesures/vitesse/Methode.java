@@ -1,15 +1,10 @@
 package lancer.mesures.vitesse;
 
-import java.util.Collections;
 import java.util.function.UnaryOperator;
 import lancer.Constantes;
 import lancer.Scene;
-import lancer.antialias.Antialias;
-import lancer.auto.Auto;
-import lancer.auto.Souhait;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
-import lancer.contrat.Variante;
 import lancer.fils.Traceur;
 import lancer.temoins.LancerSurveille;
 
@@ -34,7 +29,6 @@ final class Methode {
     private int profondeur = Constantes.MAX_REFLETS;
     private double seuil = Constantes.SEUIL;
     private UnaryOperator<Scene> changement = UnaryOperator.identity();
-    private double erreurVoulue;
 
     Methode(String nom, String parametres) {
         this.nom = nom;
@@ -65,12 +59,6 @@ final class Methode {
         return this;
     }
 
-    /** Ce que choisit {@code --auto} pour cette erreur ; ses essais ne sont pas du dessin. */
-    Methode auto(double voulue) {
-        erreurVoulue = voulue;
-        return this;
-    }
-
     Methode parPovRay(String... siennes) {
         povray = true;
         options = siennes;
@@ -85,40 +73,24 @@ final class Methode {
     /** Une scène prête. */
     final class Dessin {
 
-        /** Ce qui a été choisi, si c'était à choisir. */
-        final String choix;
         final Traceur lancer;
-        private final int reflets;
 
         Dessin(Scene lue, int largeur, int hauteur) {
             Scene changee = changement.apply(lue);
-            Scene scene = changee.avec(changee.getModele().avec(echantillonnage, seuil));
-            Traceur prepare = LancerSurveille.preparer(scene, largeur, hauteur, boucles);
-            if (erreurVoulue > 0) {
-                Auto auto = Auto.choisir(prepare, Souhait.erreur(erreurVoulue), Runtime.getRuntime().availableProcessors(),
-                        Collections.<Variante>singletonList(new Antialias()), enCours -> { });
-                lancer = auto.getTraceur();
-                reflets = auto.getChoisi().reflets;
-                choix = auto.getChoisi().toString();
-            } else {
-                lancer = prepare;
-                reflets = profondeur;
-                choix = "";
-            }
+            lancer = LancerSurveille.preparer(changee.avec(changee.getModele().avec(echantillonnage, seuil)), largeur, hauteur, boucles);
         }
 
         /** Une fois, par le chemin du programme. */
         void faire(Toile toile, int fils) {
-            lancer.TracerPixels(toile, reflets, fils);
+            lancer.TracerPixels(toile, profondeur, fils);
         }
 
         /** Par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Scene scene = lancer.getScene();
-            Echantillonnage partiel = filtre.apply(scene.getModele().getEchantillonnage());
-            Scene partielle = scene.avec(scene.getModele().avec(partiel, scene.getModele().getSeuil()));
-            LancerSurveille.preparer(partielle, lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur(), true)
-                    .parcourir(partiel, toile, reflets, fils);
+            Echantillonnage partiel = filtre.apply(scene.getModele().getEchantillonnage().pour(scene.getObjets(), lancer.getCamera()));
+            LancerSurveille.preparer(scene.avec(scene.getModele().avec(partiel, seuil)), lancer.getCamera().getLargeur(),
+                    lancer.getCamera().getHauteur(), true).parcourir(partiel, toile, profondeur, fils);
         }
     }
 }

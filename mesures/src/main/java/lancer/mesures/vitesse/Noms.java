@@ -16,23 +16,23 @@ final class Noms {
     /** Au-delà, une borne ne dit rien. */
     private static final double INCONNU = 100;
 
-    /** De chaque méthode, son nom dans le CSV, dans la légende et dans une phrase, et l'apparence de ses points. */
+    /** De chaque méthode, son nom dans le CSV, au bout de sa ligne, dans une phrase, près d'un point, et l'apparence de ses points. */
     static final Object[][] METHODES = {
-        {Catalogue.BROUILLON, "brouillon", "le brouillon", Style.GRIS, FormeDePoint.POINTE},
-        {Catalogue.UN_RAYON, "un rayon", "un rayon par pixel", Style.NOIR, FormeDePoint.ROND},
-        {Catalogue.PROFONDEUR, "un rayon, tant de réflexions", "un rayon à %s réflexions",
-            Style.VERMILLON, FormeDePoint.ROND},
-        {Catalogue.SEUIL, "un rayon, jusqu'à ce seuil", "un rayon jusqu'au seuil %s",
-            Style.POURPRE, FormeDePoint.CROIX},
-        {Catalogue.GRILLE, "grille complète", "la grille %s", Style.BLEU, FormeDePoint.CARRE},
-        {Catalogue.COINS, "« coins » (n ; seuil)", "« coins » (%s)", Style.ORANGE, FormeDePoint.TRIANGLE},
-        {Catalogue.PARTAGE, "« partage » (n ; seuil)", "« partage » (%s)", Style.VERT, FormeDePoint.LOSANGE},
-        {Catalogue.ENSEMBLE, "« partage » (4 ; 0,1), jusqu'à ce seuil", "« partage » (4 ; 0,1) jusqu'au seuil %s",
-            Style.VERMILLON, FormeDePoint.LOSANGE},
-        {Catalogue.AUTO, "--auto, pour cette erreur", "le choix de --auto erreur=%s", Style.NOIR, FormeDePoint.ETOILE},
-        {Catalogue.POVRAY, "POV-Ray et ses options", "POV-Ray (%s)", Style.CIEL, FormeDePoint.TRIANGLE}};
+        {Catalogue.UN_RAYON, "", "un rayon par pixel", "un rayon par pixel", Style.NOIR, FormeDePoint.ROND},
+        {Catalogue.PROFONDEUR, "un rayon, moins de reflets ou plus", "un rayon à %s reflets", "%s reflets", Style.VERMILLON,
+            FormeDePoint.ROND},
+        {Catalogue.SEUIL, "", "un rayon, aux reflets coupés sous %s", "reflets coupés sous %s", Style.POURPRE, FormeDePoint.CROIX},
+        {Catalogue.GRILLE, "grille, partout", "la grille %s, partout", "%s partout", Style.BLEU, FormeDePoint.CARRE},
+        {Catalogue.COINS, "coins", "coins, %s", "coins, %s", Style.ORANGE, FormeDePoint.TRIANGLE},
+        {Catalogue.PARTAGE, "partage", "partage, %s", "partage, %s", Style.VERT, FormeDePoint.LOSANGE},
+        {Catalogue.ENSEMBLE, "partage, tous les reflets", "partage, %s", "partage, %s", Style.VERT, FormeDePoint.LOSANGE},
+        {Catalogue.POVRAY, "", "POV-Ray, %s", "POV-Ray, %s", Style.CIEL, FormeDePoint.TRIANGLE}};
 
     private Noms() {
+    }
+
+    private static Object[] de(Releve r) {
+        return Arrays.stream(METHODES).filter(m -> m[0].equals(r.methode)).findFirst().get();
     }
 
     /** Un nom de scène en tête de phrase. */
@@ -42,15 +42,38 @@ final class Noms {
 
     /** Dans une phrase. */
     static String methode(Releve r) {
-        Object[] noms = Arrays.stream(METHODES).filter(m -> m[0].equals(r.methode)).findFirst().get();
-        return String.format((String) noms[2], etiquette(r));
+        return String.format((String) de(r)[2], parametres(r, "$1 rayons là où c'est utile (seuil $2)", "$1 × $1 où quatre coins diffèrent"));
     }
 
     /** Près d'un point. */
     static String etiquette(Releve r) {
-        String court = r.parametres.replaceFirst(".* jusqu'à ", "").replaceFirst("^n=(\\d+) seuil=", "$1 ; ").replaceFirst("^\\w+=", "");
-        return r.methode.equals(Catalogue.UN_RAYON) ? "1 rayon" : r.methode.equals(Catalogue.BROUILLON) ? r.methode
-                : r.methode.equals(Catalogue.POVRAY) ? court : court.replace('.', ',');
+        return String.format((String) de(r)[3], parametres(r, "$1 rayons, seuil $2", "$1 × $1"));
+    }
+
+    private static String parametres(Releve r, String partage, String coins) {
+        return r.parametres.replace('.', ',')
+                .replaceFirst("^n=(\\d+) seuil=([\\d,]+)", r.methode.equals(Catalogue.COINS) ? coins : partage)
+                .replaceFirst(" reflets=\\d+ jusqu'à ", ", tous les reflets jusqu'à ").replaceFirst("^\\w+=", "");
+    }
+
+    /** Combien de fois les rayons d'un rayon par pixel : « × 4 ». */
+    static String prix(double fois) {
+        return "× " + Style.arrondi(fois);
+    }
+
+    static String niveaux(double erreur) {
+        return Style.arrondi(erreur) + (erreur < 2 ? " niveau" : " niveaux");
+    }
+
+    static String visibles(Releve r) {
+        return Style.arrondi(100 * r.nombre("visibles")) + " % visiblement faux";
+    }
+
+    /** Le temps, à celui d'un rayon, s'il est connu : « temps × 2,6 (de 2,4 à 2,9) » ; vide sinon. */
+    static String temps(Releve r) {
+        Intervalle i = r.rapport();
+        return !(i.max < INCONNU * i.valeur) || r.methode.equals(Catalogue.UN_RAYON) ? ""
+                : "temps × " + Style.arrondi(i.valeur) + " (de " + Style.arrondi(i.min) + " à " + Style.arrondi(i.max) + ")";
     }
 
     /** De combien c'est plus que 1, et entre quoi ; ou qu'on ne sait pas le dire. */

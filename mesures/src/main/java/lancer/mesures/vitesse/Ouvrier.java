@@ -8,6 +8,7 @@ import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
@@ -42,30 +43,29 @@ final class Ouvrier {
     private Ouvrier() {
     }
 
-    /** @param args famille, scène, méthode, fichier, largeur, hauteur, image */
+    /** @param args famille, scène, méthode, fichier, largeur, hauteur */
     public static void main(String[] args) throws IOException {
         PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
         try {
             Methode methode = Catalogue.methode(args[0], args[1], args[2]);
             Taille taille = new Taille(Integer.parseInt(args[4]), Integer.parseInt(args[5]));
-            dessiner(methode, Scenes.lire(Paths.get(args[3])), taille, Paths.get(args[6]),
+            dessiner(methode, Scenes.lire(Paths.get(args[3])), taille,
                     new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)), sortie);
         } catch (RuntimeException | OutOfMemoryError e) {
             sortie.println("faute " + e);
         }
     }
 
-    static void dessiner(Methode methode, Scene scene, Taille taille, Path fichier, BufferedReader entree, PrintStream sortie)
+    static void dessiner(Methode methode, Scene scene, Taille taille, BufferedReader entree, PrintStream sortie)
             throws IOException {
         Methode.Dessin dessin = methode.new Dessin(scene, taille.largeur, taille.hauteur);
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
         for (String demande = entree.readLine(); demande != null; demande = entree.readLine()) {
             if (demande.equals("finir")) {
                 int verifies = verifier(dessin, scene, image, taille);
-                image.ecrire(fichier);
                 Compteurs c = dessin.lancer.getCompteurs();
                 sortie.println(c.primaires + " " + c.ombre + " " + c.reflechis + " " + c.testsSpheres + " " + c.noeudsVisites + " "
-                        + c.pixelsRaffines + " " + verifies + " " + dessin.choix);
+                        + c.pixelsRaffines + " " + verifies);
                 return;
             }
             double[] temps = repeter(dessin, image, taille, Integer.parseInt(demande));
@@ -112,6 +112,29 @@ final class Ouvrier {
             }
         }
         return refaits;
+    }
+
+    /**
+     * Un programme qui compte en {@code float} ne dessine pas la même image au bit près.
+     *
+     * @throws IllegalStateException si plus d'un pixel sur cent s'écarte de la nôtre d'un niveau
+     */
+    static void comparer(Path ppm, Path png, Taille taille) throws IOException {
+        byte[] octets = Files.readAllBytes(ppm);
+        BufferedImage image = ImageIO.read(png.toFile());
+        int faux = 0;
+        for (int k = 0; k < taille.pixels(); k++) {
+            int code = image.getRGB(k % taille.largeur, k / taille.largeur);
+            boolean pareil = true;
+            for (int c = 0; c < 3; c++) {
+                int sien = octets[octets.length - 3 * (taille.pixels() - k) + c] & 0xFF;
+                pareil &= Math.abs(sien - (code >> 16 - 8 * c & 0xFF)) <= 1;
+            }
+            faux += pareil ? 0 : 1;
+        }
+        if (100 * faux > taille.pixels()) {
+            throw new IllegalStateException("image fausse : " + ppm + ", " + faux + " pixels");
+        }
     }
 
     /**

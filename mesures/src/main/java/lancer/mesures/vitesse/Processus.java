@@ -7,10 +7,10 @@ import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Une machine virtuelle à part, de ce même chemin des classes, à qui l'on parle ligne par ligne. */
 class Processus implements Closeable {
@@ -20,10 +20,14 @@ class Processus implements Closeable {
     private final BufferedReader sortie;
 
     Processus(Class<?> programme, Object... args) throws IOException {
-        List<String> commande = new ArrayList<>(Arrays.asList(Paths.get(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp", System.getProperty("java.class.path"), programme.getName()));
-        Arrays.stream(args).forEach(a -> commande.add(a.toString()));
-        processus = new ProcessBuilder(commande).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+        this(Paths.get(System.getProperty("java.home"), "bin", "java").toString(),
+                Stream.concat(Stream.of("-cp", System.getProperty("java.class.path"), programme.getName()), Arrays.stream(args)).toArray());
+    }
+
+    /** Un autre programme. */
+    Processus(String commande, Object... args) throws IOException {
+        processus = new ProcessBuilder(Stream.concat(Stream.of(commande), Arrays.stream(args).map(Object::toString))
+                .collect(Collectors.toList())).redirectError(ProcessBuilder.Redirect.INHERIT).start();
         entree = new PrintStream(processus.getOutputStream(), true, "UTF-8");
         sortie = new BufferedReader(new InputStreamReader(processus.getInputStream(), StandardCharsets.UTF_8));
     }

@@ -5,7 +5,6 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -30,9 +29,6 @@ final class Rapport {
     /** Celui de {@code make mesure-corriger}. */
     private static final String CORRIGER = "corriger.csv";
 
-    /** Celles que le README montre l'une près de l'autre, sous la courbe de la scène du cours. */
-    private static final List<String> VIGNETTES = Arrays.asList("miroirs", "tournesol");
-
     private final Path dossier;
     private final PrintStream sortie;
     private final Constats constats;
@@ -41,7 +37,7 @@ final class Rapport {
     Rapport(Path dossier, PrintStream sortie) throws IOException {
         this.dossier = dossier;
         this.sortie = sortie;
-        constats = new Constats(Releves.lire(dossier.resolve(Vitesse.CSV)),
+        constats = new Constats(Releves.lire(dossier),
                 FichierCsv.lire(dossier.resolve(Vitesse.BESOINS)));
     }
 
@@ -88,14 +84,11 @@ final class Rapport {
     void ecrire(boolean pages) throws IOException {
         Planches planches = new Planches(constats);
         for (String scene : constats.releves.de(Catalogue.METHODES).scenes()) {
-            ecrire(planches.scene(scene, false), scene);
-            if (VIGNETTES.contains(scene)) {
-                ecrire(planches.scene(scene, true), scene + "-vignette");
-            }
+            ecrire(planches.scene(scene), scene);
         }
-        ecrire(planches.demandes(), "demandes");
-        ecrire(planches.spheres(), "spheres");
-        ecrire(planches.parcimonie(), "parcimonie");
+        if (!constats.releves.de(Catalogue.SPHERES).get().isEmpty()) {
+            ecrire(planches.spheres(), "spheres");
+        }
         Stabilite.dessiner(dossier);
         Map<String, String> valeurs = valeurs();
         valeurs.forEach((nom, valeur) -> sortie.println(nom + " : " + valeur));

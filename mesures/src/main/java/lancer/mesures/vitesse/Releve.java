@@ -1,18 +1,21 @@
 package lancer.mesures.vitesse;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
+import lancer.atelier.FichierCsv;
 import lancer.mesures.Intervalle;
 
-/** Ce qu'a donné une méthode sur une scène : une ligne du CSV. Un nombre qui manque y est vide, et ici NaN. */
+/** Ce qu'a donné une méthode sur une scène : ses temps, ses rayons et son erreur. Un nombre qui manque est vide dans un CSV, et ici NaN. */
 final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
-            "methode", "parametres", "choix", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
+            "methode", "parametres", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
             "raffines", "pixels_verifies", "lecture_ms", "preparation_ms", "trace_ms", "lancements", "manches", "jetees", "reference_ms",
-            "processeur_ms", "rapport", "rapport_min", "rapport_max", "erreur", "erreur_min", "erreur_max");
+            "processeur_ms", "rapport", "rapport_min", "rapport_max");
 
     final String famille;
     final String scene;
@@ -73,8 +76,28 @@ final class Releve {
         return new Intervalle(nombre("erreur"), nombre("erreur_min"), nombre("erreur_max"));
     }
 
+    /** De toutes sortes, d'une image. */
     double rayons() {
-        return nombre("primaires") + nombre("ombre") + nombre("reflechis");
+        return texte("rayons").isEmpty() ? nombre("primaires") + nombre("ombre") + nombre("reflechis") : nombre("rayons");
+    }
+
+    /** Ces champs-là, dans un CSV. */
+    String ligne(List<String> colonnes) {
+        return FichierCsv.ligne(colonnes.stream().map(this::texte).toArray());
+    }
+
+    /** Les mêmes mesures que celui-ci, et celles d'un autre ; là où ils diffèrent, les siennes. */
+    Releve avec(Releve autre) {
+        Map<String, String> tous = new HashMap<>(champs);
+        tous.putAll(autre.champs);
+        Releve releve = new Releve(tous);
+        releve.marge = marge;
+        return releve;
+    }
+
+    /** Vrai si l'autre est de la même méthode, au même réglage. */
+    boolean estLeMeme(Releve autre) {
+        return Stream.of("famille", "scene", "methode", "parametres").allMatch(c -> texte(c).equals(autre.texte(c)));
     }
 
     /** Vrai si elle n'a eu qu'une machine virtuelle : l'intervalle de ses manches ignore ce qui en distingue deux. */
@@ -87,8 +110,8 @@ final class Releve {
         return estDUneMachine() && (methode.equals(Catalogue.UN_RAYON) || methode.equals(Catalogue.TELLE_QUELLE));
     }
 
-    /** Celui-ci va plus vite, et se trompe moins, à coup sûr. */
+    /** Celui-ci lance moins de rayons, et se trompe moins, à coup sûr. */
     boolean bat(Releve autre) {
-        return rapport().nettementSous(autre.rapport()) && erreur().nettementSous(autre.erreur());
+        return rayons() < autre.rayons() && erreur().nettementSous(autre.erreur());
     }
 }

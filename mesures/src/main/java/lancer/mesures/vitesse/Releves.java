@@ -1,6 +1,7 @@
 package lancer.mesures.vitesse;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -24,12 +25,24 @@ final class Releves {
         this.tous = tous;
     }
 
-    /** Lit un CSV ; les rapports pris dans une seule machine virtuelle y ont la marge que montrent ceux qui devraient valoir 1. */
-    static Releves lire(Path csv) throws IOException {
-        Releves releves = new Releves(FichierCsv.lire(csv).stream().map(Releve::new).collect(Collectors.toList()));
-        double marge = releves.marge();
-        releves.tous.stream().filter(Releve::estDUneMachine).forEach(r -> r.elargir(marge));
-        return releves;
+    /**
+     * Lit les temps d'un dossier, et les erreurs de leurs réglages ; ceux des réglages sans erreur n'ont plus cours. Les rapports pris
+     * dans une seule machine virtuelle ont la marge que montrent ceux qui devraient valoir 1.
+     */
+    static Releves lire(Path dossier) throws IOException {
+        Releves temps = new Releves(lignes(dossier.resolve(Vitesse.CSV)));
+        double marge = temps.marge();
+        temps.tous.stream().filter(Releve::estDUneMachine).forEach(r -> r.elargir(marge));
+        List<Releve> tous = new ArrayList<>();
+        for (Releve r : lignes(dossier.resolve(Comptes.CSV))) {
+            tous.add(temps.tous.stream().filter(r::estLeMeme).findFirst().map(t -> t.avec(r)).orElse(r));
+        }
+        temps.tous.stream().filter(t -> !t.famille.equals(Catalogue.METHODES)).forEach(tous::add);
+        return new Releves(tous);
+    }
+
+    private static List<Releve> lignes(Path csv) throws IOException {
+        return Files.exists(csv) ? FichierCsv.lire(csv).stream().map(Releve::new).collect(Collectors.toList()) : new ArrayList<>();
     }
 
     /**
@@ -72,26 +85,34 @@ final class Releves {
         return tous.stream().map(r -> r.scene).distinct().collect(Collectors.toList());
     }
 
-    /** De la meilleure manche de toutes, en millisecondes : ce qui donne un temps à chaque rapport. */
+    /** De la meilleure manche de toutes, en millisecondes ; NaN si aucune n'a été prise. */
     double referenceMs() {
         return tous.stream().mapToDouble(r -> r.nombre("reference_ms")).filter(t -> !Double.isNaN(t)).min().orElse(Double.NaN);
     }
 
-    /** Du moins cher au plus juste, ce que rien ne bat en rapport et en erreur, d'après leurs seules valeurs. */
+    /** Les nôtres : POV-Ray n'est là que pour comparer. */
+    Releves aNous() {
+        return tels(r -> !r.methode.equals(Catalogue.POVRAY));
+    }
+
+    /** Du moins cher au plus juste, ce qui se trompe moins, à coup sûr, que tout ce qui est moins cher que lui. */
     List<Releve> front() {
-        List<Releve> parCout = new ArrayList<>(tous);
-        parCout.sort(Comparator.comparingDouble((Releve r) -> r.rapport().valeur).thenComparingDouble(r -> r.erreur().valeur));
         List<Releve> front = new ArrayList<>();
-        for (Releve r : parCout) {
-            if (front.isEmpty() || r.erreur().valeur < front.get(front.size() - 1).erreur().valeur) {
+        aNous().tous.stream().sorted(Comparator.comparingDouble(Releve::rayons).thenComparingDouble(r -> r.erreur().valeur)).forEach(r -> {
+            if (front.isEmpty() || r.erreur().nettementSous(front.get(front.size() - 1).erreur())) {
                 front.add(r);
             }
-        }
+        });
         return front;
     }
 
-    /** Ce qui bat celui-ci à coup sûr, le plus rapide. */
+    /** Le moins cher dont l'erreur, intervalle compris, ne dépasse pas ce nombre de niveaux. */
+    Optional<Releve> leMoinsCher(double erreur) {
+        return aNous().tous.stream().filter(r -> r.erreur().max <= erreur).min(Comparator.comparingDouble(Releve::rayons));
+    }
+
+    /** Ce qui bat celui-ci à coup sûr, le moins cher. */
     Optional<Releve> vainqueur(Releve r) {
-        return tous.stream().filter(a -> a.bat(r)).min(Comparator.comparingDouble(a -> a.rapport().valeur));
+        return aNous().tous.stream().filter(a -> a.bat(r)).min(Comparator.comparingDouble(Releve::rayons));
     }
 }

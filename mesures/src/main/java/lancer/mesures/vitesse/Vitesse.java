@@ -11,6 +11,7 @@ import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.Constantes;
@@ -18,6 +19,7 @@ import lancer.SceneFautive;
 import lancer.atelier.Arguments;
 import lancer.atelier.Scenes;
 import lancer.commande.Pannes;
+import lancer.mesures.juge.PovRay;
 import lancer.mesures.stabilite.Stabilite;
 import lancer.texte.Texte;
 
@@ -25,8 +27,8 @@ import lancer.texte.Texte;
  * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux.
  *
  * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--agitee] [--spheres | --stabilite | --dessiner]
- *      [--dossier DOSSIER]
+ * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--agitee]
+ *      [--spheres | --comptes | --stabilite | --dessiner] [--dossier DOSSIER]
  * </pre>
  *
  * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
@@ -37,12 +39,14 @@ public final class Vitesse {
     static final String CSV = "vitesse.csv";
     static final String BESOINS = "besoins.csv";
 
-    private static final String USAGE = "[--rapide] [--agitee] [--spheres | --stabilite | --dessiner] [--dossier DOSSIER]";
+    private static final String USAGE = "[--rapide] [--agitee] [--spheres | --comptes | --stabilite | --dessiner] [--dossier DOSSIER]";
 
     /** Où finit une mesure complète, avec ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
 
     private static final Path SCENES = Paths.get("scenes");
+
+    private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
 
     private final Arguments arguments;
     private final boolean rapide;
@@ -91,23 +95,29 @@ public final class Vitesse {
         }
         long debut = System.nanoTime();
         boolean spheres = arguments.a("--spheres");
-        boolean tout = !spheres && !arguments.a("--stabilite") && !arguments.a("--dessiner");
+        boolean comptes = arguments.a("--comptes");
+        boolean tout = !spheres && !comptes && !arguments.a("--stabilite") && !arguments.a("--dessiner");
         List<String> neufs = new ArrayList<>();
         Files.createDirectories(atelier);
-        if (tout || spheres) {
-            new Mesureur(rapide, arguments.a("--agitee"), atelier.resolve(CSV), sortie).mesurer(new Catalogue(rapide).groupes().stream()
-                    .filter(g -> tout || g.famille.equals(Catalogue.SPHERES)).collect(Collectors.toList()));
-            neufs.add(CSV);
-        }
-        if (tout) {
+        PovRay povray = tout || spheres || comptes ? povray() : null;
+        // ce qui ne demande pas une machine tranquille d'abord
+        if (tout || comptes) {
+            Comptes lesComptes = new Comptes(TAILLE, povray, atelier, sortie);
+            lesComptes.ecrire(Catalogue.reglages().subList(0, rapide ? 1 : Catalogue.reglages().size()));
+            lesComptes.comparer();
             compterLesBesoins();
-            new FigureDifferences(rapide).ecrire(atelier);
-            neufs.addAll(Arrays.asList(BESOINS, FigureDifferences.PNG));
+            neufs.addAll(Arrays.asList(Comptes.CSV, BESOINS));
+            Catalogue.reglages().forEach(g -> neufs.add(g.scene + Comptes.DECOUPES));
+            neufs.addAll(povray == null ? Collections.emptyList() : Collections.singletonList(Comptes.PROGRAMMES));
         }
-        if (tout || arguments.a("--stabilite")) {
+        if (tout || comptes || arguments.a("--stabilite")) {
             sortie.println("stabilité");
             Stabilite.mesurer(atelier, rapide);
             neufs.add(Stabilite.CSV);
+        }
+        if (tout || spheres) {
+            chronometrer(povray, spheres);
+            neufs.add(CSV);
         }
         Files.createDirectories(resultats);
         for (String nom : resultats.equals(atelier) ? new ArrayList<String>() : neufs) {
@@ -119,8 +129,31 @@ public final class Vitesse {
         sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + resultats);
     }
 
+    private PovRay povray() {
+        try {
+            return new PovRay(PovRay.COMMANDE, atelier);
+        } catch (IOException e) {
+            sortie.println("Sans POV-Ray : " + e.getMessage());
+            return null;
+        }
+    }
+
+    /** @throws IOException si la machine est trop troublée ; la mesure rapide s'en passe, et le dit */
+    private void chronometrer(PovRay povray, boolean spheres) throws IOException {
+        try {
+            new Mesureur(rapide, arguments.a("--agitee"), TAILLE, povray, atelier.resolve(CSV), sortie).mesurer(
+                    new Catalogue(rapide).groupes().stream().filter(g -> !spheres || g.famille.equals(Catalogue.SPHERES))
+                    .collect(Collectors.toList()));
+        } catch (Manches.Troublee e) {
+            if (!rapide) {
+                throw e;
+            }
+            sortie.println("Sans tous les temps : " + e.getMessage());
+        }
+    }
+
     private void compterLesBesoins() throws IOException {
-        Taille taille = rapide ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
+        Taille taille = rapide ? new Taille(200, 150) : TAILLE;
         List<String> lignes = new ArrayList<>();
         lignes.add(String.join(",", Besoin.COLONNES));
         for (Path scene : Scenes.livrees()) {

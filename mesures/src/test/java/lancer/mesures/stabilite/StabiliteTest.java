@@ -32,7 +32,7 @@ class StabiliteTest {
         Stabilite.mesurer(deuxieme, true);
         assertArrayEquals(Files.readAllBytes(dossier.resolve(Stabilite.CSV)), Files.readAllBytes(deuxieme.resolve(Stabilite.CSV)));
         Stabilite.dessiner(dossier);
-        for (String nom : new String[] {"loin", "ras", "sol", "defauts"}) {
+        for (String nom : new String[] {"loin", "ras", "sol", "defauts", "petites", "reflets"}) {
             BufferedImage planche = ImageIO.read(dossier.resolve("stabilite-" + nom + ".png").toFile());
             assertEquals(1600, planche.getWidth(), nom);
         }
@@ -45,6 +45,29 @@ class StabiliteTest {
         assertTrue(bilan.faux(Mesures.LOIN, Aspect.MANUEL, Bilan.DE_LOIN) > 100, "de loin, le manuel ne sait plus qui touche");
         assertTrue(bilan.pente() > 0.8 && bilan.pente() < 1.2, "pente " + bilan.pente());
         bilan.defauts().forEach(r -> assertTrue(r.faux > 0, r.formule + " se voit"));
+        petitesBoules(bilan);
+        reflets(bilan);
+    }
+
+    private static void petitesBoules(Bilan bilan) {
+        for (String methode : new String[] {"un_rayon", "coins", "grille"}) {
+            bilan.de(PetitesBoules.FIGURE, methode).stream().filter(r -> r.erreurRelative > 0)
+                    .forEach(r -> assertEquals(1, r.y / r.erreurRelative, 0.15, methode + " à " + r.x + " : la forme close"));
+        }
+        Exactitude partage = bilan.de(PetitesBoules.FIGURE, "partage").get(1);
+        Exactitude grille = bilan.de(PetitesBoules.FIGURE, "grille").get(1);
+        assertTrue(partage.x < 0.5 && partage.y < 1.1 * grille.y && partage.erreurEnUnites < grille.erreurEnUnites / 5);
+        assertTrue(bilan.de(PetitesBoules.FIGURE, PetitesBoules.SANS).get(1).y > 2 * partage.y, "s'il ne sait pas où elles sont");
+    }
+
+    private static void reflets(Bilan bilan) {
+        for (Exactitude r : bilan.de(Reflets.FIGURE, "double")) {
+            double compensee = bilan.de(Reflets.FIGURE, "compensee").get((int) r.x - 1).erreurRelative;
+            assertTrue(r.x > 5 ? r.x < 15 || r.erreurRelative == 1 : r.erreurRelative < 1e-6, r.x + " reflets : " + r.erreurRelative);
+            assertTrue(Math.abs(Math.log10(compensee / r.erreurRelative)) < 1.5, "un reflet sans erreur ne garde pas un chiffre de plus");
+        }
+        assertTrue(bilan.de(Reflets.FIGURE, "deux_doubles").get(14).erreurRelative < 1e-6, "quinze reflets, deux doubles");
+        assertEquals(1, bilan.de(Reflets.FIGURE, "float").get(7).erreurRelative, "huit reflets, en float");
     }
 
     /** Sans les temps, qui sont de la machine. */

@@ -80,7 +80,7 @@ class ManchesTest {
         Arrays.fill(dix, 10);
         IOException faute = assertThrows(IOException.class,
                 () -> new Manches(() -> false, false).mesurer(echantillon("A", 2, dix), echantillon("B", 2, dix), 3));
-        assertTrue(faute.getMessage().contains("100 manches jetées sur 100 ; aucun résultat n'est changé"), faute.getMessage());
+        assertTrue(faute.getMessage().contains("100 manches jetées sur 100 ; aucun temps n'est changé. Fermez"), faute.getMessage());
         Manches agitee = new Manches(() -> false, true);
         assertEquals(0, agitee.mesurer(echantillon("A", 2, dix), echantillon("B", 2, dix), 3).jetees);
     }

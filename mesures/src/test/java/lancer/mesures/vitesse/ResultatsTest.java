@@ -58,7 +58,7 @@ class ResultatsTest {
 
     @Test
     void lesComptesDesReglagesSontEncoreCeuxDuProgramme() throws IOException {
-        List<Releve> tous = Releves.lire(RESULTATS.resolve(Vitesse.CSV)).get().stream()
+        List<Releve> tous = Releves.lire(RESULTATS).get().stream()
                 .filter(r -> !r.famille.equals(Catalogue.SPHERES) && !r.methode.equals(Catalogue.POVRAY)).collect(Collectors.toList());
         for (Releve r : auSort(tous, LIGNES)) {
             Methode methode = Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres);
@@ -66,14 +66,16 @@ class ResultatsTest {
             Methode.Dessin dessin = methode.new Dessin(Scenes.lire(FichierScene.trouver("scenes/" + r.scene + ".ini")),
                     taille.largeur, taille.hauteur);
             dessin.faire(new ImageLineaire(taille.largeur, taille.hauteur), taille.fils);
-            assertEquals(r.texte("choix"), dessin.choix, r.scene + " " + r.parametres);
-            verifier(r, dessin.lancer.getCompteurs());
+            Compteurs c = dessin.lancer.getCompteurs();
+            assertEquals(r.texte("primaires") + " " + r.texte("ombre") + " " + r.texte("reflechis"),
+                    c.primaires + " " + c.ombre + " " + c.reflechis, "ne sont plus de ce programme (make mesures MESURES=--comptes) : "
+                    + r.scene + " " + r.nom());
         }
     }
 
     @Test
     void lesComptesDesFoulesSontEncoreCeuxDuProgramme() throws IOException {
-        List<Releve> tous = Releves.lire(RESULTATS.resolve(Vitesse.CSV)).de(Catalogue.SPHERES).methode(Catalogue.PROGRAMME).get();
+        List<Releve> tous = Releves.lire(RESULTATS).de(Catalogue.SPHERES).methode(Catalogue.PROGRAMME).get();
         for (Releve r : auSort(tous, LIGNES / 2)) {
             Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
             Methode.Dessin dessin = new Methode("", "").new Dessin(Scenes.lire(Scenes.fichier(r.scene, dossier)), taille.largeur,
@@ -87,8 +89,11 @@ class ResultatsTest {
     void lesBesoinsSontEncoreCeuxQueCompteLeProgramme() throws IOException {
         Map<String, String> diffus = FichierCsv.lire(RESULTATS.resolve(Vitesse.BESOINS)).stream()
                 .filter(b -> b.get("scene").equals("diffus")).findFirst().get();
-        assertEquals(String.join(",", diffus.values()), new Besoin(FichierScene.trouver("scenes/diffus.ini"),
-                new Taille(Integer.parseInt(diffus.get("largeur")), Integer.parseInt(diffus.get("hauteur")))).ligne());
+        String ligne = String.join(",", diffus.values());
+        // la mémoire prise, la dernière colonne, dépend un peu de ce que la machine virtuelle a compilé
+        String comptee = new Besoin(FichierScene.trouver("scenes/diffus.ini"),
+                new Taille(Integer.parseInt(diffus.get("largeur")), Integer.parseInt(diffus.get("hauteur")))).ligne();
+        assertEquals(ligne.substring(0, ligne.lastIndexOf(',')), comptee.substring(0, comptee.lastIndexOf(',')));
     }
 
     @Test

@@ -49,82 +49,118 @@ class VitesseTest {
         assertFalse(Files.exists(Paths.get("mesures")), "le dossier du module n'en a pas d'autre de ce nom");
     }
 
+    private static final Taille TAILLE = new Taille(200, 150);
+
+    private static List<Catalogue.Groupe> deux() {
+        return Collections.singletonList(new Catalogue.Groupe(Catalogue.METHODES, "scene1",
+                Arrays.asList(Catalogue.methode(Catalogue.METHODES, "scene1", "un rayon/"),
+                        Catalogue.methode(Catalogue.METHODES, "scene1", "grille/2 × 2")), 1));
+    }
+
     @Test
-    void chaqueMethodeEstMesureeVerifieeJugeeEtNotee() throws IOException {
-        List<Methode> deux = Arrays.asList(Catalogue.methode(Catalogue.METHODES, "scene1", "un rayon/"),
-                Catalogue.methode(Catalogue.METHODES, "scene1", "grille/2 × 2"));
-        Path csv = dossier.resolve("vitesse.csv");
-        new Mesureur(true, true, csv, new PrintStream(sortie)).mesurer(
-                Collections.singletonList(new Catalogue.Groupe(Catalogue.METHODES, "scene1", deux, 1)));
-        Releves releves = Releves.lire(csv);
+    void chaqueMethodeEstChronometreeVerifieeJugeeEtNotee() throws IOException {
+        new Mesureur(true, true, TAILLE, null, dossier.resolve(Vitesse.CSV), new PrintStream(sortie)).mesurer(deux());
+        new Comptes(TAILLE, null, dossier, new PrintStream(sortie)).ecrire(deux());
+        Releves releves = Releves.lire(dossier);
         Releve un = releves.le(Catalogue.UN_RAYON, "");
         Releve grille = releves.le(Catalogue.GRILLE, "2 × 2");
         assertEquals(30000, un.nombre("primaires"));
         assertEquals(4 * 30000, grille.nombre("primaires"));
         assertEquals(30000, un.nombre("pixels_verifies"));
         assertTrue(grille.erreur().nettementSous(un.erreur()), "quatre rayons par pixel se trompent moins qu'un");
+        assertTrue(grille.nombre("visibles") < un.nombre("visibles") && un.nombre("visibles") < 1);
         assertTrue(un.nombre("reference_ms") > 0 && un.nombre("rapport") > 0 && un.nombre("manches") == 2);
+        assertTrue(Files.exists(dossier.resolve("scene1" + Comptes.DECOUPES)));
+    }
+
+    @Test
+    void sansAucunTempsLesErreursEtLesRayonsSeDisentEncore() throws IOException {
+        new Comptes(TAILLE, null, dossier, new PrintStream(sortie)).ecrire(deux());
+        Constats constats = new Constats(Releves.lire(dossier), Collections.emptyList());
+        assertEquals("aucun temps n'a été pris", constats.circonstances());
+        assertTrue(constats.titre("scene1").contains(" pour 4 fois le prix d'un rayon : la grille 2 × 2"), constats.titre("scene1"));
     }
 
     // ---- ce qu'on en dit
 
-    private final List<String> lignes = new ArrayList<>(Collections.singletonList(String.join(",", Releve.COLONNES)));
+    private final List<String> temps = new ArrayList<>(Collections.singletonList(String.join(",", Releve.COLONNES)));
+    private final List<String> erreurs = new ArrayList<>(Collections.singletonList(String.join(",", Comptes.COLONNES)));
 
-    private void noter(String methode, String parametres, double rapport, double erreur) {
-        List<String> champs = Arrays.asList("famille", Catalogue.METHODES, "scene", "scene1", "methode", methode, "parametres", parametres,
-                "rapport", "" + rapport, "rapport_min", "" + rapport / 1.05, "rapport_max", "" + rapport * 1.05, "erreur", "" + erreur,
-                "erreur_min", "" + erreur * 0.95, "erreur_max", "" + erreur * 1.05, "reference_ms", "40");
-        lignes.add(FichierCsv.ligne(Releve.COLONNES.stream()
-                .map(c -> champs.indexOf(c) < 0 ? "" : champs.get(champs.indexOf(c) + 1)).toArray()));
+    private static String ligne(List<String> colonnes, Object... champs) {
+        List<Object> noms = Arrays.asList(champs);
+        return FichierCsv.ligne(colonnes.stream().map(c -> noms.indexOf(c) < 0 ? "" : champs[noms.indexOf(c) + 1]).toArray());
+    }
+
+    private void noterUnTemps(String methode, String parametres, double rapport, int lancements) {
+        temps.add(ligne(Releve.COLONNES, "famille", Catalogue.METHODES, "scene", "scene1", "methode", methode, "parametres", parametres,
+                "lancements", lancements, "rapport", rapport, "rapport_min", rapport / 1.05, "rapport_max", rapport * 1.05));
+    }
+
+    private void noter(String methode, String parametres, double rayons, double erreur) {
+        erreurs.add(ligne(Comptes.COLONNES, "famille", Catalogue.METHODES, "scene", "scene1", "methode", methode, "parametres", parametres,
+                "rayons", rayons, "erreur", erreur, "erreur_min", erreur * 0.95, "erreur_max", erreur * 1.05, "visibles", 0.01));
     }
 
     private Releves notes() throws IOException {
-        return Releves.lire(Files.write(dossier.resolve("faux.csv"), lignes, StandardCharsets.UTF_8));
+        Files.write(dossier.resolve(Vitesse.CSV), temps, StandardCharsets.UTF_8);
+        Files.write(dossier.resolve(Comptes.CSV), erreurs, StandardCharsets.UTF_8);
+        return Releves.lire(dossier);
     }
 
-    private String titre() throws IOException {
-        return new Constats(notes(), Collections.emptyList()).titre("scene1");
+    private Constats constats() throws IOException {
+        return new Constats(notes(), Collections.emptyList());
     }
 
     @Test
     void unReglageNEnBatUnAutreQueSiLesDeuxIntervallesLePortent() throws IOException {
+        noter(Catalogue.UN_RAYON, "", 1, 6);
         noter(Catalogue.COINS, Catalogue.COINS_DEFAUT, 4, 1.5);
         noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 2, 1.45);
-        assertTrue(titre().contains("aucune différence"), titre());
+        assertFalse(notes().vainqueur(notes().le(Catalogue.COINS, Catalogue.COINS_DEFAUT)).isPresent());
         noter(Catalogue.PARTAGE, "n=4 seuil=0.06", 2, 1.2);
-        assertEquals("Scène du cours : « partage » (4 ; 0,06) bat « coins » (3 ; 0,05), de 1,65 à 2,43 fois moins de temps", titre());
+        assertEquals("n=4 seuil=0.06", notes().vainqueur(notes().le(Catalogue.COINS, Catalogue.COINS_DEFAUT)).get().parametres);
     }
 
     @Test
-    void leMoinsCherPourUneErreurPeutEtreUnChoixDAutoMaisPasPovRay() throws IOException {
+    void leTitreDitLeMoinsCherSousLArrondiDeLEcran() throws IOException {
+        noter(Catalogue.UN_RAYON, "", 10, 3);
+        noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 20, 0.5);
+        assertEquals("Scène du cours : 0,5 niveau pour 2 fois le prix d'un rayon : partage, 4 rayons là où c'est utile (seuil 0,1)",
+                constats().titre("scene1"));
+        noter(Catalogue.PARTAGE, "n=16 seuil=0.06", 60, 0.2);
+        noter(Catalogue.PARTAGE, "n=8 seuil=0.06", 50, 0.27);
+        noter(Catalogue.POVRAY, "", 30, 0.1);
+        assertEquals("Scène du cours : sous l'arrondi de l'écran pour 5 fois le prix d'un rayon : partage, 8 rayons là où c'est utile "
+                + "(seuil 0,06)", constats().titre("scene1"));
+    }
+
+    @Test
+    void leMoinsCherPourUneErreurNEstJamaisPovRay() throws IOException {
+        noter(Catalogue.UN_RAYON, "", 2, 5);
         noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 6, 1.5);
-        noter(Catalogue.AUTO, "erreur=2", 4, 1.6);
-        noter(Catalogue.POVRAY, "-A", 2, 0.1);
-        String[] paliers = new Constats(notes(), Collections.emptyList()).paliers("scene1").split(" \\| ");
-        assertEquals("le choix de --auto erreur=2 : × 4 (de 3,63 à 4,41)", paliers[1]);
+        noter(Catalogue.PROFONDEUR, "p=2", 4, 1.6);
+        noter(Catalogue.POVRAY, "", 2, 0.1);
+        String[] paliers = constats().paliers("scene1").split(" \\| ");
+        assertEquals("un rayon à 2 reflets : × 2", paliers[1]);
         assertEquals("rien", paliers[2]);
     }
 
     @Test
-    void leTempsDUneFouleEstCompareACeluiDUnePlusPetite() throws IOException {
-        for (int n : new int[] {1, 100}) {
-            noter(Catalogue.PROGRAMME, "", n == 1 ? 1 : 3, 0);
-            lignes.add(lignes.remove(lignes.size() - 1).replace("methodes,scene1,,", "spheres,foule-" + n + "," + n + ","));
+    void lesFoulesDisentDOuLeProgrammeVaPlusViteQueLesBoucles() throws IOException {
+        for (int n : new int[] {10, 100, 1000}) {
+            temps.add(ligne(Releve.COLONNES, "famille", Catalogue.SPHERES, "scene", "foule-" + n, "spheres", n, "methode",
+                    Catalogue.BOUCLES, "lancements", 9, "rapport", n / 50.0, "rapport_min", n / 55.0, "rapport_max", n / 45.0));
         }
-        assertEquals("De 1 à 100 sphères, tout compris, le programme prend de 2,47 à 3,65 fois plus de temps",
-                new Constats(notes(), Collections.emptyList()).titreDesSpheres());
+        assertEquals("Dès 100 sphères, le programme va plus vite que les boucles du cours : à 1 000, de 18 à 22 fois",
+                constats().titreDesSpheres());
     }
 
     @Test
-    void ceDontDeuxMachinesVirtuellesDifferentNEstPasUneDifference() throws IOException {
-        noter(Catalogue.COINS, Catalogue.COINS_DEFAUT, 4, 1.5);
-        noter(Catalogue.PARTAGE, "n=4 seuil=0.06", 3, 1.2);
-        assertFalse(titre().contains("aucune différence"), titre());
-        noter(Catalogue.UN_RAYON, "", 1.04, 6);
-        assertFalse(titre().contains("aucune différence"), "la même chose, ailleurs, va peut-être aussi vite");
-        // et là, elle va au moins un sixième plus lentement : trois quarts ne se distinguent plus de un
-        noter(Catalogue.UN_RAYON, "", 1.25, 6);
-        assertTrue(titre().contains("aucune différence"), titre());
+    void laPenteEstCelleDeLaDroiteQuiPasseAuPlusPres() throws IOException {
+        noter(Catalogue.UN_RAYON, "", 1, 8);
+        noter(Catalogue.GRILLE, "2 × 2", 4, 2);
+        noter(Catalogue.GRILLE, "4 × 4", 16, 0.5);
+        assertEquals(-1, constats().pente("scene1", Catalogue.GRILLE), 1e-9);
     }
 
     @Test
@@ -140,26 +176,25 @@ class VitesseTest {
 
     @Test
     void plusieursMachinesVirtuellesNePrennentPasLaMargeDUneSeule() throws IOException {
-        noter(Catalogue.UN_RAYON, "", 1.25, 6);
-        noter(Catalogue.COINS, "d'une machine", 2, 1);
-        noter(Catalogue.COINS, "de cinq", 2, 1);
-        int colonne = Releve.COLONNES.indexOf("lancements");
-        List<String> champs = new ArrayList<>(Arrays.asList(lignes.get(3).split(",", -1)));
-        champs.set(colonne, "5");
-        lignes.set(3, String.join(",", champs));
+        noterUnTemps(Catalogue.UN_RAYON, "", 1.25, 1);
+        noterUnTemps(Catalogue.COINS, "d'une machine", 2, 1);
+        noterUnTemps(Catalogue.COINS, "de cinq", 2, 5);
+        noter(Catalogue.COINS, "d'une machine", 1, 1);
+        noter(Catalogue.COINS, "de cinq", 1, 1);
         // la référence, ailleurs, prend au moins 1,25 / 1,05 fois plus de temps
         assertEquals(2 * 1.05 * (1.25 / 1.05), notes().le(Catalogue.COINS, "d'une machine").rapport().max, 1e-9);
         assertEquals(2 * 1.05, notes().le(Catalogue.COINS, "de cinq").rapport().max, 1e-9);
     }
 
     @Test
-    void leFrontEstCeQueRienNeBatEnTempsEtEnErreur() throws IOException {
-        noter(Catalogue.BROUILLON, "4 × 4", 0.1, 20);
+    void leFrontEstCeQuiSeTrompeMoinsACoupSurQueToutCeQuiEstMoinsCher() throws IOException {
         noter(Catalogue.UN_RAYON, "", 1, 6);
         noter(Catalogue.GRILLE, "2 × 2", 4, 1.5);
         noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 3, 1.5);
+        noter(Catalogue.POVRAY, "", 1, 6 - 1e-4);
+        noter(Catalogue.PROFONDEUR, "p=1000", 1.01, 6 - 1e-4);
         noter(Catalogue.PROFONDEUR, "p=0", 0.5, 40);
-        assertEquals(Arrays.asList(Catalogue.BROUILLON, Catalogue.UN_RAYON, Catalogue.PARTAGE),
+        assertEquals(Arrays.asList(Catalogue.PROFONDEUR, Catalogue.UN_RAYON, Catalogue.PARTAGE),
                 notes().front().stream().map(r -> r.methode).collect(Collectors.toList()));
     }
 

@@ -1,0 +1,164 @@
+package lancer.mesures.stabilite;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/**
+ * Ce qui reste des chiffres d'un rayon après tant de reflets d'une petite boule à l'autre : chaque reflet multiplie l'erreur par deux
+ * fois la distance d'une boule à l'autre, divisée par leur rayon, quelle que soit la méthode. Chaque façon de compter fait ses opérations
+ * une à une, et arrondit chacune : le même calcul, juste, sinon cet arrondi.
+ */
+final class Reflets {
+
+    static final String FIGURE = "reflets";
+
+    /** Le plus de reflets que l'on suive. */
+    static final int MAX = 25;
+
+    /** D'une boule de rayon 1 à la suivante, entre ces distances : celles d'une foule. */
+    private static final double PRES = 5;
+    private static final double LOIN = 40;
+
+    private static final MathContext EXACT = new MathContext(140);
+    private static final BigDecimal DEMI = new BigDecimal("0.5");
+
+    /** De seize chiffres justes à tous ceux-là. */
+    private static final int PAS_DE_NEWTON = 4;
+
+    private final Random hasard;
+
+    /** Les centres des boules, que chaque façon de compter rencontre dans cet ordre. */
+    private final List<BigDecimal[]> centres = new ArrayList<>();
+
+    private Reflets(long graine) {
+        hasard = new Random(graine);
+    }
+
+    /** L'arrondi de chaque opération, et s'il attend qu'un reflet soit fini. */
+    private static Map<String, UnaryOperator<BigDecimal>> facons() {
+        Map<String, UnaryOperator<BigDecimal>> facons = new LinkedHashMap<>();
+        facons.put("float", x -> new BigDecimal(x.floatValue()));
+        facons.put("double", x -> new BigDecimal(x.doubleValue()));
+        facons.put("compensee", x -> new BigDecimal(x.doubleValue()));
+        facons.put("deux_doubles", x -> {
+            BigDecimal haut = new BigDecimal(x.doubleValue());
+            return haut.add(new BigDecimal(x.subtract(haut).doubleValue()));
+        });
+        return facons;
+    }
+
+    /** Pour chaque façon et chaque nombre de reflets, l'erreur médiane du contact, en rayons de la boule. @param chaines tirées au sort */
+    static List<Exactitude> mesurer(int chaines) {
+        Map<String, double[][]> erreurs = new LinkedHashMap<>();
+        facons().keySet().forEach(nom -> erreurs.put(nom, new double[MAX][chaines]));
+        IntStream.range(0, chaines).parallel().forEach(c -> new Reflets(c).suivre(erreurs, c));
+        List<Exactitude> exactitudes = new ArrayList<>();
+        erreurs.forEach((nom, parReflet) -> {
+            for (int k = 0; k < MAX; k++) {
+                double[] triees = Arrays.stream(parReflet[k]).sorted().toArray();
+                int perdues = (int) Arrays.stream(triees).filter(e -> e >= 1).count();
+                exactitudes.add(new Exactitude(FIGURE, nom, k + 1, 0, chaines, perdues, triees[chaines / 2], 0));
+            }
+        });
+        return exactitudes;
+    }
+
+    /** Une chaîne : les boules naissent sous le rayon juste, puis chaque façon de compter suit les mêmes. */
+    private void suivre(Map<String, double[][]> erreurs, int c) {
+        BigDecimal[] depart = tirer();
+        BigDecimal[] direction = unite(tirer(), x -> x.round(EXACT));
+        BigDecimal[][] rayon = {depart, direction};
+        List<BigDecimal[]> justes = new ArrayList<>();
+        for (int k = 0; k <= MAX; k++) {
+            BigDecimal distance = new BigDecimal(PRES * Math.pow(LOIN / PRES, hasard.nextDouble()));
+            BigDecimal[] centre = tirer();
+            for (int i = 0; i < 3; i++) {
+                centre[i] = new BigDecimal(rayon[0][i].add(rayon[1][i].multiply(distance)).add(centre[i]).doubleValue());
+            }
+            centres.add(centre);
+            rayon = reflechir(rayon, centre, x -> x.round(EXACT));
+            justes.add(rayon[0]);
+        }
+        facons().forEach((nom, arrondi) -> {
+            boolean attend = nom.equals("compensee");
+            UnaryOperator<BigDecimal> sien = attend ? x -> x.round(EXACT) : arrondi;
+            BigDecimal[][] suivi = {arrondir(depart, arrondi), arrondir(direction, arrondi)};
+            for (int k = 0; k <= MAX; k++) {
+                suivi = suivi == null ? null : reflechir(suivi, centres.get(k), sien);
+                if (suivi != null && attend) {
+                    suivi = new BigDecimal[][] {arrondir(suivi[0], arrondi), arrondir(suivi[1], arrondi)};
+                }
+                if (k > 0) {
+                    // le premier contact n'est pas un reflet ; une boule manquée est un contact perdu
+                    erreurs.get(nom)[k - 1][c] = suivi == null ? 1 : Math.min(1, distance(suivi[0], justes.get(k)));
+                }
+            }
+        });
+    }
+
+    private static BigDecimal[] arrondir(BigDecimal[] v, UnaryOperator<BigDecimal> arrondi) {
+        return Arrays.stream(v).map(arrondi).toArray(BigDecimal[]::new);
+    }
+
+    /** Chaque coordonnée entre −1/2 et 1/2 : le rayon qui vise à cela près le centre d'une boule de rayon 1 la touche. */
+    private BigDecimal[] tirer() {
+        return Stream.generate(() -> new BigDecimal(hasard.nextDouble() - 0.5)).limit(3).toArray(BigDecimal[]::new);
+    }
+
+    /** Le contact d'un rayon et d'une boule de rayon 1, et la direction du reflet ; {@code null} s'il passe à côté. */
+    private static BigDecimal[][] reflechir(BigDecimal[][] rayon, BigDecimal[] centre, UnaryOperator<BigDecimal> a) {
+        BigDecimal[] v = rayon[1];
+        BigDecimal[] f = ajouter(centre, rayon[0], BigDecimal.ONE.negate(), a);
+        BigDecimal b = scalaire(f, v, a);
+        BigDecimal[] l = ajouter(f, v, b.negate(), a);
+        BigDecimal h2 = a.apply(BigDecimal.ONE.subtract(scalaire(l, l, a)));
+        if (h2.signum() < 0) {
+            return null;
+        }
+        BigDecimal[] p = ajouter(rayon[0], v, a.apply(b.subtract(a.apply(racine(h2)))), a);
+        BigDecimal[] n = unite(ajouter(p, centre, BigDecimal.ONE.negate(), a), a);
+        return new BigDecimal[][] {p, unite(ajouter(v, n, a.apply(new BigDecimal(-2).multiply(scalaire(v, n, a))), a), a)};
+    }
+
+    /** u + k v. */
+    private static BigDecimal[] ajouter(BigDecimal[] u, BigDecimal[] v, BigDecimal k, UnaryOperator<BigDecimal> a) {
+        return IntStream.range(0, 3).mapToObj(i -> a.apply(u[i].add(a.apply(v[i].multiply(k))))).toArray(BigDecimal[]::new);
+    }
+
+    private static BigDecimal scalaire(BigDecimal[] u, BigDecimal[] v, UnaryOperator<BigDecimal> a) {
+        return a.apply(a.apply(a.apply(u[0].multiply(v[0])).add(a.apply(u[1].multiply(v[1])))).add(a.apply(u[2].multiply(v[2]))));
+    }
+
+    private static BigDecimal[] unite(BigDecimal[] v, UnaryOperator<BigDecimal> a) {
+        BigDecimal norme = a.apply(racine(scalaire(v, v, a)));
+        return Arrays.stream(v).map(x -> a.apply(x.divide(norme, EXACT))).toArray(BigDecimal[]::new);
+    }
+
+    private static double distance(BigDecimal[] u, BigDecimal[] v) {
+        BigDecimal[] d = ajouter(u, v, BigDecimal.ONE.negate(), x -> x.round(EXACT));
+        return racine(scalaire(d, d, x -> x.round(EXACT))).doubleValue();
+    }
+
+    private static BigDecimal racine(BigDecimal x) {
+        if (x.signum() == 0) {
+            return x;
+        }
+        // un exposant pair de côté : le reste est un double ordinaire
+        int e = (x.precision() - x.scale()) / 2;
+        BigDecimal reste = x.scaleByPowerOfTen(-2 * e);
+        BigDecimal s = new BigDecimal(Math.sqrt(reste.doubleValue()));
+        for (int k = 0; k < PAS_DE_NEWTON; k++) {
+            s = s.add(reste.divide(s, EXACT)).multiply(DEMI, EXACT);
+        }
+        return s.scaleByPowerOfTen(e);
+    }
+}

@@ -1,0 +1,238 @@
+package lancer.mesures.vitesse;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.Raster;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Objet3D;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.atelier.FichierCsv;
+import lancer.atelier.Scenes;
+import lancer.contrat.Compteurs;
+import lancer.mesures.Gabarit;
+import lancer.mesures.ImageLineaire;
+import lancer.mesures.Intervalle;
+import lancer.mesures.juge.PovRay;
+import lancer.mesures.juge.SceneJugee;
+import lancer.mesures.trace.Planche;
+import lancer.mesures.trace.Style;
+import lancer.mesures.trace.Vignettes;
+
+/**
+ * Les rayons et l'erreur de chaque réglage, et la même découpe vue par quelques-uns : rien n'est chronométré, et ce que fait d'autre la
+ * machine n'y change rien.
+ */
+final class Comptes {
+
+    static final String CSV = "erreurs.csv";
+
+    /** Ce qui suit le nom de la scène. */
+    static final String DECOUPES = "-decoupe.png";
+
+    static final List<String> COLONNES = Arrays.asList("famille", "scene", "methode", "parametres", "largeur", "hauteur",
+            "primaires", "ombre", "reflechis", "rayons", "erreur", "erreur_min", "erreur_max", "visibles");
+
+    /** De deux programmes, la même image : seulement là où POV-Ray est installé. */
+    static final String PROGRAMMES = "stabilite-programmes.png";
+
+    /** Ceux auxquels un double ne suffit plus. */
+    private static final int REFLETS = 15;
+
+    /** Les rayons d'une vérité, au plus : une minute de processeur. */
+    private static final double VERITE = 3e8;
+
+    private static final Taille DECOUPE = new Taille(48, 36);
+
+    private final Taille taille;
+    private final PovRay povray;
+    private final Path dossier;
+    private final PrintStream sortie;
+
+    /** @param povray {@code null} s'il n'est pas installé */
+    Comptes(Taille taille, PovRay povray, Path dossier, PrintStream sortie) {
+        this.taille = taille;
+        this.povray = povray;
+        this.dossier = dossier;
+        this.sortie = sortie;
+    }
+
+    /** Écrit {@link #CSV} et, de chaque scène, ses découpes. */
+    void ecrire(List<Catalogue.Groupe> groupes) throws IOException {
+        List<String> lignes = new ArrayList<>();
+        lignes.add(String.join(",", COLONNES));
+        for (Catalogue.Groupe groupe : groupes) {
+            sortie.println("erreurs et rayons de " + groupe.scene);
+            Path fichier = Scenes.fichier(groupe.scene, dossier);
+            Gabarit gabarit = new Gabarit(Scenes.lire(fichier), taille.largeur, taille.hauteur, pas(fichier));
+            Map<Releve, ImageLineaire> images = new LinkedHashMap<>();
+            for (Methode methode : groupe.methodes) {
+                if (povray != null || !methode.povray) {
+                    ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+                    Releve releve = new Releve(compter(groupe.scene, fichier, methode, gabarit, image));
+                    images.put(releve, image);
+                    lignes.add(releve.ligne(COLONNES));
+                }
+            }
+            decouper(groupe.scene, fichier, images, gabarit);
+        }
+        Files.write(dossier.resolve(CSV), lignes, StandardCharsets.UTF_8);
+    }
+
+    /** L'erreur se mesure sur tous les pixels, ou sur assez peu pour qu'une vérité ne coûte pas plus que cela. */
+    private int pas(Path fichier) {
+        Methode.Dessin dessin = new Methode("", "").limitee(Gabarit.PROFONDEUR, 0).new Dessin(Scenes.lire(fichier), taille.largeur,
+                taille.hauteur);
+        dessin.faire((couleur, i, j) -> { }, taille.fils);
+        return (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * dessin.lancer.getCompteurs().rayons() / VERITE));
+    }
+
+    private Map<String, String> compter(String nom, Path fichier, Methode methode, Gabarit gabarit, ImageLineaire image)
+            throws IOException {
+        Map<String, String> champs = new TreeMap<>();
+        Object[] communs = {"famille", Catalogue.METHODES, "scene", nom, "methode", methode.nom, "parametres", methode.parametres,
+            "largeur", taille.largeur, "hauteur", taille.hauteur};
+        for (int k = 0; k < communs.length; k += 2) {
+            champs.put((String) communs[k], communs[k + 1].toString());
+        }
+        Scene scene = Scenes.lire(fichier);
+        if (methode.povray) {
+            SceneJugee jugee = new SceneJugee(povray, nom, scene, Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
+            Raster rouge = jugee.dessiner(methode.options);
+            champs.put("rayons", String.valueOf(povray.rayons()));
+            double[] dessinee = jugee.image(rouge, methode.options).getComposantes();
+            System.arraycopy(dessinee, 0, image.getComposantes(), 0, dessinee.length);
+        } else {
+            Methode.Dessin dessin = methode.new Dessin(scene, taille.largeur, taille.hauteur);
+            dessin.faire(image, taille.fils);
+            Compteurs c = dessin.lancer.getCompteurs();
+            champs.put("primaires", String.valueOf(c.primaires));
+            champs.put("ombre", String.valueOf(c.ombre));
+            champs.put("reflechis", String.valueOf(c.reflechis));
+            champs.put("rayons", String.valueOf(c.rayons()));
+        }
+        Intervalle erreur = Intervalle.deLaRacine(gabarit.carres(image));
+        champs.put("erreur", Releve.reel(erreur.valeur));
+        champs.put("erreur_min", Releve.reel(erreur.min));
+        champs.put("erreur_max", Releve.reel(erreur.max));
+        champs.put("visibles", Releve.reel(gabarit.visibles(image)));
+        return champs;
+    }
+
+    // ---- deux programmes
+
+    /** Ce que dessinent deux programmes justes, le nôtre et POV-Ray, de petites boules qui se renvoient tout ce qu'elles reçoivent. */
+    void comparer() throws IOException {
+        Taille petite = new Taille(200, 150);
+        List<Sphere> miroirs = new ArrayList<>();
+        for (Objet3D objet : Scenes.lire(Scenes.fichier(Scenes.FOULE + "-10000", dossier)).getObjets()) {
+            miroirs.add(new Sphere(((Sphere) objet).getCentre(), ((Sphere) objet).getRayon()));
+            miroirs.get(miroirs.size() - 1).setKs(new Couleur(1));
+        }
+        Vignettes vignettes = new Vignettes();
+        double[] parts = new double[2];
+        for (int k = 0; k < 2 && povray != null; k++) {
+            int reflets = k == 0 ? Constantes.MAX_REFLETS : REFLETS;
+            SceneJugee jugee = new SceneJugee(povray, "miroirs-parfaits", new Scene(miroirs, Collections.emptyList()), reflets,
+                    petite.largeur, petite.hauteur);
+            ImageLineaire notre = ImageLineaire.de(jugee.lancer, reflets, taille.fils);
+            ImageLineaire sienne = jugee.image(jugee.dessiner());
+            BufferedImage ecart = new BufferedImage(petite.largeur, petite.hauteur, BufferedImage.TYPE_INT_RGB);
+            for (int p = 0; p < petite.pixels(); p++) {
+                boolean autre = IntStream.range(3 * p, 3 * p + 3).anyMatch(c -> Math.abs(Math.min(1, notre.getComposantes()[c])
+                        - Math.min(1, sienne.getComposantes()[c])) > Gabarit.VISIBLE / 255.0);
+                parts[k] += autre ? 100.0 / petite.pixels() : 0;
+                ecart.setRGB(p % petite.largeur, p / petite.largeur, (autre ? Style.VERMILLON : Style.BANDE).getRGB());
+            }
+            vignettes.image(image(notre, petite), "lancer, " + reflets + " reflets", "")
+                    .image(image(sienne, petite), "POV-Ray, " + reflets + " reflets", "")
+                    .image(ecart, "où ils diffèrent de plus de " + Gabarit.VISIBLE + " niveaux", Style.arrondi(parts[k]) + " % des pixels");
+        }
+        if (povray != null) {
+            new Planche("Deux programmes justes, en double : à " + REFLETS + " reflets, " + Style.arrondi(parts[1])
+                    + " % des pixels n'ont pas la même couleur", "10 000 petites boules, toutes des miroirs parfaits, sans lampe : chaque "
+                    + "pixel est le ciel vu au bout de la chaîne. " + petite + ". make mesures")
+                    .taille(Style.LARGEUR, 1000).vignettes(vignettes).ecrire(dossier.resolve(PROGRAMMES));
+        }
+    }
+
+    private static BufferedImage image(ImageLineaire lineaire, Taille taille) {
+        BufferedImage image = new BufferedImage(taille.largeur, taille.hauteur, BufferedImage.TYPE_INT_RGB);
+        for (int k = 0; k < taille.pixels(); k++) {
+            image.setRGB(k % taille.largeur, k / taille.largeur, lineaire.getCouleur(k).getCode());
+        }
+        return image;
+    }
+
+    // ---- la découpe
+
+    /** Un rayon, les méthodes au prix de quatre rayons à peu près, et la vérité, là où un rayon se trompe le plus. */
+    private void decouper(String scene, Path fichier, Map<Releve, ImageLineaire> images, Gabarit gabarit) throws IOException {
+        List<Releve> tous = new ArrayList<>(images.keySet());
+        double un = tous.get(0).rayons();
+        int[] coin = coin(gabarit.getPixels(), gabarit.carres(images.get(tous.get(0))));
+        boolean[] decoupes = new boolean[taille.pixels()];
+        for (int k = 0; k < DECOUPE.pixels(); k++) {
+            decoupes[(coin[1] + k / DECOUPE.largeur) * taille.largeur + coin[0] + k % DECOUPE.largeur] = true;
+        }
+        ImageLineaire verite = new Gabarit(Scenes.lire(fichier), taille.largeur, taille.hauteur, decoupes)
+                .moyenne(taille.largeur, taille.hauteur);
+        Vignettes vignettes = new Vignettes();
+        Stream<Releve> montres = Stream.concat(Stream.of(tous.get(0)), Stream.of(Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE,
+                Catalogue.ENSEMBLE).flatMap(nom -> tous.stream().filter(r -> r.methode.equals(nom))
+                .sorted(Comparator.comparingDouble(r -> Math.abs(Math.log(r.rayons() / un / 4))))
+                .limit(nom.equals(Catalogue.PARTAGE) ? 2 : 1)));
+        for (Releve r : montres.limit(5).sorted(Comparator.comparingDouble(Releve::rayons)).collect(Collectors.toList())) {
+            vignettes.image(decoupe(images.get(r), coin), Noms.etiquette(r) + " : " + Noms.prix(r.rayons() / un),
+                    Noms.niveaux(r.erreur().valeur) + " ; " + Noms.visibles(r));
+        }
+        vignettes.image(decoupe(verite, coin), "la vérité", Gabarit.RAYONS + " rayons par pixel, sans limite de reflets");
+        new Planche(Noms.scene(scene) + " : " + DECOUPE.largeur + " × " + DECOUPE.hauteur + " pixels, là où un rayon se trompe le plus",
+                "Chaque pixel est un carré. Prix : rayons de toutes sortes, un rayon par pixel valant 1. Erreur de l'image entière, "
+                + "en niveaux ; visiblement faux : les pixels dont une composante s'écarte de la vérité de plus de " + Gabarit.VISIBLE
+                + " niveaux. " + taille.largeur + " × " + taille.hauteur + ". make mesures")
+                .taille(1640, 1150).vignettes(vignettes).ecrire(dossier.resolve(scene + DECOUPES));
+    }
+
+    /** Le coin de la découpe dont la somme des carrés des erreurs est la plus grande, de quart en quart de découpe. */
+    private int[] coin(int[] pixels, double... carres) {
+        double[] parPixel = new double[taille.pixels()];
+        for (int p = 0; p < pixels.length; p++) {
+            parPixel[pixels[p]] = carres[p];
+        }
+        int[] pire = {0, 0};
+        double laPire = -1;
+        for (int j = 0; j + DECOUPE.hauteur <= taille.hauteur; j += DECOUPE.hauteur / 4) {
+            for (int i = 0; i + DECOUPE.largeur <= taille.largeur; i += DECOUPE.largeur / 4) {
+                int debut = j * taille.largeur + i;
+                double somme = IntStream.range(0, DECOUPE.pixels())
+                        .mapToDouble(k -> parPixel[debut + k / DECOUPE.largeur * taille.largeur + k % DECOUPE.largeur]).sum();
+                if (somme > laPire) {
+                    laPire = somme;
+                    pire = new int[] {i, j};
+                }
+            }
+        }
+        return pire;
+    }
+
+    private BufferedImage decoupe(ImageLineaire image, int[] coin) {
+        return image(image, taille).getSubimage(coin[0], coin[1], DECOUPE.largeur, DECOUPE.hauteur);
+    }
+}

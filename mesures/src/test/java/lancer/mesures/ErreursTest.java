@@ -1,0 +1,164 @@
+package lancer.mesures;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.antialias.Antialias;
+import lancer.atelier.Scenes;
+import lancer.contrat.Echantillonnage;
+import lancer.scene.FichierScene;
+import lancer.temoins.LancerSurveille;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Dix des erreurs publiées, en petit, recalculées par la boucle la plus plate qui soit : aucune ligne n'en est à nous. */
+class ErreursTest {
+
+    private static final int L = 40;
+    private static final int H = 30;
+
+    /** Points d'un côté du pixel, pour la vérité. */
+    private static final int FIN = 14;
+    private static final int SANS_LIMITE = 40;
+
+    private final List<double[]> spheres = new ArrayList<>();
+    private final List<double[]> lampes = new ArrayList<>();
+    private double seuil;
+
+    private Scene lire(String nom) {
+        Scene scene = Scenes.lire(FichierScene.trouver("scenes/" + nom + ".ini"));
+        for (Objet3D o : scene.getObjets()) {
+            Point c = ((Sphere) o).getCentre();
+            spheres.add(new double[] {c.x, c.y, c.z, ((Sphere) o).getRayon(), o.getKd().r, o.getKd().v, o.getKd().b, o.getKs().r,
+                o.getKs().v, o.getKs().b, o.getNs()});
+        }
+        for (Lampe l : scene.getLampes()) {
+            Point p = l.getPosition();
+            Couleur k = l.getCouleur();
+            lampes.add(new double[] {p.x, p.y, p.z, k.r, k.v, k.b});
+        }
+        return scene;
+    }
+
+    // ---- la boucle
+
+    private static double[] vecteur(double... v) {
+        double n = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        return new double[] {v[0] / n, v[1] / n, v[2] / n};
+    }
+
+    private static double scalaire(double[] u, double[] v) {
+        return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+    }
+
+    private double distance(double[] p, double[] v, int k) {
+        double[] s = spheres.get(k);
+        double[] f = {s[0] - p[0], s[1] - p[1], s[2] - p[2]};
+        double b = scalaire(f, v);
+        double h2 = s[3] * s[3] - scalaire(f, f) + b * b;
+        double t = h2 < 0 ? -1 : b - Math.sqrt(h2) > 0 ? b - Math.sqrt(h2) : b + Math.sqrt(h2);
+        return t > 0 ? t : Double.POSITIVE_INFINITY;
+    }
+
+    private double[] voir(double[] p, double[] v, int sauf, int reflets, double[] produit) {
+        int touchee = -1;
+        double t = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < spheres.size(); k++) {
+            if (k != sauf && distance(p, v, k) < t) {
+                t = distance(p, v, k);
+                touchee = k;
+            }
+        }
+        if (touchee < 0) {
+            return v[1] > 0 ? new double[] {0.7 * (1 - v[1]), 0.7 * (1 - v[1]), 1} : new double[] {0.5, 0.4 + 0.2 * v[1], 0.1};
+        }
+        double[] s = spheres.get(touchee);
+        double[] c = {p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]};
+        double[] n = vecteur(c[0] - s[0], c[1] - s[1], c[2] - s[2]);
+        double vn = 2 * scalaire(v, n);
+        double[] r = vecteur(v[0] - vn * n[0], v[1] - vn * n[1], v[2] - vn * n[2]);
+        double[] somme = new double[3];
+        for (double[] lampe : lampes) {
+            double[] d = {lampe[0] - c[0], lampe[1] - c[1], lampe[2] - c[2]};
+            double[] l = vecteur(d);
+            boolean cachee = scalaire(n, l) <= 0;
+            for (int k = 0; k < spheres.size(); k++) {
+                cachee |= k != touchee && distance(c, l, k) < Math.sqrt(scalaire(d, d));
+            }
+            for (int i = 0; i < 3 && !cachee; i++) {
+                somme[i] += lampe[3 + i] * (s[4 + i] * scalaire(n, l) + s[7 + i] * Math.pow(Math.max(0, scalaire(r, l)), s[10]));
+            }
+        }
+        double[] suite = {produit[0] * s[7], produit[1] * s[8], produit[2] * s[9]};
+        double reste = Math.max(suite[0], Math.max(suite[1], suite[2]));
+        if (reflets > 0 && reste > 0 && reste >= seuil) {
+            double[] vue = voir(c, r, touchee, reflets - 1, suite);
+            for (int i = 0; i < 3; i++) {
+                somme[i] += s[7 + i] * vue[i];
+            }
+        }
+        return somme;
+    }
+
+    private double[] point(double xe, double ye, int reflets) {
+        double[] p = {(xe - L / 2.0) * 2 / L, (H / 2.0 - ye) * 2 / L, 0};
+        return voir(p, vecteur(p[0], p[1], 1 / Math.tan(Math.PI / 12)), -1, reflets, new double[] {1, 1, 1});
+    }
+
+    /** La moyenne de la grille ; de ses quatre coins seulement s'ils se ressemblent à ce contraste près. */
+    private double[] pixel(int k, int n, double contraste, int reflets) {
+        double[] somme = new double[3];
+        double[] min = {1, 1, 1};
+        double[] max = new double[3];
+        double[] coins = new double[3];
+        for (int q = 0; q < n * n; q++) {
+            double[] vu = point(k % L + (q % n + 0.5) / n, k / L + (q / n + 0.5) / n, reflets);
+            boolean coin = (q % n == 0 || q % n == n - 1) && (q / n == 0 || q / n == n - 1);
+            for (int i = 0; i < 3; i++) {
+                somme[i] += vu[i] / n / n;
+                coins[i] += coin ? vu[i] / 4 : 0;
+                min[i] = coin ? Math.min(min[i], vu[i]) : min[i];
+                max[i] = coin ? Math.max(max[i], Math.min(1, vu[i])) : max[i];
+            }
+        }
+        boolean semblables = max[0] - min[0] <= contraste && max[1] - min[1] <= contraste && max[2] - min[2] <= contraste;
+        return n > 2 && semblables ? coins : somme;
+    }
+
+    private double erreur(int n, double contraste, int reflets, double sienSeuil) {
+        double carres = 0;
+        for (int k = 0; k < L * H; k++) {
+            seuil = sienSeuil;
+            double[] x = pixel(k, n, contraste, reflets);
+            seuil = 0;
+            double[] juste = pixel(k, FIN, -1, SANS_LIMITE);
+            for (int i = 0; i < 3; i++) {
+                carres += Math.pow(255 * (Math.min(1, x[i]) - Math.min(1, juste[i])), 2) / 3;
+            }
+        }
+        return Math.sqrt(carres / L / H);
+    }
+
+    @ParameterizedTest(name = "{0}, {1} × {1}, contraste {2}, {3} reflets, seuil 1/{4}")
+    @CsvSource({"scene1, 1, -1, 5, 1024", "scene1, 2, -1, 5, 1024", "scene1, 3, -1, 5, 1024", "scene1, 3, 0.05, 5, 1024",
+        "scene1, 1, -1, 0, 1024", "scene1, 1, -1, 2, 1024", "scene1, 1, -1, 1000, 16", "bowling, 1, -1, 5, 1024",
+        "bowling, 2, -1, 5, 1024", "bowling, 4, 0.05, 5, 1024"})
+    void uneErreurPublieeEstCelleDeLaBoucleLaPlusPlate(String nom, int n, double contraste, int reflets, double parties) {
+        Scene scene = lire(nom);
+        Echantillonnage grille = n == 1 ? Echantillonnage.CENTRE : Antialias.coins(n, Math.max(0, contraste));
+        Gabarit gabarit = new Gabarit(scene, L, H, 1);
+        ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene.avec(scene.getModele().avec(grille, 1 / parties)), L, H,
+                false), reflets, 2);
+        double plate = erreur(n, contraste, Math.min(reflets, SANS_LIMITE), 1 / parties);
+        assertTrue(plate > 0.3, "de quoi comparer");
+        assertEquals(1, Intervalle.deLaRacine(gabarit.carres(image)).valeur / plate, 0.04, plate + " niveaux");
+    }
+}
