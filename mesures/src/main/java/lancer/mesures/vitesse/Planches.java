@@ -70,7 +70,8 @@ final class Planches {
                 + "se trompe moins, à coup sûr, que tout ce qui est moins cher ; en creux, le reste ; cerclés, les défauts. Pente : une "
                 + "erreur 10^pente fois plus grande pour dix fois plus de rayons. Erreur : racine du carré moyen des écarts à la moyenne "
                 + "de chaque pixel, sans limite de reflets ; barres : 19 fois sur 20. Visiblement faux : plus de " + Gabarit.VISIBLE
-                + " niveaux sur une composante. Temps : au temps d'un rayon. " + note)
+                + " niveaux sur une composante. " + siens.get().get(0).texte("largeur") + " × " + siens.get().get(0).texte("hauteur")
+                + ". Temps : au temps d'un rayon. " + note)
                 .colonnes(1).taille(Style.LARGEUR, 1500).sansLegende().volet(erreur).volet(visible);
     }
 

@@ -95,9 +95,9 @@ final class Releve {
         return releve;
     }
 
-    /** Vrai si l'autre est de la même méthode, au même réglage. */
+    /** Vrai si l'autre est de la même méthode, au même réglage, en une image de même taille. */
     boolean estLeMeme(Releve autre) {
-        return Stream.of("famille", "scene", "methode", "parametres").allMatch(c -> texte(c).equals(autre.texte(c)));
+        return Stream.of("famille", "scene", "methode", "parametres", "largeur", "hauteur").allMatch(c -> texte(c).equals(autre.texte(c)));
     }
 
     /** Vrai si elle n'a eu qu'une machine virtuelle : l'intervalle de ses manches ignore ce qui en distingue deux. */
