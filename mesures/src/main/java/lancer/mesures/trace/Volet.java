@@ -154,7 +154,9 @@ public final class Volet {
         plot.setDomainGridlineStroke(Style.TRAIT_FIN);
         plot.setRangeGridlineStroke(Style.TRAIT_FIN);
         if (zone > 0) {
-            plot.addRangeMarker(new IntervalMarker(axeY.getLowerBound(), zone, Style.BANDE), Layer.BACKGROUND);
+            IntervalMarker bande = new IntervalMarker(axeY.getLowerBound(), zone, Style.BANDE);
+            bande.setAlpha(1);
+            plot.addRangeMarker(bande, Layer.BACKGROUND);
         }
         niveaux.keySet().forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
         return plot;

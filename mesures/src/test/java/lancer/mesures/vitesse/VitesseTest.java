@@ -87,8 +87,9 @@ class VitesseTest {
     private final List<String> erreurs = new ArrayList<>(Collections.singletonList(String.join(",", Comptes.COLONNES)));
 
     private static String ligne(List<String> colonnes, Object... champs) {
-        List<Object> noms = Arrays.asList(champs);
-        return FichierCsv.ligne(colonnes.stream().map(c -> noms.indexOf(c) < 0 ? "" : champs[noms.indexOf(c) + 1]).toArray());
+        Map<String, Object> parNom = IntStream.range(0, champs.length / 2).boxed()
+                .collect(Collectors.toMap(k -> (String) champs[2 * k], k -> champs[2 * k + 1]));
+        return FichierCsv.ligne(colonnes.stream().map(c -> parNom.getOrDefault(c, "")).toArray());
     }
 
     private void noterUnTemps(String methode, String parametres, double rapport, int lancements) {
