@@ -13,7 +13,8 @@ RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 	comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
-test: outils
+test: outils $(LISTES)
+	@echo "Tous les tests : environ quatre minutes sur deux cœurs au repos"
 	@find $(RAPPORTS) -delete
 	$(XVFB) $(MVN) -T 1C -f ensemble.xml $(if $(FENETRES),-Dfenetre.exigee=true -Djava.awt.headless=false) verify
 	@$(if $(FENETRES),,echo "$$(find $(RAPPORTS) -exec cat {} + | grep -c '<skipped .*ouvre une fenêtre')" \
@@ -121,7 +122,8 @@ mutations: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md outils/mutants.md . $(VARIANTES_TOUTES)
 
 CORRECTION := correction/target/correction.jar
-$(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(shell find correction/src/main correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
+$(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(call sources,correction) \
+	$(shell find correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
 	$(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
 	@echo "Construction de $@"
 	@$(MVN) -q -f ensemble.xml -pl :correction -am -DskipTests package
@@ -137,7 +139,12 @@ reponses: $(BASE) mesures/target/mesures.jar
 # Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
 comparer: $(BASE)
 	@test -n "$(A)" -a -n "$(B)" || { echo "Que comparer ? make comparer A=attendue.png B=autre.png (ou une scène)" >&2; exit 2; }
-	@$(JAVA) -jar $(BASE) $(OPTIONS) --comparer "$(A)" "$(B)"
+	@dit=$$($(JAVA) -jar $(BASE) $(OPTIONS) --comparer "$(A)" "$(B)"); statut=$$?; echo "$$dit"; \
+	case "$$statut $$dit" in \
+	    "1 images: "*) echo "make comparer : les images sont différentes" >&2;; \
+	    1*) echo "make comparer : la machine n'a pas pu, rien n'est comparé" >&2;; \
+	    2*) echo "make comparer : demande fausse, rien n'est comparé" >&2;; \
+	esac; exit $$statut
 
 # Le projet que reçoivent les étudiants : make squelette DOSSIER=../lancer-base
 squelette: $(CORRECTION)

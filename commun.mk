@@ -20,10 +20,11 @@ vide :=
 CHEMIN := $(subst $(vide) $(vide),:,$(strip $(JARS)))
 LANCER := $(JAVA) -cp $(CHEMIN) lancer.Main
 POMS := $(RACINE)/ensemble.xml $(RACINE)/pom.xml
-sources = $(shell find $(1)/src/main -type f 2>/dev/null)
+# Les sources d'un dossier, et leur liste : d'un fichier effacé, elle garde la trace jusqu'à ce que tout soit construit de nouveau.
+sources = $(1)/target/sources.txt $(shell find $(1)/src/main -type f 2>/dev/null)
 
 .DEFAULT_GOAL := run
-.PHONY: run outils
+.PHONY: run outils toujours
 
 # Une fenêtre, ou à défaut d'écran une image : là où DISPLAY manque, ou nomme un écran qui ne répond pas (statut 1).
 # L'image porte le nom de la variante dans le dossier de celle-ci, à la racine celui de la scène et des variantes mises ensemble.
@@ -50,6 +51,16 @@ endif
 outils:
 	@command -v javac >/dev/null || { echo "Il faut un JDK, 11 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }
 	@command -v $(firstword $(MVN)) >/dev/null || { echo "Il faut Maven : sudo apt-get install maven" >&2; exit 1; }
+
+# Quand une source ou une ressource n'est plus là, tout ce que Maven en avait fait s'en va : il ne l'ôterait pas de lui-même.
+LISTES := $(RACINE)/target/sources.txt \
+	$(foreach m,$(sort $(VARIANTES) brume antialias blinn atelier mesures correction),$(RACINE)/$(m)/target/sources.txt)
+$(LISTES): toujours
+	@mkdir -p $(@D) && cd $(@D) && find ../src/main -type f 2>/dev/null | LC_ALL=C sort > sources.neuves; \
+	if [ -e sources.txt ] && [ -n "$$(LC_ALL=C comm -23 sources.txt sources.neuves)" ]; then rm -rf classes; fi; \
+	if cmp -s sources.txt sources.neuves; then rm sources.neuves; else mv sources.neuves sources.txt; fi
+
+toujours:
 
 $(BASE): $(POMS) $(call sources,$(RACINE)) | outils
 	@echo "Construction de $@"

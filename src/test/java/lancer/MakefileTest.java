@@ -1,12 +1,16 @@
 package lancer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.Map;
 import lancer.essai.EssaiProcessus;
@@ -79,5 +83,32 @@ class MakefileTest extends EssaiProcessus {
         assertEquals("changée : autre.png\nchangée : nouvelle.png\n", sortie());
         assertEquals(0, Files.readAllBytes(dossier.resolve("images/meme.png"))[0]);
         assertEquals(1, Files.readAllBytes(dossier.resolve("images/autre.png"))[0]);
+    }
+
+    @Test
+    void uneSourceEffaceeEmporteCeQuiEnEtaitConstruit() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        Path sources = Files.createDirectories(dossier.resolve("src/main/java"));
+        Path plan = Files.write(sources.resolve("Plan.java"), new byte[1]);
+        Files.write(sources.resolve("Autre.java"), new byte[1]);
+        Path construit = Files.createDirectories(dossier.resolve("target/classes")).resolve("Plan.class");
+        Files.write(construit, new byte[1]);
+        verifierListe();
+        verifierListe();
+        assertTrue(Files.exists(construit), "rien n'a changé");
+        Files.write(sources.resolve("Neuve.java"), new byte[1]);
+        verifierListe();
+        assertTrue(Files.exists(construit), "une source de plus");
+        Files.delete(plan);
+        verifierListe();
+        assertFalse(Files.exists(construit.getParent()), "une source de moins");
+    }
+
+    /** Le jar dépend d'une liste des sources, que make ne refait que si elle change. */
+    private void verifierListe() throws IOException, InterruptedException {
+        Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"), StandardCopyOption.REPLACE_EXISTING);
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/sources.txt"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(0, statut(make), erreur());
     }
 }

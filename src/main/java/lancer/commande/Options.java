@@ -1,5 +1,6 @@
 package lancer.commande;
 
+import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
@@ -23,8 +24,10 @@ public final class Options {
     private static final String PIXEL =
             "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426";
 
+    private static final String PART = "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%";
+
     private static final List<String> A_VALEUR = Arrays.asList("--image", "--lineaire", "--taille", "--reflets",
-            "--seuil", "--sans", "--fils", "--repeter", "--pixel", "--auto", "--comparer", "--tolerance");
+            "--seuil", "--sans", "--fils", "--repeter", "--pixel", "--auto", "--comparer", "--tolerance", "--part");
     private static final List<String> SANS_VALEUR =
             Arrays.asList("--statistiques", "--simple", "--aide", "--help", "-h", "--version");
 
@@ -67,9 +70,12 @@ public final class Options {
     /** Le temps voulu, essais et dessin, en secondes ; 0 si aucun. */
     public double tempsVoulu;
 
-    /** L'image à laquelle comparer, {@code null} si aucune ; et le plus grand écart permis, en niveaux sur 255. */
+    /** L'image à laquelle comparer, {@code null} si aucune. */
     public String comparer;
+
+    /** Le plus grand écart permis, en niveaux, et la part des pixels, de 0 à 1, qui peuvent le dépasser. */
     public double tolerance;
+    public double part;
 
     /** Vrai si le nombre de réflexions, ou le seuil, est demandé : {@code --auto} n'y touche pas. */
     public boolean refletsDonnes;
@@ -166,7 +172,10 @@ public final class Options {
         seuil = positif("--seuil", seuil, "un nombre positif ou nul", "0.001");
         seuilDonne = donnees.containsKey("--seuil");
         String variantes = valeur("--sans", "une variante, par exemple Brume");
-        sans = variantes == null ? sans : Arrays.asList(variantes.split(","));
+        sans = variantes == null ? sans : Arrays.asList(variantes.split(",", -1));
+        if (sans.contains("")) {
+            throw impossible("--sans", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn");
+        }
         fils = entier("--fils", fils, 1, FILS_MAX);
         repeter = entier("--repeter", repeter, 1, 100_000);
         statistiques = donnees.containsKey("--statistiques");
@@ -178,6 +187,7 @@ public final class Options {
             throw impossible("--comparer", "une image PNG ou PFM");
         }
         tolerance = positif("--tolerance", tolerance, "un nombre de niveaux positif ou nul", "1");
+        part();
     }
 
     /** Refuse les options qui ne vont pas ensemble, ou pas seules. */
@@ -194,8 +204,11 @@ public final class Options {
                         + " ; attendu : une scène, ou une image PNG ou PFM");
             }
             refuser(SANS_COMPARER, "%s ne va pas avec --comparer");
-        } else if (donnees.containsKey("--tolerance")) {
-            throw Echec.demande("--tolerance ne sert pas seule ; attendu : avec elle, --comparer REFERENCE.png");
+        }
+        for (String nom : new String[] {"--tolerance", "--part"}) {
+            if (comparer == null && donnees.containsKey(nom)) {
+                throw Echec.demande(nom + " ne sert pas seule ; attendu : avec elle, --comparer REFERENCE.png");
+            }
         }
         if ((versFichier() || pixel) && scene == null) {
             throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
@@ -292,6 +305,22 @@ public final class Options {
             }
             pixelX = (int) xy[0];
             pixelY = (int) xy[1];
+        }
+    }
+
+    private void part() {
+        String texte = valeur("--part", PART);
+        if (texte != null) {
+            boolean pourCent = texte.endsWith("%");
+            String nombre = pourCent ? texte.substring(0, texte.length() - 1) : texte;
+            part = Nombre.lire(nombre);
+            if (pourCent && part >= 0 && part <= 100) {
+                // 0.7 % est 0.007 même : une division l'arrondirait autrement
+                part = new BigDecimal(nombre).movePointLeft(2).doubleValue();
+            }
+            if (!(part >= 0 && part <= 1)) {
+                throw impossible("--part", PART);
+            }
         }
     }
 

@@ -101,13 +101,13 @@ public final class Section {
     }
 
     private SceneFautive inconnue(int ligneCle, String cle) {
-        return fautive(ligneCle, cle, "clé inconnue" + Texte.imitations(cle),
+        return fautive(ligneCle, cle, "clé inconnue",
                 connues.isEmpty() ? "aucune clé" : String.join(", ", connues));
     }
 
     private static int rang(String cle, List<String> parmi) {
         for (int k = 0; k < parmi.size(); k++) {
-            if (Texte.memeMot(parmi.get(k), cle)) {
+            if (parmi.get(k).equalsIgnoreCase(cle)) {
                 return k;
             }
         }
@@ -247,8 +247,7 @@ public final class Section {
             voulu = "un commentaire seul sur sa ligne";
         } else {
             boolean virgule = mot.indexOf(',') >= 0;
-            faute = (virgule ? "une virgule dans un nombre : " : "n'est pas un nombre : ") + faute
-                    + Texte.imitations(mot);
+            faute = (virgule ? "une virgule dans un nombre : " : "n'est pas un nombre : ") + faute;
             voulu += virgule ? ", avec un point décimal" : "";
         }
         return fautive(lignes.get(k), cles.get(k), faute, voulu);

@@ -58,7 +58,7 @@ public final class ReglagesDessin {
         for (String type : options.sans) {
             boolean connue = Services.varianteConnue(type);
             for (Variante presente : lues.keySet()) {
-                connue |= Texte.memeMot(presente.getSection(), type);
+                connue |= presente.getSection().equalsIgnoreCase(type);
             }
             if (!connue) {
                 throw Echec.demande("valeur impossible pour --sans : " + Texte.cite(type)

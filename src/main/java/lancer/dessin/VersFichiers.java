@@ -3,6 +3,8 @@ package lancer.dessin;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.function.DoubleSupplier;
 import lancer.auto.Auto;
 import lancer.auto.Souhait;
@@ -77,12 +79,14 @@ public final class VersFichiers {
         if (auto != null) {
             auto.controler();
         }
+        Map<Ecriture, Ecriture.Format> fichiers = new LinkedHashMap<>();
         if (png != null) {
-            png.ecrire(dessinateur.getImage(), new FichierPng());
+            fichiers.put(png, new FichierPng());
         }
         if (pfm != null) {
-            pfm.ecrire(dessinateur.getImage(), new FichierPfm());
+            fichiers.put(pfm, new FichierPfm());
         }
+        Ecriture.ecrire(dessinateur.getImage(), fichiers);
         if (options.statistiques) {
             String nombres = dessinateur.statistiques(lancer, traces);
             Pannes.repondre(auto == null ? nombres
@@ -124,7 +128,7 @@ public final class VersFichiers {
 
     /** Compare, et écrit l'image des différences si elle est demandée. @return le statut de sortie */
     public int comparer(ImageMemoire image, ImageMemoire attendue) {
-        Comparaison comparaison = Comparaison.de(image, attendue, options.tolerance);
+        Comparaison comparaison = Comparaison.de(image, attendue, options.tolerance, options.part);
         if (png != null) {
             png.ecrire(comparaison.getDifferences(), new FichierPng());
         }

@@ -16,32 +16,38 @@ public final class Comparaison {
     private final ImageMemoire a;
     private final ImageMemoire b;
     private final double tolerance;
+    private final double part;
     private final boolean surHuitBits;
     private double rmse;
     private double pire;
     private int ou;
+    private int auDela;
     private int plusDUn;
     private int plusDeHuit;
 
-    private Comparaison(ImageMemoire a, ImageMemoire b, double tolerance) {
+    private Comparaison(ImageMemoire a, ImageMemoire b, double tolerance, double part) {
         this.a = a;
         this.b = b;
         this.tolerance = tolerance;
+        this.part = part;
         this.surHuitBits = a.getLineaire() == null || b.getLineaire() == null;
     }
 
     /**
+     * La comparaison de deux images.
+     *
      * @param a une image qui a ses codes ; sans couleurs non limitées, elle n'a que 8 bits par composante
      * @param tolerance le plus grand écart permis d'une composante, en niveaux
+     * @param part la part des pixels, de 0 à 1, qui peuvent s'écarter davantage
      * @throws Echec si les images n'ont pas la même taille
      */
-    public static Comparaison de(ImageMemoire a, ImageMemoire b, double tolerance) {
+    public static Comparaison de(ImageMemoire a, ImageMemoire b, double tolerance, double part) {
         if (a.getLargeur() != b.getLargeur() || a.getHauteur() != b.getHauteur()) {
             throw Echec.demande(String.format(
                     "images de tailles différentes : %dx%d et %dx%d ; attendu : la même taille",
                     a.getLargeur(), a.getHauteur(), b.getLargeur(), b.getHauteur()));
         }
-        Comparaison comparaison = new Comparaison(a, b, tolerance);
+        Comparaison comparaison = new Comparaison(a, b, tolerance, part);
         comparaison.mesurer();
         return comparaison;
     }
@@ -56,6 +62,7 @@ public final class Comparaison {
                 carres += e * e;
                 max = Math.max(max, e);
             }
+            auDela += max > tolerance ? 1 : 0;
             plusDUn += max > PEU ? 1 : 0;
             plusDeHuit += max > BEAUCOUP ? 1 : 0;
             if (max > pire) {
@@ -76,9 +83,9 @@ public final class Comparaison {
                 : 255.0 * Math.min(1, Math.max(0, image.getLineaire()[3 * p + k]));
     }
 
-    /** Vrai si aucune composante ne s'écarte plus que permis. */
+    /** Vrai si les pixels dont une composante s'écarte plus que permis ne sont pas plus nombreux que permis. */
     public boolean sontPareilles() {
-        return pire <= tolerance;
+        return (double) auDela / a.getCodes().length <= part;
     }
 
     /**
@@ -94,13 +101,19 @@ public final class Comparaison {
         return image;
     }
 
-    /** Ce qu'il y a à en dire, une ligne {@code nom: valeur} chacun. */
+    private String verdict() {
+        return sontPareilles() ? "pareilles"
+                : pire <= PEU ? "différentes, à l'arrondi près : --tolerance 1 les tient pour pareilles" : "différentes";
+    }
+
+    /** Le verdict et les écarts, une ligne {@code nom: valeur} chacun. */
     @Override
     public String toString() {
         int pixels = a.getCodes().length;
+        String permis = part > 0 ? String.format("%npixels au-delà de la tolérance: %d sur %d", auDela, pixels) : "";
         String place = pire > 0 ? " en " + ou % a.getLargeur() + "," + ou / a.getLargeur() : "";
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"
-                + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d",
-                sontPareilles() ? "pareilles" : "différentes", rmse, pire, place, plusDUn, pixels, plusDeHuit, pixels);
+                + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d%s",
+                verdict(), rmse, pire, place, plusDUn, pixels, plusDeHuit, pixels, permis);
     }
 }

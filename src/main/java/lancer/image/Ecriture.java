@@ -1,6 +1,5 @@
 package lancer.image;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
@@ -10,14 +9,14 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.Collections;
+import java.util.Map;
 import lancer.commande.Echec;
 import lancer.texte.Texte;
 
 /**
- * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé, avec les
- * permissions de celui qu'il remplace. Un lien symbolique est suivi ; ce qui n'est pas un fichier ordinaire (un tube,
- * par exemple) est écrit directement. Le nom provisoire dit quel processus écrit : si celui-ci est tué avant la fin,
- * l'écriture suivante dans ce dossier efface ce qu'il a laissé.
+ * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé d'un coup. Un lien
+ * symbolique est suivi ; ce qui n'est pas un fichier ordinaire (un tube, par exemple) est écrit directement.
  */
 public final class Ecriture {
 
@@ -26,20 +25,18 @@ public final class Ecriture {
         void ecrire(ImageMemoire image, OutputStream sortie) throws IOException;
     }
 
-    /** Autour d'un nom provisoire, court : celui de la cible peut déjà être aussi long que le système le permet. */
-    private static final String DEBUT_PROVISOIRE = ".lancer-";
-    private static final String FIN_PROVISOIRE = ".tmp";
-
-    /** Là où Linux montre les processus, chacun sous son numéro. */
-    private static final String PROCESSUS = "/proc";
-
     /** Nombre de liens symboliques suivis l'un après l'autre, comme le fait Linux. */
     private static final int LIENS_MAX = 40;
 
     private final String nom;
     private final Path cible;
 
+    /** Le fichier d'à côté : court, car le nom de la cible peut déjà être aussi long que le système le permet. */
+    private Path provisoire;
+
     /**
+     * Le fichier de ce nom, que l'on écrira.
+     *
      * @param nom le fichier à écrire
      * @throws Echec s'il est clair dès maintenant qu'il ne pourra l'être
      */
@@ -92,6 +89,8 @@ public final class Ecriture {
     }
 
     /**
+     * Refuse d'écraser un fichier qui sert à autre chose.
+     *
      * @param faute comment le dire
      * @throws Echec si c'est cet autre fichier que l'on écrirait, sous ce nom ou un autre
      */
@@ -105,67 +104,58 @@ public final class Ecriture {
         }
     }
 
-    /** @throws Echec si l'écriture échoue ; le fichier est alors comme avant */
+    /**
+     * Écrit l'image dans ce fichier.
+     *
+     * @throws Echec si l'écriture échoue ; le fichier est alors comme avant
+     */
     public void ecrire(ImageMemoire image, Format format) {
+        ecrire(image, Collections.singletonMap(this, format));
+    }
+
+    /**
+     * Écrit l'image dans tous ces fichiers, chacun à son format, ou dans aucun.
+     *
+     * @throws Echec si une écriture échoue ; les fichiers sont alors comme avant
+     */
+    public static void ecrire(ImageMemoire image, Map<Ecriture, Format> fichiers) {
         try {
-            if (estSpecial()) {
-                try (OutputStream sortie = Files.newOutputStream(cible)) {
-                    format.ecrire(image, sortie);
-                }
-                return;
-            }
-            String processus = new File(PROCESSUS, "self").getCanonicalFile().getName();
-            balayer(cible.getParent().toFile(), processus);
-            try {
-                ecrireACote(image, format, processus);
-            } catch (NoSuchFileException e) {
-                // ailleurs que sous Linux, ou sur un disque partagé, un autre programme a pu balayer le provisoire
-                // pendant qu'il s'écrivait
-                ecrireACote(image, format, processus);
+            fichiers.forEach((fichier, format) -> fichier.preparer(image, format));
+            fichiers.keySet().forEach(Ecriture::mettreEnPlace);
+        } finally {
+            fichiers.keySet().forEach(Ecriture::nettoyer);
+        }
+    }
+
+    private void preparer(ImageMemoire image, Format format) {
+        if (!estSpecial()) {
+            provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
+            // Ctrl+C pendant l'écriture ne laisse rien derrière lui
+            provisoire.toFile().deleteOnExit();
+        }
+        try (OutputStream sortie = provisoire == null ? Files.newOutputStream(cible)
+                : Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW)) {
+            format.ecrire(image, sortie);
+        } catch (IOException e) {
+            throw impossible(raison(e));
+        }
+    }
+
+    private void mettreEnPlace() {
+        try {
+            if (provisoire != null) {
+                // REPLACE_EXISTING effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent
+                Files.move(provisoire, cible, StandardCopyOption.ATOMIC_MOVE);
             }
         } catch (IOException e) {
             throw impossible(raison(e));
         }
     }
 
-    /** Efface de ce dossier les provisoires des processus qui ne sont plus ; celui-ci n'en a pas encore. */
-    private static void balayer(File dossier, String processus) {
-        String[] noms = dossier.list();
-        for (String reste : noms == null ? new String[0] : noms) {
-            if (reste.startsWith(DEBUT_PROVISOIRE) && reste.endsWith(FIN_PROVISOIRE)) {
-                String ecrivain = reste.substring(DEBUT_PROVISOIRE.length()).split("-")[0];
-                if (ecrivain.equals(processus) || !new File(PROCESSUS, ecrivain).exists()) {
-                    new File(dossier, reste).delete();
-                }
-            }
-        }
-    }
-
-    private void ecrireACote(ImageMemoire image, Format format, String processus) throws IOException {
-        Path provisoire = cible.resolveSibling(
-                DEBUT_PROVISOIRE + processus + "-" + Long.toHexString(System.nanoTime()) + FIN_PROVISOIRE);
-        // Ctrl+C pendant l'écriture ne laisse rien derrière lui
-        provisoire.toFile().deleteOnExit();
-        try {
-            try (OutputStream sortie = Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW)) {
-                // avant d'écrire : ce que l'ancien fichier cachait ne se voit pas un instant
-                garderLesPermissions(provisoire);
-                format.ecrire(image, sortie);
-            }
-            // REPLACE_EXISTING effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent
-            Files.move(provisoire, cible, StandardCopyOption.ATOMIC_MOVE);
-        } finally {
-            Files.deleteIfExists(provisoire);
-        }
-    }
-
-    private void garderLesPermissions(Path provisoire) {
-        try {
-            if (Files.exists(cible)) {
-                Files.setPosixFilePermissions(provisoire, Files.getPosixFilePermissions(cible));
-            }
-        } catch (IOException | UnsupportedOperationException e) {
-            // ce disque n'en a pas
+    private void nettoyer() {
+        if (provisoire != null) {
+            provisoire.toFile().delete();
+            provisoire = null;
         }
     }
 

@@ -42,6 +42,8 @@ public final class LectureImage {
     }
 
     /**
+     * Lit ce fichier.
+     *
      * @return l'image, sans couleurs non limitées si elle n'a que 8 bits par composante
      * @throws Echec si le fichier n'est pas une image PNG ou PFM que l'on sache lire
      */
@@ -50,8 +52,6 @@ public final class LectureImage {
         try {
             byte[] octets = Files.readAllBytes(Paths.get(nom));
             return nom.toLowerCase(Locale.ROOT).endsWith(".png") ? lirePng(octets) : lirePfm(octets);
-        } catch (OutOfMemoryError e) {
-            faute = "trop grande pour la mémoire de Java";
         } catch (InvalidPathException e) {
             faute = "nom de fichier impossible" + Texte.horsLangue(nom);
         } catch (IOException e) {
@@ -66,6 +66,9 @@ public final class LectureImage {
             verifierPng(ByteBuffer.wrap(octets));
             lue = ImageIO.read(new MemoryCacheImageInputStream(new ByteArrayInputStream(octets)));
         } catch (IOException | RuntimeException e) {
+            if (e.getCause() instanceof OutOfMemoryError) {
+                throw (OutOfMemoryError) e.getCause();
+            }
             throw new IOException("ce n'est pas un PNG, ou il est coupé ou abîmé");
         }
         Raster echantillons = lue.getColorModel() instanceof IndexColorModel
@@ -86,8 +89,8 @@ public final class LectureImage {
     }
 
     /**
-     * Ce qu'ImageIO ne vérifie pas : chaque bloc est entier et juste, le dernier est là, et les données sont assez
-     * longues pour la taille annoncée, à laquelle l'image sera allouée.
+     * Vérifie d'un PNG ce qu'ImageIO laisse passer : chaque bloc est entier et juste, le dernier est là, et les données
+     * sont assez longues pour la taille annoncée, à laquelle l'image sera allouée.
      */
     private static void verifierPng(ByteBuffer png) throws IOException {
         boolean juste = png.getLong() == SIGNATURE_PNG;
@@ -122,7 +125,9 @@ public final class LectureImage {
                 .order(echelle < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
         long pixels = (long) largeur * hauteur;
         if (pixels == 0 || echelle == 0 || donnees.remaining() != pixels * (gris ? 1 : 3) * Float.BYTES) {
-            throw new IOException("le nombre d'octets n'est pas celui qu'annonce l'en-tête");
+            throw new IOException(entete.group().contains("\r\n") || entete.group().endsWith("\r")
+                    ? "les lignes de l'en-tête finissent par CRLF, et celles d'un PFM par LF"
+                    : "le nombre d'octets n'est pas celui qu'annonce l'en-tête");
         }
         ImageMemoire image = new ImageMemoire(largeur, hauteur, true);
         // la ligne du bas est la première

@@ -47,7 +47,7 @@ public class LecteurScene {
 
     /** La scène comme on l'a nommée, ou le chemin où elle a été trouvée s'il est autre. */
     private String fichier;
-    private final Services services = Services.cherches();
+    private final Services services = new Services();
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
     private final Origines origines = new Origines();
@@ -88,8 +88,9 @@ public class LecteurScene {
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
         } catch (CharacterCodingException e) {
-            throw refus(lignes.estUtf16() ? "fichier en UTF-16" : "octets qui ne sont pas de l'UTF-8 : "
-                    + Texte.cite(lignes.getTexte().trim()), "un fichier enregistré en UTF-8");
+            throw refus(lignes.autreCodage() != null ? "fichier en " + lignes.autreCodage()
+                    : "octets qui ne sont pas de l'UTF-8 : " + Texte.cite(lignes.getTexte().trim()),
+                    "un fichier enregistré en UTF-8");
         } catch (Lignes.LigneTropLongue e) {
             throw new SceneFautive(Section.message(fichier, lignes.getNumero(), null, null, "ligne trop longue",
                     "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne"), e);
@@ -181,7 +182,7 @@ public class LecteurScene {
             courante = new Section(fichier, nom, ligne, lampe ? CLES_LAMPE : forme == null ? null : cles(forme));
             boolean presente = lampe || forme != null || services.variantes().containsKey(type);
             if (!presente && !Services.varianteConnue(type)) {
-                throw courante.fautive(ligne, null, "type de section inconnu" + Texte.imitations(mot),
+                throw courante.fautive(ligne, null, "type de section inconnu",
                         services.types());
             }
             Integer deja = noms.putIfAbsent(type + nom.substring(mot.length()), ligne);

@@ -71,9 +71,18 @@ final class Lignes extends Reader {
         return ligne.replace("\n", "");
     }
 
-    /** Dit si la dernière ligne donnée commence comme un fichier en UTF-16. */
-    boolean estUtf16() {
-        return numero == 1 && (brute.startsWith("\u00FE\u00FF") || brute.startsWith("\u00FF\u00FE"));
+    /**
+     * L'autre codage que trahit la dernière ligne donnée, {@code null} si elle peut être de l'UTF-8 : sa marque, au
+     * début du fichier, ou les octets nuls de ses lettres, un sur deux en UTF-16, trois sur quatre en UTF-32.
+     */
+    String autreCodage() {
+        boolean marque16 = brute.startsWith("\u00FE\u00FF") || brute.startsWith("\u00FF\u00FE");
+        boolean marque32 = brute.startsWith("\u00FF\u00FE\0\0") || brute.startsWith("\0\0\u00FE\u00FF");
+        int nuls = brute.length() - brute.replace("\0", "").length();
+        double part = (double) nuls / brute.length();
+        boolean parlants = brute.length() >= 4 && part > 0.35 && part < 0.9;
+        return numero == 1 && marque32 || parlants && part > 0.6 ? "UTF-32"
+                : numero == 1 && marque16 || parlants ? "UTF-16" : null;
     }
 
     @Override
@@ -126,7 +135,7 @@ final class Lignes extends Reader {
         String texte = new String(lue, StandardCharsets.UTF_8);
         ligne = numero == 1 && texte.startsWith("\uFEFF") ? texte.substring(1) : texte;
         donnes = ligne.length();
-        if (!Arrays.equals(texte.getBytes(StandardCharsets.UTF_8), lue)) {
+        if (!Arrays.equals(texte.getBytes(StandardCharsets.UTF_8), lue) || autreCodage() != null) {
             throw new CharacterCodingException();
         }
         StringBuilder s = new StringBuilder();

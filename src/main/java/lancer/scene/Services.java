@@ -22,12 +22,15 @@ import lancer.texte.Texte;
 
 /**
  * Les formes et les variantes présentes dans le chemin des classes, par le type de leurs sections, en minuscules. Elles
- * sont cherchées dans un fil à part : Java fouille aussi ses propres modules, et la scène se lit pendant ce temps.
+ * ne sont cherchées que si on les demande : Java fouille aussi ses propres modules.
  */
-public final class Services implements Runnable {
+public final class Services {
 
     /** Les types que lisent des variantes de la maison, présentes ou non. */
     private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
+
+    /** La fin de ce que dit Java d'une classe qui n'est pas là : « contrat: Provider classe not found ». */
+    private static final String INTROUVABLE = " not found";
 
     /** La forme de la base : lue comme les autres, mais connue d'avance. */
     private static final Forme SPHERE = new Forme() {
@@ -50,33 +53,12 @@ public final class Services implements Runnable {
     private Map<String, Forme> formes;
     private Map<String, Variante> variantes;
 
-    private Services() {
-    }
-
-    /** Des services que cherche déjà un fil. */
-    static Services cherches() {
-        Services services = new Services();
-        Thread avance = new Thread(services, "lancer-services");
-        avance.setDaemon(true);
-        avance.start();
-        return services;
-    }
-
     /** Les noms des variantes présentes. */
     public static List<String> nomsDesVariantes() {
         return new Services().variantes().values().stream().map(Variante::getSection).collect(Collectors.toList());
     }
 
-    @Override
-    public void run() {
-        try {
-            chercher();
-        } catch (RuntimeException | Error e) {
-            // celui qui les demandera cherchera à son tour, et le dira
-        }
-    }
-
-    private synchronized void chercher() {
+    private void chercher() {
         if (variantes != null) {
             return;
         }
@@ -111,7 +93,14 @@ public final class Services implements Runnable {
                 // la ligne convient : c'est le constructeur qui échoue
                 throw e;
             }
-            throw new SceneFautive("META-INF/services, ligne qui ne convient pas : " + Texte.echappe(e.getMessage())
+            String dit = e.getMessage();
+            if (dit.endsWith(INTROUVABLE)) {
+                String[] mots = dit.split(" ");
+                throw new SceneFautive("META-INF/services nomme une classe qui n'existe pas, "
+                        + Texte.abrege(mots[mots.length - 3]) + " ; attendu : la classe, ou cette ligne ôtée ; si elle "
+                        + "l'est, make propre efface ce qui en reste", e);
+            }
+            throw new SceneFautive("META-INF/services, ligne qui ne convient pas : " + Texte.echappe(dit)
                     + " ; attendu : une classe publique de ce contrat, à constructeur public sans argument", e);
         }
         return inscrites;
@@ -152,7 +141,7 @@ public final class Services implements Runnable {
 
     /** Dit si ce type de section est celui d'une variante de la maison, présente ou non. */
     public static boolean varianteConnue(String type) {
-        return VARIANTES_CONNUES.stream().anyMatch(connue -> Texte.memeMot(connue, type));
+        return VARIANTES_CONNUES.stream().anyMatch(connue -> connue.equalsIgnoreCase(type));
     }
 
     /** Tous les types de section que l'on peut écrire. */

@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.FileSystemException;
+import java.util.Locale;
 
 /** Un texte venu d'ailleurs (fichier, ligne de commande), rendu montrable dans un message d'une ligne. */
 public final class Texte {
@@ -11,7 +12,7 @@ public final class Texte {
     /** Longueur au-delà de laquelle une citation est coupée, en caractères. */
     private static final int CITATION_MAX = 60;
 
-    /** Ce que dit le système, ou Java, et ce que nous en disons ; en français, le système se fait comprendre seul. */
+    /** Les mots du système ou de Java, et leur traduction ; en français, le système se fait comprendre seul. */
     private static final String[][] PANNES = {
         {"No space left on device", "disque plein"},
         {"Aucun espace disponible sur le périphérique", "disque plein"},
@@ -31,26 +32,9 @@ public final class Texte {
     private Texte() {
     }
 
-    /**
-     * Vrai si deux mots ne diffèrent que par la casse. Une lettre ASCII n'y est égale qu'à elle-même, grande ou
-     * petite, au contraire de {@link String#equalsIgnoreCase} pour qui le signe du kelvin est un k.
-     */
-    public static boolean memeMot(String a, String b) {
-        return a.equals(b) || a.equalsIgnoreCase(b) && minuscules(a).equals(minuscules(b));
-    }
-
-    /** Le mot tel que tous ceux que {@link #memeMot} dit égaux le donnent. */
+    /** Le mot en minuscules, quelle que soit la langue de la machine. */
     public static String minuscules(String mot) {
-        char[] lettres = mot.toCharArray();
-        for (int i = 0; i < lettres.length; i++) {
-            lettres[i] = minuscule(lettres[i]);
-        }
-        return new String(lettres);
-    }
-
-    private static char minuscule(char c) {
-        char minuscule = Character.toLowerCase(c);
-        return minuscule < 128 && c >= 128 ? c : minuscule;
+        return mot.toLowerCase(Locale.ROOT);
     }
 
     /** Le texte entre guillemets, caractères de contrôle échappés, coupé à 60 caractères. */
@@ -85,23 +69,6 @@ public final class Texte {
     }
 
     /**
-     * De quoi reconnaître, dans un mot refusé, un caractère qui en imite un autre : {@code ", où « е » est U+0435"}.
-     * Une lettre accentuée du français se voit, et ce qui ne se voit pas est déjà montré par son code.
-     */
-    public static String imitations(String mot) {
-        StringBuilder s = new StringBuilder();
-        for (int i = 0; i < Math.min(mot.length(), CITATION_MAX); i += Character.charCount(mot.codePointAt(i))) {
-            int c = mot.codePointAt(i);
-            int type = Character.getType(c);
-            boolean dit = s.indexOf(new String(Character.toChars(c))) >= 0;
-            if (c > 0xFF && visible(type) && type != Character.OTHER_SYMBOL && !dit) {
-                s.append(String.format(s.length() == 0 ? ", où « %c » est U+%04X" : ", « %c » est U+%04X", c, c));
-            }
-        }
-        return s.toString();
-    }
-
-    /**
      * Pourquoi Java ne sait rien faire d'un chemin, et le remède, si c'est qu'il n'a pu en lire les accents, ou ceux du
      * dossier d'où il est suivi : il croit alors que ce dossier n'existe pas.
      */
@@ -112,7 +79,7 @@ public final class Texte {
                         + ", ne permet pas de lire ce nom : mettre LC_ALL=C.UTF-8 devant la commande)";
     }
 
-    /** Ce que le système dit d'une panne de fichier, en français si on le connaît ; à défaut, son nom en Java. */
+    /** La raison d'une panne de fichier, en français si on la connaît ; à défaut, son nom en Java. */
     public static String panne(IOException e) {
         String dit = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
         String raison = dit == null ? e.getClass().getSimpleName() : dit;

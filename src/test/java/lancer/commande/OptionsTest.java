@@ -282,4 +282,12 @@ class OptionsTest {
         assertTrue(message.startsWith("valeur impossible pour --fils : « \\u001bzzz"), message);
         assertTrue(message.length() < 150, message);
     }
+
+    @Test
+    void uneVarianteADebrancherAUnNom() {
+        for (String sans : new String[] {",", "Brume,", ",Brume", "Brume,,Blinn"}) {
+            verifierRefus("s.ini --sans=" + sans, "valeur impossible pour --sans : « " + sans
+                    + " » ; attendu : des noms de variantes séparés par une virgule, par exemple Brume,Blinn");
+        }
+    }
 }

@@ -150,7 +150,7 @@ class FormesRefuseesTest extends EssaiFormes {
     }
 
     @ParameterizedTest
-    @CsvSource({"lancer.Pnaneau, lancer.Pnaneau", "lancer.Sphere, lancer.Sphere", "lancer.Objet3D, lancer.Objet3D",
+    @CsvSource({"lancer.Sphere, lancer.Sphere", "lancer.Objet3D, lancer.Objet3D",
         "pas un nom, lancer.contrat.Forme:1"})
     void uneLigneDeServicesQuiNeConvientPasEstRefusee(String ligne, String dit) throws IOException {
         Path services = Files.createDirectories(dossier.resolve(SERVICE).getParent());
@@ -158,6 +158,16 @@ class FormesRefuseesTest extends EssaiFormes {
         Essai e = executer(dossier, "[Sphere 1]", "centre=0 0 6", "rayon=1");
         assertTrue(e.erreur.matches("lancer : META-INF/services, ligne qui ne convient pas : lancer\\.contrat\\.Forme: .*" + dit
                 + ".* ; attendu : une classe publique de ce contrat, à constructeur public sans argument\\R"), e.toString());
+        assertEquals(2, e.code);
+    }
+
+    @Test
+    void uneClasseDeServicesQuiNExistePasEstNommeeAvecLeRemede() throws IOException {
+        Path services = Files.createDirectories(dossier.resolve(SERVICE).getParent());
+        Files.write(services.resolve("lancer.contrat.Forme"), Collections.singletonList("lancer.Pnaneau"));
+        Essai e = executer(dossier, "[Sphere 1]", "centre=0 0 6", "rayon=1");
+        assertEquals("lancer : META-INF/services nomme une classe qui n'existe pas, lancer.Pnaneau ; attendu : la classe, ou cette ligne "
+                + "ôtée ; si elle l'est, make propre efface ce qui en reste" + System.lineSeparator(), e.erreur);
         assertEquals(2, e.code);
     }
 

@@ -8,7 +8,11 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Scanner;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import lancer.essai.Essai;
@@ -71,6 +75,63 @@ class ComparaisonTest extends EssaiCommande {
         verifierDifferentes(comparer(dossier.resolve("a.png"), dossier.resolve("b.png")));
         verifierPareilles(comparer(dossier.resolve("a.png"), dossier.resolve("b.png"), "--tolerance", "1"));
         assertTrue(comparer(dossier.resolve("a.png"), dossier.resolve("b.png")).sortie.contains("plus grand écart: 1.0000 en 3,2"));
+    }
+
+    @Test
+    void unArrondiSeDitEtNommeLOptionQuiLePermet() throws IOException {
+        ecrire("a.png", 10, 20, 30);
+        ecrire("b.png", 11, 20, 29);
+        ecrire("c.png", 12, 20, 30);
+        Path a = dossier.resolve("a.png");
+        String arrondi = "images: différentes, à l'arrondi près : --tolerance 1 les tient pour pareilles";
+        assertEquals(arrondi, comparer(a, dossier.resolve("b.png")).sortie.split("\\R")[0]);
+        assertEquals("images: différentes", comparer(a, dossier.resolve("c.png")).sortie.split("\\R")[0]);
+        assertEquals("images: différentes", comparer(a, dossier.resolve("c.png"), "--tolerance", "1").sortie.split("\\R")[0]);
+    }
+
+    @Test
+    void unePartDesPixelsPeutPasserLaTolerance() throws IOException {
+        BufferedImage image = new BufferedImage(100, 10, BufferedImage.TYPE_INT_RGB);
+        ImageIO.write(image, "png", png.toFile());
+        for (int k = 0; k < 7; k++) {
+            image.setRGB(10 * k, k, 0x050000);
+        }
+        Path autre = dossier.resolve("sept.png");
+        ImageIO.write(image, "png", autre.toFile());
+        // sept pixels sur mille, ni plus ni moins
+        for (String assez : new String[] {"0.7%", "0.007", "7e-3", "7e-1%", "1", "100%"}) {
+            verifierPareilles(comparer(png, autre, "--part", assez));
+            verifierPareilles(comparer(png, autre, "--tolerance", "4", "--part", assez));
+        }
+        for (String peu : new String[] {"0", "0%", "0.0069", "0.69%"}) {
+            verifierDifferentes(comparer(png, autre, "--part=" + peu));
+            verifierPareilles(comparer(png, autre, "--part=" + peu, "--tolerance=5"));
+        }
+        assertTrue(comparer(png, autre, "--part", "1%").sortie.contains("pixels au-delà de la tolérance: 7 sur 1000"));
+        for (String fausse : new String[] {"-1", "1.5", "101%", "%", "0.5 %", "0,5%", "1e999%", "NaN"}) {
+            verifierDemandeFausse("--part", comparer(png, autre, "--part=" + fausse));
+        }
+        verifierDemandeFausse("--part ne sert pas seule", Essai.executer("--part", "0.1", SCENE));
+    }
+
+    /** Une image de quatre mille pixels sur trois mille, que l'on n'a pas de quoi tenir en mémoire. */
+    @Test
+    void uneImageTropGrandePourLaMemoireEstUnePanneEtNonUneImageAbimee() throws Exception {
+        ImageIO.write(new BufferedImage(4000, 3000, BufferedImage.TYPE_INT_RGB), "png", png.toFile());
+        List<String> commande = new ArrayList<>(Arrays.asList(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx24m",
+                "-Dfile.encoding=UTF-8", "-cp", System.getProperty("java.class.path"), "lancer.Main", "--comparer", png.toString(), png.toString()));
+        Process p = new ProcessBuilder(commande).redirectErrorStream(true).start();
+        Scanner lu = new Scanner(p.getInputStream(), "UTF-8");
+        String dit = lu.nextLine();
+        assertEquals(1, p.waitFor(), dit);
+        assertTrue(dit.startsWith("lancer : ") && dit.contains("mémoire") && !lu.hasNextLine(), dit);
+    }
+
+    @Test
+    void unPfmDontLEnteteFinitSesLignesParCrlfLeDit() throws IOException {
+        byte[] entete = "PF\r\n1 1\r\n-1.0\r\n".getBytes("US-ASCII");
+        Files.write(pfm, Arrays.copyOf(entete, entete.length + 12));
+        verifierDemandeFausse("CRLF", comparer(pfm, pfm));
     }
 
     private void ecrire(String nom, int r, int v, int b) throws IOException {

@@ -10,7 +10,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.ByteBuffer;
@@ -19,7 +18,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -175,37 +173,6 @@ class SortiesTest extends EssaiCommande {
         dessiner("--lineaire", lien("neant.pfm", Paths.get("/dev/null")).toString(), "--image", png.toString());
         assertFalse(Files.isRegularFile(Paths.get("/dev/null")));
         verifierFichiers("image.png", "neant.pfm", "neant.png");
-    }
-
-    @Test
-    void uneImageGardeLesPermissionsDeCelleQuElleRemplace() throws IOException {
-        assumeTrue(dossier.getFileSystem().supportedFileAttributeViews().contains("posix"), "pas de permissions ici");
-        for (String permissions : new String[] {"rw-r-----", "rw-------", "rwxrw-rw-"}) {
-            ecrireTexte(png, "avant");
-            Files.setPosixFilePermissions(png, PosixFilePermissions.fromString(permissions));
-            dessiner("--image", png.toString());
-            assertEquals(40, ImageIO.read(png.toFile()).getWidth());
-            assertEquals(permissions, PosixFilePermissions.toString(Files.getPosixFilePermissions(png)));
-        }
-        // une image neuve a celles de tout fichier neuf
-        Files.createFile(dossier.resolve("neuf"));
-        dessiner("--lineaire", pfm.toString());
-        assertEquals(Files.getPosixFilePermissions(dossier.resolve("neuf")), Files.getPosixFilePermissions(pfm));
-    }
-
-    /** L'ancien fichier était caché : le nouveau l'est avant même d'avoir un contenu. */
-    @Test
-    void uneImageCacheeLEstDejaPendantQuElleSEcrit() throws IOException {
-        assumeTrue(dossier.getFileSystem().supportedFileAttributeViews().contains("posix"), "pas de permissions ici");
-        ecrireTexte(png, "avant");
-        Files.setPosixFilePermissions(png, PosixFilePermissions.fromString("rw-------"));
-        new Ecriture(png.toString()).ecrire(new ImageMemoire(3, 2, true), (image, sortie) -> {
-            for (File fichier : dossier.toFile().listFiles()) {
-                assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(fichier.toPath())),
-                        fichier.getName());
-            }
-            assertEquals(2, dossier.toFile().list().length);
-        });
     }
 
     @Test
