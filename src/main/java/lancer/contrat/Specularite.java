@@ -68,6 +68,11 @@ public interface Specularite {
         return this;
     }
 
+    /** Nom de la base qu'il dit. */
+    default String nomDeLaBase() {
+        return "R·L";
+    }
+
     /** Reflet de Phong, 1975. */
     final class Phong implements Specularite {
 

@@ -2,14 +2,17 @@ package lancer.inspection;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
+import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
+import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute;
 
@@ -99,12 +102,38 @@ final class Chaine implements Ecoute {
         etape.vue = vue;
     }
 
-    /** Cherche, de chaque lampe cachée, ce qui la cache le plus près d'elle. */
-    void nommerCaches(Scene scene) {
+    /** Cherche, par les boucles du cours, ce que personne n'a eu à dire : qui cache une lampe, et les rivaux. */
+    void chercher(Inspection pixel) {
+        Scene scene = pixel.scene.avec(pixel.scene.getModele());
+        Rayon rayon = pixel.getDepart();
+        PointContact sauf = null;
         for (Etape etape : etapes) {
             for (Eclairage eclairage : etape.lampes) {
                 if (eclairage.L != null && !eclairage.eclaire()) {
                     eclairage.cache = cache(eclairage, etape.contact, scene);
+                }
+            }
+            if (etape.contact != null && rayon != null) {
+                comparer(etape, rayon, sauf, scene);
+                rayon = etape.R == null ? null : new Rayon(etape.contact, etape.R);
+                sauf = etape.contact;
+            }
+        }
+    }
+
+    private static void comparer(Etape etape, Rayon rayon, PointContact sauf, Scene scene) {
+        if (etape.contact.objet instanceof Sphere) {
+            // cours : d = b ± h, b étant la distance jusqu'au milieu de la corde
+            Vecteur f = new Vecteur(rayon.getP(), ((Sphere) etape.contact.objet).getCentre());
+            etape.h = Math.abs(etape.contact.distance - f.dot(rayon.getV()));
+        }
+        for (Objet3D objet : scene.getObjets()) {
+            if (objet != etape.contact.objet && (sauf == null || objet != sauf.objet)
+                    && objet.getIntersectionDistance(rayon) < Constantes.INFINI) {
+                etape.rivaux.add(rayon.calcContact());
+                etape.rivaux.sort(Comparator.comparingDouble(rival -> rival.distance));
+                if (etape.rivaux.size() > 2) {
+                    etape.rivaux.remove(2);
                 }
             }
         }

@@ -33,6 +33,21 @@ public final class Eclairage {
         this.devant = devant;
     }
 
+    /** Ce qu'il advient d'une lampe. */
+    enum Sort {
+        ECLAIRE("éclairées"), DOS("dans le dos"), SANS_EFFET("sans effet sur cette matière"), CACHEE("cachées");
+
+        final String nom;
+
+        Sort(String nom) {
+            this.nom = nom;
+        }
+    }
+
+    Sort sort() {
+        return eclaire() ? Sort.ECLAIRE : diffus == null ? Sort.DOS : L == null ? Sort.SANS_EFFET : Sort.CACHEE;
+    }
+
     /** Dit si elle compte dans la somme. */
     public boolean eclaire() {
         return apport != null;

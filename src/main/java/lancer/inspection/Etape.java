@@ -16,6 +16,12 @@ public final class Etape {
     public final PointContact contact;
 
     public final List<Eclairage> lampes = new ArrayList<>();
+
+    /** Demi-corde de la sphère rencontrée, NaN si ce n'en est pas une. */
+    double h = Double.NaN;
+
+    /** Les deux plus proches des autres objets que les boucles du cours trouvent sur ce rayon, s'il y en a. */
+    final List<PointContact> rivaux = new ArrayList<>();
     Vecteur N;
     Vecteur R;
 
@@ -42,7 +48,7 @@ public final class Etape {
 
     /** Dit si ce que voit le rayon n'est pas la somme telle quelle. */
     boolean aTraversLAir() {
-        return air != null || !vue.equals(somme);
+        return air != null || vue != null && !vue.equals(somme);
     }
 
     /** Le nom, dans le récit, de ce que voit ce rayon. */

@@ -11,10 +11,12 @@ import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
+import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Traceur;
@@ -40,8 +42,9 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
     private final Traceur traceur;
     private Vue vue;
     private Couleur couleur;
-    private List<Echantillon> echantillons;
+    private List<Echantillon> echantillons = Collections.emptyList();
     private Echantillon choisi;
+    private PixelFautif faute;
     private int voulu;
     /** Les échantillons pris près du pixel, par la couleur qui en a été rendue, elle-même. */
     private final Map<Couleur, Echantillon> vus = new IdentityHashMap<>();
@@ -80,6 +83,21 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         traceur.TracerPixels(this, profondeur, 1);
     }
 
+    /** Fait de même, et garde la faute s'il y en a une : la chaîne va alors jusqu'à elle. */
+    public void faireOuEchouer(int rang) {
+        try {
+            faire(rang);
+        } catch (PixelFautif e) {
+            faute = e;
+            chaine.chercher(this);
+        }
+    }
+
+    /** Ce qui a empêché de calculer ce pixel ; {@code null} s'il a une couleur. */
+    public PixelFautif getFaute() {
+        return faute;
+    }
+
     public void arreter() {
         traceur.arreter();
     }
@@ -92,6 +110,12 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
     /** Échantillons du pixel et échantillons qu'il partage, ligne par ligne : dans l'ordre où ils s'ajoutent. */
     public List<Echantillon> getEchantillons() {
         return echantillons;
+    }
+
+    /** Rayon de cet échantillon ; {@code null} s'il n'y en a pas. */
+    public Rayon getDepart() {
+        return faute != null ? camera.getRayon(faute.xe, faute.ye)
+                : choisi == null ? null : camera.getRayon(choisi.xe, choisi.ye);
     }
 
     /** Échantillon dont voici la chaîne. */
@@ -126,7 +150,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
             choisi = voulu == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))
                     : echantillons.get(Math.min(voulu, echantillons.size() - 1));
             vue.couleur(choisi.xe, choisi.ye);
-            chaine.nommerCaches(scene.avec(scene.getModele()));
+            chaine.chercher(this);
         }
         return 0;
     }

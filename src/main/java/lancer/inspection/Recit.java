@@ -4,15 +4,42 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.DoubleFunction;
+import java.util.stream.Collectors;
 import lancer.Couleur;
 import lancer.Tuple;
+import lancer.contrat.Specularite;
+import lancer.texte.Texte;
 
-/** La chaîne d'un pixel en lignes de texte, chaque terme dans l'ordre où il s'ajoute. */
+/** La chaîne d'un pixel en lignes de texte, chaque terme dans l'ordre où il s'ajoute, avec ses facteurs. */
 public final class Recit {
+
+    private static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
+
+    /** Nombre de lampes de même sort au-delà duquel elles ne se montrent qu'à la demande. */
+    private static final int LAMPES = 3;
 
     private final Inspection pixel;
     private final DoubleFunction<String> nombre;
-    private final List<String> lignes = new ArrayList<>();
+    private final List<Ligne> lignes = new ArrayList<>();
+    private int etape;
+
+    /** Une ligne, et où elle est. Immuable. */
+    public static final class Ligne {
+
+        public final String texte;
+
+        /** Le numéro du rayon dont elle parle, 0 si c'est du pixel. */
+        public final int etape;
+
+        /** Ce qui tient lieu de cette ligne et de ses pareilles tant qu'on ne les demande pas ; {@code null} : rien. */
+        public final String repli;
+
+        Ligne(String texte, int etape, String repli) {
+            this.texte = texte;
+            this.etape = etape;
+            this.repli = repli;
+        }
+    }
 
     /** @param nombre comment s'écrit un nombre */
     public Recit(Inspection pixel, DoubleFunction<String> nombre) {
@@ -20,38 +47,54 @@ public final class Recit {
         this.nombre = nombre;
     }
 
-    /** La dernière est {@code somme R V B = #RRGGBB}. */
+    /** Toutes, en texte ; la dernière est {@code somme R V B = #RRGGBB}. */
     public List<String> lignes() {
-        lignes.add("pixel " + pixel.x + ", " + pixel.y);
+        return raconter().stream().map(ligne -> ligne.texte).collect(Collectors.toList());
+    }
+
+    /** Les lignes de la chaîne, jusqu'à la faute s'il y en a une. */
+    public List<Ligne> raconter() {
+        dire("pixel " + pixel.x + ", " + pixel.y);
         if (pixel.getEchantillons().size() > 1) {
             dire(pixel.getEchantillons());
         }
-        for (Etape etape : pixel.getEtapes()) {
-            dire(etape);
+        for (Etape suivante : pixel.getEtapes()) {
+            etape = suivante.numero;
+            dire(suivante);
         }
-        lignes.add("somme " + ecrire(pixel.getCouleur())
+        etape = 0;
+        dire(pixel.getFaute() != null ? "échec : " + Texte.cause(pixel.getFaute(), HORS_DE_JAVA)
+                : "somme " + ecrire(pixel.getCouleur())
                 + String.format(Locale.ROOT, " = #%06X", pixel.getCouleur().getCode() & 0xFFFFFF));
         return lignes;
     }
 
+    private void dire(String ligne) {
+        dire(ligne, null);
+    }
+
+    private void dire(String ligne, String repli) {
+        lignes.add(new Ligne(ligne, etape, repli));
+    }
+
     private void dire(List<Echantillon> echantillons) {
         long siens = echantillons.stream().filter(e -> e.estDans(pixel.x, pixel.y)).count();
-        lignes.add(siens + (siens > 1 ? " échantillons" : " échantillon") + (siens == echantillons.size() ? ""
+        dire(siens + (siens > 1 ? " échantillons" : " échantillon") + (siens == echantillons.size() ? ""
                 : " et " + (echantillons.size() - siens) + " partagés avec les voisins"));
         for (Echantillon e : echantillons) {
-            lignes.add("  " + point(e) + (e.estDans(pixel.x, pixel.y) ? " : " : " (partagé) : ") + ecrire(e.couleur));
+            dire("  " + point(e) + (e.estDans(pixel.x, pixel.y) ? " : " : " (partagé) : ") + ecrire(e.couleur));
         }
         if (!pixel.termes.isEmpty()) {
-            lignes.add(pixel.termes.size() + " termes");
+            dire(pixel.termes.size() + " termes");
         }
         for (Echantillon terme : pixel.termes) {
-            lignes.add("  " + nombre.apply(terme.poids) + " × " + point(terme) + " = " + ecrire(terme.couleur));
+            dire("  " + nombre.apply(terme.poids) + " × " + point(terme) + " = " + ecrire(terme.couleur));
         }
         if (pixel.somme != null) {
-            lignes.add("leur somme = " + ecrire(pixel.somme) + ", divisée par " + nombre.apply(pixel.diviseur)
+            dire("leur somme = " + ecrire(pixel.somme) + ", divisée par " + nombre.apply(pixel.diviseur)
                     + " pour le pixel");
         }
-        lignes.add("chaîne de l'échantillon " + point(pixel.getChoisi()));
+        dire("chaîne de l'échantillon " + point(pixel.getChoisi()));
     }
 
     private String point(Echantillon e) {
@@ -61,60 +104,88 @@ public final class Recit {
     private void dire(Etape etape) {
         String debut = etape.numero + "  ";
         if (etape.contact == null) {
-            lignes.add(debut + "ciel");
+            dire(debut + "ciel");
         } else {
-            lignes.add(debut + pixel.nom(etape.contact.objet) + "  d = " + nombre.apply(etape.contact.distance));
-            lignes.add("   contact = " + ecrire(etape.contact));
+            dire(debut + pixel.nom(etape.contact.objet) + "  d = " + nombre.apply(etape.contact.distance));
+            dire("   contact = " + ecrire(etape.contact));
             if (etape.N != null) {
                 direLaSurface(etape);
             }
         }
-        lignes.add("   somme " + etape.numero + " = " + ecrire(etape.somme));
+        if (etape.somme == null) {
+            return;
+        }
+        dire("   somme " + etape.numero + " = " + ecrire(etape.somme));
         if (etape.aTraversLAir()) {
             direLAir(etape);
         }
         if (etape.reflet == null) {
-            lignes.add("   arrêt : " + arret(etape));
+            dire("   arrêt : " + arret(etape));
         }
     }
 
     private void direLaSurface(Etape etape) {
-        lignes.add("   N = " + ecrire(etape.N));
+        dire("   N = " + ecrire(etape.N));
         for (Eclairage lampe : etape.lampes) {
-            dire(lampe);
+            dire(etape, lampe);
+        }
+        String details = "   demi-corde, rivaux et directions des lampes";
+        if (!Double.isNaN(etape.h)) {
+            dire("     demi-corde h = " + nombre.apply(etape.h), details);
+        }
+        etape.rivaux.forEach(rival -> dire("     rival " + pixel.nom(rival.objet) + "  d = "
+                + nombre.apply(rival.distance), details));
+        for (Eclairage lampe : etape.lampes) {
+            if (lampe.L != null) {
+                dire("     L = " + ecrire(lampe.L) + "  vers " + pixel.nom(lampe.lampe), details);
+            }
         }
         if (etape.reflet != null) {
-            lignes.add("     réfléchi : R = " + ecrire(etape.R) + ", poids " + ecrire(etape.poids) + " → "
+            dire("     réfléchi : R = " + ecrire(etape.R) + ", poids " + ecrire(etape.poids) + " → "
                     + (etape.numero + 1));
-            lignes.add("       Ks ⊗ " + pixel.getEtapes().get(etape.numero).nomDeLaVue() + " = "
-                    + ecrire(etape.reflet));
+            dire("       Ks " + facteur(etape.contact.objet.getKs()) + " ⊗ "
+                    + pixel.getEtapes().get(etape.numero).nomDeLaVue() + " = " + ecrire(etape.reflet));
         }
     }
 
-    private void dire(Eclairage e) {
+    private void dire(Etape etape, Eclairage e) {
         String debut = "     " + pixel.nom(e.lampe);
+        long pareilles = etape.lampes.stream().filter(autre -> autre.sort() == e.sort()).count();
+        String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + e.sort().nom;
         if (e.diffus == null) {
-            lignes.add(debut + "  N·(lampe − contact) = " + nombre.apply(e.devant)
-                    + "  dans le dos : pas de rayon d'ombre");
+            dire(debut + "  N·(lampe − contact) = " + nombre.apply(e.devant)
+                    + "  dans le dos : pas de rayon d'ombre", repli);
             return;
         }
-        lignes.add(debut + "  N·L = " + nombre.apply(e.cosinus) + "  " + (e.eclaire() ? "éclairée"
+        dire(debut + "  N·L = " + nombre.apply(e.cosinus) + "  " + (e.eclaire() ? "éclairée"
                 : e.L == null ? "sans effet sur cette matière : pas de rayon d'ombre"
-                : e.cache == null ? "cachée" : "cachée par " + pixel.nom(e.cache.objet)));
+                : e.cache == null ? "cachée" : "cachée par " + pixel.nom(e.cache.objet)), repli);
         if (e.eclaire()) {
-            lignes.add("       diffus = " + ecrire(e.diffus));
-            lignes.add("       + reflet = " + ecrire(e.reflet) + "  éclat " + nombre.apply(e.eclat));
-            lignes.add("       = " + ecrire(e.apport));
+            String lampe = " ⊗ lampe " + facteur(e.lampe.getCouleur()) + " × ";
+            dire("       diffus = Kd " + facteur(etape.contact.objet.getKd()) + lampe + "N·L "
+                    + nombre.apply(e.cosinus) + " = " + ecrire(e.diffus));
+            dire("       + reflet = Ks " + facteur(etape.contact.objet.getKs()) + lampe + eclat(e) + " = "
+                    + ecrire(e.reflet));
+            dire("       = " + ecrire(e.apport));
         }
+    }
+
+    /** La base et l'exposant de l'éclat d'une lampe, tels que les a pris ce qui le calcule ; sinon l'éclat lui-même. */
+    private String eclat(Eclairage e) {
+        Specularite specularite = pixel.scene.getModele().getSpecularite();
+        return Double.isNaN(e.base) ? "éclat " + nombre.apply(e.eclat) : "(" + specularite.nomDeLaBase() + " "
+                + nombre.apply(e.base) + ")^" + nombre.apply(e.exposant);
     }
 
     private void direLAir(Etape etape) {
         if (etape.air != null) {
-            lignes.add("     air : k = " + nombre.apply(etape.k));
-            lignes.add("       k · air = " + ecrire(etape.air));
-            lignes.add("       + (1 − k) · somme " + etape.numero + " = " + ecrire(etape.reste));
+            dire("     air : k = " + nombre.apply(etape.k));
+            dire("       k · air = " + ecrire(etape.air));
+            dire("       + (1 − k) · somme " + etape.numero + " = " + ecrire(etape.reste));
         }
-        lignes.add("   vue " + etape.numero + " = " + ecrire(etape.vue));
+        if (etape.vue != null) {
+            dire("   vue " + etape.numero + " = " + ecrire(etape.vue));
+        }
     }
 
     private String arret(Etape etape) {
@@ -127,6 +198,10 @@ public final class Recit {
         }
         return etape.contact.objet.getKs().estNoire() ? "Ks nul"
                 : pixel.profondeur + (pixel.profondeur > 1 ? " réflexions" : " réflexion");
+    }
+
+    private String facteur(Couleur c) {
+        return "(" + ecrire(c) + ")";
     }
 
     private String ecrire(Couleur c) {

@@ -174,6 +174,7 @@ public final class EssaiRecit {
             for (Lampe lampe : scene.getLampes()) {
                 ajouter(total, lampe(lampe, proche, X, N, R));
             }
+            details(proche, sauf, d);
             produit = fois(produit, ks);
             poids = Math.max(produit[0], Math.max(produit[1], produit[2]));
             boolean suivi = actuelle().contains("réfléchi : ");
@@ -188,7 +189,7 @@ public final class EssaiRecit {
                 P = X;
                 V = unite(R);
                 double[] vue = etape(numero + 1, proche);
-                assertTrue(lignes.get(memoire).matches("       Ks ⊗ (somme|vue) " + (numero + 1) + " = .*"), lignes.get(memoire));
+                assertTrue(lignes.get(memoire).matches("       Ks \\([^)]*\\) ⊗ (somme|vue) " + (numero + 1) + " = .*"), lignes.get(memoire));
                 assertArrayEquals(fois(ks, vue), reflet, lignes.get(memoire));
                 assertTrue(numero <= reflets && poids >= scene.getModele().getSeuil());
                 return fini;
@@ -197,6 +198,24 @@ public final class EssaiRecit {
             return arret(numero, proche, poids, dite);
         }
         return arret(numero, null, 0, traverser(numero, somme, d));
+    }
+
+    /** La demi-corde, les rivaux du plus proche, et la direction des lampes qui ont été demandées. */
+    private void details(Sphere proche, Objet3D sauf, double d) {
+        double[] f = moins(t(proche.getCentre()), P);
+        double delta = proche.getRayon() * proche.getRayon() - dot(plus(f, -dot(f, V), V), plus(f, -dot(f, V), V));
+        proche(new double[] {Math.sqrt(delta)}, lire("     demi-corde h = "));
+        double[] rivaux = scene.getObjets().stream().filter(o -> o != proche && o != sauf)
+                .mapToDouble(o -> distance(P, V, (Sphere) o)).filter(di -> di < Double.POSITIVE_INFINITY).sorted().limit(2).toArray();
+        for (double rival : rivaux) {
+            assertTrue(actuelle().startsWith("     rival ["), actuelle());
+            proche(new double[] {rival}, nombres(lignes.get(suivante++).replaceAll(".* d = ", "")));
+        }
+        while (actuelle().startsWith("     L = ")) {
+            double[] L = nombres(actuelle().replaceAll(".*= |  vers.*", ""));
+            assertEquals(1, dot(L, L), 1e-12, actuelle());
+            suivante++;
+        }
     }
 
     private double[] arret(int numero, Sphere objet, double poids, double[] vue) {
@@ -277,15 +296,29 @@ public final class EssaiRecit {
         }
         eclairees++;
         assertTrue(titre.endsWith("  éclairée"), titre);
-        double[] ditDiffus = lire("       diffus = ");
+        double[] ditDiffus = produit("diffus = Kd", objet.getKd(), lampe, "N·L \\S+");
         proche(diffus, ditDiffus);
-        String ligne = lignes.get(suivante++);
-        double[] dit = nombres(ligne.replace("éclat", "").replaceAll(".*=", ""));
-        proche(reflet, Arrays.copyOf(dit, 3));
+        String ligne = actuelle();
+        double[] dit = produit("\\+ reflet = Ks", objet.getKs(), lampe, new Couleur().equals(objet.getKs()) ? "éclat 0.0"
+                : "\\(" + (blinn == 0 ? "R·L" : "N·H") + " \\S+\\)\\^\\S+");
+        proche(reflet, dit);
         ajouter(ditDiffus, dit);
         double[] apport = lire("       = ");
         assertArrayEquals(ditDiffus, apport, ligne);
         return apport;
+    }
+
+    /** Un terme et ses facteurs, dont le produit est lui, au bit près pour le diffus. */
+    private double[] produit(String debut, Couleur matiere, Lampe lampe, String reste) {
+        String ligne = lignes.get(suivante++);
+        assertTrue(ligne.matches("       " + debut + " \\([^)]*\\) ⊗ lampe \\([^)]*\\) × " + reste + " = \\S+ \\S+ \\S+"), ligne);
+        double[] dits = nombres(ligne.replaceAll("[()^]", " ").replaceAll(" = \\S+ \\S+ \\S+$", ""));
+        assertArrayEquals(t(matiere), Arrays.copyOf(dits, 3), ligne);
+        assertArrayEquals(t(lampe.getCouleur()), Arrays.copyOfRange(dits, 3, 6), ligne);
+        double part = dits.length == 7 ? dits[6] : Math.pow(Math.max(0, Math.min(1, dits[6])), dits[7]);
+        double[] terme = nombres(ligne.replaceAll(".* = ", ""));
+        proche(fois(fois(t(matiere), t(lampe.getCouleur())), gris(part)), terme);
+        return terme;
     }
 
     private double[] lire(String debut) {

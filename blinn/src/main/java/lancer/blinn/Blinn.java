@@ -69,4 +69,9 @@ public final class Blinn implements Variante, Specularite {
     public Specularite quiDit(Ecoute autre) {
         return new Blinn(facteur, autre);
     }
+
+    @Override
+    public String nomDeLaBase() {
+        return "N·H";
+    }
 }

@@ -1,0 +1,94 @@
+package lancer.inspection;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Un récit à lire : ses lignes repliées le restent tant qu'on ne les demande pas, celles qui changent le montrent. */
+public final class Depliage {
+
+    private List<Recit.Ligne> lignes = Collections.emptyList();
+    private final Map<String, String> anciens = new HashMap<>();
+    private final Set<String> deplies = new HashSet<>();
+
+    /** Une ligne à montrer. Immuable. */
+    public static final class Vue {
+
+        public final String texte;
+        /** Dit si elle n'est pas ce qu'elle était au dessin d'avant. */
+        public final boolean changee;
+        /** Ce qu'elle replie ou déplie ; {@code null} : rien. */
+        public final String repli;
+        /** Le rebond dont elle est le titre ; 0 : aucun. */
+        public final int rebond;
+
+        Vue(String texte, boolean changee, String repli, int rebond) {
+            this.texte = texte;
+            this.changee = changee;
+            this.repli = repli;
+            this.rebond = rebond;
+        }
+    }
+
+    /** Remplace le récit ; s'il est du même pixel, ce qui a changé se compare à l'ancien. */
+    public void remplacer(List<Recit.Ligne> nouvelles) {
+        anciens.clear();
+        if (!lignes.isEmpty() && lignes.get(0).texte.equals(nouvelles.get(0).texte)) {
+            lignes.forEach(ligne -> anciens.put(sujet(ligne), ligne.texte));
+        }
+        lignes = nouvelles;
+    }
+
+    /** Déplie ce qui est replié, ou le contraire. @param repli {@code null} pour tout déplier, ou tout replier */
+    public void basculer(String repli) {
+        if (repli != null) {
+            if (!deplies.remove(repli)) {
+                deplies.add(repli);
+            }
+        } else if (deplies.isEmpty()) {
+            lignes.forEach(ligne -> deplies.add(repli(ligne)));
+        } else {
+            deplies.clear();
+        }
+    }
+
+    /** Les lignes à montrer, dans l'ordre. */
+    public List<Vue> getVues() {
+        List<Vue> vues = new ArrayList<>();
+        Set<String> dits = new HashSet<>();
+        for (Recit.Ligne ligne : lignes) {
+            if (ligne.repli == null) {
+                boolean titre = ligne.etape > 0 && ligne.texte.startsWith(ligne.etape + "  ");
+                vues.add(vue(ligne, titre ? ligne.etape : 0));
+            } else if (dits.add(repli(ligne))) {
+                boolean ouvert = deplies.contains(repli(ligne));
+                vues.add(new Vue(ligne.repli + (ouvert ? " ▾" : " ▸"), false, repli(ligne), 0));
+                lignes.stream().filter(autre -> ouvert && autre.repli != null && repli(autre).equals(repli(ligne)))
+                        .forEach(autre -> vues.add(vue(autre, 0)));
+            }
+        }
+        return vues;
+    }
+
+    private Vue vue(Recit.Ligne ligne, int rebond) {
+        String avant = anciens.get(sujet(ligne));
+        boolean changee = avant != null && !avant.equals(ligne.texte);
+        return new Vue(!changee ? ligne.texte
+                : ligne.texte + "   ← " + avant.substring(Math.max(0, avant.lastIndexOf(" = ") + 1)).trim(),
+                changee, null, rebond);
+    }
+
+    /** Ce dont parle une ligne, qui le reste d'un dessin à l'autre. */
+    private static String sujet(Recit.Ligne ligne) {
+        return ligne.etape + " " + ligne.texte.replaceFirst("^(\\s*\\S.*?)( = |  |, | \\().*", "$1");
+    }
+
+    /** Le repli d'une ligne, au nombre de ses pareilles près. */
+    private static String repli(Recit.Ligne ligne) {
+        return ligne.etape + " " + (ligne.repli == null ? "" : ligne.repli.replaceAll("\\d", ""));
+    }
+}
