@@ -182,7 +182,7 @@ final class Essais {
 
         /** Ce qu'il voit à cette profondeur et sous ce seuil. */
         Vue vue(int reflets, double seuil) {
-            Regard regard = new Regard(equipe, sien, reflets);
+            Regard regard = new Regard(equipe, sien, reflets, null);
             return new Vue() {
                 @Override
                 public Couleur couleur(double xe, double ye) {

@@ -12,13 +12,23 @@ public final class Regard implements Vue {
     private final Equipe equipe;
     private final Lancer lancer;
     private final int profondeur;
+    /** Où noter les pixels qui échouent ; {@code null} s'ils sont refusés. */
+    private final Fautes fautes;
+    private boolean reussi;
+
+    /** Un regard qui refuse un pixel qui échoue : voir l'autre constructeur. */
+    public Regard(Equipe equipe, Lancer lancer, int profondeur) {
+        this(equipe, lancer, profondeur, null);
+    }
 
     /**
      * @param equipe celle dont l'arrêt est observé avant chaque rayon de l'écran
      * @param lancer celui de ce fil seul
      * @param profondeur nombre de réflexions permises
+     * @param fautes où noter les pixels qui échouent ; {@code null} s'ils sont refusés
      */
-    public Regard(Equipe equipe, Lancer lancer, int profondeur) {
+    public Regard(Equipe equipe, Lancer lancer, int profondeur, Fautes fautes) {
+        this.fautes = fautes;
         this.equipe = equipe;
         this.lancer = lancer;
         this.profondeur = profondeur;
@@ -27,19 +37,34 @@ public final class Regard implements Vue {
     /**
      * {@inheritDoc}
      *
-     * @throws PixelFautif si ce calcul échoue, ou si une composante n'est pas un nombre fini
+     * @throws PixelFautif si ce calcul échoue, ou si une composante n'est pas un nombre fini, et que c'est refusé
      * @throws CancellationException si l'équipe est arrêtée
      */
     @Override
     public Couleur couleur(double xe, double ye) {
         equipe.verifier();
         try {
-            return PixelFautif.verifier(lancer.getCouleurPixel(xe, ye, profondeur), xe, ye);
-        } catch (OutOfMemoryError | CancellationException | PixelFautif e) {
-            // les deux premiers ne sont pas la faute de ce pixel
+            Couleur vue = PixelFautif.verifier(lancer.getCouleurPixel(xe, ye, profondeur), xe, ye);
+            if (!reussi) {
+                reussir();
+            }
+            return vue;
+        } catch (OutOfMemoryError | CancellationException e) {
+            // ce n'est pas la faute de ce pixel
             throw e;
         } catch (RuntimeException | Error e) {
-            throw new PixelFautif(xe, ye, e);
+            PixelFautif faute = e instanceof PixelFautif ? (PixelFautif) e : new PixelFautif(xe, ye, e);
+            if (fautes == null) {
+                throw faute;
+            }
+            return fautes.noter(faute);
+        }
+    }
+
+    private void reussir() {
+        reussi = true;
+        if (fautes != null) {
+            fautes.reussir();
         }
     }
 

@@ -23,6 +23,7 @@ public class Traceur implements Boucle {
     private final Lancer lancer;
     private final Equipe equipe = new Equipe("lancer");
     private volatile boolean brouillonFait;
+    private volatile Fautes fautes;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
@@ -69,6 +70,16 @@ public class Traceur implements Boucle {
     @Override
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         parcourir(getScene().getModele().getEchantillonnage(), toile, profondeur, fils);
+    }
+
+    /** Dessine désormais malgré les pixels qui échouent : ils sont comptés, et peints en damier. */
+    public void tolerer() {
+        fautes = new Fautes(getCamera().getLargeur());
+    }
+
+    /** Les pixels qui ont échoué ; {@code null} s'ils arrêtent le dessin. */
+    public Fautes getFautes() {
+        return fautes;
     }
 
     /** Abandonne le dessin en cours, dans les 50 millisecondes, et tous les suivants. */
@@ -135,13 +146,16 @@ public class Traceur implements Boucle {
         Fil(Echantillonnage echantillonnage, Toile toile, int profondeur) {
             this.echantillonnage = echantillonnage;
             this.toile = toile;
-            regard = new Regard(equipe, sien, profondeur);
+            regard = new Regard(equipe, sien, profondeur, fautes);
         }
 
         @Override
         public void accept(int rang) {
             Pave pave = Pave.eparpille(rang, getCamera().getLargeur(), getCamera().getHauteur());
             sien.getScene().getCompteurs().pixelsRaffines += echantillonnage.tracer(pave, regard, toile);
+            if (fautes != null) {
+                fautes.peindre(pave, toile);
+            }
         }
     }
 }

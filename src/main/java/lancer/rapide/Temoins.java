@@ -25,6 +25,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.fils.Equipe;
+import lancer.fils.Fautes;
 import lancer.fils.Regard;
 
 /**
@@ -66,6 +67,8 @@ public final class Temoins implements IntConsumer {
     private final Equipe equipe = new Equipe("temoins");
     private int nombre;
     private String ecart;
+    /** Où noter les témoins qui échouent ; {@code null} s'ils arrêtent le dessin. */
+    private Fautes fautes;
 
     /** @param profondeur nombre de réflexions permises */
     public Temoins(Scene scene, Camera camera, int profondeur) {
@@ -73,6 +76,11 @@ public final class Temoins implements IntConsumer {
         this.camera = camera;
         this.profondeur = profondeur;
         pixels = (long) camera.getLargeur() * camera.getHauteur();
+    }
+
+    /** Juge malgré les pixels qui échouent, et dit à {@code duDessin} s'il en est qui réussissent. */
+    public void tolerer(Fautes duDessin) {
+        fautes = new Fautes(camera.getLargeur(), duDessin);
     }
 
     /**
@@ -132,7 +140,8 @@ public final class Temoins implements IntConsumer {
     }
 
     private Couleur voir(Bornee recherche, long pixel) {
-        return new Regard(equipe, new Lancer(recherche.vue, camera), profondeur).couleur(x(pixel) + 0.5, y(pixel) + 0.5);
+        return new Regard(equipe, new Lancer(recherche.vue, camera), profondeur, fautes)
+                .couleur(x(pixel) + 0.5, y(pixel) + 0.5);
     }
 
     private int x(long pixel) {

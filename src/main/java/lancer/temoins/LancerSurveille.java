@@ -96,6 +96,9 @@ public final class LancerSurveille extends Traceur {
         profondeurJugee = profondeur;
         long debut = System.nanoTime();
         Temoins temoins = new Temoins(getScene(), getCamera(), profondeur);
+        if (getFautes() != null) {
+            temoins.tolerer(getFautes());
+        }
         temoins.juger();
         nombre = temoins.getNombre();
         ecart = temoins.getEcart();

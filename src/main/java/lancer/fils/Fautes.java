@@ -1,0 +1,84 @@
+package lancer.fils;
+
+import java.util.BitSet;
+import lancer.Couleur;
+import lancer.contrat.Pave;
+import lancer.contrat.PixelFautif;
+import lancer.contrat.Toile;
+
+/** Les pixels qu'un dessin n'a pu calculer, et qu'il peint en damier au lieu de s'arrêter ; à tous les fils à la fois. */
+public final class Fautes {
+
+    /** Nombre d'échecs après lequel, si rien n'a réussi, il n'y a pas d'image à attendre. */
+    private static final int TROP = 1000;
+
+    private static final Couleur MAGENTA = new Couleur(1, 0, 1);
+
+    private final int largeur;
+    private final Fautes dessin;
+    private final BitSet pixels = new BitSet();
+    private PixelFautif premiere;
+    private boolean reussi;
+
+    /** @param largeur celle de l'image, en pixels */
+    public Fautes(int largeur) {
+        this(largeur, null);
+    }
+
+    /** @param dessin d'autres fautes, à qui dire ce qui réussit ; ou {@code null} */
+    public Fautes(int largeur, Fautes dessin) {
+        this.largeur = largeur;
+        this.dessin = dessin;
+    }
+
+    /** Note qu'un pixel au moins a pu être calculé. */
+    synchronized void reussir() {
+        reussi = true;
+        if (dessin != null) {
+            dessin.reussir();
+        }
+    }
+
+    /**
+     * Note cette faute, et rend la couleur qui la montre.
+     *
+     * @throws PixelFautif la première, s'il y en a mille et que rien n'a réussi
+     */
+    synchronized Couleur noter(PixelFautif faute) {
+        pixels.set(faute.y * largeur + faute.x);
+        if (premiere == null || rang(faute) < rang(premiere)) {
+            premiere = faute;
+        }
+        if (!reussi && pixels.cardinality() >= TROP) {
+            throw premiere;
+        }
+        return damier(faute.x, faute.y);
+    }
+
+    private int rang(PixelFautif faute) {
+        return faute.y * largeur + faute.x;
+    }
+
+    private static Couleur damier(int x, int y) {
+        return (x + y) % 2 == 0 ? MAGENTA : new Couleur();
+    }
+
+    /** Peint ceux de ce pavé, que d'autres échantillons ont pu mêler à leurs voisins. */
+    synchronized void peindre(Pave pave, Toile toile) {
+        for (int j = pave.j0; j < pave.j1 && premiere != null; j++) {
+            int fin = j * largeur + pave.i1;
+            for (int k = pixels.nextSetBit(j * largeur + pave.i0); k >= 0 && k < fin; k = pixels.nextSetBit(k + 1)) {
+                toile.drawPixel(damier(k % largeur, j), k % largeur, j);
+            }
+        }
+    }
+
+    public synchronized int getNombre() {
+        return pixels.cardinality();
+    }
+
+    /** La première dans l'ordre de la lecture, {@code null} s'il n'y en a pas. */
+    public synchronized PixelFautif getPremiere() {
+        return premiere;
+    }
+}
