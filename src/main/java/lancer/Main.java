@@ -83,6 +83,7 @@ public class Main implements Programme {
     @Override
     public void doTracerImage(int largeur, int hauteur) {
         Traceur traceur = dessinateur.preparer(largeur, hauteur);
+        traceur.tolerer();
         try {
             traceur.TracerImage(this, dessinateur.getReglages().getReflets(), options.fils);
         } catch (PixelFautif e) {

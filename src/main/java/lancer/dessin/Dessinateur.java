@@ -41,8 +41,8 @@ public final class Dessinateur {
     private volatile Origines origines;
     private volatile String fichier;
     private volatile ReglagesDessin reglages;
-    private volatile ImageMemoire image;
-    private volatile Traceur traceur;
+    /** L'image en cours et ce qui la dessine ; {@code null} tant que la scène ne se dessine pas. */
+    private volatile Dessin dessin;
     private volatile double avancement;
     // une classe, car la première lambda d'un programme coûte cher à son démarrage
     private final DoubleConsumer suivi = new DoubleConsumer() {
@@ -138,7 +138,7 @@ public final class Dessinateur {
 
     /** Le dessin d'avant n'est pas celui de la nouvelle scène, même avant qu'elle ne se prépare. */
     private void remplacer(ReglagesDessin siens) {
-        traceur = null;
+        dessin = null;
         avancement = 0;
         reglages = siens;
     }
@@ -164,26 +164,29 @@ public final class Dessinateur {
 
     /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */
     Traceur preparer(ImageMemoire vierge) {
-        // dans cet ordre : qui voit la nouvelle image ne voit plus l'ancien traceur
-        traceur = null;
-        image = vierge;
+        dessin = null;
         avancement = 0;
         long debut = System.nanoTime();
         Traceur nouveau = LancerSurveille.preparer(programme.getScene(), vierge.getLargeur(), vierge.getHauteur(),
                 options.simple, suivi);
         preparationNs = System.nanoTime() - debut;
-        traceur = nouveau;
+        dessin = new Dessin(fichier, origines, reglages, vierge, nouveau);
         return nouveau;
     }
 
-    /** L'image qui se dessine, ou s'est dessinée ; {@code null} avant la première. */
+    /** L'image qui se dessine, ou s'est dessinée ; {@code null} tant que la scène ne se dessine pas. */
     public ImageMemoire getImage() {
-        return image;
+        return dessin == null ? null : dessin.image;
+    }
+
+    /** L'image de la scène lue, ainsi réglée, avec ce qui la dessine ; {@code null} tant qu'elle ne se dessine pas. */
+    public Dessin getDessin() {
+        return dessin;
     }
 
     /** Traceur de la scène lue, ainsi réglée ; {@code null} tant qu'elle ne se dessine pas. */
     public Traceur getTraceur() {
-        return traceur;
+        return dessin == null ? null : dessin.traceur;
     }
 
     /**
@@ -213,6 +216,7 @@ public final class Dessinateur {
 
     /** Échec à dire d'un pixel de la scène lue qui n'a pu être calculé. */
     public Echec nommer(PixelFautif panne) {
+        ImageMemoire image = getImage();
         int largeur = image == null ? options.largeur : image.getLargeur();
         int hauteur = image == null ? options.hauteur : image.getHauteur();
         PixelFautif situee = Diagnostic.situer(panne, programme.getScene());

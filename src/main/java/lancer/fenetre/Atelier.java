@@ -15,9 +15,10 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Pannes;
+import lancer.dessin.Dessin;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
-import lancer.fils.Traceur;
+import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
 import lancer.scene.Origines;
 
@@ -53,6 +54,8 @@ final class Atelier {
     private ReglagesDessin reglages;
     /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
     private boolean enCours;
+    /** Le dessin dont l'image se voit, brouillon au moins : ce qui s'inspecte, s'agrandit, s'enregistre, se compare. */
+    private Dessin montre;
     /** La dernière image achevée, celle d'avant elle, et ce qu'a coûté chacune de celles qu'on garde. */
     private ImageMemoire complete;
     private ImageMemoire avant;
@@ -135,9 +138,9 @@ final class Atelier {
         return enCours;
     }
 
-    /** L'image montrée si elle est achevée ; {@code null} tant qu'un dessin est en cours, ou s'il a été arrêté. */
+    /** L'image montrée si elle est achevée, qu'une autre se prépare ou non ; {@code null} sinon. */
     ImageMemoire getImageComplete() {
-        return !enCours && complete == panneau.getImage() ? complete : null;
+        return complete == panneau.getImage() ? complete : null;
     }
 
     /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
@@ -155,15 +158,17 @@ final class Atelier {
         return dessinateur.getOrigines();
     }
 
-    /** Ce qui a dessiné l'image achevée ou la dessine, scène préparée comprise ; {@code null} s'il n'y en a pas. */
-    Traceur getTraceur() {
-        return courant == null ? null : courant.getTraceur();
+    /** Le dessin dont l'image se voit ; {@code null} avant la première. */
+    Dessin getMontre() {
+        return montre;
     }
 
-    /** Suit un dessin déjà commencé, dont la scène est lue. */
+    /** Suit un dessin déjà commencé. */
     void commencer(Tracage premier) {
         courant = premier;
-        adopter();
+        if (premier.getAvertissements() != null) {
+            adopter();
+        }
         suivre(premier);
     }
 
@@ -271,12 +276,13 @@ final class Atelier {
     void observer() {
         boolean fini = courant.isFini();
         lu = courant.getAvertissements() != null ? courant.fichier : lu;
-        // l'image d'abord : vue avec le lancer d'après, elle a au moins son brouillon
-        ImageMemoire image = dessinateur.getImage();
-        Traceur lancer = courant.getTraceur();
-        if (lancer != null && panneau.montrer(image, lancer.isBrouillonFait(), courant.getDureeNs() > PATIENCE_NS)
-                && courant.fichier != null && courant != adopte) {
-            adopter();
+        Dessin dessin = courant.getDessin();
+        if (dessin != null && panneau.montrer(dessin.image, dessin.traceur.isBrouillonFait(),
+                courant.getDureeNs() > PATIENCE_NS)) {
+            montre = dessin.image == panneau.getImage() ? dessin : montre;
+            if (courant.fichier != null && courant != adopte) {
+                adopter();
+            }
         }
         if (fini && enCours) {
             finir();
@@ -302,15 +308,20 @@ final class Atelier {
         enCours = false;
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
-            complete = dessinateur.getImage();
+            complete = montre.image;
             // les sections laissées de côté, sans le reste de leur avertissement
             String ignorees = String.join("\n", adopte.getAvertissements())
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            couts.put(complete, BarreEtat.cout(courant.getTraceur()) + ", " + courant.getReglages() + ignorees);
+            couts.put(complete, BarreEtat.cout(montre.traceur) + ", " + courant.getReglages() + ignorees
+                    + (direFautes() == null ? "" : ", " + direFautes()));
             panneau.bandeau.effacerErreur();
-            String ecart = courant.getTraceur().getEcart();
+            String ecart = montre.traceur.getEcart();
             if (ecart != null) {
                 panneau.bandeau.avis(ecart);
+            }
+            if (direFautes() != null) {
+                panneau.bandeau.erreur(direFautes() + " ; le premier : "
+                        + dessinateur.nommer(montre.traceur.getFautes().getPremiere()).getMessage());
             }
         } else if (panne instanceof SceneFautive && courant.fichier != null) {
             refuser(Pannes.message(panne));
@@ -318,6 +329,14 @@ final class Atelier {
             panneau.bandeau.erreur(Pannes.message(panne));
         }
         prevenus.forEach(Runnable::run);
+    }
+
+    /** Combien de pixels de l'image montrée n'ont pu être calculés ; {@code null} si aucun. */
+    String direFautes() {
+        Fautes fautes = montre == null ? null : montre.traceur.getFautes();
+        int nombre = fautes == null ? 0 : fautes.getNombre();
+        return nombre == 0 ? null : nombre == 1 ? "un pixel n'a pu être calculé"
+                : nombre + " pixels n'ont pu être calculés";
     }
 
     /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */

@@ -14,7 +14,7 @@ import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
 /**
- * L'image achevée, vers le presse-papiers ou un fichier PNG, le même qu'avec {@code --image} ; le disque a un fil à
+ * L'image achevée, vers un fichier PNG, le même qu'avec {@code --image} ; le disque a un fil à
  * part.
  */
 final class Enregistrement {
@@ -34,17 +34,13 @@ final class Enregistrement {
         this.bandeau = bandeau;
     }
 
-    void copier() {
-        ImageMemoire image = imageOuAvis();
-        if (image != null) {
-            bandeau.getToolkit().getSystemClipboard().setContents(new ImageCopiee(PanneauImage.copie(image)), null);
-            bandeau.avis("image copiée, " + image.getLargeur() + " × " + image.getHauteur() + " pixels");
-        }
-    }
-
     /** L'image achevée ; à défaut, dit pourquoi il n'y en a pas. */
     private ImageMemoire imageOuAvis() {
         ImageMemoire image = atelier.getImageComplete();
+        if (atelier.direFautes() != null) {
+            bandeau.avis("Image non enregistrée : " + atelier.direFautes() + ".");
+            return null;
+        }
         if (image == null) {
             bandeau.avis(atelier.enCours() ? "L'image se dessine encore : elle servira une fois achevée."
                     : "Pas d'image achevée ; F5 pour la dessiner.");

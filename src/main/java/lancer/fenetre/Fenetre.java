@@ -51,10 +51,12 @@ public final class Fenetre {
     private final BarreEtat barre;
     private final MenuAffichage affichage;
     private final Enregistrement enregistrement;
-    private final Inspecteur inspecteur;
+    /** L'inspecteur, dès qu'on l'a demandé ; {@code null} avant. */
+    private Inspecteur inspecteur;
     private final Timer retaille = new Timer(REPOS_MS, e -> ajuster());
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
     private final KeyEventPostProcessor renvoi = this::renvoyer;
+    private final MenuScenes scenes;
     private Touches touches;
 
     Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
@@ -68,7 +70,7 @@ public final class Fenetre {
         atelier = new Atelier(dessinateur, dessins, options.fils, panneau, affichage::getTaille);
         atelier.prevenir(this::suivre);
         enregistrement = new Enregistrement(atelier, panneau.bandeau);
-        inspecteur = new Inspecteur(cadre, atelier, panneau);
+        scenes = new MenuScenes(atelier);
         cadre.setJMenuBar(menus(variantes));
     }
 
@@ -78,15 +80,13 @@ public final class Fenetre {
         Menus.article(menu, "Ouvrir une scène…", Menus.ctrl(KeyEvent.VK_O), this::choisirScene);
         Menus.siScene(atelier, Menus.article(menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S),
                 enregistrement::enregistrer));
-        Menus.siScene(atelier, Menus.article(menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C),
-                enregistrement::copier));
         menu.add(panneau.bandeau.copie);
         menu.addSeparator();
         Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
         menus.add(affichage.menu);
         Menus.siScene(atelier, Menus.article(affichage.menu, "Rayons d'un pixel (Entrée)", null, this::inspecter));
         menus.add(new MenuDessin(cadre, atelier, variantes).menu);
-        menus.add(new MenuScenes(atelier).menu);
+        menus.add(scenes.menu);
         menu = menus.add(Menus.menu("Aide"));
         // A est à Affichage
         menu.setMnemonic(KeyEvent.VK_I);
@@ -99,11 +99,8 @@ public final class Fenetre {
         assembler();
         ecouter();
         titrer();
-        new Thread(() -> {
-            List<Image> icones = Icone.lire();
-            EventQueue.invokeLater(() -> cadre.setIconImages(icones));
-        }, "lancer-icone").start();
         if (premier == null) {
+            scenes.montrer(null);
             panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
             EventQueue.invokeLater(this::choisirScene);
         } else {
@@ -142,7 +139,7 @@ public final class Fenetre {
         Menus.lier(cadre, Menus.touche(KeyEvent.VK_SPACE), () -> tenir(true));
         Menus.lier(cadre, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, true), () -> tenir(false));
         retaille.setRepeats(false);
-        panneau.suivreSouris(this::decrire, inspecteur::montrer);
+        panneau.suivreSouris(this::decrire, this::inspecter);
         panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
@@ -184,8 +181,13 @@ public final class Fenetre {
     private void inspecter() {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
-            inspecteur.montrer(pixel);
+            inspecter(pixel);
         }
+    }
+
+    private void inspecter(Point pixel) {
+        inspecteur = inspecteur == null ? new Inspecteur(cadre, atelier, panneau) : inspecteur;
+        inspecteur.montrer(pixel);
     }
 
     /** Montre l'image d'avant, ou de nouveau celle de maintenant. */
@@ -200,7 +202,7 @@ public final class Fenetre {
             atelier.arreter();
         } else if (aCote() != null) {
             aCote().setVisible(false);
-        } else if (inspecteur.isVisible()) {
+        } else if (inspecteur != null && inspecteur.isVisible()) {
             inspecteur.setVisible(false);
         } else {
             affichage.quitterLePleinEcran();
@@ -228,7 +230,9 @@ public final class Fenetre {
         if (cadre.isDisplayable()) {
             horloge.stop();
             atelier.terminer();
-            inspecteur.terminer();
+            if (inspecteur != null) {
+                inspecteur.terminer();
+            }
             KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
             cadre.dispose();
             enregistrement.terminer(fin);
@@ -245,21 +249,41 @@ public final class Fenetre {
             horloge.start();
         } else {
             horloge.stop();
+            donnerIcones();
         }
         titrer();
-        barre.avancer(atelier.getCourant());
+        avancer();
         decrire();
+    }
+
+    /** Charge les icônes, que la première image n'a pas à attendre. */
+    private void donnerIcones() {
+        if (cadre.getIconImages().isEmpty()) {
+            new Thread(() -> {
+                List<Image> icones = Icone.lire();
+                EventQueue.invokeLater(() -> cadre.setIconImages(icones));
+            }, "lancer-icone").start();
+        }
+    }
+
+    /** Dit où en est le dessin : au bas de la fenêtre, et en plein écran sur l'image. */
+    private void avancer() {
+        barre.avancer(atelier.getCourant());
+        if (affichage.estPlein()) {
+            panneau.dire(cadre.getTitle() + " — " + atelier.getCourant().getEtat(), atelier.enCours());
+        }
     }
 
     private void observer() {
         atelier.observer();
-        barre.avancer(atelier.getCourant());
+        avancer();
         montrerPixel();
     }
 
     /** Dit ce qu'a coûté l'image montrée, si elle est achevée, et la couleur du pixel sous la souris. */
     private void decrire() {
-        ImageMemoire image = panneau.getTenue() != null ? panneau.getTenue() : atelier.getImageComplete();
+        ImageMemoire image = panneau.getTenue() != null ? panneau.getTenue()
+                : atelier.enCours() ? null : atelier.getImageComplete();
         panneau.getAccessibleContext().setAccessibleDescription(
                 barre.resumer(image, image == null ? 1 : panneau.getReduction(image), atelier.getCout(image)));
         montrerPixel();

@@ -10,6 +10,8 @@ import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
@@ -21,17 +23,22 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JTextArea;
+import javax.swing.JTextPane;
 import javax.swing.KeyStroke;
 import javax.swing.text.BadLocationException;
-import javax.swing.text.DefaultHighlighter;
+import javax.swing.text.DefaultCaret;
+import javax.swing.text.DefaultStyledDocument;
+import javax.swing.text.MutableAttributeSet;
+import javax.swing.text.SimpleAttributeSet;
+import javax.swing.text.StyleConstants;
 import lancer.Camera;
 import lancer.Couleur;
+import lancer.dessin.Dessin;
 import lancer.fenetre.figures.Figure;
 import lancer.fenetre.figures.GrilleEchantillons;
 import lancer.fenetre.figures.VueDeCote;
-import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
+import lancer.inspection.Depliage;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 
@@ -49,20 +56,25 @@ final class Inspecteur extends JDialog {
     private static final int HAUTEUR_MIN = 500;
     private static final int SAUT = 10;
     private static final Color CHANGE = new Color(0xFFE9A8);
+    private static final Color LIEN = new Color(0x0050A0);
     private static final String INACHEVEE = "L'image n'est pas achevée : rien encore à quoi comparer.";
     private static final String ARRONDI = "(nombres arrondis à cinq chiffres ; --pixel les écrit en entier)";
 
     private final transient Atelier atelier;
     private final PanneauImage panneau;
-    private final JTextArea texte = new JTextArea(30, 60);
+    private final JTextPane texte = new JTextPane();
+    private final JScrollPane ascenseur = new JScrollPane(texte);
     private final JLabel verdict = new JLabel(" ");
     private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
-    private final VueDeCote cote = new VueDeCote();
+    private final VueDeCote cote = new VueDeCote(this::isoler);
     private final transient ExecutorService fil = Atelier.unFil("lancer-inspection");
     private Point pixel;
     private int rang = Inspection.AU_CENTRE;
+    /** Le numéro du seul rebond que montrent les figures ; 0 : tous. */
+    private int rebond;
     private transient Inspection enCours;
-    private transient List<String> dites = Collections.singletonList("");
+    private final transient Depliage depliage = new Depliage();
+    private transient List<Depliage.Vue> vues = Collections.emptyList();
 
     Inspecteur(JFrame cadre, Atelier atelier, PanneauImage panneau) {
         super(cadre);
@@ -73,29 +85,36 @@ final class Inspecteur extends JDialog {
         texte.getAccessibleContext().setAccessibleName("chaîne du pixel");
         verdict.setName("verdict");
         texte.setEditable(false);
-        texte.setLineWrap(true);
-        texte.setWrapStyleWord(true);
-        texte.setFont(new Font(Font.MONOSPACED, Font.PLAIN, texte.getFont().getSize()));
+        ((DefaultCaret) texte.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+        texte.setFont(new Font(Font.MONOSPACED, Font.PLAIN, verdict.getFont().getSize()));
         texte.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         verdict.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         JPanel bas = new JPanel(new BorderLayout(MARGE, MARGE));
         bas.add(cote, BorderLayout.CENTER);
         bas.add(grille, BorderLayout.LINE_END);
         add(verdict, BorderLayout.PAGE_START);
-        add(new JScrollPane(texte), BorderLayout.CENTER);
+        add(ascenseur, BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
         // il n'y a rien à y écrire : + et − sont pour le cadre
         texte.setKeymap(null);
-        lierFleches(texte, JComponent.WHEN_FOCUSED);
-        lierFleches((JComponent) cadre.getContentPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        texte.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent e) {
+                int ligne = texte.getDocument().getDefaultRootElement().getElementIndex(texte.viewToModel(e.getPoint()));
+                cliquer(vues.get(Math.max(0, ligne - 1)));
+            }
+        });
+        lierTouches(texte, JComponent.WHEN_FOCUSED);
+        lierTouches((JComponent) cadre.getContentPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
         for (int sens : new int[] {-1, 1}) {
             KeyStroke touche = Menus.ctrl(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN);
             texte.registerKeyboardAction(e -> choisir(grille.voisin(sens)), touche, JComponent.WHEN_FOCUSED);
         }
+        texte.registerKeyboardAction(e -> copier(), Menus.ctrl(KeyEvent.VK_C), JComponent.WHEN_FOCUSED);
         atelier.prevenir(this::calculer);
     }
 
-    private void lierFleches(JComponent ou, int quand) {
+    private void lierTouches(JComponent ou, int quand) {
         int[] touches = {KeyEvent.VK_LEFT, KeyEvent.VK_RIGHT, KeyEvent.VK_UP, KeyEvent.VK_DOWN};
         for (int pas : new int[] {1, SAUT}) {
             for (int k = 0; k < touches.length; k++) {
@@ -106,12 +125,26 @@ final class Inspecteur extends JDialog {
                         KeyStroke.getKeyStroke(touches[k], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
             }
         }
+        for (char chiffre = '0'; chiffre <= '9'; chiffre++) {
+            int numero = chiffre - '0';
+            ou.registerKeyboardAction(e -> isoler(numero), KeyStroke.getKeyStroke(chiffre), quand);
+        }
+        ou.registerKeyboardAction(e -> deplier(null), KeyStroke.getKeyStroke('d'), quand);
     }
 
     private void deplacer(int dx, int dy) {
         if (isVisible()) {
             montrer(new Point(pixel.x + dx, pixel.y + dy));
         }
+    }
+
+    /** Copie ce qui est choisi dans le texte, ou le texte entier. */
+    private void copier() {
+        if (texte.getSelectedText() == null) {
+            texte.selectAll();
+        }
+        texte.copy();
+        texte.select(0, 0);
     }
 
     /** Ouvre la fenêtre sur ce pixel, ou l'y mène. */
@@ -138,6 +171,27 @@ final class Inspecteur extends JDialog {
         calculer();
     }
 
+    /** Ne montre plus dans les figures que ce rebond ; tous, si c'est déjà lui ou s'il n'existe pas. */
+    void isoler(int numero) {
+        if (isVisible()) {
+            rebond = numero == rebond ? 0 : numero;
+            calculer();
+        }
+    }
+
+    private void cliquer(Depliage.Vue ligne) {
+        if (ligne.repli != null) {
+            deplier(ligne.repli);
+        } else if (ligne.rebond > 0) {
+            isoler(ligne.rebond);
+        }
+    }
+
+    private void deplier(String repli) {
+        depliage.basculer(repli);
+        ecrire();
+    }
+
     /** Caché, il n'explique plus rien. */
     @Override
     public void setVisible(boolean visible) {
@@ -145,7 +199,7 @@ final class Inspecteur extends JDialog {
         if (!visible) {
             abandonner();
             panneau.suivre(null);
-            panneau.superposer(null);
+            panneau.superposer(null, null);
         }
     }
 
@@ -163,62 +217,82 @@ final class Inspecteur extends JDialog {
         }
     }
 
-    /** Explique le pixel, tel que le dessine ce qui dessine maintenant. */
+    /** Explique le pixel de l'image montrée, par ce qui l'a dessinée ; ce qui se lit est gris en attendant. */
     private void calculer() {
-        Traceur lancer = atelier.getTraceur();
+        Dessin montre = atelier.getMontre();
         abandonner();
-        if (!isVisible() || lancer == null) {
-            verdict.setText(INACHEVEE);
+        if (!isVisible() || montre == null) {
             return;
         }
-        Camera camera = lancer.getCamera();
+        Camera camera = montre.traceur.getCamera();
         pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, pixel.x)),
                 Math.max(0, Math.min(camera.getHauteur() - 1, pixel.y)));
         setTitle("Rayons du pixel " + pixel.x + ", " + pixel.y);
-        Inspection nouvelle = new Inspection(lancer.getScene(), atelier.getOrigines(), camera,
-                atelier.getReglages().getReflets(), pixel.x, pixel.y);
+        Inspection nouvelle = new Inspection(montre.traceur.getScene(), montre.origines, camera,
+                montre.reglages.getReflets(), pixel.x, pixel.y);
         int voulu = rang;
+        int seul = rebond;
         enCours = nouvelle;
+        verdict.setText("calcul…");
+        texte.setForeground(Color.GRAY);
         Atelier.confier(fil, () -> {
-            nouvelle.faire(voulu);
-            List<String> lignes = new Recit(nouvelle, Inspecteur::arrondi).lignes();
-            Figure figure = new Figure(nouvelle);
-            EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure));
+            nouvelle.faireOuEchouer(voulu);
+            List<Recit.Ligne> lignes = new Recit(nouvelle, Inspecteur::arrondi).raconter();
+            int garde = seul > nouvelle.getEtapes().size() ? 0 : seul;
+            Figure figure = new Figure(nouvelle, garde);
+            EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure, garde));
         }, verdict::setText);
     }
 
-    private void recevoir(Inspection nouvelle, List<String> lignes, Figure figure) {
+    private void recevoir(Inspection nouvelle, List<Recit.Ligne> lignes, Figure figure, int seul) {
         if (nouvelle != enCours) {
             return;
         }
         enCours = null;
-        lignes.add(1, ARRONDI);
-        if (!lignes.equals(dites)) {
-            texte.setText(String.join("\n", lignes));
-            texte.setCaretPosition(0);
-            if (dites.get(0).equals(lignes.get(0))) {
-                surligner();
-            }
-            dites = lignes;
-        }
-        verdict.setText(comparer(nouvelle.getCouleur()));
+        rebond = seul;
+        depliage.remplacer(lignes);
+        ecrire();
+        verdict.setText(nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
+                : comparer(nouvelle.getCouleur()));
         grille.montrer(nouvelle);
-        cote.montrer(nouvelle);
-        panneau.superposer(figure);
+        cote.montrer(nouvelle, rebond);
+        panneau.superposer(figure, this::isoler);
     }
 
-    /** Marque les lignes que ce dessin a changées. */
-    private void surligner() {
-        texte.getHighlighter().removeAllHighlights();
-        try {
-            for (int k = 0; k < texte.getLineCount(); k++) {
-                int debut = texte.getLineStartOffset(k);
-                int fin = texte.getLineEndOffset(k);
-                if (!dites.contains(texte.getText(debut, fin - debut).replace("\n", ""))) {
-                    texte.getHighlighter().addHighlight(debut, fin,
-                            new DefaultHighlighter.DefaultHighlightPainter(CHANGE));
-                }
+    /** Met à l'écran les lignes qui ne sont pas repliées, à l'endroit du texte où l'on était. */
+    private void ecrire() {
+        Point place = ascenseur.getViewport().getViewPosition();
+        DefaultStyledDocument document = new DefaultStyledDocument();
+        vues = depliage.getVues();
+        for (int k = 0; k < vues.size(); k++) {
+            ajouter(document, vues.get(k).texte, vues.get(k));
+            if (k == 0) {
+                ajouter(document, ARRONDI, vues.get(k));
             }
+        }
+        texte.setForeground(Color.BLACK);
+        texte.setDocument(document);
+        EventQueue.invokeLater(() -> ascenseur.getViewport().setViewPosition(place));
+    }
+
+    /** Ajoute une ligne ; sa suite, si elle est trop longue, garde son retrait. */
+    private void ajouter(DefaultStyledDocument document, String ligne, Depliage.Vue vue) {
+        MutableAttributeSet style = new SimpleAttributeSet();
+        if (vue.changee) {
+            StyleConstants.setBackground(style, CHANGE);
+        }
+        if (vue.repli != null || vue.rebond > 0) {
+            StyleConstants.setForeground(style, LIEN);
+        }
+        float retrait = (ligne.length() - ligne.replaceFirst("^ +", "").length() + 2)
+                * texte.getFontMetrics(texte.getFont()).charWidth(' ');
+        MutableAttributeSet paragraphe = new SimpleAttributeSet();
+        StyleConstants.setLeftIndent(paragraphe, retrait);
+        StyleConstants.setFirstLineIndent(paragraphe, -retrait);
+        try {
+            int debut = document.getLength();
+            document.insertString(debut, debut == 0 ? ligne : "\n" + ligne, style);
+            document.setParagraphAttributes(document.getLength(), 0, paragraphe, false);
         } catch (BadLocationException e) {
             throw new IllegalStateException(e);
         }

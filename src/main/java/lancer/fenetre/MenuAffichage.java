@@ -62,6 +62,10 @@ final class MenuAffichage {
         return remplir.isSelected() || plein.isSelected() ? panneau.getTailleMax(demandee) : demandee;
     }
 
+    boolean estPlein() {
+        return plein.isSelected();
+    }
+
     void quitterLePleinEcran() {
         if (plein.isSelected()) {
             plein.doClick();

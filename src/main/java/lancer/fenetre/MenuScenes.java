@@ -45,7 +45,6 @@ final class MenuScenes {
 
     MenuScenes(Atelier atelier) {
         this.atelier = atelier;
-        montrer(null);
         atelier.prevenir(() -> {
             if (montree != atelier.getAdopte()) {
                 montrer(atelier.getAdopte());
@@ -53,7 +52,8 @@ final class MenuScenes {
         });
     }
 
-    private void montrer(Tracage tracage) {
+    /** Lit le dossier de la scène montrée, {@code null} s'il n'y en a pas ; jamais avant la première image. */
+    void montrer(Tracage tracage) {
         montree = tracage;
         String fichier = tracage == null ? null : tracage.fichier;
         Thread liste = new Thread(() -> {

@@ -11,7 +11,6 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import lancer.SceneFautive;
-import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
@@ -21,36 +20,36 @@ import lancer.scene.Services;
 /** De la ligne de commande à la fenêtre : lire la première scène, s'assurer d'un écran, et commencer à dessiner. */
 public final class Ouverture {
 
+    /** Temps laissé à une scène pour se lire, ou se refuser, avant qu'une fenêtre ne s'ouvre pour le dire. */
+    private static final long PATIENCE_MS = 400;
+
     private Ouverture() {
     }
 
     /**
-     * Ouvre la fenêtre sur la scène demandée, et revient.
+     * Ouvre la fenêtre sur la scène demandée, et revient une fois celle-ci lue.
      *
      * @param erreur où dire ce que cette première scène a de laissé de côté
      * @param fin ce que fait sa fermeture, dans un autre fil
-     * @throws SceneFautive si la scène ne peut être utilisée ; rien ne s'est ouvert
+     * @throws SceneFautive si la scène ne peut être utilisée ; rien n'est ouvert
      * @throws Echec s'il n'y a pas d'écran
      */
     public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
-        if (premier != null) {
-            // la fenêtre n'est pas encore là pour le dire
-            BarreProgression barre = BarreProgression.commencer(dessinateur::getAvancement, erreur);
-            try {
-                premier.lire();
-            } finally {
-                barre.finir();
-            }
-            Pannes.avertir(premier.getAvertissements(), erreur);
-        }
-        exigerEcran();
         // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
         ExecutorService dessins = Atelier.unFil("lancer-dessin");
+        boolean lue = true;
         if (premier != null) {
             // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
             dessins.execute(premier);
+            lue = premier.attendreLecture(PATIENCE_MS);
+        }
+        if (!ecranPresent()) {
+            if (!lue) {
+                premier.attendreLecture(Long.MAX_VALUE);
+            }
+            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
         List<String> variantes = Services.nomsDesVariantes();
         Fenetre[] ouverte = new Fenetre[1];
@@ -65,22 +64,30 @@ public final class Ouverture {
         } catch (InterruptedException e) {
             throw Echec.panne("interrompu");
         }
+        if (premier != null) {
+            try {
+                premier.attendreLecture(Long.MAX_VALUE);
+            } catch (RuntimeException | Error e) {
+                EventQueue.invokeLater(ouverte[0].cadre::dispose);
+                throw e;
+            }
+            if (premier.getAvertissements() != null) {
+                Pannes.avertir(premier.getAvertissements(), erreur);
+            }
+        }
         return ouverte[0];
     }
 
-    private static void exigerEcran() {
-        boolean present;
+    private static boolean ecranPresent() {
         try {
-            present = !GraphicsEnvironment.isHeadless()
+            boolean present = !GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
             // dès ce fil : le bureau reconnaît la fenêtre à la classe d'où part celui qui ouvre l'écran
             Toolkit.getDefaultToolkit();
+            return present;
         } catch (HeadlessException | AWTError | LinkageError e) {
             // un DISPLAY sans serveur derrière, ou un Java sans ses bibliothèques d'écran
-            present = false;
-        }
-        if (!present) {
-            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            return false;
         }
     }
 }

@@ -20,8 +20,10 @@ import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import lancer.fenetre.figures.Figure;
 import lancer.image.ImageMemoire;
 
@@ -34,8 +36,9 @@ final class PanneauImage extends JPanel {
     private static final long serialVersionUID = 1;
 
     private static final Color GRIS = new Color(0x777777);
-    private static final DirectColorModel OPAQUE = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
     private static final int LOUPE_MAX = 16;
+    private static final int FONDU_MS = 50;
+    private static final float FONDU = 0.05f;
 
     final Bandeau bandeau = new Bandeau();
     /** L'image montrée, et celle qui se dessine par-dessus tant que son brouillon n'est pas complet. */
@@ -46,9 +49,15 @@ final class PanneauImage extends JPanel {
     private String invite;
     /** Ce qui se peint par-dessus l'image ; {@code null} : rien. */
     private transient Figure dessus;
+    private transient IntConsumer siNumero;
     private Point souris;
     private Point suivi;
     private transient Runnable siChange = () -> { };
+    /** Ce qui se dessine, en une ligne sur le haut de l'image, et combien elle est opaque, de 0 à 1. */
+    private String ligne = "";
+    private float opacite;
+    private final Timer fondu = new Timer(FONDU_MS, e -> estomper());
+
     /** Ce que la loupe agrandit, 0 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
     private int loupe;
     private double centreX = 0.5;
@@ -64,6 +73,30 @@ final class PanneauImage extends JPanel {
         AffineTransform ecran = getEchelle();
         setPreferredSize(new Dimension((int) Math.ceil(image.width / ecran.getScaleX()),
                 (int) Math.ceil(image.height / ecran.getScaleY())));
+    }
+
+    /** Dit ceci en une ligne sur le haut de l'image. @param reste faux si cela doit s'effacer peu à peu */
+    void dire(String texte, boolean reste) {
+        ligne = texte;
+        opacite = 1;
+        if (reste) {
+            fondu.stop();
+        } else {
+            fondu.start();
+        }
+        repaint();
+    }
+
+    private void estomper() {
+        opacite = Math.max(0, opacite - FONDU);
+        if (opacite == 0) {
+            fondu.stop();
+        }
+        repaint();
+    }
+
+    String getLigne() {
+        return opacite > 0 ? ligne : "";
     }
 
     /** Ce qu'on lit tant qu'il n'y a pas d'image ; {@code null} pour rien. */
@@ -185,11 +218,6 @@ final class PanneauImage extends JPanel {
         siChange.run();
     }
 
-    /** De quoi mettre cette image dans le presse-papiers. */
-    static BufferedImage copie(ImageMemoire image) {
-        return surCodes(image, OPAQUE);
-    }
-
     /**
      * Montre l'image telle qu'elle est maintenant, et rend vrai si elle se voit.
      *
@@ -212,7 +240,8 @@ final class PanneauImage extends JPanel {
     }
 
     /** Une image AWT sur le tableau même des codes : rien n'est copié. */
-    private static BufferedImage surCodes(ImageMemoire image, DirectColorModel couleurs) {
+    private static BufferedImage surCodes(ImageMemoire image) {
+        DirectColorModel couleurs = (DirectColorModel) ColorModel.getRGBdefault();
         int[] codes = image.getCodes();
         WritableRaster raster = Raster.createPackedRaster(new DataBufferInt(codes, codes.length),
                 image.getLargeur(), image.getHauteur(), image.getLargeur(), couleurs.getMasks(), null);
@@ -240,6 +269,13 @@ final class PanneauImage extends JPanel {
         } finally {
             g2.dispose();
         }
+        if (opacite > 0) {
+            FontMetrics m = g.getFontMetrics();
+            g.setColor(new Color(0, 0, 0, opacite / 2));
+            g.fillRect(0, 0, getWidth(), m.getHeight());
+            g.setColor(new Color(1, 1, 1, opacite));
+            g.drawString(ligne, m.getHeight() / 2, m.getAscent());
+        }
         if (invite != null && montree == null) {
             g.setColor(Color.WHITE);
             FontMetrics m = g.getFontMetrics();
@@ -252,7 +288,7 @@ final class PanneauImage extends JPanel {
         if (image == null) {
             return;
         }
-        BufferedImage pixels = surCodes(image, (DirectColorModel) ColorModel.getRGBdefault());
+        BufferedImage pixels = surCodes(image);
         Rectangle place = getPlace(image);
         if (loupe == 0) {
             g.drawImage(pixels, place.x, place.y, place.width, place.height, null);
@@ -275,9 +311,14 @@ final class PanneauImage extends JPanel {
         bandeau.setBounds(0, getHeight() - hauteur, getWidth(), hauteur);
     }
 
-    /** Peint ceci par-dessus l'image, à l'écran seulement ; {@code null} : plus rien. */
-    void superposer(Figure figure) {
+    /**
+     * Peint ceci par-dessus l'image, à l'écran seulement ; {@code null} : plus rien.
+     *
+     * @param siChoisi reçoit le numéro du rebond sur lequel on clique
+     */
+    void superposer(Figure figure, IntConsumer siChoisi) {
         dessus = figure;
+        siNumero = siChoisi;
         repaint();
     }
 
@@ -299,7 +340,12 @@ final class PanneauImage extends JPanel {
             public void mouseClicked(MouseEvent e) {
                 souris = e.getPoint();
                 Point pixel = getPixelSouris(montree);
-                if (pixel != null && SwingUtilities.isLeftMouseButton(e)) {
+                AffineTransform ecran = getEchelle();
+                int numero = dessus == null ? 0
+                        : dessus.numeroEn(e.getX() * ecran.getScaleX(), e.getY() * ecran.getScaleY());
+                if (numero > 0) {
+                    siNumero.accept(numero);
+                } else if (pixel != null && SwingUtilities.isLeftMouseButton(e)) {
                     siClique.accept(pixel);
                 }
             }

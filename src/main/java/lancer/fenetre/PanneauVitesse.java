@@ -14,6 +14,7 @@ import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 import lancer.Couleur;
 import lancer.auto.Auto;
 import lancer.auto.Reglage;
@@ -22,6 +23,7 @@ import lancer.contrat.Reglable;
 import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
+import lancer.dessin.Dessin;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import lancer.fils.Traceur;
@@ -36,13 +38,12 @@ final class PanneauVitesse extends JDialog {
     private static final long serialVersionUID = 1;
 
     private static final int MARGE = 8;
-    private static final double MS_PAR_S = 1e3;
-    private static final double NS_PAR_S = 1e9;
 
     private final transient Atelier atelier;
-    private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner);
+    private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, this::atteindre);
     private final JLabel etat = new JLabel(" ");
-    private final JLabel machine = new JLabel(" ");
+    /** Le point où mènent la souris et les flèches, en mots. */
+    private final JTextArea point = new JTextArea(2, 40);
     private final transient ExecutorService fil = Atelier.unFil("lancer-vitesse");
     private transient Future<?> essais;
 
@@ -62,9 +63,12 @@ final class PanneauVitesse extends JDialog {
         JPanel bas = new JPanel(new BorderLayout());
         bas.setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE, MARGE));
         etat.setName("vitesse.etat");
-        machine.setFont(machine.getFont().deriveFont(machine.getFont().getSize2D() * 0.8f));
-        bas.add(etat, BorderLayout.CENTER);
-        bas.add(machine, BorderLayout.PAGE_END);
+        point.setName("vitesse.point");
+        point.setFont(etat.getFont());
+        point.setOpaque(false);
+        Bandeau.donnerALire(point);
+        bas.add(point, BorderLayout.CENTER);
+        bas.add(etat, BorderLayout.PAGE_END);
         graphique.setPreferredSize(new Dimension(560, 400));
         add(graphique, BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
@@ -83,6 +87,11 @@ final class PanneauVitesse extends JDialog {
         }
     }
 
+    private void atteindre(String texte) {
+        point.setText(texte);
+        graphique.getAccessibleContext().setAccessibleDescription(texte);
+    }
+
     private void abandonner() {
         if (essais != null) {
             essais.cancel(true);
@@ -96,11 +105,13 @@ final class PanneauVitesse extends JDialog {
 
     /** Un dessin commence ou finit, ou une scène est lue. */
     private void suivre() {
-        Traceur lancer = atelier.getTraceur();
-        ReglagesDessin reglages = atelier.getReglages();
-        if (!isVisible() || lancer == null || reglages == null) {
+        Dessin montre = atelier.getMontre();
+        if (!isVisible() || montre == null) {
+            etat.setText("Pas encore d'image : les essais commenceront avec elle.");
             return;
         }
+        Traceur lancer = montre.traceur;
+        ReglagesDessin reglages = montre.reglages;
         List<Object> scene = scene(lancer, reglages);
         if (!memes(scene, essayee)) {
             abandonner();
@@ -112,7 +123,11 @@ final class PanneauVitesse extends JDialog {
         ImageMemoire image = atelier.getImageComplete();
         if (voulu != null && auto != null && image != null && image.getLineaire() != null
                 && GraphiqueVitesse.cle(voulu).equals(present)) {
-            mesurer(auto, voulu, lancer, image);
+            if (atelier.direFautes() == null) {
+                mesurer(auto, voulu, lancer, image);
+            } else {
+                etat.setText("Image non mesurée : " + atelier.direFautes() + ".");
+            }
             voulu = null;
         }
     }
@@ -151,34 +166,30 @@ final class PanneauVitesse extends JDialog {
         List<Object> scene = essayee;
         List<Variante> libres = libres(reglages);
         int fils = atelier.fils;
-        double pixels = (double) lancer.getCamera().getLargeur() * lancer.getCamera().getHauteur();
-        machine.setText(fils + (fils > 1 ? " fils, " : " fil, ") + System.getProperty("os.name") + " "
-                + System.getProperty("os.arch") + ", Java " + System.getProperty("java.version"));
         etat.setText("premiers essais…");
         essais = Atelier.confier(fil, () -> {
             Auto fait = Auto.choisir(lancer, Souhait.erreur(GraphiqueVitesse.ARRONDI), fils, libres, enCours -> {
                 int restants = enCours.getRestants();
-                montrer(scene, enCours, pixels, "encore au plus " + restants
+                montrer(scene, enCours, "encore au plus " + restants
                         + (restants > 1 ? " échantillonnages" : " échantillonnage") + " à essayer…", null);
             });
             Reglage present = fait.evaluer(reglages.getReflets(), reglages.getSeuil());
-            montrer(scene, fait, pixels, "Un clic sur un point dessine l'image avec ses réglages"
+            montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages"
                     + " (ou flèches, et Entrée).", present);
         }, panne -> etat.setText("Essais impossibles : " + panne));
     }
 
     /** Du fil des essais : ce qu'ils disent, si personne n'a changé de scène entre-temps. */
-    private void montrer(List<Object> scene, Auto enCours, double pixels, String texte, Reglage present) {
+    private void montrer(List<Object> scene, Auto enCours, String texte, Reglage present) {
         List<GraphiqueVitesse.Point> points = new ArrayList<>();
         for (Reglage reglage : enCours.getEssayes()) {
             points.add(new GraphiqueVitesse.Point(reglage, enCours.getFront().contains(reglage)));
         }
-        double msParRayon = enCours.getSecondesParRayon() * pixels * MS_PAR_S;
         GraphiqueVitesse.Point ici = present == null ? null : new GraphiqueVitesse.Point(present, false);
         EventQueue.invokeLater(() -> {
             if (scene == essayee) {
                 etat.setText(texte);
-                graphique.montrer(points, msParRayon, ici);
+                graphique.montrer(points, ici);
                 auto = present == null ? null : enCours;
                 suivre();
             }
@@ -198,7 +209,6 @@ final class PanneauVitesse extends JDialog {
     private void mesurer(Auto fait, Reglage reglage, Traceur lancer, ImageMemoire image) {
         List<Object> scene = essayee;
         double rayons = lancer.getCompteurs().rayons() / (double) image.getCodes().length;
-        double secondes = lancer.getDureeNs() / NS_PAR_S;
         etat.setText("mesure de l'image…");
         essais = Atelier.confier(fil, () -> {
             Toile controle = fait.surveiller((couleur, i, j) -> { }, reglage);
@@ -213,8 +223,8 @@ final class PanneauVitesse extends JDialog {
             EventQueue.invokeLater(() -> {
                 if (scene == essayee) {
                     etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : de %.2f à %.2f), "
-                            + "%.1f rayons par pixel, %.0f ms", erreur, incertitude, reglage.mesureAuMoins,
-                            reglage.mesureAuPlus, rayons, secondes * MS_PAR_S));
+                            + "%.1f rayons par pixel", erreur, incertitude, reglage.mesureAuMoins,
+                            reglage.mesureAuPlus, rayons));
                     graphique.ajouterMesure(rayons, erreur, incertitude);
                 }
             });

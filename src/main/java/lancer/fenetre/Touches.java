@@ -26,6 +26,8 @@ final class Touches extends JDialog {
         {"molette, Ctrl+Haut, Ctrl+Bas", "loupe ; la tirer la déplace"},
         {"un clic, Entrée", "les rayons du pixel"},
         {"flèches", "le pixel voisin ; avec Maj, de dix en dix"},
+        {"1 à 9, 0", "un rebond seul dans les figures, tous ; ou un clic sur son numéro"},
+        {"D", "déplier ou replier le détail du pixel"},
         {"Ctrl+Page suivante, précédente", "un autre échantillon du pixel"},
         {"F5", "relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi"},
         {"Échap", "arrêter le dessin ; sinon, fermer ce qui est à côté, ou le plein écran"},

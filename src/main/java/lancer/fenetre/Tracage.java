@@ -3,9 +3,14 @@ package lancer.fenetre;
 import java.awt.Dimension;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
 import javax.swing.SwingWorker;
 import lancer.SceneFautive;
+import lancer.commande.Echec;
+import lancer.dessin.Dessin;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
 import lancer.fils.Traceur;
@@ -27,6 +32,9 @@ final class Tracage extends SwingWorker<Void, Void> {
     private volatile List<String> avertissements;
     private volatile ReglagesDessin reglages;
     private volatile boolean dessine;
+    private volatile Dessin dessin;
+    private final CountDownLatch lue = new CountDownLatch(1);
+    private volatile Throwable refus;
 
     /**
      * @param fichier {@code null} pour redessiner la scène qui est déjà lue
@@ -39,10 +47,37 @@ final class Tracage extends SwingWorker<Void, Void> {
         this.voulus = voulus;
     }
 
-    /** Lit la scène, dans le fil de l'appelant. */
-    void lire() {
+    private void lire() {
         version = Surveillance.version(fichier);
-        avertissements = dessinateur.lireScene(fichier);
+        try {
+            avertissements = dessinateur.lireScene(fichier);
+        } catch (RuntimeException | Error e) {
+            refus = e;
+            throw e;
+        } finally {
+            lue.countDown();
+        }
+    }
+
+    /**
+     * Attend que la scène soit lue, ou sa lecture abandonnée, tant de millisecondes au plus.
+     *
+     * @return faux si elle ne l'est pas encore
+     * @throws SceneFautive si elle ne peut être utilisée
+     */
+    boolean attendreLecture(long ms) {
+        try {
+            boolean finie = lue.await(ms, TimeUnit.MILLISECONDS);
+            if (refus instanceof Error) {
+                throw (Error) refus;
+            }
+            if (refus != null && !(refus instanceof CancellationException)) {
+                throw (RuntimeException) refus;
+            }
+            return finie;
+        } catch (InterruptedException e) {
+            throw Echec.panne("interrompu");
+        }
     }
 
     @Override
@@ -61,6 +96,9 @@ final class Tracage extends SwingWorker<Void, Void> {
             }
             return null;
         } finally {
+            // le dessin d'après aura le sien
+            dessin = dessine ? dessinateur.getDessin() : null;
+            dessine = false;
             fin = System.nanoTime();
         }
     }
@@ -95,9 +133,14 @@ final class Tracage extends SwingWorker<Void, Void> {
         return isDone() && !isCancelled() && getPanne() == null;
     }
 
-    /** Ce qui dessine ; {@code null} tant que la scène se lit et se prépare. */
-    Traceur getTraceur() {
-        return dessine ? dessinateur.getTraceur() : null;
+    /** L'image et ce qui la dessine ; {@code null} tant que la scène se lit et se prépare. */
+    Dessin getDessin() {
+        return dessine ? dessinateur.getDessin() : dessin;
+    }
+
+    private Traceur getTraceur() {
+        Dessin sien = getDessin();
+        return sien == null ? null : sien.traceur;
     }
 
     /** Vrai si chaque pixel de l'image a une couleur. */

@@ -154,6 +154,15 @@ final class BancFenetre {
         });
     }
 
+    /** Ce conteneur et tout ce qu'il contient. */
+    static List<Component> contenus(Component c) {
+        List<Component> contenus = new ArrayList<>(Arrays.asList(c));
+        for (Component enfant : c instanceof Container ? ((Container) c).getComponents() : new Component[0]) {
+            contenus.addAll(contenus(enfant));
+        }
+        return contenus;
+    }
+
     private static <T extends Component> T dans(Component c, String nom, Class<T> classe) {
         if (classe.isInstance(c) && (nom == null || nom.equals(c.getName()))) {
             return classe.cast(c);
@@ -212,7 +221,7 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> atelier.getImageComplete() != null);
+        attendre("l'image est achevée", () -> !atelier.enCours() && atelier.getImageComplete() != null);
         return surFilEvenements(atelier::getImageComplete);
     }
 

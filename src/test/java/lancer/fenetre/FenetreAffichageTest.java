@@ -66,6 +66,16 @@ class FenetreAffichageTest extends EssaiFenetre {
     }
 
     @Test
+    void enPleinEcranUneLigneDitLeDessinPuisSEfface() throws Exception {
+        banc = new BancFenetre(lente().lent());
+        attendre("le brouillon se voit", () -> banc.panneau.getImage() != null);
+        banc.frapper(KeyEvent.VK_F11);
+        attendre("elle dit le fichier et où il en est", () -> banc.panneau.getLigne().matches("lancer — boule.ini — dessin \\d+ % — .*"));
+        banc.main.lent = false;
+        attendre("elle s'efface", () -> !banc.atelier.enCours() && banc.panneau.getLigne().isEmpty());
+    }
+
+    @Test
     void laMoletteGrossitSansLisserNiRedessinerAutourDeLaSouris() throws Exception {
         ouvrir();
         ImageMemoire image = banc.imageAchevee();

@@ -9,9 +9,14 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static lancer.fenetre.BancFenetre.composant;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
+import lancer.SceneFautive;
+import javax.swing.JProgressBar;
+import java.awt.Window;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,6 +28,7 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Scene;
+import lancer.dessin.Dessin;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.scene.LecteurScene;
@@ -204,6 +210,41 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.imageAchevee();
     }
 
+    /** Le programme, dont la première lecture attend qu'une fenêtre la montre. */
+    private MainLent lectureVue() {
+        return new MainLent(args()) {
+            @Override
+            public void lireScene(String fichier, LecteurScene lecteur) {
+                lecteur.avancer(0.42);
+                try {
+                    composant("avancement", JProgressBar.class);
+                    attendre("elle dit où en est la lecture", () -> composantIci("lecture 42 % — "));
+                } catch (Exception e) {
+                    throw new IllegalStateException(e);
+                }
+                super.lireScene(fichier, lecteur);
+            }
+        };
+    }
+
+    private static boolean composantIci(String debut) {
+        return Arrays.stream(Window.getWindows()).filter(Window::isShowing).flatMap(w -> BancFenetre.contenus(w).stream())
+                .anyMatch(c -> c instanceof JProgressBar && ((JProgressBar) c).getString().startsWith(debut));
+    }
+
+    @Test
+    void uneSceneLongueALireOuvreAussitotUneFenetreQuiLeDit() throws Exception {
+        banc = new BancFenetre(lectureVue());
+        assertArrayEquals(attendue(L, H), banc.imageAchevee().getCodes());
+    }
+
+    @Test
+    void siElleSeRefuseEnsuiteLaFenetreSeFerme() throws Exception {
+        ecrire(FAUTIVE);
+        assertThrows(SceneFautive.class, () -> new BancFenetre(lectureVue()));
+        attendre("plus de fenêtre", () -> Arrays.stream(Window.getWindows()).noneMatch(Window::isShowing));
+    }
+
     @Test
     void echapPendantUneLectureLaisseLaSceneMontree() throws Exception {
         CountDownLatch lecture = new CountDownLatch(1);
@@ -277,7 +318,7 @@ class FenetreDessinTest extends EssaiFenetre {
         programme.retenue = true;
         banc.frapper(KeyEvent.VK_ADD);
         attendre("il se prépare", () -> banc.avancement.getString().startsWith("préparation "));
-        Traceur dAvant = surFilEvenements(banc.atelier::getTraceur);
+        Dessin dAvant = surFilEvenements(banc.atelier.getCourant()::getDessin);
         double avancement = surFilEvenements(() -> banc.atelier.getCourant().getAvancement());
         programme.suite.countDown();
         assertNull(dAvant);

@@ -24,7 +24,7 @@ import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JTextArea;
+import javax.swing.JTextPane;
 import lancer.essai.Essai;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
@@ -56,8 +56,8 @@ class FenetreInspecteurTest extends EssaiFenetre {
     }
 
     private static String attendreRecit(String fin) throws Exception {
-        JTextArea recit = composant("recit", JTextArea.class);
-        attendre("le récit finit par " + fin, () -> recit.getText().endsWith(fin));
+        JTextPane recit = composant("recit", JTextPane.class);
+        attendre("le récit finit par " + fin, () -> recit.getText().replaceFirst("   ←[^\n]*$", "").endsWith(fin));
         return surFilEvenements(recit::getText);
     }
 
@@ -82,12 +82,16 @@ class FenetreInspecteurTest extends EssaiFenetre {
         String recit = attendreRecit(couleur(codes[100 * L + 150]));
         attendreVerdict("Au bit près, la couleur du pixel dessiné : #");
         String[] complet = Essai.executer(TAILLE, "--pixel=150,100", scene.toString()).sortie.split(System.lineSeparator());
-        String[] arrondi = recit.split("\n");
+        JTextPane texte = composant("recit", JTextPane.class);
+        presser(KeyEvent.VK_D);
+        attendre("le détail est déplié", () -> texte.getText().contains(" ▾"));
+        recit = surFilEvenements(texte::getText);
+        String[] arrondi = Arrays.stream(recit.split("\n")).filter(ligne -> !ligne.endsWith(" ▾")).toArray(String[]::new);
         assertTrue(arrondi[1].contains("arrondis"), recit);
         assertEquals(complet.length + 1, arrondi.length, recit);
         for (int k = 1; k < complet.length; k++) {
-            String[] mots = complet[k].trim().split("[ ,]+");
-            String[] dits = arrondi[k + 1].trim().split("[ ,]+");
+            String[] mots = complet[k].trim().split("[ ,()^]+");
+            String[] dits = arrondi[k + 1].trim().split("[ ,()^]+");
             assertEquals(mots.length, dits.length, arrondi[k + 1]);
             for (int m = 0; m < mots.length; m++) {
                 if (mots[m].matches("-?\\d+\\.\\d+(E-?\\d+)?")) {
@@ -107,7 +111,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
         banc.robot.mouseMove(0, 0);
         banc.frapper(KeyEvent.VK_ENTER);
         attendreVerdict("Au bit près");
-        JTextArea recit = composant("recit", JTextArea.class);
+        JTextPane recit = composant("recit", JTextPane.class);
         int lignes = surFilEvenements(() -> recit.getVisibleRect().height / recit.getFontMetrics(recit.getFont()).getHeight());
         assertTrue(lignes >= 10, lignes + " lignes en vue");
     }
@@ -142,9 +146,9 @@ class FenetreInspecteurTest extends EssaiFenetre {
                 && Arrays.equals(banc.atelier.getImageComplete().getCodes(), bleue));
         String recit = attendreRecit(couleur(bleue[110 * L + 150]));
         attendreVerdict("Au bit près");
-        JTextArea texte = composant("recit", JTextArea.class);
-        int marques = surFilEvenements(() -> texte.getHighlighter().getHighlights().length);
+        long marques = Arrays.stream(recit.split("\n")).filter(ligne -> ligne.contains("   ← = ")).count();
         assertTrue(marques > 0 && marques < recit.split("\n").length / 2, marques + " lignes marquées dans " + recit);
+        assertTrue(recit.contains(couleur(bleue[110 * L + 150]) + "   ← =" + couleur(rouge[110 * L + 150]).substring(2)), recit);
     }
 
     @Test
@@ -277,7 +281,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
         cliquer(150, 100);
         attendreTitre(150, 100);
         attendreVerdict("L'image n'est pas achevée");
-        JTextArea recit = composant("recit", JTextArea.class);
+        JTextPane recit = composant("recit", JTextPane.class);
         attendre("la chaîne", () -> recit.getText().contains("\nsomme "));
         assertTrue(banc.atelier.enCours());
     }
@@ -290,7 +294,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
         presser(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
         presser(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
         attendre("le texte, copié", () -> BancFenetre.copie().equals(recit));
-        assertFalse(composant("recit", JTextArea.class).isEditable());
+        assertFalse(composant("recit", JTextPane.class).isEditable());
     }
 
     @Test

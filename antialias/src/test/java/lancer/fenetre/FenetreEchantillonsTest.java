@@ -12,7 +12,7 @@ import java.awt.event.MouseEvent;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JTextArea;
+import javax.swing.JTextPane;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
@@ -31,7 +31,7 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         ouvrir();
         presser(banc.panneau, (banc.panneau.getWidth() - L) / 2 + 150, (banc.panneau.getHeight() - H) / 2 + 100,
                 MouseEvent.MOUSE_CLICKED);
-        JTextArea recit = composant("recit", JTextArea.class);
+        JTextPane recit = composant("recit", JTextPane.class);
         attendre("l'échantillon du centre", () -> recit.getText().contains("\nchaîne de l'échantillon 150.50, 100.50\n"));
         String somme = surFilEvenements(() -> recit.getText().replaceAll("(?s).*\n", ""));
         JComponent grille = composant("echantillons", JComponent.class);

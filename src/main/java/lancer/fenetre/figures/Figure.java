@@ -10,8 +10,11 @@ import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
@@ -51,15 +54,22 @@ public final class Figure {
     private final Scene scene;
     private final List<Trait> traits = new ArrayList<>();
     private final List<double[]> anneaux = new ArrayList<>();
+    /** Où se lit le numéro de chaque anneau, depuis la dernière fois qu'il a été peint. */
+    private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
 
-    /** À calculer ailleurs que dans le fil des événements : ce qui est devant se demande à la scène. */
-    public Figure(Inspection pixel) {
+    /**
+     * À calculer ailleurs que dans le fil des événements : ce qui est devant se demande à la scène.
+     *
+     * @param seul le numéro du seul rebond à montrer, avec ses lampes ; 0 : tous
+     */
+    public Figure(Inspection pixel, int seul) {
         camera = pixel.camera;
         scene = pixel.scene.avec(pixel.scene.getModele());
         Point depart = null;
         Vecteur V = null;
         for (Etape etape : pixel.getEtapes()) {
-            if (depart != null) {
+            boolean montre = seul == 0 || seul == etape.numero;
+            if (depart != null && V != null && (montre || seul == etape.numero - 1)) {
                 tracer(depart, etape.contact == null ? depart.add(LOIN, V) : etape.contact, REFLET,
                         etape.contact == null);
             }
@@ -67,10 +77,18 @@ public final class Figure {
             V = etape.getReflechi();
             if (depart != null) {
                 double[] ou = projeter(depart);
-                anneaux.add(new double[] {ou[0], ou[1], etape.numero});
-                etape.lampes.forEach(lampe -> tracer(etape.contact, lampe));
+                anneaux.add(new double[] {ou[0], ou[1], etape.numero, montre ? 1 : 0});
+                if (montre) {
+                    etape.lampes.forEach(lampe -> tracer(etape.contact, lampe));
+                }
             }
         }
+    }
+
+    /** Le rebond dont le numéro se lit en ce point de l'écran ; 0 s'il n'y en a pas. */
+    public int numeroEn(double x, double y) {
+        return numeros.entrySet().stream().filter(e -> e.getValue().contains(x, y)).mapToInt(Map.Entry::getKey)
+                .findFirst().orElse(0);
     }
 
     private void tracer(Point contact, Eclairage lampe) {
@@ -160,7 +178,7 @@ public final class Figure {
                 if (k == MORCEAUX || derriere[k] != derriere[debut]) {
                     Line2D ligne = new Line2D.Double(place.x + echelle * x[debut], place.y + echelle * y[debut],
                             place.x + echelle * x[k], place.y + echelle * y[k]);
-                    if (derriere[debut]) {
+                    if (derriere[debut] || couleur == OMBRE || couleur == Color.BLACK) {
                         g.setStroke(TIRETE);
                         g.setColor(couleur);
                         g.draw(ligne);
@@ -204,16 +222,21 @@ public final class Figure {
         double rayon = TAILLE * g.getFont().getSize2D();
         double echelle = (double) place.width / camera.getLargeur();
         traits.forEach(trait -> trait.peindre(g, place, place.intersection(new Rectangle(vue))));
+        numeros.clear();
         for (double[] anneau : anneaux) {
             double x = place.x + echelle * anneau[0];
             double y = place.y + echelle * anneau[1];
-            Ellipse2D rond = new Ellipse2D.Double(x - rayon, y - rayon, 2 * rayon, 2 * rayon);
-            peindreLisere(g, rond, Color.WHITE);
+            if (anneau[3] > 0) {
+                peindreLisere(g, new Ellipse2D.Double(x - rayon, y - rayon, 2 * rayon, 2 * rayon), Color.WHITE);
+            }
             String numero = String.valueOf((int) anneau[2]);
             float decalage = (float) rayon + 2;
+            Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
+            numeros.put((int) anneau[2], new Rectangle2D.Double(x + decalage, y - decalage + cadre.getY(),
+                    cadre.getWidth(), cadre.getHeight()));
             g.setColor(Color.BLACK);
             g.drawString(numero, (float) x + decalage + 1, (float) y - decalage + 1);
-            g.setColor(Color.WHITE);
+            g.setColor(anneau[3] > 0 ? Color.WHITE : Color.LIGHT_GRAY);
             g.drawString(numero, (float) x + decalage, (float) y - decalage);
         }
     }

@@ -33,7 +33,7 @@ public final class GraphiqueVitesse extends JPanel {
 
     private static final int GAUCHE = 58;
     private static final int DROITE = 18;
-    private static final int HAUT = 42;
+    private static final int HAUT = 26;
     private static final int BAS = 42;
     private static final int RAYON = 5;
     private static final int PORTEE = 12;
@@ -43,10 +43,10 @@ public final class GraphiqueVitesse extends JPanel {
     private static final Color FRONT = new Color(0x1F5FA8);
     private static final Color MESURE = new Color(0xC0392B);
 
+    private final transient Consumer<String> dire;
     private final transient List<Point> points = new ArrayList<>();
     private final transient List<double[]> mesures = new ArrayList<>();
     private transient Point ici;
-    private double msParRayon;
     private String present = "";
     private int choisi = -1;
     private int version;
@@ -60,7 +60,6 @@ public final class GraphiqueVitesse extends JPanel {
         private final Reglage reglage;
         private final boolean front;
         private final double rayons;
-        private final double ecran;
         private final double erreur;
         private final double auMoins;
         private final double auPlus;
@@ -69,25 +68,37 @@ public final class GraphiqueVitesse extends JPanel {
             this.reglage = reglage;
             this.front = front;
             rayons = reglage.prix;
-            ecran = reglage.rayons;
             erreur = reglage.erreur;
             auPlus = reglage.mesureAuPlus;
             auMoins = reglage.mesureAuMoins;
         }
     }
 
-    public GraphiqueVitesse(Consumer<Reglage> clic) {
+    /**
+     * @param clic reçoit le réglage du point choisi
+     * @param siAtteint reçoit ce qu'il y a à dire du point où mènent la souris et les flèches
+     */
+    public GraphiqueVitesse(Consumer<Reglage> clic, Consumer<String> siAtteint) {
+        dire = siAtteint;
         setName("vitesse.graphique");
         setFocusable(true);
         getAccessibleContext().setAccessibleName("réglages, par prix et par erreur");
-        setToolTipText("");
-        addMouseListener(new MouseAdapter() {
+        MouseAdapter suiveur = new MouseAdapter() {
+            @Override
+            public void mouseMoved(MouseEvent e) {
+                if (sous(e) != null) {
+                    dire.accept(legende(sous(e)));
+                }
+            }
+
             @Override
             public void mouseClicked(MouseEvent e) {
                 requestFocusInWindow();
                 viser(e, clic);
             }
-        });
+        };
+        addMouseListener(suiveur);
+        addMouseMotionListener(suiveur);
         for (int touche : new int[] {KeyEvent.VK_LEFT, KeyEvent.VK_RIGHT}) {
             registerKeyboardAction(e -> avancer(touche == KeyEvent.VK_RIGHT ? 1 : -1),
                     KeyStroke.getKeyStroke(touche, 0), WHEN_IN_FOCUSED_WINDOW);
@@ -114,10 +125,9 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     /** @param nouvelIci les réglages présents, s'ils sont essayés */
-    public void montrer(List<Point> nouveaux, double msDuPrixUn, Point nouvelIci) {
+    public void montrer(List<Point> nouveaux, Point nouvelIci) {
         points.clear();
         points.addAll(nouveaux);
-        msParRayon = msDuPrixUn;
         ici = nouvelIci;
         cadrer();
     }
@@ -180,6 +190,9 @@ public final class GraphiqueVitesse extends JPanel {
 
     private void avancer(int pas) {
         choisi = Math.max(0, Math.min(front().size() - 1, choisi + pas));
+        if (!front().isEmpty()) {
+            dire.accept(legende(front().get(choisi)));
+        }
         repaint();
     }
 
@@ -196,16 +209,34 @@ public final class GraphiqueVitesse extends JPanel {
         }
     }
 
-    @Override
-    public String getToolTipText(MouseEvent e) {
-        Point p = sous(e);
-        return p == null ? null : legende(p);
+    /** Le réglage en mots, son prix, et ce qu'on y gagne sur le présent. */
+    private String legende(Point p) {
+        String gain = tous().stream().filter(this::estPresent).findFirst().filter(autre -> autre != p)
+                .map(autre -> String.format(Locale.FRANCE, " ; au lieu du présent, %s rayons et %s erreur",
+                        fois(p.rayons / autre.rayons), fois(p.erreur / autre.erreur))).orElse("");
+        String erreur = auPlus(p) ? String.format(Locale.FRANCE, "d'au plus %.2f", p.auPlus)
+                : String.format(Locale.FRANCE, "de %.2f à %.2f", p.auMoins, p.auPlus);
+        return enMots(p.reglage) + String.format(Locale.FRANCE, " — %.1f rayons par pixel, erreur %s niveau%s", p.rayons,
+                erreur, p.auPlus < 2 ? "" : "x") + gain;
     }
 
-    private String legende(Point p) {
-        return String.format(Locale.FRANCE, "%s : erreur de %.2f (de %.2f à %.2f), %.2f rayons de l'écran par pixel, "
-                + "%.1f en tout, %.0f ms", p.reglage, p.erreur, p.auMoins, p.auPlus, p.ecran, p.rayons,
-                p.rayons * msParRayon);
+    /** Le réglage tel qu'on le dirait : {@code 16 rayons là où c'est utile, reflets : 10}. */
+    private static String enMots(Reglage reglage) {
+        String n = reglage.section == null ? null : reglage.section.valeur("n");
+        String rayons = n == null ? reglage.toString().replaceFirst(", .*", "")
+                : n.equals("1") ? "un rayon par pixel" : Math.round(Math.pow(Double.parseDouble(n), 2))
+                + " rayons là où c'est utile, seuil " + reglage.section.valeur("seuil");
+        return rayons + ", reflets : " + reglage.reflets;
+    }
+
+    /** Dit si l'erreur attendue peut être nulle : seule sa plus grande valeur est alors sûre. */
+    private boolean auPlus(Point p) {
+        return p.auMoins <= yMin;
+    }
+
+    private static String fois(double rapport) {
+        return String.format(Locale.FRANCE, rapport < 1 ? "%.1f fois moins de" : "%.1f fois plus de",
+                rapport < 1 ? 1 / rapport : rapport);
     }
 
     @Override
@@ -232,10 +263,6 @@ public final class GraphiqueVitesse extends JPanel {
             trait(g, x(t), HAUT, x(t), bas, GRILLE);
             ecrire(g, nombre(t), x(t), bas + 15, 0.5);
         }
-        for (double t : graduations(xMin * msParRayon, xMax * msParRayon)) {
-            trait(g, x(t / msParRayon), HAUT - 4.0, x(t / msParRayon), HAUT, Color.BLACK);
-            ecrire(g, nombre(t), x(t / msParRayon), HAUT - 8.0, 0.5);
-        }
         for (double t : graduations(yMin, yMax)) {
             trait(g, GAUCHE, y(t), droite, y(t), GRILLE);
             ecrire(g, nombre(t), GAUCHE - 6.0, y(t) + 4, 1);
@@ -245,7 +272,6 @@ public final class GraphiqueVitesse extends JPanel {
         trait(g, GAUCHE, HAUT, GAUCHE, bas, Color.BLACK);
         ecrire(g, "sous l'arrondi de l'écran", GAUCHE + 4.0, bas - 5, 0);
         ecrire(g, "rayons de toutes sortes par pixel", (GAUCHE + droite) / 2, bas + 33, 0.5);
-        ecrire(g, "ms, d'après la vitesse des essais", droite, 14, 1);
         ecrire(g, "erreur attendue (niveaux sur 255)", 6, 14, 0);
     }
 
@@ -263,7 +289,13 @@ public final class GraphiqueVitesse extends JPanel {
         g.draw(ligne);
         for (Point p : tous()) {
             Color couleur = p.front ? FRONT : DOMINE;
-            trait(g, x(p.rayons), y(p.auMoins), x(p.rayons), y(p.auPlus), couleur);
+            if (auPlus(p)) {
+                // au plus : un plafond, et une flèche vers le bas
+                trait(g, x(p.rayons) - RAYON, y(p.auPlus), x(p.rayons) + RAYON, y(p.auPlus), couleur);
+                trait(g, x(p.rayons) - RAYON, y(yMin) - 2 * RAYON, x(p.rayons), y(yMin) - RAYON, couleur);
+                trait(g, x(p.rayons) + RAYON, y(yMin) - 2 * RAYON, x(p.rayons), y(yMin) - RAYON, couleur);
+            }
+            trait(g, x(p.rayons), auPlus(p) ? y(yMin) - RAYON : y(p.auMoins), x(p.rayons), y(p.auPlus), couleur);
             g.fill(disque(p.rayons, p.erreur, p.front ? RAYON : RAYON - 2));
             if (p == ici ? points.stream().noneMatch(this::estPresent) : estPresent(p)) {
                 g.setColor(Color.BLACK);

@@ -1,13 +1,25 @@
 package lancer.fenetre.figures;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.Stroke;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.DoubleSummaryStatistics;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntConsumer;
 import javax.swing.JPanel;
 import lancer.Camera;
 import lancer.Constantes;
@@ -27,22 +39,39 @@ public final class VueDeCote extends JPanel {
     private static final int HAUTEUR = 180;
     private static final int MARGE = 14;
     private static final int SEGMENTS = 256;
+    private static final Stroke TIRETE = new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
+            new float[] {3, 4}, 0);
     private static final Color RAYON = new Color(0x0070C0);
     private static final Color SPHERE = new Color(0x909090);
     private static final Color LAMPE = new Color(0xC08000);
 
     private transient Inspection pixel;
+    /** Le numéro du seul rebond montré ; 0 : tous. */
+    private int seul;
+    /** Où se lit le numéro de chaque contact. */
+    private final transient Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
     private double echelle;
     private double y0;
+    private double z0;
 
-    public VueDeCote() {
+    /** @param siChoisi reçoit le numéro du rebond sur lequel on clique */
+    public VueDeCote(IntConsumer siChoisi) {
         setName("cote");
         setPreferredSize(new Dimension(HAUTEUR, HAUTEUR));
         getAccessibleContext().setAccessibleName("vue de côté des rayons");
-        setToolTipText("vue de côté : z vers la droite, y vers le haut");
+        setToolTipText("vue de côté : z vers la droite, y vers le haut ; un clic sur un numéro en fait le seul");
+        addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent e) {
+                numeros.entrySet().stream().filter(n -> n.getValue().contains(e.getPoint())).findFirst()
+                        .ifPresent(n -> siChoisi.accept(n.getKey()));
+            }
+        });
     }
 
-    public void montrer(Inspection nouvelle) {
+    /** @param nouveauSeul le numéro du seul rebond à montrer, de près et sphères nommées ; 0 : tous */
+    public void montrer(Inspection nouvelle, int nouveauSeul) {
+        seul = nouveauSeul;
         pixel = nouvelle;
         repaint();
     }
@@ -60,24 +89,27 @@ public final class VueDeCote extends JPanel {
         }
     }
 
-    /** Prend une échelle où l'œil, l'écran et les contacts tiennent. */
+    /** Prend une échelle où l'œil, l'écran et les contacts tiennent ; ou le rebond choisi et ses voisins. */
     private void cadrer() {
-        double demi = demiEcran();
-        double zMax = 0;
-        double yMin = -demi;
-        double yMax = demi;
+        List<Point> vus = new ArrayList<>();
+        if (seul <= 1) {
+            vus.add(new Point(0, demiEcran(), 0));
+            vus.add(new Point(0, -demiEcran(), seul == 0 ? -Camera.FOCALE : 0));
+        }
         for (Etape etape : pixel.getEtapes()) {
-            if (etape.contact != null) {
-                zMax = Math.max(zMax, etape.contact.z);
-                yMin = Math.min(yMin, etape.contact.y);
-                yMax = Math.max(yMax, etape.contact.y);
+            if (etape.contact != null && (seul == 0 || Math.abs(seul - etape.numero) <= 1)) {
+                vus.add(etape.contact);
             }
         }
+        DoubleSummaryStatistics z = vus.stream().mapToDouble(p -> p.z).summaryStatistics();
+        DoubleSummaryStatistics y = vus.stream().mapToDouble(p -> p.y).summaryStatistics();
         // de quoi voir le bord de ce qui est touché
-        double marge = 1 + zMax / 10;
-        echelle = Math.min((getWidth() - 2 * MARGE) / (zMax + marge + Camera.FOCALE),
-                (getHeight() - 2 * MARGE) / (yMax - yMin + 2 * marge));
-        y0 = (yMin + yMax) / 2;
+        double marge = seul == 0 ? 1 + z.getMax() / 10
+                : 0.2 * Math.max(z.getMax() - z.getMin(), y.getMax() - y.getMin()) + 0.01;
+        z0 = seul == 0 ? z.getMin() : z.getMin() - marge;
+        y0 = (y.getMin() + y.getMax()) / 2;
+        echelle = Math.min((getWidth() - 2 * MARGE) / (z.getMax() + marge - z0),
+                (getHeight() - 2 * MARGE) / (y.getMax() - y.getMin() + 2 * marge));
     }
 
     private double demiEcran() {
@@ -89,7 +121,7 @@ public final class VueDeCote extends JPanel {
     }
 
     double h(double z) {
-        return MARGE + (z + Camera.FOCALE) * echelle;
+        return MARGE + (z - z0) * echelle;
     }
 
     double v(double y) {
@@ -102,25 +134,49 @@ public final class VueDeCote extends JPanel {
         g.fill(new Ellipse2D.Double(h(-Camera.FOCALE) - 3, v(0) - 3, 6, 6));
         g.drawString("œil", (float) h(-Camera.FOCALE), (float) v(0) - 6);
         Point depart = Camera.OEIL;
-        Vecteur V = pixel.getChoisi() == null ? null
-                : pixel.camera.getRayon(pixel.getChoisi().xe, pixel.getChoisi().ye).getV();
+        Vecteur V = pixel.getDepart() == null ? null : pixel.getDepart().getV();
+        numeros.clear();
         for (Etape etape : pixel.getEtapes()) {
-            Point bout = etape.contact == null ? depart.add(getWidth() / echelle, V) : etape.contact;
+            boolean montre = seul == 0 || seul == etape.numero;
+            if (V == null) {
+                return;
+            }
+            Point bout = etape.contact == null ? depart.add(2 * getWidth() / echelle, V) : etape.contact;
             entourer(g, etape.contact);
-            for (Eclairage lampe : etape.lampes) {
+            for (Eclairage lampe : montre ? etape.lampes : Collections.<Eclairage>emptyList()) {
                 entourer(g, lampe.getCache());
+                g.setColor(LAMPE);
                 if (lampe.eclaire()) {
-                    g.setColor(LAMPE);
                     g.draw(ligne(bout, lampe.lampe.getPosition()));
+                } else if (lampe.getCache() != null && seul > 0) {
+                    Stroke plein = g.getStroke();
+                    g.setStroke(TIRETE);
+                    g.draw(ligne(bout, lampe.lampe.getPosition()));
+                    g.setStroke(plein);
                 }
             }
             g.setColor(RAYON);
-            g.draw(ligne(depart, bout));
+            if (montre || seul == etape.numero - 1) {
+                g.draw(ligne(depart, bout));
+            }
             if (etape.contact != null) {
-                g.drawString(String.valueOf(etape.numero), (float) h(bout.z) + 4, (float) v(bout.y) - 4);
+                numeroter(g, etape);
             }
             depart = bout;
             V = etape.getReflechi();
+        }
+    }
+
+    private void numeroter(Graphics2D g, Etape etape) {
+        String numero = String.valueOf(etape.numero);
+        Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
+        double x = h(etape.contact.z) + 4;
+        double y = v(etape.contact.y) - 4;
+        numeros.put(etape.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
+        g.drawString(numero, (float) x, (float) y);
+        if (seul > 0 && Math.abs(seul - etape.numero) <= 1) {
+            g.setColor(Color.DARK_GRAY);
+            g.drawString(pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", ""), (float) x + 12, (float) y + 16);
         }
     }
 

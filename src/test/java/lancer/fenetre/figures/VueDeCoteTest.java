@@ -28,9 +28,9 @@ class VueDeCoteTest {
         Inspection pixel = new Inspection(scene, new Origines(), new Camera(40, 40), 0, 20, 23);
         pixel.faire();
         assertTrue(pixel.getEtapes().get(0).contact != null);
-        VueDeCote vue = new VueDeCote();
+        VueDeCote vue = new VueDeCote(numero -> { });
         vue.setSize(L, H);
-        vue.montrer(pixel);
+        vue.montrer(pixel, 0);
         BufferedImage peinte = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         vue.paint(peinte.createGraphics());
         int jugees = 0;

@@ -1,0 +1,28 @@
+package lancer.dessin;
+
+import lancer.fils.Traceur;
+import lancer.image.ImageMemoire;
+import lancer.scene.Origines;
+
+/** Une image, et ce dont elle est l'image : la scène préparée, ses réglages, ce qui l'a dessinée ou la dessine. */
+public final class Dessin {
+
+    /** Le fichier de la scène. */
+    public final String fichier;
+
+    /** D'où viennent ses objets et ses lampes. */
+    public final Origines origines;
+    public final ReglagesDessin reglages;
+    public final ImageMemoire image;
+
+    /** Ce qui dessine, sa scène et sa caméra comprises. */
+    public final Traceur traceur;
+
+    Dessin(String fichier, Origines origines, ReglagesDessin reglages, ImageMemoire image, Traceur traceur) {
+        this.fichier = fichier;
+        this.origines = origines;
+        this.reglages = reglages;
+        this.image = image;
+        this.traceur = traceur;
+    }
+}

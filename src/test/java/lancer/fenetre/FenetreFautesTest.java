@@ -1,0 +1,165 @@
+package lancer.fenetre;
+
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Point;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.Arrays;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JTextPane;
+import lancer.Couleur;
+import lancer.Objet3D;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
+import lancer.image.ImageMemoire;
+import lancer.scene.LecteurScene;
+import org.junit.jupiter.api.Test;
+
+/** Ce qui manque au dessin : une scène devenue fautive, un pixel qu'une classe ne sait pas calculer. */
+class FenetreFautesTest extends EssaiFenetre {
+
+    private static final int MAGENTA = 0xFFFF00FF;
+    private static final int NOIR = 0xFF000000;
+
+    /** Un mur au fond, dont la classe échoue où l'on veut ; ailleurs, il est gris. */
+    private static final class Mur extends Objet3D {
+
+        private final boolean partout;
+
+        Mur(boolean partout) {
+            this.partout = partout;
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            double d = incident.getV().z > 0 ? (50 - incident.getP().z) / incident.getV().z : Double.POSITIVE_INFINITY;
+            incident.setContact(this, d);
+            return d;
+        }
+
+        @Override
+        public Vecteur getNormale(lancer.Point contact) {
+            return new Vecteur(0, 0, -1);
+        }
+
+        @Override
+        public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+            if (partout || contact.y < -8) {
+                throw new IllegalStateException("boum");
+            }
+            return new Couleur(0.5);
+        }
+    }
+
+    private void ouvrirAvecUnMur(boolean partout) throws Exception {
+        banc = new BancFenetre(new MainLent(args()) {
+            private Scene avecMur;
+
+            @Override
+            public void lireScene(String fichier, LecteurScene lecteur) {
+                super.lireScene(fichier, lecteur);
+                Scene lue = super.getScene();
+                java.util.List<Objet3D> objets = new java.util.ArrayList<>(lue.getObjets());
+                objets.add(new Mur(partout));
+                avecMur = new Scene(objets, lue.getLampes()).avec(lue.getModele());
+            }
+
+            @Override
+            public Scene getScene() {
+                return avecMur;
+            }
+
+            @Override
+            public void regler(lancer.contrat.Modele modele) {
+                avecMur = avecMur.avec(modele);
+            }
+        });
+    }
+
+    private void cliquer(int x, int y) throws Exception {
+        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        int dx = coin.x + (banc.panneau.getWidth() - L) / 2 + x;
+        int dy = coin.y + (banc.panneau.getHeight() - H) / 2 + y;
+        banc.robot.mouseMove(dx, dy);
+        banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    @Test
+    void unPixelQuiEchoueEstEnDamierLeResteSeDessineEtLaFauteSeRaconte() throws Exception {
+        ouvrirAvecUnMur(false);
+        ImageMemoire image = banc.imageAchevee();
+        int[] codes = image.getCodes();
+        int fautifs = 0;
+        int premier = -1;
+        for (int k = 0; k < codes.length; k++) {
+            if (codes[k] == ((k % L + k / L) % 2 == 0 ? MAGENTA : NOIR)) {
+                fautifs++;
+                premier = premier < 0 ? k : premier;
+            }
+        }
+        assertTrue(fautifs > 100 && fautifs < codes.length / 2, fautifs + " pixels en damier");
+        assertTrue(Arrays.stream(codes).anyMatch(c -> c == 0xFF808080), "le mur se voit ailleurs");
+        int dits = fautifs;
+        banc.attendreMessage(dits + " pixels n'ont pu être calculés ; le premier : pixel " + premier % L + ", " + premier / L + " de "
+                + scene + " : java.lang.IllegalStateException: boum (");
+        assertTrue(banc.message().contains("FenetreFautesTest.java:"), banc.message());
+        banc.frapperCtrl('s');
+        attendre("elle ne s'enregistre pas", () -> banc.panneau.bandeau.getText().startsWith("Image non enregistrée : " + dits));
+        cliquer(premier % L, premier / L);
+        JTextPane recit = composant("recit", JTextPane.class);
+        attendre("la chaîne va jusqu'à la faute", () -> recit.getText().contains("\n1  objet 3  d = ")
+                && recit.getText().contains("\néchec : java.lang.IllegalStateException: boum ("));
+        JLabel verdict = composant("verdict", JLabel.class);
+        attendre("le verdict", () -> verdict.getText().equals("Ce pixel n'a pu être calculé."));
+    }
+
+    @Test
+    void ouToutEchoueLeDessinSArreteApresMilleEssais() throws Exception {
+        ecrire("[Lampe 1]\nposition=0 5 0\ncouleur=1 1 1\n");
+        ouvrirAvecUnMur(true);
+        attendre("il est fini", () -> !banc.atelier.enCours());
+        banc.attendreMessage("pixel ");
+        assertTrue(banc.message().contains("boum"), banc.message());
+        assertNull(surFilEvenements(banc.atelier::getImageComplete));
+    }
+
+    @Test
+    void apresUneFauteEnregistreeLInspecteurRepondPourLImageQuiResteEtF3Aussi() throws Exception {
+        int[] codes = ouvrir().getCodes();
+        cliquer(150, 100);
+        JDialog inspecteur = composant("inspecteur", JDialog.class);
+        JTextPane recit = composant("recit", JTextPane.class);
+        JLabel verdict = composant("verdict", JLabel.class);
+        attendre("le pixel", () -> recit.getText().endsWith(couleur(codes[100 * L + 150])));
+        ecrire(FAUTIVE);
+        banc.attendreMessage(scene.toString());
+        banc.frapper(inspecteur, KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
+        attendre("une flèche mène au pixel voisin", () -> inspecteur.getTitle().endsWith(" 140, 100")
+                && recit.getText().endsWith(couleur(codes[100 * L + 140])) && verdict.getText().startsWith("Au bit près"));
+        banc.frapper(inspecteur, KeyEvent.VK_ESCAPE);
+        attendre("il se ferme", () -> !inspecteur.isShowing());
+        cliquer(160, 120);
+        attendre("il rouvre sur le pixel cliqué", () -> inspecteur.isShowing() && inspecteur.getTitle().endsWith(" 160, 120")
+                && recit.getText().endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
+        banc.frapper(KeyEvent.VK_F3);
+        JLabel etat = composant("vitesse.etat", JLabel.class);
+        attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
+        assertFalse(surFilEvenements(banc.atelier::enCours));
+        assertEquals(codes, surFilEvenements(banc.atelier::getImageComplete).getCodes());
+    }
+
+    private static String couleur(int code) {
+        return String.format(" = #%06X", code & 0xFFFFFF);
+    }
+}
