@@ -9,8 +9,10 @@ import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
@@ -77,13 +79,15 @@ final class Atelier {
         this.taille = taille;
     }
 
-    /** Un fil à part, où les tâches attendent leur tour ; il ne retient pas le programme. */
+    /** Un fil à part, où les tâches attendent leur tour ; il ne retient pas le programme, et s'en va quand il n'a rien à faire. */
     static ExecutorService unFil(String nom) {
-        return Executors.newSingleThreadExecutor(tache -> {
+        ThreadPoolExecutor seul = new ThreadPoolExecutor(1, 1, 1, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), tache -> {
             Thread fil = new Thread(tache, nom);
             fil.setDaemon(true);
             return fil;
         });
+        seul.allowCoreThreadTimeOut(true);
+        return seul;
     }
 
     /**
