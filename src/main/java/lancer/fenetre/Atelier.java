@@ -79,13 +79,14 @@ final class Atelier {
         this.taille = taille;
     }
 
-    /** Un fil à part, où les tâches attendent leur tour ; il ne retient pas le programme, et s'en va quand il n'a rien à faire. */
+    /** Un fil à part, où les tâches attendent leur tour ; oisif il s'en va, et ne retient jamais le programme. */
     static ExecutorService unFil(String nom) {
-        ThreadPoolExecutor seul = new ThreadPoolExecutor(1, 1, 1, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), tache -> {
-            Thread fil = new Thread(tache, nom);
-            fil.setDaemon(true);
-            return fil;
-        });
+        ThreadPoolExecutor seul = new ThreadPoolExecutor(1, 1, 1, TimeUnit.SECONDS, new LinkedBlockingQueue<>(),
+                tache -> {
+                    Thread fil = new Thread(tache, nom);
+                    fil.setDaemon(true);
+                    return fil;
+                });
         seul.allowCoreThreadTimeOut(true);
         return seul;
     }

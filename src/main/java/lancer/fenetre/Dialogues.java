@@ -24,7 +24,7 @@ import lancer.texte.Texte;
 /** Les dialogues, en français même là où Java ne l'est pas, et l'apparence du système. */
 final class Dialogues {
 
-    /** Un texte, et les clés, de {@code FileChooser} à défaut, qui le montrent : selon Java, des traductions manquent. */
+    /** Un texte, et les clés, de {@code FileChooser} à défaut, qui le montrent : selon Java, il en manque. */
     private static final String[][] TEXTES = {
         {"Dossier :", "lookInLabelText", "saveInLabelText"},
         {"Nom du fichier :", "fileNameLabelText"},

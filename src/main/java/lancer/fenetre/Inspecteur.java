@@ -100,7 +100,8 @@ final class Inspecteur extends JDialog {
         texte.addMouseListener(new MouseAdapter() {
             @Override
             public void mouseClicked(MouseEvent e) {
-                int ligne = texte.getDocument().getDefaultRootElement().getElementIndex(texte.viewToModel(e.getPoint()));
+                int ou = texte.viewToModel(e.getPoint());
+                int ligne = texte.getDocument().getDefaultRootElement().getElementIndex(ou);
                 cliquer(vues.get(Math.max(0, ligne - 1)));
             }
         });

@@ -95,7 +95,7 @@ final class Menus {
     }
 
     /**
-     * Où mettre une fenêtre dans l'écran : là où elle cache le moins des autres, puis du cadre ; à droite de préférence.
+     * La place d'une fenêtre dans l'écran : là où elle cache le moins des autres, puis du cadre ; plutôt à droite.
      *
      * @param prises la place des autres
      */

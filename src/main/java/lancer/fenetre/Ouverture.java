@@ -37,19 +37,19 @@ public final class Ouverture {
     public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
         Dimension taille = new Dimension(options.largeur, options.hauteur);
         Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
+        if (!ecranPresent()) {
+            if (premier != null) {
+                // ce que la scène a de fautif d'abord
+                premier.lire();
+            }
+            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+        }
         // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
         ExecutorService dessins = Atelier.unFil("lancer-dessin");
-        boolean lue = true;
         if (premier != null) {
             // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
             dessins.execute(premier);
-            lue = premier.attendreLecture(PATIENCE_MS);
-        }
-        if (!ecranPresent()) {
-            if (!lue) {
-                premier.attendreLecture(Long.MAX_VALUE);
-            }
-            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            premier.attendreLecture(PATIENCE_MS);
         }
         List<String> variantes = Services.nomsDesVariantes();
         Fenetre[] ouverte = new Fenetre[1];

@@ -392,7 +392,7 @@ final class PanneauImage extends JPanel {
         siChange.run();
     }
 
-    /** Le pixel de l'image montrée qui est sous la souris, ou le plus près du milieu ; {@code null} s'il n'y en a pas. */
+    /** Le pixel de l'image montrée sous la souris, ou le plus près du milieu ; {@code null} s'il n'y en a pas. */
     Point getPixelVise() {
         Point sous = getPixelSouris(montree);
         if (sous != null || montree == null) {
@@ -404,7 +404,7 @@ final class PanneauImage extends JPanel {
                 rang(libre.height / 2 - place.y, montree.getHauteur(), place.height));
     }
 
-    /** La colonne ou la ligne de l'image, de {@code nombre}, qui est à cet écart du bord de sa place, ou la plus près. */
+    /** La colonne ou la ligne de l'image, de {@code nombre}, à cet écart du bord de sa place, ou la plus près. */
     private static int rang(int ecart, int nombre, int etendue) {
         return (int) Math.max(0, Math.min(nombre - 1, (long) ecart * nombre / etendue));
     }

@@ -47,7 +47,8 @@ final class Tracage extends SwingWorker<Void, Void> {
         this.voulus = voulus;
     }
 
-    private void lire() {
+    /** Lit la scène, dans le fil de l'appelant. */
+    void lire() {
         version = Surveillance.version(fichier);
         try {
             avertissements = dessinateur.lireScene(fichier);
@@ -62,19 +63,17 @@ final class Tracage extends SwingWorker<Void, Void> {
     /**
      * Attend que la scène soit lue, ou sa lecture abandonnée, tant de millisecondes au plus.
      *
-     * @return faux si elle ne l'est pas encore
      * @throws SceneFautive si elle ne peut être utilisée
      */
-    boolean attendreLecture(long ms) {
+    void attendreLecture(long ms) {
         try {
-            boolean finie = lue.await(ms, TimeUnit.MILLISECONDS);
+            lue.await(ms, TimeUnit.MILLISECONDS);
             if (refus instanceof Error) {
                 throw (Error) refus;
             }
             if (refus != null && !(refus instanceof CancellationException)) {
                 throw (RuntimeException) refus;
             }
-            return finie;
         } catch (InterruptedException e) {
             throw Echec.panne("interrompu");
         }

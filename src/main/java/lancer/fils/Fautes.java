@@ -6,7 +6,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 
-/** Les pixels qu'un dessin n'a pu calculer, et qu'il peint en damier au lieu de s'arrêter ; à tous les fils à la fois. */
+/** Les pixels qu'un dessin n'a pu calculer, et qu'il peint en damier au lieu de s'arrêter ; pour tous ses fils. */
 public final class Fautes {
 
     /** Nombre d'échecs après lequel, si rien n'a réussi, il n'y a pas d'image à attendre. */

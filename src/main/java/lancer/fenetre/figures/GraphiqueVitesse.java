@@ -216,8 +216,8 @@ public final class GraphiqueVitesse extends JPanel {
                         fois(p.rayons / autre.rayons), fois(p.erreur / autre.erreur))).orElse("");
         String erreur = auPlus(p) ? String.format(Locale.FRANCE, "d'au plus %.2f", p.auPlus)
                 : String.format(Locale.FRANCE, "de %.2f à %.2f", p.auMoins, p.auPlus);
-        return enMots(p.reglage) + String.format(Locale.FRANCE, " — %.1f rayons par pixel, erreur %s niveau%s", p.rayons,
-                erreur, p.auPlus < 2 ? "" : "x") + gain;
+        return enMots(p.reglage) + String.format(Locale.FRANCE, " — %.1f rayons par pixel, erreur %s niveau%s",
+                p.rayons, erreur, p.auPlus < 2 ? "" : "x") + gain;
     }
 
     /** Le réglage tel qu'on le dirait : {@code 16 rayons là où c'est utile, reflets : 10}. */

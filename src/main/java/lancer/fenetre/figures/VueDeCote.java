@@ -176,7 +176,8 @@ public final class VueDeCote extends JPanel {
         g.drawString(numero, (float) x, (float) y);
         if (seul > 0 && Math.abs(seul - etape.numero) <= 1) {
             g.setColor(Color.DARK_GRAY);
-            g.drawString(pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", ""), (float) x + 12, (float) y + 16);
+            String nom = pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", "");
+            g.drawString(nom, (float) x + 12, (float) y + 16);
         }
     }
 
