@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /** Un récit à lire : ses lignes repliées le restent tant qu'on ne les demande pas, celles qui changent le montrent. */
 public final class Depliage {
@@ -36,11 +37,19 @@ public final class Depliage {
 
     /** Remplace le récit ; s'il est du même pixel, ce qui a changé se compare à l'ancien. */
     public void remplacer(List<Recit.Ligne> nouvelles) {
+        if (textes(nouvelles).equals(textes(lignes))) {
+            // le même récit, redemandé : ce qui avait changé le reste
+            return;
+        }
         anciens.clear();
         if (!lignes.isEmpty() && lignes.get(0).texte.equals(nouvelles.get(0).texte)) {
             lignes.forEach(ligne -> anciens.put(sujet(ligne), ligne.texte));
         }
         lignes = nouvelles;
+    }
+
+    private static List<String> textes(List<Recit.Ligne> recit) {
+        return recit.stream().map(ligne -> ligne.texte).collect(Collectors.toList());
     }
 
     /** Déplie ce qui est replié, ou le contraire. @param repli {@code null} pour tout déplier, ou tout replier */
