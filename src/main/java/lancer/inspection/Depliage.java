@@ -93,7 +93,8 @@ public final class Depliage {
 
     /** Ce dont parle une ligne, qui le reste d'un dessin à l'autre. */
     private static String sujet(Recit.Ligne ligne) {
-        return ligne.etape + " " + ligne.texte.replaceFirst("^(\\s*\\S.*?)( = |  |, | \\().*", "$1");
+        return ligne.etape == 0 && ligne.texte.startsWith("somme ") ? "somme"
+                : ligne.etape + " " + ligne.texte.replaceFirst("^(\\s*\\S.*?)( = |  |, | \\().*", "$1");
     }
 
     /** Le repli d'une ligne, au nombre de ses pareilles près. */

@@ -118,7 +118,7 @@ class FenetreFautesTest extends EssaiFenetre {
         attendre("elle ne s'enregistre pas", () -> banc.panneau.bandeau.getText().startsWith("Image non enregistrée : " + dits));
         cliquer(premier % L, premier / L);
         JTextPane recit = composant("recit", JTextPane.class);
-        attendre("la chaîne va jusqu'à la faute", () -> recit.getText().contains("\n1  objet 3  d = ")
+        attendre("la chaîne va jusqu'à la faute", () -> recit.getText().contains("  objet 3  d = ")
                 && recit.getText().contains("\néchec : java.lang.IllegalStateException: boum ("));
         JLabel verdict = composant("verdict", JLabel.class);
         attendre("le verdict", () -> verdict.getText().equals("Ce pixel n'a pu être calculé."));
