@@ -14,8 +14,10 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -36,6 +38,8 @@ public final class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
     private static final int TOUR_MS = 20;
+    /** Ce que peut durer un rendu, en secondes : chacune de ses réponses à temps, leur somme serait sans fin. */
+    private static final int ENTIER_MAX = 300;
     private static final ThreadMXBean FILS = ManagementFactory.getThreadMXBean();
 
     private final Path souvenirs;
@@ -43,6 +47,7 @@ public final class Jury implements AutoCloseable {
     private final Limites limites;
     /** Ce qui compile, et qu'aucun rendu n'occupe. */
     private final Deque<Machines.Compilation> compilations = new ArrayDeque<>();
+    private final Set<Integer> abandonnes = new HashSet<>();
     private final String regles;
     private final Reference reference;
 
@@ -92,12 +97,12 @@ public final class Jury implements AutoCloseable {
             List<Integer> rangs = IntStream.range(0, resultats.length).boxed().collect(Collectors.toList());
             juger(rendus, rangs, Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()), (rang, resultat) -> {
                 resultats[rang] = resultat;
-                if (!resultat.nonCorrige) {
+                if (!resultat.nonCorrige || abandonnes.contains(rang)) {
                     fini.accept(rang, resultat);
                 }
             });
             // une panne peut venir d'un voisin qui prenait tout : seul, un rendu se juge peut-être
-            rangs.removeIf(rang -> !resultats[rang].nonCorrige);
+            rangs.removeIf(rang -> !resultats[rang].nonCorrige || abandonnes.contains(rang));
             juger(rendus, rangs, 1, (rang, resultat) -> {
                 resultats[rang] = resultat;
                 fini.accept(rang, resultat);
@@ -117,6 +122,7 @@ public final class Jury implements AutoCloseable {
         private final int rang;
         private final Machines.Compilation compilation;
         private final Thread fil;
+        private final long debut = System.nanoTime();
         private volatile Resultat resultat;
 
         Rangee(int rang, Rendu rendu, Machines.Compilation compilation) {
@@ -137,11 +143,15 @@ public final class Jury implements AutoCloseable {
         /** @return ce qu'on en a trouvé, {@code null} s'il faut encore attendre */
         Resultat attendre(Rendu rendu) throws InterruptedException {
             fil.join(TOUR_MS);
-            if (resultat == null && FILS.getThreadCpuTime(fil.getId()) > limites.propre * 1e9) {
-                compilation.close();
-                return nonCorrige(rendu, "plus de " + Math.round(limites.propre) + " s de calcul du correcteur lui-même");
+            boolean propre = FILS.getThreadCpuTime(fil.getId()) > limites.propre * 1e9;
+            if (resultat != null || !propre && System.nanoTime() - debut < ENTIER_MAX * 1e9) {
+                return resultat;
             }
-            return resultat;
+            abandonnes.add(rang);
+            fil.interrupt();
+            compilation.close();
+            return nonCorrige(rendu, propre ? "arrêté : plus de " + Math.round(limites.propre)
+                    + " s de calcul du correcteur lui-même" : "arrêté : plus de " + ENTIER_MAX + " s en tout");
         }
     }
 

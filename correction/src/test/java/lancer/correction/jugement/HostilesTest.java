@@ -188,7 +188,7 @@ class HostilesTest extends JuryEssai {
         Path travail = dossier.resolve("travail");
         Resultat presse = juger(rendus, travail, Confinement.aucun(), new Limites(10, 60, 160, 40, 0)).get("un");
         assertTrue(presse.nonCorrige);
-        assertTrue(presse.refus.get(0).startsWith("non corrigé : plus de 0 s"), presse.refus.toString());
+        assertTrue(presse.refus.get(0).startsWith("non corrigé : arrêté : plus de 0 s"), presse.refus.toString());
         Resultat ensuite = juger(rendus, travail, Confinement.aucun(), PATIENTES).get("un");
         assertFalse(ensuite.nonCorrige);
         assertEquals(new TreeSet<>(), ratees(ensuite));
