@@ -28,6 +28,8 @@ public final class Projet {
     public static final String TEXTE = "texte";
     public static final String FIXME = "fixme";
 
+    private static final String DE_COTE = " : laissé de côté, ";
+
     /** Au-delà, on ne cherche plus laquelle est la meilleure. */
     private static final int COPIES_MAX = 3;
 
@@ -97,6 +99,7 @@ public final class Projet {
         bases.forEach((racine, base) -> {
             Projet projet = new Projet(base, variantes, new ArrayList<>(remarques));
             projet.consignes(rendu, dites);
+            remarques.stream().filter(r -> r.contains(DE_COTE)).forEach(r -> projet.aRegarder.add("arrêté : " + r));
             if (bases.size() > 1) {
                 String dit = "plusieurs copies du projet : jugée, « " + racine + " » ; laissée, « " + bases.keySet().stream()
                         .filter(r -> !r.equals(racine)).collect(Collectors.joining(" », « ")) + " »";
@@ -154,7 +157,7 @@ public final class Projet {
                         + source.classe;
                 String intrusion = source.intrusion();
                 if (intrusion != null) {
-                    remarques.add(source.chemin + " : laissé de côté, " + intrusion);
+                    remarques.add(source.chemin + DE_COTE + intrusion);
                 } else if (!classes.containsKey(nom)) {
                     classes.put(nom, source.paquet.equals("lancer")
                             ? Ponts.ajouter(source.classe, source.texte, remarques) : source.texte);

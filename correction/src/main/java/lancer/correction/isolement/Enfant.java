@@ -164,7 +164,7 @@ public final class Enfant implements AutoCloseable {
         controle = System.nanoTime();
         debut = Double.isNaN(debut) ? maintenant : debut;
         if (maintenant - debut > calculMax) {
-            throw arreter("arrêté après " + Math.round(calculMax) + " s de calcul : une boucle sans fin ?");
+            throw arreter("arrêté : plus de " + Math.round(calculMax) + " s de calcul, une boucle sans fin ?");
         }
         if (tous.stream().mapToLong(Enfant::occupe).sum() > (limites.memoire + HORS_DU_TAS) << 20) {
             throw arreter("arrêté : mémoire épuisée");
@@ -200,7 +200,7 @@ public final class Enfant implements AutoCloseable {
         close();
         return inattendu ? new Arret("arrêté : a répondu ce qu'on ne lui demandait pas", false)
                 : statut == 3 ? new Arret("arrêté : mémoire épuisée", false)
-                : new Arret("arrêté de lui-même (System.exit ?), statut " + statut, true);
+                : new Arret("arrêté : il s'est arrêté de lui-même (System.exit ?), statut " + statut, true);
     }
 
     /** Tue la machine virtuelle, et tout ce qu'elle a lancé. */

@@ -300,7 +300,7 @@ final class Juge implements AutoCloseable {
         Verifications.Bilan bilan = reference.getJUnit().lancer(verifications, machine(assemblage));
         if (bilan.arrets > 0) {
             arretes.add(assemblage);
-            resultat.regarder("arrêt forcé : " + bilan.pourquoi);
+            resultat.regarder(bilan.pourquoi);
         }
         coupe = bilan.coupe() ? "trop de vérifications n'ont pas fini : " + bilan.pourquoi : "";
         return bilan.verdicts;

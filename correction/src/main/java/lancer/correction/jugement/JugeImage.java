@@ -48,7 +48,7 @@ final class JugeImage {
         try {
             image = juge.image(juge.ensemble(), scene, 0);
         } catch (Arret e) {
-            resultat.regarder("arrêt forcé, en dessinant « " + scene + " » : " + e.getMessage());
+            resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
             return new Verdict(Etat.RATE, e.getMessage());
         } catch (Dialogue.Echec e) {
             return new Verdict(Etat.RATE, e.getMessage());

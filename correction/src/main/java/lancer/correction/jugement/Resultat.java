@@ -9,7 +9,7 @@ import lancer.correction.enfant.Echange;
 /** Tout ce qu'on a trouvé d'un rendu ; la note n'en est pas, qui dépend du barème. */
 public final class Resultat {
 
-    private static final int REMARQUES_MAX = 60;
+    private static final int REMARQUES_MAX = 30;
 
     /** Pourquoi rien n'a pu être jugé ; vide sinon. */
     public final List<String> refus = new ArrayList<>();

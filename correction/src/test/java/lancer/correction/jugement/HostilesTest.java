@@ -170,7 +170,9 @@ class HostilesTest extends JuryEssai {
         for (String nom : List.of("brut", "avance", "demesure")) {
             String dit = resultats.get(nom).verdicts.get(SOUSTRACTION).message;
             assertTrue(dit.startsWith("arrêté : a répondu"), nom + " : " + dit);
+            assertTrue(resultats.get(nom).aRegarder.toString().contains("arrêté : a répondu"), nom + " se voit à l'index");
         }
+        assertTrue(resultats.get("paquet").aRegarder.toString().contains("arrêté : "), resultats.get("paquet").aRegarder.toString());
         Resultat curieux = resultats.get("curieux");
         String vu = curieux.verdicts.get(SOUSTRACTION).message;
         assertTrue(vu.contains("vu{") && !vu.contains(dossier.getFileName().toString()), vu);
