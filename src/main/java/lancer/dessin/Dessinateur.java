@@ -21,7 +21,6 @@ import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.scene.LecteurScene;
 import lancer.scene.Origines;
-import lancer.temoins.LancerSurveille;
 
 /**
  * Réglages de la scène du programme, sa préparation, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres

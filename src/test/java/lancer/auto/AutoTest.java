@@ -23,7 +23,7 @@ import lancer.Vecteur;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.fils.Traceur;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

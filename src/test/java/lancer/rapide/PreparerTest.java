@@ -16,7 +16,7 @@ import lancer.contrat.RechercheSimple;
 import lancer.essai.Essai;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -21,7 +21,7 @@ import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
 import lancer.fils.Traceur;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
 /** Les pixels témoins voient une recherche qui ne répond pas comme les classes du cours, et les boucles dessinent alors. */

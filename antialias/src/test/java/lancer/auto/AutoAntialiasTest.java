@@ -22,7 +22,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.Variante;
 import lancer.essai.Essai;
 import lancer.fils.Traceur;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -7,7 +7,7 @@ import java.util.Collections;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.fils.Traceur;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

@@ -8,7 +8,7 @@ import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Vue;
 import lancer.fils.Traceur;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 
 /**
  * De quoi mesurer l'erreur d'une image sans calculer la vérité, qui est la moyenne de chaque pixel, sans limite de réflexions :

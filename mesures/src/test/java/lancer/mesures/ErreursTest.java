@@ -15,7 +15,7 @@ import lancer.antialias.Antialias;
 import lancer.atelier.Scenes;
 import lancer.contrat.Echantillonnage;
 import lancer.scene.FichierScene;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 

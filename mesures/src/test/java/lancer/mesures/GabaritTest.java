@@ -10,7 +10,7 @@ import lancer.antialias.Antialias;
 import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 import lancer.scene.FichierScene;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
 /** L'erreur d'une image, contre deux images au hasard. */

@@ -6,7 +6,7 @@ import lancer.Camera;
 import lancer.Scene;
 import lancer.fils.Traceur;
 import lancer.mesures.ImageLineaire;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 
 /** Une scène prête à être dessinée, par nous et par le juge. */
 public final class SceneJugee {

@@ -19,7 +19,7 @@ import lancer.fils.Traceur;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 
 /** Des boules noires sur le ciel, toutes du même rayon à l'écran, loin les unes des autres et au hasard auprès des pixels. */
 final class PetitesBoules {

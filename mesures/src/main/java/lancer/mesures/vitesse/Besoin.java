@@ -24,7 +24,7 @@ import lancer.contrat.Recherche;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.mesures.Gabarit;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 
 /** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
 final class Besoin {

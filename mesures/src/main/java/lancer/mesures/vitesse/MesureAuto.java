@@ -19,7 +19,7 @@ import lancer.fils.Traceur;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 import lancer.texte.Texte;
 
 /**

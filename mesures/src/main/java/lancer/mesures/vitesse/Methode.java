@@ -6,7 +6,7 @@ import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
 import lancer.fils.Traceur;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
 final class Methode {

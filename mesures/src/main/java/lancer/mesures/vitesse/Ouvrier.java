@@ -23,7 +23,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
 import lancer.fils.Traceur;
 import lancer.mesures.ImageLineaire;
-import lancer.temoins.LancerSurveille;
+import lancer.dessin.LancerSurveille;
 
 /**
  * Une machine virtuelle qui ne dessine que d'une façon, et le fait quand on le lui demande, sur son entrée : un nombre

@@ -1,4 +1,4 @@
-package lancer.temoins;
+package lancer.dessin;
 
 import java.util.function.DoubleConsumer;
 import lancer.Camera;
