@@ -1,0 +1,140 @@
+package lancer.correction;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import lancer.correction.modele.Modele;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Le programme complet avec une faute honnête à la fois ({@code banc.txt}) : la note suit le travail, et la rangée le dit. */
+@EnabledForJreRange(min = JRE.JAVA_17)
+class BancTest extends ClasseEssai {
+
+    @TempDir
+    static Path dossier;
+
+    /** Un rendu : ce qui est demandé de sa note et de sa rangée, et comment le faire du corrigé. */
+    private static final class Essai {
+
+        private String nom;
+        private double[] note;
+        private String dit;
+        private final List<String> recette = new ArrayList<>();
+        private final Map<String, Map<String, String>> parties = new LinkedHashMap<>();
+        private final Map<String, String> fichiers = new TreeMap<>();
+        private Map<String, String> partie;
+
+        /** Remplace un morceau, ou partout un mot. */
+        private void remplacer(String classe, String avant, String apres) {
+            partie.replaceAll((nom, texte) -> !classe.isEmpty() && !classe.equals(nom) ? texte : texte.replace(avant, apres));
+        }
+
+        private void ecrire(Path racine) throws IOException {
+            partie = new TreeMap<>();
+            Modele.A_COMPLETER.forEach(c -> partie.put(c, Modele.corrige(c)));
+            partie.put("Main", Modele.corrige("Main"));
+            parties.put("lancer-base", partie);
+            Map<String, String> autreNom = new TreeMap<>();
+            String classe = "";
+            String avant = "";
+            String apres = "";
+            for (String ligne : recette) {
+                if (!avant.isEmpty() && !ligne.startsWith("+") && !(ligne.startsWith("-") && apres.isEmpty())) {
+                    String change = avant.substring(1);
+                    assertTrue(partie.get(classe).contains(change), nom + " : " + change);
+                    remplacer(classe, change, apres.isEmpty() ? "" : apres.substring(1));
+                    avant = "";
+                    apres = "";
+                }
+                String[] mots = ligne.split(" ");
+                if (ligne.startsWith("-")) {
+                    avant += "\n" + ligne.substring(1);
+                } else if (ligne.startsWith("+")) {
+                    apres += "\n" + ligne.substring(1);
+                } else if (mots[0].equals("partout")) {
+                    String[] deux = ligne.substring(8).split(ligne.contains(";") ? "(?<=;) " : " ");
+                    remplacer("", deux[0], deux[1]);
+                } else if (mots[0].equals("fichier")) {
+                    fichiers.put("lancer-base/" + mots[1], "");
+                } else if (mots[0].equals("copie")) {
+                    Modele.A_COMPLETER.forEach(c -> fichiers.put(mots[1] + "/lancer/" + c + ".java", Modele.squelette(c)));
+                } else if (mots[0].equals("variante")) {
+                    partie = new TreeMap<>(partie);
+                    parties.put(mots[1], partie);
+                } else if (mots.length == 3) {
+                    autreNom.put(mots[0], mots[2]);
+                } else {
+                    classe = mots[0];
+                }
+            }
+            parties.forEach((nomDePartie, classes) -> classes.forEach((c, texte) -> fichiers.put(nomDePartie + "/"
+                    + texte.replaceFirst("(?s).*?package ([\\w.]+);.*", "$1").replace('.', '/') + "/" + autreNom.getOrDefault(c, c)
+                    + ".java", texte)));
+            for (Map.Entry<String, String> fichier : fichiers.entrySet()) {
+                Path chemin = racine.resolve(fichier.getKey());
+                Files.createDirectories(chemin.getParent());
+                Files.writeString(chemin, fichier.getValue());
+            }
+        }
+    }
+
+    private static List<Essai> lire() throws IOException {
+        List<Essai> essais = new ArrayList<>();
+        Essai essai = null;
+        for (String ligne : Files.readAllLines(RENDUS.resolve("banc.txt"))) {
+            if (ligne.isEmpty() || ligne.startsWith("#")) {
+                if (essai != null) {
+                    essai.recette.add("fin");
+                }
+                essai = null;
+            } else if (essai == null) {
+                String[] moities = ligne.split(" = ");
+                String[] mots = moities[0].split(" ");
+                essai = new Essai();
+                essai.nom = mots[0];
+                essai.note = new double[] {Double.parseDouble(mots[1]), Double.parseDouble(mots[2])};
+                essai.dit = moities.length > 1 ? moities[1] : "";
+                essais.add(essai);
+            } else {
+                essai.recette.add(ligne);
+            }
+        }
+        essai.recette.add("fin");
+        return essais;
+    }
+
+    @TestFactory
+    List<DynamicTest> laNoteSuitLeTravail() throws IOException {
+        List<Essai> essais = lire();
+        assertFalse(essais.isEmpty());
+        for (Essai essai : essais) {
+            essai.ecrire(dossier.resolve("rendus").resolve(essai.nom));
+        }
+        Map<String, Map<String, String>> classe = noter(dossier.resolve("rendus"), dossier.resolve("notes"));
+        String index = Files.readString(dossier.resolve("notes/index.html"));
+        List<DynamicTest> verifications = new ArrayList<>();
+        for (Essai essai : essais) {
+            verifications.add(DynamicTest.dynamicTest(essai.nom, () -> {
+                Map<String, String> ligne = classe.get(essai.nom);
+                double note = Double.parseDouble(ligne.get("note"));
+                assertTrue(essai.note[0] <= note && note <= essai.note[1], essai.nom + " : " + ligne);
+                String[] rangees = index.split("-" + essai.nom + "\\.html");
+                String rangee = ligne.get("à regarder") + rangees[rangees.length - 1].split("<td class=\"vignette\"")[0];
+                assertTrue(rangee.contains(essai.dit), essai.nom + " : « " + essai.dit + " » n'est pas dans " + rangee);
+            }));
+        }
+        return verifications;
+    }
+}
