@@ -563,7 +563,7 @@ public class Tests {
         @DisplayName("getCouleurPixel : transmet à getColor la profondeur qu'on lui donne")
         void unPixelALaProfondeurDemandee() {
             Camera camera = new Camera(80, 60);
-            Scene scene = scene(orange(0, 3, 1), boule(0, 0, 5, 1, GRIS, GRIS, 20), boule(0, 0, -3, 1, GRIS, GRIS, 20));
+            Scene scene = scene(orange(0, 3, 1), boule(0, 0, 5, 1, GRIS, GRIS, 20), boule(0, 0, -4, 2, GRIS, GRIS, 20));
             pixel(scene);
             for (int p = 1; p < 3; p++) {
                 Couleur pixel = new Lancer(scene, camera).getCouleurPixel(41, 31, p);

@@ -19,9 +19,12 @@ public final class Grille {
         public final String id;
         public final String titre;
         public final boolean compte;
+        /** La classe du cours dont il parle, vide s'il n'en est pas d'une. */
+        public final String classe;
 
-        Critere(String id, String titre, boolean compte) {
+        Critere(String id, String classe, String titre, boolean compte) {
             this.id = id;
+            this.classe = classe;
             this.titre = titre;
             this.compte = compte;
         }
@@ -61,7 +64,7 @@ public final class Grille {
 
     public Grille(Reference reference) {
         for (Verification v : reference.getVerifications()) {
-            ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""), v.id(), v.titre, reference.compte(v));
+            ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""), v.id(), v.classe, v.titre, reference.compte(v));
         }
         for (String scene : Reference.SCENES.keySet()) {
             ajouter(IMAGE, "L'image entière", IMAGE + "." + scene,
@@ -79,7 +82,11 @@ public final class Grille {
     }
 
     private void ajouter(String etape, String titreEtape, String id, String titre, boolean compte) {
-        etapes.computeIfAbsent(etape, e -> new Etape(e, titreEtape)).criteres.add(new Critere(id, titre, compte));
+        ajouter(etape, titreEtape, id, "", titre, compte);
+    }
+
+    private void ajouter(String etape, String titreEtape, String id, String classe, String titre, boolean compte) {
+        etapes.computeIfAbsent(etape, e -> new Etape(e, titreEtape)).criteres.add(new Critere(id, classe, titre, compte));
     }
 
     public List<Etape> getEtapes() {
