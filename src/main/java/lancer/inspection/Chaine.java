@@ -103,9 +103,8 @@ final class Chaine implements Ecoute {
     }
 
     /** Cherche, par les boucles du cours, ce que personne n'a eu à dire : qui cache une lampe, et les rivaux. */
-    void chercher(Inspection pixel) {
-        Scene scene = pixel.scene.avec(pixel.scene.getModele());
-        Rayon rayon = pixel.getDepart();
+    void chercher(Scene scene, Rayon depart) {
+        Rayon rayon = depart;
         PointContact sauf = null;
         for (Etape etape : etapes) {
             for (Eclairage eclairage : etape.lampes) {

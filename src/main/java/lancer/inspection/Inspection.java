@@ -89,7 +89,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
             faire(rang);
         } catch (PixelFautif e) {
             faute = e;
-            chaine.chercher(this);
+            chaine.chercher(scene.avec(scene.getModele()), getDepart());
         }
     }
 
@@ -150,7 +150,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
             choisi = voulu == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))
                     : echantillons.get(Math.min(voulu, echantillons.size() - 1));
             vue.couleur(choisi.xe, choisi.ye);
-            chaine.chercher(this);
+            chaine.chercher(scene.avec(scene.getModele()), getDepart());
         }
         return 0;
     }
