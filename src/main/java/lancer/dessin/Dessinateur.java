@@ -202,7 +202,8 @@ public final class Dessinateur {
                 + "pixels.temoins: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
                 c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
-                c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS, (preparationNs + dessine.getConstructionNs()) / NS_PAR_MS,
+                c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS,
+                (preparationNs + dessine.getConstructionNs()) / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }
 

@@ -12,10 +12,10 @@ import lancer.precision.Intersection;
  * rayons qui ne sont pas de ceux d'une carte. {@link ConstructionArbre} ne le fait qu'à la première question.
  *
  * <p>Une boîte n'est passée que si aucune de ses sphères ne peut l'emporter, arrondis compris. La distance calculée par
- * {@link Intersection#distance} est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53, et les
- * plans d'une boîte se traversent à 4 u (|P| + |boîte|) près : chaque boîte est élargie de {@link Noeuds#MARGE} fois sa
- * plus grande coordonnée, et chaque rayon s'élargit d'autant de fois celle de son départ. La marge suit donc ce que le
- * rayon et la boîte ont de grand, et rien d'autre dans la scène.
+ * {@link Intersection#distance} est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53,
+ * et les plans d'une boîte se traversent à 4 u (|P| + |boîte|) près : chaque boîte est élargie de {@link Noeuds#MARGE}
+ * fois sa plus grande coordonnée, et chaque rayon s'élargit d'autant de fois celle de son départ. La marge suit donc ce
+ * que le rayon et la boîte ont de grand, et rien d'autre dans la scène.
  */
 final class Arbre implements Intersections, Occultations {
 

@@ -216,8 +216,8 @@ final class Grille implements Intersections {
 
     /**
      * Traverse les cases, en retenant dans le parcours la sphère la plus proche, jusqu'à la dernière case utile,
-     * jusqu'à une sphère en doute, ou jusqu'à une case que le compte ne permet plus. Elle ne contient aucun appel : à cause de lui, même jamais fait, tout ce que la
-     * boucle tient en registres irait en mémoire.
+     * jusqu'à une sphère en doute, ou jusqu'à une case que le compte ne permet plus. Elle ne contient aucun appel : à
+     * cause de lui, même jamais fait, tout ce que la boucle tient en registres irait en mémoire.
      *
      * @param reprise vrai pour repartir d'où la marche précédente s'est arrêtée
      * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini, ou {@link #COMPTE_VIDE}

@@ -239,7 +239,8 @@ final class Masques implements Intersections {
                         int k = Long.numberOfTrailingZeros(masque);
                         tests++;
                         s = Spheres.PAS * k;
-                        double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                        double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz,
+                                g[s], g[s + 1], g[s + 2], g[s + 3]);
                         if (d < distance && (d >= 0 || Intersection.auMoins(d) < distance
                                 && parcours.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance)) {
                             break;

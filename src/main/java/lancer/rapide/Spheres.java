@@ -75,7 +75,10 @@ final class Spheres {
         return toutes;
     }
 
-    /** Range dans un autre ordre les sphères, qui sont dans celui de la scène : la sphère {@code ordre[k]} devient la k-ième. */
+    /**
+     * Range dans un autre ordre les sphères, qui sont dans celui de la scène : la sphère {@code ordre[k]} devient la
+     * k-ième.
+     */
     void ranger(int[] ordre) {
         double[] g = new double[geometrie.length];
         int[] r = new int[nombre];

@@ -141,7 +141,8 @@ class ComptesTest {
         scene.getModele().setSeuil(0);
         Compteurs arbre = compter(scene, camera, new ArbreSimple(scene.getObjets(), new Compteurs()), profondeur, points);
         Compteurs rapide = compter(scene, camera, Preparation.pour(scene, camera), profondeur, points);
-        long autres = avecBoucles ? compter(scene, camera, new RechercheSimple(scene.getObjets(), new Compteurs()), profondeur, points).examens()
+        Recherche boucles = new RechercheSimple(scene.getObjets(), new Compteurs());
+        long autres = avecBoucles ? compter(scene, camera, boucles, profondeur, points).examens()
                 : Long.MAX_VALUE;
         assertEquals(arbre.rayons(), rapide.rayons(), nom);
         double n = scene.getObjets().size();
@@ -174,7 +175,8 @@ class ComptesTest {
     @Test
     void unFilInterrompuSArreteDansUnPixel() {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).lampes(2000).scene();
-        for (Recherche recherche : new Recherche[] {new RechercheSimple(scene.getObjets(), new Compteurs()), Preparation.pour(scene, new Camera(2, 2)),
+        for (Recherche recherche : new Recherche[] {new RechercheSimple(scene.getObjets(), new Compteurs()),
+            Preparation.pour(scene, new Camera(2, 2)),
             Preparation.pour(scene, CAMERA, Preparation.Genre.ARBRE, part -> { })}) {
             scene.getModele().setRecherche(recherche);
             Lancer lancer = new Lancer(scene.avec(scene.getModele()), CAMERA);

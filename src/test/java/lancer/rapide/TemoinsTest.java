@@ -158,7 +158,8 @@ class TemoinsTest {
                 for (Lampe lampe : scene.getLampes()) {
                     if (depart != null) {
                         assertEquals(boucles.estCachee(lampe, ailleurs, rayon.getV(), 5, depart),
-                                scene.getModele().getRecherche().estCachee(lampe, ailleurs, rayon.getV(), 5, depart), e.getKey() + ", ombre " + k);
+                                scene.getModele().getRecherche().estCachee(lampe, ailleurs, rayon.getV(), 5, depart),
+                                e.getKey() + ", ombre " + k);
                     }
                 }
             }
