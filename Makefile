@@ -9,7 +9,7 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto auto-a-froid mutations squelette corrige corriger \
+.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto mutations squelette corrige corriger \
 	comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
@@ -105,13 +105,10 @@ JUGE ?= --csv mesures/resultats/juge.csv
 juge: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.juge.Juge $(JUGE)
 
-# --auto tient-il parole ? AUTO="1000 20" pour vingt scènes au sort, de graine 1000 et suivantes, dans mesures/target/auto.csv.
+# --auto tient-il parole, et à quel prix ? Contre une recherche dense, en un quart d'heure. AUTO="1000 20" pour vingt scènes au sort,
+# de graine 1000 et suivantes, dans mesures/target/auto.csv.
 mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto $(if $(AUTO),mesures/target,mesures/resultats)/auto.csv $(AUTO)
-
-# Ce que coûte --auto et ce qu'il donne quand la machine virtuelle démarre à chaque image : un quart d'heure, machine au repos.
-auto-a-froid: antialias/target/antialias.jar
-	@JAVA="$(JAVA)" TOURS="$(TOURS)" outils/auto-a-froid.sh
 
 # Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; outils/mutants.md dit ce qui leur échappe, et pourquoi.
 mutations: mesures/target/mesures.jar

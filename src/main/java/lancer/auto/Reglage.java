@@ -1,9 +1,13 @@
 package lancer.auto;
 
+import lancer.contrat.Echantillonnage;
 import lancer.contrat.Section;
 
-/** Un échantillonnage et des limites : de quoi dessiner, l'erreur attendue et le prix. Immuable. */
+/** Un échantillonnage et une limite des reflets : de quoi dessiner, l'erreur attendue et le prix. Immuable. */
 public final class Reglage {
+
+    /** Écarts types entre ce qui est attendu et ce qui est promis. */
+    static final double PRUDENCE = 1.5;
 
     /** Le nombre de réflexions d'un rayon, et sous quel produit des Ks un reflet n'est plus suivi. */
     public final int reflets;
@@ -12,42 +16,35 @@ public final class Reglage {
     /** La section de variante qui donne l'échantillonnage ; {@code null} pour celui de la scène. */
     public final Section section;
 
-    /** L'erreur attendue, en niveaux, contre la moyenne du pixel sans limite de réflexions. */
+    /** L'erreur attendue, en niveaux, et entre quoi elle devrait être, neuf fois sur dix à peu près. */
     public final double erreur;
+    public final double auMoins;
+    public final double auPlus;
 
-    /** Ce que l'erreur ne devrait pas dépasser. */
-    public final double erreurAuPlus;
-
-    /** Entre quoi doit tomber, dix-neuf fois sur vingt, l'erreur mesurée de l'image, qui a son incertitude aussi. */
-    public final double mesureAuMoins;
-    public final double mesureAuPlus;
-
-    /** Rayons de l'écran par pixel, attendus, et rayons de toutes sortes. */
-    public final double rayons;
+    /** Rayons de toutes sortes par pixel, attendus. */
     public final double prix;
 
-    final Finesse finesse;
-    final LimitesDesReflets limites;
+    final Estimation estimation;
+    final Echantillonnage echantillonnage;
+    private final Limite limite;
 
-    Reglage(Finesse finesse, LimitesDesReflets limites) {
-        this.finesse = finesse;
-        this.limites = limites;
-        reflets = limites.reflets;
-        seuil = limites.seuil;
-        section = finesse.section;
-        // ce qui manque aux reflets et ce qui manque aux pixels sont sans rapport
-        Estimation estimation = finesse.erreur.plus(limites.erreur);
-        erreur = estimation.erreur();
-        erreurAuPlus = estimation.auPlus();
-        mesureAuMoins = estimation.mesuree().auMoins();
-        mesureAuPlus = estimation.mesuree().auPlus();
-        rayons = finesse.rayons;
-        prix = finesse.prix * limites.rayons;
+    Reglage(Section section, Echantillonnage echantillonnage, Limite limite, Estimation estimation, double prix) {
+        this.section = section;
+        this.echantillonnage = echantillonnage;
+        this.limite = limite;
+        this.estimation = estimation;
+        reflets = limite.reflets;
+        seuil = limite.seuil;
+        erreur = estimation.plus(0);
+        auMoins = estimation.plus(-PRUDENCE);
+        auPlus = estimation.plus(PRUDENCE);
+        this.prix = prix;
     }
 
     /** Comme on le demanderait soi-même : la section à écrire dans la scène, et les options. */
     @Override
     public String toString() {
-        return finesse + ", " + limites;
+        return (section != null ? section.toString() : echantillonnage == Echantillonnage.CENTRE ? "un rayon par pixel"
+                : "l'échantillonnage de la scène") + ", " + limite;
     }
 }

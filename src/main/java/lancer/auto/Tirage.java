@@ -1,87 +1,164 @@
 package lancer.auto;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import lancer.Couleur;
+import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
+import lancer.contrat.Vue;
 
 /**
- * Un choix de blocs d'autant plus probable qu'ils promettent d'erreur (tirage systématique à probabilités inégales,
- * Madow, 1949) : un pixel de ciel n'apprend rien, un pixel de bord beaucoup. Chaque mesure est divisée par sa
- * probabilité, et leur moyenne reste sans biais (Hansen et Hurwitz, 1943).
+ * Quelques pixels d'un semis, tirés avec une probabilité qui croît avec leur contraste (tirage systématique à
+ * probabilités inégales, Madow, 1949) : un pixel de ciel n'apprend rien, un pixel de bord beaucoup. Chaque mesure est
+ * divisée par sa probabilité : leur somme est sans biais (Horvitz et Thompson, 1952). Les pixels des petits objets sont
+ * une strate à part. Deux références indépendantes disent la couleur juste de chacun.
  */
 final class Tirage {
 
+    /** Combien en tirer de chaque strate, au plus ; moins que le dernier, ce n'est pas la peine. */
+    private static final int TIRES = 400;
+    private static final int PETITS = 120;
+    private static final int TIRES_MIN = 12;
+
+    /** Ce que tout pixel promet d'erreur, rapporté à la moyenne des contrastes ; et, en niveaux, d'une image unie. */
+    private static final double PLANCHER = 0.3;
+
+    /** Chacune des deux références a un point au hasard dans chacune des cases de la grille de tant de côté. */
+    private static final double COTE_POUR_UN_NIVEAU = 4.3;
+    private static final int COTE_MIN = 3;
+    private static final int COTE_MAX = 6;
+
+    private final Essais essais;
+    private final Semis semis;
+    private final List<Pixel> pixels = new ArrayList<>();
+    private final int[] rangs;
+    private final double image;
+
+    /** Faux si les rayons permis n'ont pas suffi aux références : rien ne se mesure. */
+    final boolean fait;
+
+    /** Un pixel tiré, ses deux références et ce qu'un dessin y met, en niveaux, et les rayons qu'il y lance. */
+    private static final class Pixel {
+        int rang;
+        double probabilite;
+        double partDeLImage;
+        double[] a;
+        double[] b;
+        double[] dessine;
+        long lances;
+    }
+
     /**
-     * Dispersion des carrés que l'on suppose au moins, rapportée au carré de leur moyenne : quelques blocs font presque
-     * toute l'erreur d'un bon échantillonnage, et ils peuvent tous manquer au tirage.
+     * @param debut de 0 à 1 : un autre tire d'autres pixels
+     * @param erreur qu'il s'agit de mesurer, en niveaux : plus elle est petite, plus les références ont de points
+     * @param permis rayons ; moins de pixels sont tirés s'ils n'y suffisent pas
      */
-    private static final double RARETE = 160;
+    Tirage(Essais essais, Semis semis, double debut, double erreur, double permis) {
+        this.essais = essais;
+        this.semis = semis;
+        int cote = (int) Math.max(COTE_MIN, Math.min(COTE_MAX, COTE_POUR_UN_NIVEAU / Math.sqrt(erreur)));
+        int combien = (int) Math.min(TIRES + PETITS, permis / (2 * cote * cote * semis.prix));
+        int[] aPart = semis.petits.stream().toArray();
+        image = (double) semis.largeur * essais.prepare.getCamera().getHauteur();
+        double part = aPart.length / image;
+        double[] promesses = IntStream.range(0, semis.pixels.length)
+                .mapToDouble(k -> semis.petits.get(semis.pixels[k]) ? 0 : semis.contraste(k)).toArray();
+        double plancher = 0.03 + PLANCHER * Arrays.stream(promesses).average().orElse(0);
+        Arrays.setAll(promesses, k -> semis.petits.get(semis.pixels[k]) ? 0 : promesses[k] + plancher);
+        if (combien >= TIRES_MIN) {
+            tirer(aPart, Arrays.stream(aPart).mapToDouble(p -> 1).toArray(), debut, Math.min(PETITS, combien / 3),
+                    part);
+            tirer(semis.pixels, promesses, debut, combien - pixels.size(), 1 - part);
+        }
+        pixels.sort(Comparator.comparingInt(pixel -> pixel.rang));
+        rangs = pixels.stream().mapToInt(pixel -> pixel.rang).toArray();
+        int faits = essais.passer(rangs.length, Essais.PROFONDEUR, Essais.SANS_LIMITE, permis, (k, vue) -> {
+            SplittableRandom hasard = new SplittableRandom(rangs[k]);
+            pixels.get(k).a = reference(rangs[k], cote, hasard, vue);
+            pixels.get(k).b = reference(rangs[k], cote, hasard, vue);
+        });
+        fait = faits > 0 && faits == rangs.length;
+    }
 
-    private static final int TIRAGES_MIN = 40;
-    private static final int TIRAGES_MAX = 360;
-
-    final int tirages;
-    private final int semes;
-
-    /** Les blocs tirés, chacun une fois. */
-    final List<Pave> blocs = new ArrayList<>();
-
-    /** Pour chaque bloc tiré, combien de fois il l'est, et par quoi multiplier ce qu'on y mesure pour estimer tout. */
-    private final List<Integer> fois = new ArrayList<>();
-    private final List<Double> poids = new ArrayList<>();
-
-    /**
-     * @param combien de tirages, à peu près : assez pour en dire quelque chose, et pas plus qu'il n'est utile
-     * @param promesses une par bloc, strictement positive
-     * @param debut entre 0 et 1 : un autre début tire d'autres blocs
-     */
-    Tirage(double combien, List<Pave> parmi, double[] promesses, double debut) {
-        tirages = (int) Math.max(TIRAGES_MIN, Math.min(TIRAGES_MAX, combien));
-        semes = promesses.length;
-        double somme = Estimation.moyenne(promesses) * semes;
-        // une mesure vaut pour un bloc entier, et les blocs du bord ont parfois moins de pixels
-        double entiers = Essais.pixels(parmi) / (double) (Essais.COTE * Essais.COTE);
-        double cumul = 0;
-        int faits = 0;
-        for (int k = 0; k < semes; k++) {
-            cumul += promesses[k];
-            int encore = (int) (cumul / somme * tirages + debut) - faits;
-            if (encore > 0) {
-                blocs.add(parmi.get(k));
-                fois.add(encore);
-                poids.add(somme / promesses[k] / entiers);
-                faits += encore;
+    /** Tire de ces pixels, d'autant plus volontiers qu'ils promettent ; 0 : jamais. */
+    private void tirer(int[] parmi, double[] promesses, double debut, int combien, double part) {
+        double somme = Arrays.stream(promesses).sum();
+        double nombre = Arrays.stream(promesses).filter(promesse -> promesse > 0).count();
+        double cumul = debut;
+        for (int k = 0; k < parmi.length; k++) {
+            double probabilite = combien * promesses[k] / somme;
+            if (Math.floor(cumul + probabilite) > Math.floor(cumul)) {
+                Pixel pixel = new Pixel();
+                pixel.rang = parmi[k];
+                pixel.probabilite = Math.min(1, probabilite);
+                pixel.partDeLImage = part / nombre / pixel.probabilite;
+                pixels.add(pixel);
             }
+            cumul += probabilite;
         }
     }
 
-    /** @param mesures une par bloc tiré, en niveaux² */
-    Estimation estimer(double[] mesures) {
-        double moyenne = 0;
-        double carres = 0;
-        double carresDesBlocs = 0;
-        for (int k = 0; k < mesures.length; k++) {
-            double mesure = mesures[k] * poids.get(k);
-            double part = fois.get(k) / (double) tirages;
-            moyenne += part * mesure;
-            carres += part * mesure * mesure;
-            carresDesBlocs += part * mesure * mesures[k];
+    private double[] reference(int rang, int cote, SplittableRandom hasard, Vue vue) {
+        Couleur somme = new Couleur();
+        for (int k = 0; k < cote * cote; k++) {
+            somme = somme.add(vue.couleur(rang % semis.largeur + (k % cote + hasard.nextDouble()) / cote,
+                    rang / semis.largeur + (k / cote + hasard.nextDouble()) / cote));
         }
-        double duTirage = (carres - moyenne * moyenne) / (tirages - 1);
-        // ceux parmi lesquels on tire ne sont eux-mêmes que quelques-uns de l'image
-        double duSemis = (carresDesBlocs - moyenne * moyenne) / semes;
-        double rare = RARETE * moyenne * moyenne / tirages;
-        return new Estimation(Math.max(0, moyenne), Math.max(rare, Math.max(0, duTirage) + Math.max(0, duSemis)));
+        return Semis.niveaux(somme.div(cote * cote));
     }
 
-    /** Par pixel de l'image, un nombre compté sur chaque bloc tiré : exact si tous les pixels se valent. */
-    double parPixel(double[] comptes) {
+    /** Retient cette couleur si c'est celle d'un des pixels ; un autre fil peut en retenir une autre. */
+    void retenir(Couleur couleur, int i, int j) {
+        int k = Arrays.binarySearch(rangs, j * semis.largeur + i);
+        if (k >= 0) {
+            pixels.get(k).dessine = Semis.niveaux(couleur);
+        }
+    }
+
+    /** Dessine ces pixels. @return faux si ces rayons n'y suffisent pas */
+    boolean dessiner(Echantillonnage echantillonnage, Limite limite, double permis) {
+        Echantillonnage prepare = echantillonnage.pour(essais.prepare.getScene().getObjets(), essais.prepare.getCamera());
+        return fait && rangs.length == essais.passer(rangs.length, limite.reflets, limite.seuil, permis, (k, vue) -> {
+            Pixel pixel = pixels.get(k);
+            int i = rangs[k] % semis.largeur;
+            int j = rangs[k] / semis.largeur;
+            Pave pave = Pave.deRang(j / Pave.COTE * Pave.nombre(semis.largeur, 1) + i / Pave.COTE, semis.largeur,
+                    essais.prepare.getCamera().getHauteur());
+            pixel.lances = 0;
+            // ce qui entoure le pixel ne se compte pas
+            Vue comptee = (xe, ye) -> {
+                long avant = vue.rayons();
+                Couleur couleur = vue.couleur(xe, ye);
+                pixel.lances += Math.floor(xe) == i && Math.floor(ye) == j ? vue.rayons() - avant : 0;
+                return couleur;
+            };
+            prepare.tracer(pave, new Pave(i, j, i + 1, j + 1), comptee, (couleur, x, y) ->
+                    pixel.dessine = x == i && y == j ? Semis.niveaux(couleur) : pixel.dessine);
+        });
+    }
+
+    /** Rayons de toutes sortes par pixel de l'image, de ceux qu'a lancés {@link #dessiner}. */
+    double prix() {
+        return pixels.stream().mapToDouble(pixel -> pixel.partDeLImage * pixel.lances).sum()
+                / pixels.stream().mapToDouble(pixel -> pixel.partDeLImage).sum();
+    }
+
+    /** L'erreur du dernier dessin de ces pixels. */
+    Estimation erreur() {
         double somme = 0;
-        double pixels = 0;
-        for (int k = 0; k < comptes.length; k++) {
-            somme += comptes[k] * poids.get(k) * fois.get(k);
-            pixels += blocs.get(k).pixels() * poids.get(k) * fois.get(k);
+        double variance = 0;
+        for (Pixel pixel : pixels) {
+            double carre = Semis.produit(pixel.dessine, pixel.a, pixel.b);
+            double part = pixel.partDeLImage * carre;
+            somme += part;
+            variance += (1 - pixel.probabilite) * part * part;
+            // les carreaux eux-mêmes ne sont que quelques-uns de l'image
+            variance += Math.max(0, part * carre) * Semis.COTE * (1.0 / semis.pixels.length - 1 / image);
         }
-        return somme / pixels;
+        return new Estimation(somme, variance);
     }
 }

@@ -18,8 +18,7 @@ public final class Options {
     private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
 
-    private static final String AUTO =
-            "erreur=E, de 0.01 à 255 niveaux, ou temps=T, de 1ms à 3600s, par exemple erreur=1 ou temps=0.5s";
+    private static final String AUTO = "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1";
 
     private static final String PIXEL =
             "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426";
@@ -61,14 +60,9 @@ public final class Options {
     /** Vrai pour les boucles du cours, faux pour la recherche rapide. */
     public boolean simple;
 
-    /** Vrai si le programme doit choisir ses réglages : pour une erreur voulue, ou sinon pour un temps voulu. */
+    /** Vrai si le programme doit choisir ses réglages, pour une erreur voulue, en niveaux. */
     public boolean auto;
-
-    /** L'erreur voulue, en niveaux sur 255 ; 0 si aucune. */
     public double erreurVoulue;
-
-    /** Le temps voulu, essais et dessin, en secondes ; 0 si aucun. */
-    public double tempsVoulu;
 
     /** L'image à laquelle comparer, {@code null} si aucune. */
     public String comparer;
@@ -328,14 +322,8 @@ public final class Options {
         String texte = valeur("--auto", AUTO);
         auto = texte != null;
         if (auto) {
-            if (texte.startsWith("erreur=")) {
-                erreurVoulue = Nombre.lire(texte.substring("erreur=".length()));
-            } else if (texte.matches("temps=.*s")) {
-                boolean ms = texte.endsWith("ms");
-                String nombre = texte.substring("temps=".length(), texte.length() - (ms ? 2 : 1));
-                tempsVoulu = Nombre.lire(nombre) / (ms ? 1000 : 1);
-            }
-            if (!(erreurVoulue >= 0.01 && erreurVoulue <= 255 || tempsVoulu >= 0.001 && tempsVoulu <= 3600)) {
+            erreurVoulue = texte.startsWith("erreur=") ? Nombre.lire(texte.substring("erreur=".length())) : 0;
+            if (!(erreurVoulue >= 0.01 && erreurVoulue <= 255)) {
                 throw impossible("--auto", AUTO);
             }
         }

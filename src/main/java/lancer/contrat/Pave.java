@@ -64,13 +64,18 @@ public final class Pave {
      * dessine d'abord ressemble quand même à tout le reste.
      */
     public static Pave eparpille(int k, int largeur, int hauteur) {
-        int nombre = nombre(largeur, hauteur);
+        return eparpille(k, largeur, hauteur, COTE);
+    }
+
+    /** De même, parmi les pavés de ce côté. */
+    public static Pave eparpille(int k, int largeur, int hauteur, int cote) {
+        int nombre = nombre(largeur, hauteur, cote);
         // environ la part d'or, et premier avec le nombre : chaque pavé une fois
         int pas = Math.max(1, (int) (nombre * 0.618));
         while (pgcd(pas, nombre) > 1) {
             pas++;
         }
-        return deRang((int) ((long) k * pas % nombre), largeur, hauteur);
+        return deRang((int) ((long) k * pas % nombre), largeur, hauteur, cote);
     }
 
     private static int pgcd(int a, int b) {

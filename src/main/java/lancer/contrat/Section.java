@@ -60,7 +60,7 @@ public final class Section {
     }
 
     /**
-     * Une section qui n'est dans aucun fichier, pour {@link Reglable#getReglages}.
+     * Une section qui n'est dans aucun fichier, pour {@link Variante#getEchelle}.
      *
      * @param type celui de la section, par exemple {@code Antialias}
      * @param clesEtValeurs une clé, sa valeur, une autre clé, sa valeur…

@@ -28,4 +28,12 @@ public interface Variante {
     default List<Parametre> getParametres() {
         return Collections.emptyList();
     }
+
+    /**
+     * Les réglages entre lesquels {@code --auto} peut choisir là où la scène n'a pas de section de cette variante : ils
+     * ne diffèrent que par la précision et le prix. Du moins cher au plus juste.
+     */
+    default List<Barreau> getEchelle() {
+        return Collections.emptyList();
+    }
 }

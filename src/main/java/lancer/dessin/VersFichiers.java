@@ -3,11 +3,14 @@ package lancer.dessin;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.DoubleSupplier;
 import lancer.auto.Auto;
-import lancer.auto.Souhait;
+import lancer.auto.Reglage;
 import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
 import lancer.commande.Options;
@@ -24,6 +27,8 @@ import lancer.texte.Texte;
 
 /** Le travail sans fenêtre : les fichiers demandés, vérifiés avant de dessiner, et ce qu'il y a à dire du dessin. */
 public final class VersFichiers {
+
+    private static final double NS_PAR_S = 1e9;
 
     private final Options options;
     private final PrintStream sortie;
@@ -71,14 +76,14 @@ public final class VersFichiers {
      * @return ce qui a dessiné : {@code prepare}, ou ce qu'a choisi {@code --auto}
      */
     public Traceur dessiner(Dessinateur dessinateur, Traceur prepare) {
-        Auto auto = options.auto ? Auto.choisir(prepare, souhait(), options.fils,
-                dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
+        long debut = System.nanoTime();
+        Auto auto = options.auto ? Auto.choisir(prepare, options.erreurVoulue,
+                options.refletsDonnes ? options.reflets : null, options.seuilDonne ? options.seuil : null,
+                options.fils, dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
         Traceur lancer = auto == null ? prepare : auto.getTraceur();
-        long[] traces = auto == null ? tracer(lancer, dessinateur.programme, options.reflets)
-                : tracer(lancer, auto.surveiller(dessinateur.programme, auto.getChoisi()), auto.getChoisi().reflets);
-        if (auto != null) {
-            auto.controler();
-        }
+        Toile toile = auto == null ? dessinateur.programme : auto.surveiller(dessinateur.programme);
+        double essais = (System.nanoTime() - debut) / NS_PAR_S;
+        long[] traces = tracer(lancer, toile, auto == null ? options.reflets : auto.getChoisi().reflets);
         Map<Ecriture, Ecriture.Format> fichiers = new LinkedHashMap<>();
         if (png != null) {
             fichiers.put(png, new FichierPng());
@@ -89,19 +94,33 @@ public final class VersFichiers {
         Ecriture.ecrire(dessinateur.getImage(), fichiers);
         if (options.statistiques) {
             String nombres = dessinateur.statistiques(lancer, traces);
-            Pannes.repondre(auto == null ? nombres
-                    : nombres + System.lineSeparator() + auto.getStatistiques(), sortie);
+            Pannes.repondre(auto == null ? nombres : nombres + System.lineSeparator() + texte("auto.erreur.attendue: "
+                    + "%.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%nauto.essais.ms: %.3f",
+                    auto.getChoisi().erreur, auto.getErreurMesuree(), auto.getRayonsDesEssais(), 1e3 * essais), sortie);
         }
         if (auto != null) {
-            Pannes.avertir(auto.getLignes(), erreur);
+            Pannes.avertir(rapport(auto, essais), erreur);
         }
         return lancer;
     }
 
-    private Souhait souhait() {
-        Souhait voulu = options.erreurVoulue > 0 ? Souhait.erreur(options.erreurVoulue)
-                : Souhait.temps(options.tempsVoulu);
-        return voulu.fixer(options.refletsDonnes ? options.reflets : null, options.seuilDonne ? options.seuil : null);
+    /** Trois lignes : ce que {@code --auto} a choisi, ce qui en était attendu, et ce qu'il en est. */
+    private List<String> rapport(Auto auto, double essais) {
+        Reglage choisi = auto.getChoisi();
+        int nombre = auto.getEssayes().size();
+        return Arrays.asList("auto, choisi : " + choisi,
+                texte("auto, attendu : erreur de %.2f, au plus %.2f ; %.2f rayons de toutes sortes par pixel ; "
+                        + "%d réglage%s, %s une erreur de %.2f", choisi.erreur, choisi.auPlus, choisi.prix, nombre,
+                        nombre > 1 ? "s essayés" : " essayé", choisi.auPlus <= options.erreurVoulue
+                        ? "le moins cher qui promette" : "aucun ne promet", options.erreurVoulue),
+                texte("auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s",
+                        auto.getErreurMesuree(), auto.getIncertitude(), auto.getTraceur().getDureeNs() / NS_PAR_S,
+                        essais, auto.getVerdict()));
+    }
+
+    /** Toujours avec un point, quelle que soit la langue. */
+    private static String texte(String format, Object... valeurs) {
+        return String.format(Locale.ROOT, format, valeurs);
     }
 
     /** @return le temps de chaque dessin, en nanosecondes */

@@ -18,8 +18,6 @@ import javax.swing.JTextArea;
 import lancer.Couleur;
 import lancer.auto.Auto;
 import lancer.auto.Reglage;
-import lancer.auto.Souhait;
-import lancer.contrat.Reglable;
 import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
@@ -153,7 +151,7 @@ final class PanneauVitesse extends JDialog {
     /** Les variantes branchées que les essais règlent : le fichier n'en dit rien. */
     private static List<Variante> libres(ReglagesDessin reglages) {
         List<Variante> libres = new ArrayList<>(reglages.initiaux().getVariantesLibres());
-        libres.removeIf(variante -> !(variante instanceof Reglable) || !reglages.estBranchee(variante));
+        libres.removeIf(variante -> variante.getEchelle().isEmpty() || !reglages.estBranchee(variante));
         return libres;
     }
 
@@ -168,11 +166,8 @@ final class PanneauVitesse extends JDialog {
         int fils = atelier.fils;
         etat.setText("premiers essais…");
         essais = Atelier.confier(fil, () -> {
-            Auto fait = Auto.choisir(lancer, Souhait.erreur(GraphiqueVitesse.ARRONDI), fils, libres, enCours -> {
-                int restants = enCours.getRestants();
-                montrer(scene, enCours, "encore au plus " + restants
-                        + (restants > 1 ? " échantillonnages" : " échantillonnage") + " à essayer…", null);
-            });
+            Auto fait = Auto.choisir(lancer, 0, null, null, fils, libres, enCours ->
+                    montrer(scene, enCours, "d'autres réglages à essayer…", null));
             Reglage present = fait.evaluer(reglages.getReflets(), reglages.getSeuil());
             montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages"
                     + " (ou flèches, et Entrée).", present);
@@ -183,7 +178,8 @@ final class PanneauVitesse extends JDialog {
     private void montrer(List<Object> scene, Auto enCours, String texte, Reglage present) {
         List<GraphiqueVitesse.Point> points = new ArrayList<>();
         for (Reglage reglage : enCours.getEssayes()) {
-            points.add(new GraphiqueVitesse.Point(reglage, enCours.getFront().contains(reglage)));
+            points.add(new GraphiqueVitesse.Point(reglage, enCours.getEssayes().stream()
+                    .noneMatch(autre -> autre.prix < reglage.prix && autre.erreur <= reglage.erreur)));
         }
         GraphiqueVitesse.Point ici = present == null ? null : new GraphiqueVitesse.Point(present, false);
         EventQueue.invokeLater(() -> {
@@ -211,20 +207,19 @@ final class PanneauVitesse extends JDialog {
         double rayons = lancer.getCompteurs().rayons() / (double) image.getCodes().length;
         etat.setText("mesure de l'image…");
         essais = Atelier.confier(fil, () -> {
-            Toile controle = fait.surveiller((couleur, i, j) -> { }, reglage);
+            Toile controle = fait.surveiller((couleur, i, j) -> { });
             float[] lineaire = image.getLineaire();
             for (int k = 0; k < lineaire.length / 3; k++) {
                 controle.drawPixel(new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]),
                         k % image.getLargeur(), k / image.getLargeur());
             }
-            fait.controler();
             double erreur = fait.getErreurMesuree();
             double incertitude = fait.getIncertitude();
             EventQueue.invokeLater(() -> {
                 if (scene == essayee) {
                     etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : de %.2f à %.2f), "
-                            + "%.1f rayons par pixel", erreur, incertitude, reglage.mesureAuMoins,
-                            reglage.mesureAuPlus, rayons));
+                            + "%.1f rayons par pixel", erreur, incertitude, reglage.auMoins,
+                            reglage.auPlus, rayons));
                     graphique.ajouterMesure(rayons, erreur, incertitude);
                 }
             });

@@ -5,29 +5,35 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.Couleur;
+import lancer.contrat.Barreau;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
-import lancer.contrat.Reglable;
 import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.contrat.Vue;
 
 /** Une quatrième variante, d'étudiant : n × n sous-pixels. */
-final class GrilleDEssai implements Reglable {
+final class GrilleDEssai implements Variante {
 
-    private final List<Section> reglages;
+    private final List<Barreau> echelle;
 
-    /** @param reglages ceux que {@code --auto} peut essayer */
-    GrilleDEssai(List<Section> reglages) {
-        this.reglages = reglages;
+    /** @param echelle ce que {@code --auto} peut essayer */
+    GrilleDEssai(List<Barreau> echelle) {
+        this.echelle = echelle;
     }
 
     /** Elle seule, à essayer avec ces n. */
     static List<Variante> seule(String... n) {
         return Collections.singletonList(new GrilleDEssai(
-                Arrays.stream(n).map(x -> Section.reglage("Grille", "n", x)).collect(Collectors.toList())));
+                Arrays.stream(n).map(GrilleDEssai::barreau).collect(Collectors.toList())));
+    }
+
+    /** Une grille pleine de n × n gagne un facteur n^(4/3) pour n² fois le prix, à peu près. */
+    static Barreau barreau(String n) {
+        double cote = Double.parseDouble(n);
+        return new Barreau(Section.reglage("Grille", "n", n), 6 * Math.pow(cote, -4.0 / 3), cote * cote);
     }
 
     @Override
@@ -41,8 +47,8 @@ final class GrilleDEssai implements Reglable {
     }
 
     @Override
-    public List<Section> getReglages() {
-        return reglages;
+    public List<Barreau> getEchelle() {
+        return echelle;
     }
 
     private static Echantillonnage grille(int n) {

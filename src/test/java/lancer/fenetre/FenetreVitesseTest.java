@@ -42,8 +42,10 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.frapper(SwingUtilities.getWindowAncestor(graphique), touche);
     }
 
-    private int[] sansReflexion() throws Exception {
-        return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=0");
+    /** Le moins cher des réglages est un rayon par pixel, à un seuil des reflets que l'on redemande sans fenêtre. */
+    private int[] moinsCherSansFenetre() throws Exception {
+        return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=1000",
+                "--seuil=" + banc.atelier.getReglages().getSeuil());
     }
 
     /** Ce qui, à l'écran, est le plus à gauche de la couleur du front : le bord du moins cher des réglages. */
@@ -71,13 +73,12 @@ class FenetreVitesseTest extends EssaiFenetre {
         frapper(KeyEvent.VK_RIGHT);
         frapper(KeyEvent.VK_ENTER);
         attendreEtat("Mesuré");
-        // le moins cher des réglages : un rayon par pixel, sans réflexion
-        assertEquals(0, banc.atelier.getReglages().getReflets());
-        assertArrayEquals(sansReflexion(), banc.imageAchevee().getCodes());
+        assertEquals(1000, banc.atelier.getReglages().getReflets());
+        assertArrayEquals(moinsCherSansFenetre(), banc.imageAchevee().getCodes());
         String dit = surFilEvenements(etat::getText);
         Matcher m = Pattern.compile("Mesuré : (\\d+),\\d+ ± .*").matcher(dit);
         assertTrue(m.matches(), dit);
-        assertTrue(Integer.parseInt(m.group(1)) > 0, "sans réflexions ni anticrénelage, l'erreur se voit : " + dit);
+        assertTrue(Integer.parseInt(m.group(1)) > 0, "sans anticrénelage, l'erreur se voit : " + dit);
     }
 
     @Test
@@ -93,8 +94,8 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         attendreEtat("Mesuré");
-        assertEquals(0, banc.atelier.getReglages().getReflets());
-        assertArrayEquals(sansReflexion(), banc.imageAchevee().getCodes());
+        assertEquals(1000, banc.atelier.getReglages().getReflets());
+        assertArrayEquals(moinsCherSansFenetre(), banc.imageAchevee().getCodes());
     }
 
     @Test

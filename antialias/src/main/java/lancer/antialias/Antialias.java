@@ -3,10 +3,11 @@ package lancer.antialias;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import lancer.contrat.Barreau;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
-import lancer.contrat.Reglable;
+import lancer.contrat.Variante;
 import lancer.contrat.Section;
 import lancer.texte.Texte;
 
@@ -14,16 +15,17 @@ import lancer.texte.Texte;
  * Anticrénelage (cours, « Anticrénelage ») : la couleur d'un pixel est la moyenne de celles de n × n sous-pixels, et
  * une méthode adaptative dit quels pixels peuvent se contenter de moins.
  */
-public final class Antialias implements Reglable {
+public final class Antialias implements Variante {
 
     private static final int N = 3;
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
 
-    /** Du moins cher au plus cher : n, méthode, seuil. Ce que l'un de ceux-ci domine presque partout n'y est pas. */
-    private static final String[] REGLAGES = {
-        "1 coins 0", "3 partage 0.3", "4 partage 0.2", "8 partage 0.15", "8 partage 0.1", "8 partage 0.06",
-        "16 partage 0.03", "16 partage 0.015", "16 partage 0.005"};
+    /** L'échelle de {@code --auto} : n, méthode, seuil, puis l'erreur ordinaire, en niveaux, et le prix. */
+    private static final String[] ECHELLE = {
+        "1 coins 0 7 1", "2 partage 0.4 2.8 1.7", "3 partage 0.3 2 2.1", "4 partage 0.2 1.3 2.6",
+        "4 partage 0.15 1.2 2.9", "6 partage 0.12 0.85 3.8", "8 partage 0.1 0.65 4.5", "8 partage 0.08 0.55 5.2",
+        "12 partage 0.06 0.38 7.8", "16 partage 0.06 0.35 8.3", "16 partage 0.04 0.26 13", "16 partage 0.026 0.19 21"};
 
     /**
      * La méthode du cours : quatre coins d'abord, tous les sous-pixels s'ils diffèrent.
@@ -64,13 +66,14 @@ public final class Antialias implements Reglable {
     }
 
     @Override
-    public List<Section> getReglages() {
-        List<Section> reglages = new ArrayList<>();
-        for (String reglage : REGLAGES) {
-            String[] mots = reglage.split(" ");
-            reglages.add(Section.reglage(getSection(), "n", mots[0], "methode", mots[1], "seuil", mots[2]));
+    public List<Barreau> getEchelle() {
+        List<Barreau> echelle = new ArrayList<>();
+        for (String barreau : ECHELLE) {
+            String[] mots = barreau.split(" ");
+            echelle.add(new Barreau(Section.reglage(getSection(), "n", mots[0], "methode", mots[1], "seuil", mots[2]),
+                    Double.parseDouble(mots[3]), Double.parseDouble(mots[4])));
         }
-        return reglages;
+        return echelle;
     }
 
     private static Echantillonnage methode(Section valeurs, int n, double seuil) {

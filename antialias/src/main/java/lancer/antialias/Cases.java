@@ -46,7 +46,7 @@ final class Cases {
 
     /** Dessine ces pixels du pavé. @return le nombre de ceux dont la case a été coupée */
     int tracer(Pave voulus, Toile toile) {
-        boolean[][] suspects = suspects();
+        boolean[][] suspects = suspects(voulus);
         int raffines = 0;
         for (int y = voulus.j0 - pave.j0; y < voulus.j1 - pave.j0; y++) {
             for (int x = voulus.i0 - pave.i0; x < voulus.i1 - pave.i0; x++) {
@@ -77,11 +77,11 @@ final class Cases {
         b = 0;
     }
 
-    /** Pour chaque ligne et chaque colonne, vrai si la case du pixel dépasse à elle seule le seuil. */
-    private boolean[][] suspects() {
+    /** Pour chaque ligne et chaque colonne, vrai si la case d'un pixel, voulu ou voisin, dépasse seule le seuil. */
+    private boolean[][] suspects(Pave voulus) {
         boolean[][] suspects = new boolean[hauteur][largeur];
-        for (int y = 0; y < hauteur; y++) {
-            for (int x = 0; x < largeur; x++) {
+        for (int y = Math.max(0, voulus.j0 - pave.j0 - 1); y < Math.min(hauteur, voulus.j1 - pave.j0 + 1); y++) {
+            for (int x = Math.max(0, voulus.i0 - pave.i0 - 1); x < Math.min(largeur, voulus.i1 - pave.i0 + 1); x++) {
                 commencer(x, y);
                 suspects[y][x] = depasse(0, 0, finX, finY);
             }

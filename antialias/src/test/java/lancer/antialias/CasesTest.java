@@ -11,7 +11,7 @@ import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
-import lancer.contrat.Section;
+import lancer.contrat.Barreau;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import org.junit.jupiter.api.Test;
@@ -114,12 +114,15 @@ class CasesTest {
     @Test
     void lesReglagesProposesSontTousPossibles() {
         Antialias antialias = new Antialias();
-        List<Section> reglages = antialias.getReglages();
-        assertTrue(reglages.size() > 5);
-        for (Section reglage : reglages) {
+        List<Barreau> echelle = antialias.getEchelle();
+        assertEquals(12, echelle.size());
+        double prix = 0;
+        for (Barreau barreau : echelle) {
             Modele modele = new Modele();
-            antialias.installer(reglage, modele);
-            assertNotSame(Echantillonnage.CENTRE, modele.getEchantillonnage(), reglage.toString());
+            antialias.installer(barreau.section, modele);
+            assertNotSame(Echantillonnage.CENTRE, modele.getEchantillonnage(), barreau.section.toString());
+            assertTrue(barreau.prix > prix, "de moins cher en plus juste");
+            prix = barreau.prix;
         }
     }
 }

@@ -69,8 +69,8 @@ public final class GraphiqueVitesse extends JPanel {
             this.front = front;
             rayons = reglage.prix;
             erreur = reglage.erreur;
-            auPlus = reglage.mesureAuPlus;
-            auMoins = reglage.mesureAuMoins;
+            auPlus = reglage.auPlus;
+            auMoins = reglage.auMoins;
         }
     }
 

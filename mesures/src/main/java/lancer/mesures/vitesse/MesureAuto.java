@@ -4,16 +4,29 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Point;
 import lancer.Scene;
+import lancer.Sphere;
 import lancer.antialias.Antialias;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 import lancer.auto.Auto;
-import lancer.auto.Reglage;
-import lancer.auto.Souhait;
 import lancer.contrat.Variante;
 import lancer.fils.Traceur;
 import lancer.mesures.Gabarit;
@@ -23,8 +36,9 @@ import lancer.dessin.LancerSurveille;
 import lancer.texte.Texte;
 
 /**
- * {@code --auto erreur=E} tient-il parole ? Sur les scènes livrées et sur cent scènes tirées au sort, l'erreur de l'image choisie,
- * contre la vérité, le prix annoncé et celui des essais.
+ * {@code --auto erreur=E} tient-il parole, et à quel prix ? Sur les scènes livrées et sur d'autres, faites pour le tromper : l'erreur de
+ * l'image choisie, contre la vérité, ce qu'en dit le contrôle, et les rayons du dessin, contre ceux du moins cher qui tient
+ * ({@link Oracle}).
  *
  * <pre>
  * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto FICHIER.csv [GRAINE COMBIEN]
@@ -32,23 +46,35 @@ import lancer.texte.Texte;
  */
 public final class MesureAuto {
 
-    static final String COLONNES = "scene,erreur_voulue,reglage,promise,erreur_attendue,erreur_au_plus,erreur,tenue,rayons_attendus,"
-            + "rayons,rayons_des_essais,part_des_essais";
+    static final String COLONNES = "scene,taille,erreur_voulue,reglage,erreur,verdict,rayons,oracle,rayons_oracle,rayons_des_essais";
 
-    static final Taille TAILLE = new Taille(200, 150);
+    private static final Taille TAILLE = new Taille(200, 150);
     private static final double[] ERREURS = {0.5, 1, 2, 4};
 
-    private static final int GRAINE = 1;
-    private static final int SCENES = 100;
+    /** Les rayons permis aux essais : tant, ou cette part du dessin. */
+    private static final double ESSAIS = 600_000;
+    private static final double PART_DES_ESSAIS = 0.5;
 
     private MesureAuto() {
     }
 
-    /** @param args le fichier, écrit à la fin ; la première graine et combien de scènes au sort, si l'on en veut d'autres */
+    /** @param args le fichier, écrit à la fin ; une graine, et combien de scènes au sort à la place de toutes les autres */
     public static void main(String[] args) {
         try {
-            int graine = args.length > 1 ? Integer.parseInt(args[1]) : GRAINE;
-            mesurer(Paths.get(args[0]), graine, graine + (args.length > 2 ? Integer.parseInt(args[2]) : SCENES));
+            Map<String, Scene> scenes = args.length > 1 ? auSort(Integer.parseInt(args[1]), Integer.parseInt(args[2])) : toutes();
+            Path csv = Paths.get(args[0]);
+            StringBuilder lignes = new StringBuilder(COLONNES);
+            for (Map.Entry<String, Scene> scene : scenes.entrySet()) {
+                // une colonne de trois cents pixels, chacun plus large que les boules
+                Taille taille = scene.getKey().equals("colonne") ? new Taille(1, 300) : TAILLE;
+                for (String ligne : lignes(scene.getKey(), scene.getValue(), taille, ERREURS)) {
+                    lignes.append('\n').append(ligne);
+                    System.out.println(ligne);
+                }
+            }
+            Files.write(csv, Collections.singletonList(lignes));
+            bilan(FichierCsv.lire(csv)).forEach((nom, valeur) -> System.out.println(nom + " : " + valeur));
+            System.out.println("noté dans " + csv);
         } catch (IllegalArgumentException | ArrayIndexOutOfBoundsException e) {
             System.err.println("MesureAuto : " + e.getMessage() + " ; usage : MesureAuto FICHIER.csv [GRAINE COMBIEN]");
             System.exit(2);
@@ -58,44 +84,109 @@ public final class MesureAuto {
         }
     }
 
-    private static void mesurer(Path csv, int graine, int fin) throws IOException {
-        StringBuilder lignes = new StringBuilder(COLONNES);
+    private static Map<String, Scene> auSort(int graine, int combien) {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
+        for (int k = graine; k < graine + combien; k++) {
+            scenes.put("sort-" + k, SceneAuHasard.de(k));
+        }
+        return scenes;
+    }
+
+    private static Map<String, Scene> toutes() throws IOException {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
         for (Path fichier : Scenes.livrees()) {
-            mesurer(lignes, fichier.getFileName().toString().replace(".ini", ""), Scenes.lire(fichier));
+            scenes.put(fichier.getFileName().toString().replace(".ini", ""), Scenes.lire(fichier));
         }
-        for (int k = graine; k < fin; k++) {
-            mesurer(lignes, "sort-" + k, SceneAuHasard.de(k));
+        scenes.putAll(auSort(1, 3));
+        Path dossier = Files.createTempDirectory("mesure-auto");
+        for (String nom : new String[] {"foule-300", "foule-10000"}) {
+            scenes.put(nom, Scenes.lire(Scenes.fichier(nom, dossier)));
         }
-        Files.write(csv, Collections.singletonList(lignes));
-        Rapport.promesses(FichierCsv.lire(csv)).forEach((nom, valeur) -> System.out.println(nom + " : " + valeur));
-        System.out.println("noté dans " + csv);
+        scenes.put("poussiere", boules(600, 0.2, 0, 2, 1));
+        scenes.put("etoiles-d-un-pixel", boules(20, 0.5, 0, 3, 1));
+        scenes.put("petites-brillantes", boules(40, 3, 0.8, 4, 1));
+        scenes.put("soixante-lampes", boules(9, 12, 0.4, 5, 60));
+        scenes.put("colonne", SceneAuHasard.de(12));
+        return scenes;
     }
 
-    private static void mesurer(StringBuilder lignes, String nom, Scene scene) {
-        Gabarit gabarit = new Gabarit(scene, TAILLE.largeur, TAILLE.hauteur, 1);
-        for (double voulue : ERREURS) {
-            lignes.append('\n').append(ligne(nom, scene, TAILLE, gabarit, voulue));
+    /** Des boules au hasard dans l'image, de ce rayon en pixels quand elle en a 200 de large. */
+    private static Scene boules(int combien, double rayon, double reflet, long graine, int lampes) {
+        SplittableRandom hasard = new SplittableRandom(graine);
+        List<Sphere> boules = new ArrayList<>();
+        for (int k = 0; k < combien; k++) {
+            double z = 6 + hasard.nextDouble(2);
+            double champ = (z + Camera.FOCALE) / Camera.FOCALE;
+            Sphere boule = new Sphere(new Point(hasard.nextDouble(-1, 1) * champ, hasard.nextDouble(-0.75, 0.75) * champ, z),
+                    rayon * Constantes.ECHELLE / TAILLE.largeur * champ);
+            boule.setKd(new Couleur(0.9));
+            boule.setKs(new Couleur(reflet));
+            boule.setNs(40);
+            boules.add(boule);
         }
+        List<Lampe> toutes = new ArrayList<>();
+        for (int k = 0; k < lampes; k++) {
+            toutes.add(new Lampe(new Point(hasard.nextDouble(-8, 8), hasard.nextDouble(2, 10), hasard.nextDouble(-8, 4)),
+                    new Couleur(1.0 / lampes)));
+        }
+        return new Scene(boules, toutes);
     }
 
-    /** Ce que le programme a promis pour cette scène, et ce qu'il en est. */
-    static String ligne(String nom, Scene scene, Taille taille, Gabarit gabarit, double voulue) {
-        Auto auto = Auto.choisir(LancerSurveille.preparer(scene, taille.largeur, taille.hauteur, false), Souhait.erreur(voulue),
-                taille.fils, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
-        Reglage choisi = auto.getChoisi();
-        ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-        Traceur lancer = auto.getTraceur();
-        lancer.TracerPixels(auto.surveiller(image, choisi), choisi.reflets, taille.fils);
-        auto.controler();
-        double rayons = (double) lancer.getCompteurs().rayons() / taille.pixels();
-        double essais = (double) auto.getRayonsDesEssais() / taille.pixels();
-        double erreur = Intervalle.deLaRacine(gabarit.carres(image)).valeur;
-        return FichierCsv.ligne(nom, voulue, choisi, ouiNon(auto.estTenable()), nombre(choisi.erreur), nombre(choisi.erreurAuPlus),
-                nombre(erreur), ouiNon(erreur <= voulue), nombre(choisi.prix), nombre(rayons), nombre(essais), nombre(essais / rayons));
+    /** Ce que le programme choisit et dit pour chaque erreur voulue, croissantes, et ce qu'il en est. */
+    static List<String> lignes(String nom, Scene scene, Taille taille, double... voulues) {
+        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, 1);
+        Oracle oracle = new Oracle(scene, taille, voulues[0], image -> Intervalle.deLaRacine(gabarit.carres(image)).valeur);
+        List<String> lignes = new ArrayList<>();
+        for (double voulue : voulues) {
+            Auto auto = Auto.choisir(LancerSurveille.preparer(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
+                    taille.fils, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
+            ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+            Traceur lancer = auto.getTraceur();
+            lancer.TracerPixels(auto.surveiller(image), auto.getChoisi().reflets, taille.fils);
+            Oracle.Essai mieux = oracle.leMoinsCher(voulue);
+            lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.getChoisi(), nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur),
+                    auto.getVerdict().replaceAll(" ;.*", ""), nombre((double) lancer.getCompteurs().rayons() / taille.pixels()),
+                    mieux == null ? "" : mieux, mieux == null ? "" : nombre(mieux.prix),
+                    nombre((double) auto.getRayonsDesEssais() / taille.pixels())));
+        }
+        return lignes;
     }
 
-    private static String ouiNon(boolean vrai) {
-        return vrai ? "oui" : "non";
+    /** Ce qu'en disent les pages, par noms. */
+    static Map<String, String> bilan(List<Map<String, String>> lignes) {
+        Map<String, String> bilan = new TreeMap<>();
+        List<Map<String, String>> tenables = lignes.stream().filter(l -> !l.get("oracle").isEmpty()).collect(Collectors.toList());
+        bilan.put("auto.tenues", compte(tenables, l -> x(l, "erreur") <= x(l, "erreur_voulue")));
+        List<Map<String, String>> graves = lignes.stream().filter(l -> x(l, "erreur") > 1.5 * x(l, "erreur_voulue"))
+                .collect(Collectors.toList());
+        bilan.put("auto.graves", compte(graves, l -> l.get("verdict").startsWith("erreur voulue dépassée")));
+        bilan.put("auto.a_tort", compte(lignes, l -> l.get("verdict").equals("erreur voulue tenue")
+                && x(l, "erreur") > x(l, "erreur_voulue")));
+        bilan.put("auto.essais", compte(lignes, l -> x(l, "rayons_des_essais") <= Math.max(ESSAIS / pixels(l),
+                PART_DES_ESSAIS * x(l, "rayons"))));
+        // moins cher que l'oracle, c'est qu'il ne tient pas, ou que la recherche n'est pas si dense
+        double[] prix = tenables.stream().mapToDouble(l -> Math.max(1, x(l, "rayons") / x(l, "rayons_oracle"))).sorted().toArray();
+        bilan.put("auto.prix", nombre(quantile(prix, 0.5)));
+        bilan.put("auto.prix60", nombre(quantile(prix, 0.6)));
+        bilan.put("auto.prix90", nombre(quantile(prix, 0.9)));
+        bilan.put("auto.prixpire", nombre(quantile(prix, 1)));
+        return bilan;
+    }
+
+    private static double pixels(Map<String, String> ligne) {
+        return Arrays.stream(ligne.get("taille").split("x")).mapToDouble(Double::parseDouble).reduce(1, (a, b) -> a * b);
+    }
+
+    private static double quantile(double[] tries, double part) {
+        return tries.length == 0 ? Double.NaN : tries[Math.min(tries.length - 1, (int) (part * tries.length))];
+    }
+
+    private static String compte(List<Map<String, String>> lignes, Predicate<Map<String, String>> condition) {
+        return lignes.stream().filter(condition).count() + " fois sur " + lignes.size();
+    }
+
+    private static double x(Map<String, String> ligne, String colonne) {
+        return Double.parseDouble(ligne.get(colonne));
     }
 
     private static String nombre(double x) {

@@ -8,13 +8,10 @@ import java.nio.file.Paths;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.PagesMesurees;
 import lancer.mesures.stabilite.Stabilite;
 import lancer.mesures.trace.Planche;
-import lancer.mesures.trace.Style;
 
 /** Des mesures d'un dossier aux courbes, aux tableaux et aux pages. */
 final class Rapport {
@@ -46,38 +43,13 @@ final class Rapport {
         Map<String, String> valeurs = new TreeMap<>(constats.pages());
         valeurs.putAll(Stabilite.pages(dossier));
         if (Files.exists(dossier.resolve(AUTO))) {
-            valeurs.putAll(promesses(FichierCsv.lire(dossier.resolve(AUTO))));
+            valeurs.putAll(MesureAuto.bilan(FichierCsv.lire(dossier.resolve(AUTO))));
         }
         if (Files.exists(dossier.resolve(CORRIGER))) {
             Map<String, String> c = FichierCsv.lire(dossier.resolve(CORRIGER)).get(0);
             valeurs.put("corriger", c.get("secondes") + " s sur " + c.get("coeurs") + " cœurs, et " + c.get("mo") + " Mo");
         }
         return valeurs;
-    }
-
-    /** Ce que {@code --auto} a tenu de ce qu'il avait promis, sur les scènes livrées puis sur celles tirées au sort. */
-    static Map<String, String> promesses(List<Map<String, String>> toutes) {
-        Map<Boolean, List<Map<String, String>>> auSort = toutes.stream()
-                .collect(Collectors.partitioningBy(p -> p.get("scene").startsWith("sort-")));
-        Map<String, String> valeurs = new TreeMap<>();
-        valeurs.put("auto.livrees", compte(auSort.get(false), p -> p.get("tenue").equals("oui")));
-        valeurs.put("auto.sort", compte(auSort.get(true), p -> p.get("tenue").equals("oui")));
-        valeurs.put("auto.prix", compte(auSort.get(true), p -> Math.abs(quotient(p, "rayons_attendus", "rayons") - 1) <= 0.1));
-        valeurs.put("auto.pire", Style.nombre(toutes.stream().filter(p -> p.get("promise").equals("oui"))
-                .mapToDouble(p -> quotient(p, "erreur", "erreur_voulue")).max().orElse(0)));
-        // permis : la moitié du dessin, ou 550 000 rayons
-        valeurs.put("auto.plus_cher", Style.nombre(toutes.stream().mapToDouble(p -> Math.min(
-                2 * quotient(p, "rayons_des_essais", "rayons"),
-                Constats.nombre(p, "rayons_des_essais") * MesureAuto.TAILLE.pixels() / 550_000)).max().orElse(0)));
-        return valeurs;
-    }
-
-    private static String compte(List<Map<String, String>> promesses, Predicate<Map<String, String>> condition) {
-        return promesses.stream().filter(condition).count() + " fois sur " + promesses.size();
-    }
-
-    private static double quotient(Map<String, String> promesse, String colonne, String autre) {
-        return Constats.nombre(promesse, colonne) / Constats.nombre(promesse, autre);
     }
 
     /** @param pages vrai pour réécrire aussi les nombres des pages du projet */

@@ -1,19 +1,21 @@
 package lancer.mesures.vitesse;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import lancer.Scene;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.SceneAuHasard;
 import lancer.mesures.Gabarit;
+import lancer.mesures.Intervalle;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -24,17 +26,46 @@ class MesureAutoTest {
     Path dossier;
 
     @Test
-    void laPromesseDUneSceneSimpleEstTenueEtDecrite() throws IOException {
+    void uneSceneSimpleEstTenuePresqueAuPrixDeLOracle() throws IOException {
+        Scene scene = SceneAuHasard.de(3);
+        List<String> lignes = new ArrayList<>(MesureAuto.lignes("sort-3", scene, new Taille(56, 42), 4, 8));
+        lignes.add(0, MesureAuto.COLONNES);
+        List<Map<String, String>> lues = FichierCsv.lire(Files.write(dossier.resolve("auto.csv"), lignes, StandardCharsets.UTF_8));
+        assertEquals(2, lues.size());
+        Map<String, String> bilan = MesureAuto.bilan(lues);
+        assertEquals("2 fois sur 2", bilan.get("auto.tenues"), "" + lues);
+        assertEquals("0 fois sur 2", bilan.get("auto.a_tort"), "" + lues);
+        assertEquals("2 fois sur 2", bilan.get("auto.essais"), "" + lues);
+        assertTrue(Double.parseDouble(bilan.get("auto.prixpire")) < 2, "" + lues);
+    }
+
+    @Test
+    void ceQuiEstTenuEtSonPrixSontComptes() throws IOException {
+        List<String> lignes = new ArrayList<>();
+        lignes.add(MesureAuto.COLONNES);
+        lignes.add("a,10x10,2,r,1,erreur voulue tenue,10,o,10,100");
+        lignes.add("b,10x10,2,r,2.5,erreur voulue tenue,30,o,20,7000");
+        lignes.add("c,10x10,2,r,4,erreur voulue dépassée sans doute,30,o,20,5");
+        lignes.add("d,10x10,2,r,4,erreur voulue tenue,30,,,5");
+        Map<String, String> bilan = MesureAuto.bilan(FichierCsv.lire(Files.write(dossier.resolve("a.csv"), lignes,
+                StandardCharsets.UTF_8)));
+        assertEquals("{auto.a_tort=2 fois sur 4, auto.essais=3 fois sur 4, auto.graves=1 fois sur 2, auto.prix=1.500, auto.prix60=1.500, "
+                + "auto.prix90=1.500, auto.prixpire=1.500, auto.tenues=1 fois sur 3}", bilan.toString());
+    }
+
+    /** Plus d'erreur permise ne coûte jamais plus cher, et rien n'est jamais plus cher que le premier qui tient. */
+    @Test
+    void lOracleTrouveMoinsCherPourPlusDErreur() {
         Scene scene = SceneAuHasard.de(3);
         Taille taille = new Taille(56, 42);
-        String ligne = MesureAuto.ligne("sort-3", scene, taille, new Gabarit(scene, taille.largeur, taille.hauteur, 1), 8);
-        List<Map<String, String>> lue = FichierCsv.lire(Files.write(dossier.resolve("auto.csv"),
-                Arrays.asList(MesureAuto.COLONNES, ligne), StandardCharsets.UTF_8));
-        Map<String, String> promesse = lue.get(0);
-        assertEquals("oui oui", promesse.get("promise") + " " + promesse.get("tenue"), ligne);
-        assertTrue(promesse.get("reglage").startsWith("[Antialias] n="), ligne);
-        assertEquals("1 fois sur 1", Rapport.promesses(lue).get("auto.sort"));
-        // une image de 56 × 42 n'a pas droit à la moitié de son dessin, mais à ce que rien ne demande en 0,2 s
-        assertTrue(Double.parseDouble(promesse.get("rayons_des_essais")) * taille.pixels() < 550_000, ligne);
+        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, 1);
+        Oracle oracle = new Oracle(scene, taille, 1, image -> Intervalle.deLaRacine(gabarit.carres(image)).valeur);
+        double prix = Double.POSITIVE_INFINITY;
+        for (double voulue : new double[] {1, 2, 4, 100}) {
+            Oracle.Essai mieux = oracle.leMoinsCher(voulue);
+            assertTrue(mieux.erreur <= voulue && mieux.prix <= prix, mieux + " pour " + voulue);
+            prix = mieux.prix;
+        }
+        assertNull(oracle.leMoinsCher(0));
     }
 }

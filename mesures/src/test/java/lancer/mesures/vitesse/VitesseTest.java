@@ -15,9 +15,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import lancer.atelier.FichierCsv;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -162,17 +160,6 @@ class VitesseTest {
         noter(Catalogue.GRILLE, "2 × 2", 4, 2);
         noter(Catalogue.GRILLE, "4 × 4", 16, 0.5);
         assertEquals(-1, constats().pente("scene1", Catalogue.GRILLE), 1e-9);
-    }
-
-    @Test
-    void lesPromessesDAutoSontComptees() {
-        String[] colonnes = {"scene", "promise", "tenue", "erreur", "erreur_voulue", "rayons_attendus", "rayons", "rayons_des_essais"};
-        List<Map<String, String>> lues = new ArrayList<>();
-        for (String ligne : new String[] {"diffus oui oui 1 2 10 10 1", "sort-1 oui non 3 2 9 10 30", "sort-2 non non 9 2 5 10 19"}) {
-            lues.add(IntStream.range(0, colonnes.length).boxed().collect(Collectors.toMap(k -> colonnes[k], k -> ligne.split(" ")[k])));
-        }
-        assertEquals("{auto.livrees=1 fois sur 1, auto.pire=1,5, auto.plus_cher=1,64, auto.prix=1 fois sur 2, "
-                + "auto.sort=0 fois sur 2}", Rapport.promesses(lues).toString());
     }
 
     @Test

@@ -1,0 +1,18 @@
+package lancer.contrat;
+
+/** Un barreau de l'échelle d'une variante : un réglage, et ce qu'il donne sur une scène ordinaire. Immuable. */
+public final class Barreau {
+
+    /** Les valeurs du réglage, pour {@link Variante#installer}. */
+    public final Section section;
+
+    /** L'erreur qu'il fait d'ordinaire, en niveaux, et ce qu'il coûte, en fois le prix d'un rayon par pixel. */
+    public final double erreur;
+    public final double prix;
+
+    public Barreau(Section section, double erreur, double prix) {
+        this.section = section;
+        this.erreur = erreur;
+        this.prix = prix;
+    }
+}
