@@ -8,10 +8,10 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import lancer.Scene;
 import lancer.antialias.Antialias;
+import lancer.dessin.LancerSurveille;
 import lancer.fils.Traceur;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
-import lancer.temoins.LancerSurveille;
 
 /**
  * Le moins cher des réglages de la méthode {@code partage} qui tient une erreur, par une recherche dense et sans économie : n, seuil,
