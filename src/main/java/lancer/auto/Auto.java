@@ -116,7 +116,8 @@ public final class Auto {
                     continue;
                 }
             }
-            choisi = essayer(barreau, echelle.get(barreau), ici, Limite.pour(voulue > 0 ? voulue : ici.plus(0), limites));
+            double visee = voulue > 0 ? voulue : ici.plus(0);
+            choisi = essayer(barreau, echelle.get(barreau), ici, Limite.pour(visee, limites));
             ici = choisi.estimation;
             essayes.add(choisi);
             suivi.accept(this);

@@ -22,10 +22,9 @@ final class Estimation {
         return new Estimation(fois * carre, fois * fois * (variance + dispersion * dispersion * carre * carre));
     }
 
-    /** Celle-ci et une mesure, chacune d'autant plus écoutée qu'elle est sûre ; des mêmes pixels, elles se ressemblent. */
+    /** Celle-ci et une mesure, chacune d'autant plus écoutée qu'elle est sûre (filtre de Kalman, 1960). */
     Estimation corrigee(Estimation mesure) {
         double gain = variance == 0 ? 0 : variance / (variance + mesure.variance);
-        double ecart = (1 - gain) * Math.sqrt(variance) + gain * Math.sqrt(mesure.variance);
-        return new Estimation(carre + gain * (mesure.carre - carre), ecart * ecart);
+        return new Estimation(carre + gain * (mesure.carre - carre), gain * mesure.variance);
     }
 }

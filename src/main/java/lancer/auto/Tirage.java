@@ -10,6 +10,7 @@ import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
+import lancer.fils.Traceur;
 
 /**
  * Quelques pixels d'un semis, tirés avec une probabilité qui croît avec leur contraste (tirage systématique à
@@ -121,7 +122,8 @@ final class Tirage {
 
     /** Dessine ces pixels. @return faux si ces rayons n'y suffisent pas */
     boolean dessiner(Echantillonnage echantillonnage, Limite limite, double permis) {
-        Echantillonnage prepare = echantillonnage.pour(essais.prepare.getScene().getObjets(), essais.prepare.getCamera());
+        Traceur scene = essais.prepare;
+        Echantillonnage prepare = echantillonnage.pour(scene.getScene().getObjets(), scene.getCamera());
         return fait && rangs.length == essais.passer(rangs.length, limite.reflets, limite.seuil, permis, (k, vue) -> {
             Pixel pixel = pixels.get(k);
             int i = rangs[k] % semis.largeur;

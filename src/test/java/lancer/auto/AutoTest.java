@@ -119,7 +119,7 @@ class AutoTest {
 
     /** Il manque à la série 255 × 0,9 × ks^(suivis + 1) niveaux : au plus un sixième du carré de l'erreur voulue, à peu près. */
     @ParameterizedTest
-    @CsvSource({"0.5, 20, 0.0625", "0.5, 8, 0.015625", "0.5, 3, 0.00390625", "0.2, 4, 0.015625", "0.8, 50, 0.0625"})
+    @CsvSource({"0.5, 20, 0.0625", "0.5, 8, 0.015625", "0.5, 3, 0.00390625", "0.2, 4, 0.00390625", "0.8, 50, 0.0625"})
     void entreDeuxMiroirsLeSeuilEstCeluiDeLaSerie(double ks, double erreur, double seuil) {
         Auto auto = auto(entreDeuxMurs(ks), 16, 12, SANS, erreur);
         assertEquals(seuil, auto.getChoisi().seuil);
@@ -199,23 +199,25 @@ class AutoTest {
         return scene(boules.toArray(new Objet3D[0]));
     }
 
-    /** L'erreur vraie, par la boucle la plus simple : chaque pixel contre la moyenne de 8 × 8 rayons sans limite. */
+    /** L'erreur vraie, par la boucle la plus simple : chaque pixel contre deux fois 32 rayons au hasard, sans limite ; sans biais. */
     private static double vraie(Auto auto, Couleur[] image) {
-        Traceur lancer = auto.getTraceur();
-        lancer.getScene().getModele().setSeuil(0);
-        int largeur = lancer.getCamera().getLargeur();
+        auto.getTraceur().getScene().getModele().setSeuil(0);
+        int largeur = auto.getTraceur().getCamera().getLargeur();
+        SplittableRandom hasard = new SplittableRandom(9);
         double somme = 0;
         for (int p = 0; p < image.length; p++) {
-            Couleur moyenne = new Couleur();
-            for (int k = 0; k < 64; k++) {
-                moyenne = moyenne.add(lancer.getLancer().getCouleurPixel(p % largeur + (k % 8 + 0.5) / 8,
-                        p / largeur + (k / 8 + 0.5) / 8, 60));
+            double[][] justes = new double[2][];
+            for (int r = 0; r < 2; r++) {
+                Couleur moyenne = new Couleur();
+                for (int k = 0; k < 32; k++) {
+                    moyenne = moyenne.add(auto.getTraceur().getLancer().getCouleurPixel(p % largeur + hasard.nextDouble(),
+                            p / largeur + hasard.nextDouble(), 60));
+                }
+                justes[r] = Semis.niveaux(moyenne.div(32));
             }
-            double[] vu = Semis.niveaux(image[p]);
-            double[] juste = Semis.niveaux(moyenne.div(64));
-            somme += Semis.produit(vu, juste, juste);
+            somme += Semis.produit(Semis.niveaux(image[p]), justes[0], justes[1]);
         }
-        return Math.sqrt(somme / image.length);
+        return Math.sqrt(Math.max(0, somme / image.length));
     }
 
     /** Vingt étoiles d'un pixel dans un ciel uni : aucun tirage au hasard ne les trouve ; la scène sait où elles sont. */
@@ -283,13 +285,14 @@ class AutoTest {
         assertEquals(16, front.get(2).prix / front.get(0).prix, 1);
     }
 
-    /** Contrôle compris, et dans un pixel au besoin : mille lampes en font cent mille rayons pour un seul rayon de l'écran. */
+    /** Contrôle compris, et dans un pixel au besoin : vingt mille lampes en font autant de rayons pour un seul de l'écran. */
     @ParameterizedTest
-    @CsvSource({"1, 40, 30", "1, 200, 150", "3000, 40, 30", "30000, 12, 9"})
+    @CsvSource({"1, 40, 30", "1, 200, 150", "200, 40, 30", "20000, 3, 2"})
     void lesEssaisCoutentAuPlusLaMoitieDuDessinOuSixCentMilleRayons(int lampes, int largeur, int hauteur) {
         List<Lampe> toutes = Collections.nCopies(lampes, new Lampe(new Point(-3, 5, -5), new Couleur(0.8 / lampes)));
         for (double voulue : new double[] {50, 1}) {
-            Auto auto = auto(new Scene(quelquesBoules().getObjets(), toutes), largeur, hauteur, GRILLES, voulue);
+            Auto auto = auto(new Scene(quelquesBoules().getObjets(), toutes), largeur, hauteur,
+                    GrilleDEssai.seule("1", "2"), voulue);
             dessiner(auto);
             double permis = Math.max(600_000, auto.getTraceur().getCompteurs().rayons() / 2.0);
             assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis + ", " + auto.getChoisi());
