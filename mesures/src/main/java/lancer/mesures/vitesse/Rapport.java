@@ -18,7 +18,7 @@ final class Rapport {
 
     /** Ce que « make mesures » réécrit dans le projet. */
     static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
-        Paths.get("docs/auto.md"), Paths.get("docs/classe.md"), Paths.get("mesures/resultats/besoins.md")};
+        Paths.get("docs/classe.md"), Paths.get("mesures/resultats/besoins.md")};
 
     /** Celui de {@code make mesure-auto}. */
     private static final String AUTO = "auto.csv";
