@@ -21,9 +21,9 @@ import lancer.fils.Traceur;
  */
 public final class Auto {
 
-    /** Rayons permis aux essais, contrôle compris : tant, ou cette part de ceux du dessin. */
+    /** Rayons permis aux essais, contrôle compris : tant, ou la moitié de ceux du dessin, dont le prix n'est qu'estimé. */
     private static final double PLANCHER = 600_000;
-    private static final double PART = 0.5;
+    private static final double PART = 0.45;
 
     /** Quelle part en est dépensée une fois semé, les limites essayées, les références faites, et le choix. */
     private static final double SEMER = 0.15;
@@ -188,7 +188,8 @@ public final class Auto {
 
     /** Si l'image tient l'erreur voulue, d'après son contrôle seul ; sinon, ce qui aiderait. */
     public String getVerdict() {
-        if (mesuree().plus(0) > voulue) {
+        // un contrôle que trop peu de pixels portent ne dément pas des essais qui ne promettaient rien
+        if (mesuree().plus(0) > voulue || mesuree().plus(-2) == 0 && choisi.auPlus > voulue) {
             return "erreur voulue dépassée" + (mesuree().plus(-2) > voulue ? "" : " sans doute")
                     + (echelle.size() == 1 && deLaScene == Echantillonnage.CENTRE
                     ? " : il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar"

@@ -35,7 +35,7 @@ public interface Echantillonnage {
     }
 
     /**
-     * Le même, une fois connu ce qu'il y a à voir et d'où : appelé au début de chaque dessin. Par défaut, il n'en a que faire.
+     * Échantillonnage pour ces objets, vus de cette caméra : demandé au début de chaque dessin. Par défaut, celui-ci.
      */
     default Echantillonnage pour(List<Objet3D> objets, Camera camera) {
         return this;

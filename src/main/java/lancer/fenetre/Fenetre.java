@@ -228,6 +228,14 @@ public final class Fenetre {
     /** Termine : plus aucun dessin, plus de fenêtre, et les images en train de s'écrire le seront jusqu'au bout. */
     private void fermer() {
         if (cadre.isDisplayable()) {
+            abandonner();
+            enregistrement.terminer(fin);
+        }
+    }
+
+    /** Ferme la fenêtre, sans finir le programme : sa scène est refusée. */
+    void abandonner() {
+        if (cadre.isDisplayable()) {
             horloge.stop();
             atelier.terminer();
             if (inspecteur != null) {
@@ -235,7 +243,6 @@ public final class Fenetre {
             }
             KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
             cadre.dispose();
-            enregistrement.terminer(fin);
         }
     }
 

@@ -68,7 +68,7 @@ public final class Ouverture {
             try {
                 premier.attendreLecture(Long.MAX_VALUE);
             } catch (RuntimeException | Error e) {
-                EventQueue.invokeLater(ouverte[0].cadre::dispose);
+                EventQueue.invokeLater(ouverte[0]::abandonner);
                 throw e;
             }
             if (premier.getAvertissements() != null) {

@@ -103,7 +103,8 @@ public final class Comparaison {
 
     private String verdict() {
         return sontPareilles() ? "pareilles"
-                : pire <= PEU ? "différentes, à l'arrondi près : --tolerance 1 les tient pour pareilles" : "différentes";
+                : pire <= PEU ? "différentes, à l'arrondi près : --tolerance 1 les tient pour pareilles"
+                : "différentes";
     }
 
     /** Le verdict et les écarts, une ligne {@code nom: valeur} chacun. */

@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import java.util.Arrays;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Lampe;
@@ -29,6 +30,8 @@ public final class RechercheRapide implements Recherche {
     final Structures structures;
     private final List<Objet3D> objets;
     private final Objet3D[] dAbord;
+    /** Objets qui ne sont ni des sphères, ni parmi {@link #dAbord}. */
+    private final Objet3D[] enfin;
     private final Spheres spheres;
     private final Intersections premiers;
     private final Intersections suivants;
@@ -62,6 +65,11 @@ public final class RechercheRapide implements Recherche {
         boolean melees = spheres.autres.length > 0 && spheres.rangAutres[0] < PREMIERS;
         dAbord = melees ? objets.subList(0, Math.min(PREMIERS, objets.size())).toArray(new Objet3D[0])
                 : new Objet3D[0];
+        int dejaVus = 0;
+        while (dejaVus < spheres.autres.length && spheres.rangAutres[dejaVus] < PREMIERS) {
+            dejaVus++;
+        }
+        enfin = Arrays.copyOfRange(spheres.autres, dejaVus, spheres.autres.length);
     }
 
     /** Permet à cette question les examens d'un rayon de plus. */
@@ -100,8 +108,8 @@ public final class RechercheRapide implements Recherche {
         // une copie de V, qui n'a sinon pas à exister hors des registres
         return dAbord.length > 0 && unCache(dAbord, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet)
                 || ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
-                || spheres.autres.length > 0
-                && unCache(spheres.autres, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet);
+                || enfin.length > 0
+                && unCache(enfin, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet);
     }
 
     /** Ce qui cache cette lampe ; si elle n'est pas de la scène, ce qui les cache toutes. */

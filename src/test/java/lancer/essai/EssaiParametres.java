@@ -2,7 +2,9 @@ package lancer.essai;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Collectors;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
@@ -15,17 +17,22 @@ public final class EssaiParametres {
     private EssaiParametres() {
     }
 
-    /** Ce sont ces clés, et sa section les accepte, du premier cran à leur valeur par défaut. */
+    /** Ce sont ces clés, et sa section les accepte, du premier cran à leur valeur par défaut, ou chacun de leurs mots. */
     public static void verifier(Variante variante, String... cles) {
         assertEquals(Arrays.asList(cles), variante.getParametres().stream().map(Parametre::getCle).collect(Collectors.toList()));
         for (Parametre p : variante.getParametres()) {
-            int dernier = p.getCrans();
-            if (p.getDefaut() != null) {
-                dernier = p.getCran(p.getDefaut());
-                assertEquals(p.getDefaut(), p.getValeur(dernier), "un cran est au défaut");
+            List<String> valeurs = new ArrayList<>(p.getMots());
+            if (p.estUneCouleur()) {
+                valeurs.add(p.getDefaut());
+            } else if (valeurs.isEmpty()) {
+                int dernier = p.getDefaut() == null ? p.getCrans() : p.getCran(p.getDefaut());
+                assertEquals(p.getDefaut(), p.getDefaut() == null ? null : p.getValeur(dernier), "un cran est au défaut");
+                for (int cran = 0; cran <= dernier; cran++) {
+                    valeurs.add(p.getValeur(cran));
+                }
             }
-            for (int cran = 0; cran <= dernier; cran++) {
-                Section section = Section.reglage(variante.getSection(), p.getCle(), p.getValeur(cran));
+            for (String valeur : valeurs) {
+                Section section = Section.reglage(variante.getSection(), p.getCle(), valeur);
                 variante.installer(section, new Modele());
                 section.verifierCles();
             }

@@ -189,7 +189,8 @@ public final class EssaiRecit {
                 P = X;
                 V = unite(R);
                 double[] vue = etape(numero + 1, proche);
-                assertTrue(lignes.get(memoire).matches("       Ks \\([^)]*\\) ⊗ (somme|vue) " + (numero + 1) + " = .*"), lignes.get(memoire));
+                assertTrue(lignes.get(memoire).matches("       Ks \\([^)]*\\) ⊗ (somme|vue) " + (numero + 1) + " = .*"),
+                        lignes.get(memoire));
                 assertArrayEquals(fois(ks, vue), reflet, lignes.get(memoire));
                 assertTrue(numero <= reflets && poids >= scene.getModele().getSeuil());
                 return fini;

@@ -118,8 +118,9 @@ class ComparaisonTest extends EssaiCommande {
     @Test
     void uneImageTropGrandePourLaMemoireEstUnePanneEtNonUneImageAbimee() throws Exception {
         ImageIO.write(new BufferedImage(4000, 3000, BufferedImage.TYPE_INT_RGB), "png", png.toFile());
-        List<String> commande = new ArrayList<>(Arrays.asList(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx24m",
-                "-Dfile.encoding=UTF-8", "-cp", System.getProperty("java.class.path"), "lancer.Main", "--comparer", png.toString(), png.toString()));
+        List<String> commande = new ArrayList<>(Arrays.asList(Paths.get(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx24m", "-Dfile.encoding=UTF-8", "-cp", System.getProperty("java.class.path"), "lancer.Main",
+                "--comparer", png.toString(), png.toString()));
         Process p = new ProcessBuilder(commande).redirectErrorStream(true).start();
         Scanner lu = new Scanner(p.getInputStream(), "UTF-8");
         String dit = lu.nextLine();

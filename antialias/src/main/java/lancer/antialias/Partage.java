@@ -12,8 +12,8 @@ import lancer.contrat.Vue;
  * Une méthode plus sobre que celle du cours, sur les mêmes n × n sous-pixels : un seul par pixel d'abord, que ses
  * voisins partagent. Entre quatre sous-pixels vus, une case où tout se ressemble est interpolée ; sinon elle est coupée
  * en quatre, et ainsi de suite, jusqu'à ce que contraste × côté ne dépasse plus le seuil ou qu'il n'y ait plus rien
- * entre les coins. Une case où est une boule assez petite pour passer entre les coins est coupée aussi. Un bord ne coûte ainsi que les cases qu'il traverse, de l'ordre de n rayons par pixel au lieu de n².
- * Immuable.
+ * entre les coins. Une case où est une boule assez petite pour passer entre les coins est coupée aussi. Un bord ne
+ * coûte ainsi que les cases qu'il traverse, de l'ordre de n rayons par pixel au lieu de n². Immuable.
  */
 final class Partage implements Echantillonnage {
 

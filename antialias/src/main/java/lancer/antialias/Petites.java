@@ -9,8 +9,8 @@ import lancer.Point;
 import lancer.Sphere;
 
 /**
- * Les boules trop petites à l'écran pour qu'un point par pixel les voie toutes : où elles sont, et leur rayon, se calcule avant de
- * dessiner. Ni l'ombre ni le reflet d'une boule n'y sont. Immuable.
+ * Les boules trop petites à l'écran pour qu'un point par pixel les voie toutes : où elles sont, et leur rayon, se
+ * calcule avant de dessiner. Ni l'ombre ni le reflet d'une boule n'y sont. Immuable.
  */
 final class Petites {
 
@@ -49,7 +49,7 @@ final class Petites {
         return petites;
     }
 
-    /** L'image d'une sphère de rayon r dans la direction θ de l'axe, à la distance D : une ellipse de demi-axe F r/(D cos²θ). */
+    /** Projette une sphère de rayon r, à un angle θ de l'axe et à la distance D : son demi-axe est F r/(D cos²θ). */
     private boolean projeter(Sphere sphere, double[] disques, int k) {
         Point c = sphere.getCentre();
         double profondeur = c.z + Camera.FOCALE;
@@ -67,8 +67,11 @@ final class Petites {
         int[] combien = new int[debuts.length];
         for (int passe = 0; passe < 2; passe++) {
             for (int d = 0; d < disques.length; d += 3) {
-                for (int j = bord(disques[d + 1] - disques[d + 2]); j <= Math.min(hauteur - 1, bord(disques[d + 1] + disques[d + 2])); j++) {
-                    for (int i = bord(disques[d] - disques[d + 2]); i <= Math.min(largeur - 1, bord(disques[d] + disques[d + 2])); i++) {
+                double r = disques[d + 2];
+                int bas = Math.min(hauteur - 1, bord(disques[d + 1] + r));
+                int droite = Math.min(largeur - 1, bord(disques[d] + r));
+                for (int j = bord(disques[d + 1] - r); j <= bas; j++) {
+                    for (int i = bord(disques[d] - r); i <= droite; i++) {
                         int k = j * largeur + i;
                         if (passe == 0) {
                             combien[k]++;
@@ -91,7 +94,7 @@ final class Petites {
         return Math.max(0, (int) Math.floor(x));
     }
 
-    /** Vrai si la boîte d'un disque touche ce rectangle, et si ses quatre coins peuvent manquer le disque ; en pixels. */
+    /** Dit si la boîte d'un disque touche ce rectangle, dont les quatre coins peuvent le manquer ; en pixels. */
     boolean peutEchapper(double x0, double y0, double x1, double y1) {
         double cote = Math.max(x1 - x0, y1 - y0);
         for (int j = bord(y0); j <= Math.min(hauteur - 1, bord(y1)); j++) {

@@ -64,10 +64,10 @@ class PartageTest {
         }
     }
 
-    /** Dans un ciel uni, où la méthode de partage ne prend qu'un sous-pixel de chaque pixel, et le dernier des bords du pavé. */
+    /** Dans un ciel uni, où la méthode de partage ne prend que les coins des neuf cases où un bord ferait couper celle du pixel. */
     @ParameterizedTest
-    @CsvSource({"coins, 4, 0, 16", "coins, 4, 0.5, 4", "partage, 4, 0, 16", "partage, 1, 0.5, 1", "partage, 4, 0.5, 1089"})
-    void unPixelDemandeSeulCouteLeSienOuLePaveQuIlPartage(String methode, int n, double seuil, int attendus) {
+    @CsvSource({"coins, 4, 0, 16", "coins, 4, 0.5, 4", "partage, 4, 0, 16", "partage, 1, 0.5, 1", "partage, 4, 0.5, 16"})
+    void unPixelDemandeSeulCouteLeSienOuCeluiDesVoisinsQuiEnDecident(String methode, int n, double seuil, int attendus) {
         AtomicInteger rayons = new AtomicInteger();
         Modele modele = new Modele();
         modele.setAtmosphere((vue, distance) -> {
@@ -268,8 +268,9 @@ class PartageTest {
     }
 
     /**
-     * Là où elle échoue, si rien ne lui dit où sont les objets : au-dessus de {@link Cases#PRUDENCE}, il n'y a qu'un point par pixel, et un disque de rayon ρ ≤ 1/2 est
-     * manqué avec la probabilité 1 − πρ² ; juste au-dessous, quatre points par pixel, séparés d'au moins ⌊n/2⌋/n, et 1 − 4πρ²
+     * Là où elle échoue, si rien ne lui dit où sont les objets : au-dessus de {@link Cases#PRUDENCE}, il n'y a qu'un point par pixel, et
+     * un disque de rayon ρ ≤ 1/2 est manqué avec la probabilité 1 − πρ² ; juste au-dessous, quatre points par pixel, séparés d'au moins
+     * ⌊n/2⌋/n, et 1 − 4πρ²
      * pour ρ ≤ ⌊n/2⌋/(2n) : 1/4 si n est pair, 1/6 si n = 3.
      */
     @ParameterizedTest

@@ -198,6 +198,6 @@ class BrumeTest {
 
     @Test
     void ceQuiSeRegleALaSourisEstAccepteParLaSection() {
-        EssaiParametres.verifier(new Brume(), "debut", "fin", "densite");
+        EssaiParametres.verifier(new Brume(), "couleur", "debut", "fin", "densite");
     }
 }

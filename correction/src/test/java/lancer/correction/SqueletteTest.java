@@ -195,7 +195,8 @@ class SqueletteTest extends ClasseEssai {
     @ParameterizedTest
     @ValueSource(strings = {"brume", "blinn"})
     void lesTestsDuCorrigePassent(String variante) throws Exception {
-        contient(makeTest(corrige(variante)), "Toutes les étapes sont faites : restent les images à regarder, et les extensions.\nstatut 0");
+        contient(makeTest(corrige(variante)),
+                "Toutes les étapes sont faites : restent les images à regarder, et les extensions.\nstatut 0");
     }
 
     @Test

@@ -55,7 +55,8 @@ final class Ponts {
     }
 
     private static String ajouter(Forme forme, String texte, List<String> remarques) {
-        Matcher m = Pattern.compile("\\b(?!return\\b|new\\b|else\\b)\\w++\\s++" + forme.nom + "\\s*+\\(([^()]*+)\\)\\s*+(?:throws[\\w\\s,.]++)?[{;]")
+        Matcher m = Pattern.compile("\\b(?!return\\b|new\\b|else\\b)\\w++\\s++" + forme.nom
+                + "\\s*+\\(([^()]*+)\\)\\s*+(?:throws[\\w\\s,.]++)?[{;]")
                 .matcher(Source.sansCommentaires(texte));
         String pont = null;
         List<String> changes = null;

@@ -401,7 +401,8 @@ final class Juge implements AutoCloseable {
     Image image(Assemblage assemblage, String scene, double decalage) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
         // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
-        return Image.lire(taille[0], taille[1], sonde(assemblage, taille[2] > 5 ? 1 : TEMPS_IMAGE, "SondeImage", "dessiner", Modele.scene(scene), "" + taille[0],
+        return Image.lire(taille[0], taille[1], sonde(assemblage, taille[2] > 5 ? 1 : TEMPS_IMAGE, "SondeImage", "dessiner",
+                Modele.scene(scene), "" + taille[0],
                 "" + taille[1], "" + taille[2], "" + decalage));
     }
 

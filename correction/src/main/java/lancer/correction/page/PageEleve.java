@@ -62,7 +62,8 @@ final class PageEleve {
             for (Grille.Critere critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdicts.get(critere.id);
                 if (verdict != null && verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
-                    html.brut(debut).element("strong", etape.titre).dire((critere.classe.isEmpty() ? ", " : ", classe " + critere.classe + " : ") + critere.titre).brut("<br>")
+                    html.brut(debut).element("strong", etape.titre)
+                            .dire((critere.classe.isEmpty() ? ", " : ", classe " + critere.classe + " : ") + critere.titre).brut("<br>")
                             .element("code", verdict.message).brut(fin);
                     return;
                 }

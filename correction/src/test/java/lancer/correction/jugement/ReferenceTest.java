@@ -37,7 +37,9 @@ class ReferenceTest extends JuryEssai {
         int faux = 0;
         for (String nom : Reference.SCENES.keySet()) {
             int[] taille = Reference.SCENES.get(nom);
-            Lancer lancer = new Lancer(new Scene("../scenes/" + nom + ".ini"), new Camera(taille[0], taille[1]));
+            Scene lue = new Scene("../scenes/" + nom + ".ini");
+            // sans les variantes, que les tests de ce module ont dans leur chemin
+            Lancer lancer = new Lancer(new Scene(lue.getObjets(), lue.getLampes()), new Camera(taille[0], taille[1]));
             for (int p = 0; p < taille[0] * taille[1]; p++) {
                 Couleur c = lancer.getCouleurPixel(p % taille[0], p / taille[0], taille[2]);
                 for (int k = 0; k < 3; k++) {

@@ -102,7 +102,8 @@ final class Figures {
         }
         return new Planche(naifs.size() + " défauts courants : de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à "
                 + Style.nombre(naifs.get(0).faux) + " pixels faux ; le programme : " + nombre("defauts.programme"),
-                "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-niveau de "
+                "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-niveau "
+                        + "de "
                 + "l'écran d'écart à ce que donne la géométrie. Images de " + Style.nombre(naifs.get(0).essais) + " pixels. make mesures")
                 .taille(Style.LARGEUR, 1480).vignettes(vignettes);
     }
@@ -142,10 +143,13 @@ final class Figures {
             volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true, bilan.de(Reflets.FIGURE, (String) s[0]).stream()
                     .map(r -> Marque.en(r.x, r.erreurRelative)).collect(Collectors.toList())));
         }
-        return new Planche("Chaque reflet entre petites boules prend " + nombre("reflets.perte") + " chiffre : le dernier d'un double part au "
+        return new Planche("Chaque reflet entre petites boules prend " + nombre("reflets.perte") + " chiffre : le dernier d'un double part "
+                + "au "
                 + nombre("reflets.double") + "e, d'un float au " + nombre("reflets.float") + "e", "Erreur médiane de "
-                + Style.nombre(bilan.de(Reflets.FIGURE, "double").get(0).essais) + " chaînes de boules de rayon 1, à des distances de 5 à 40, "
-                + "jugées à 140 chiffres. Aucune formule n'y peut rien : le contact, une fois rangé dans un double, n'y est qu'à un arrondi "
+                + Style.nombre(bilan.de(Reflets.FIGURE, "double").get(0).essais)
+                + " chaînes de boules de rayon 1, à des distances de 5 à 40, "
+                + "jugées à 140 chiffres. Aucune formule n'y peut rien : le contact, une fois rangé dans un double, n'y est qu'à un "
+                + "arrondi "
                 + "près, et le reflet suivant multiplie cet arrondi. make mesures").volet(volet);
     }
 

@@ -30,7 +30,8 @@ import lancer.dessin.LancerSurveille;
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
-            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_sans_economie", "rayons_utiles", "ombres_inutiles", "structures", "octets");
+            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_sans_economie", "rayons_utiles", "ombres_inutiles",
+            "structures", "octets");
 
     /** Un Ks qui n'est pas nul, et qui ne se verra jamais. */
     private static final double INVISIBLE = 1e-300;

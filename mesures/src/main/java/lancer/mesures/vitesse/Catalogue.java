@@ -126,7 +126,8 @@ final class Catalogue {
         // là seulement il faut demander les deux à la fois
         double[][] ensembles = {{4, 0.2, 16}, {4, 0.1, 16}, {4, 0.1, 128}, {8, 0.06, 128}, {8, 0.06, 512}};
         for (double[] e : miroirs ? ensembles : new double[0][]) {
-            m.add(new Methode(ENSEMBLE, "n=" + (int) e[0] + " seuil=" + e[1] + " reflets=" + Gabarit.PROFONDEUR + " jusqu'à 1/" + (int) e[2])
+            m.add(new Methode(ENSEMBLE, "n=" + (int) e[0] + " seuil=" + e[1] + " reflets=" + Gabarit.PROFONDEUR
+                    + " jusqu'à 1/" + (int) e[2])
                     .echantillonnee(Antialias.partage((int) e[0], e[1])).limitee(Gabarit.PROFONDEUR, 1 / e[2]));
         }
         m.add(new Methode(POVRAY, "3 × 3 où des voisins diffèrent").parPovRay("+A0.3", "+R3", "+AM1"));

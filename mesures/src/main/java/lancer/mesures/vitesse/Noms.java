@@ -42,7 +42,8 @@ final class Noms {
 
     /** Dans une phrase. */
     static String methode(Releve r) {
-        return String.format((String) de(r)[2], parametres(r, "$1 rayons là où c'est utile (seuil $2)", "$1 × $1 où quatre coins diffèrent"));
+        return String.format((String) de(r)[2], parametres(r, "$1 rayons là où c'est utile (seuil $2)",
+                "$1 × $1 où quatre coins diffèrent"));
     }
 
     /** Près d'un point. */

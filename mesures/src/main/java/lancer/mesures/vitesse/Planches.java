@@ -66,7 +66,8 @@ final class Planches {
             erreur.serie(new Serie((String) s[3], (Color) s[4], (FormeDePoint) s[5], suite, erreurs).auBout(suite ? bout : ""));
             visible.serie(new Serie((String) s[3], (Color) s[4], (FormeDePoint) s[5], suite, parts));
         }
-        return new Planche(constats.titre(scene), "À choisir : le plus bas que l'on veut bien payer sur l'escalier gris, dont chaque marche "
+        return new Planche(constats.titre(scene),
+                "À choisir : le plus bas que l'on veut bien payer sur l'escalier gris, dont chaque marche "
                 + "se trompe moins, à coup sûr, que tout ce qui est moins cher ; en creux, le reste ; cerclés, les défauts. Pente : une "
                 + "erreur 10^pente fois plus grande pour dix fois plus de rayons. Erreur : racine du carré moyen des écarts à la moyenne "
                 + "de chaque pixel, sans limite de reflets ; barres : 19 fois sur 20. Visiblement faux : plus de " + Gabarit.VISIBLE
