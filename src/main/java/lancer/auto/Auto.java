@@ -21,7 +21,7 @@ import lancer.fils.Traceur;
  */
 public final class Auto {
 
-    /** Rayons permis aux essais, contrôle compris : tant, ou la moitié de ceux du dessin, dont le prix n'est qu'estimé. */
+    /** Rayons permis aux essais, contrôle compris : tant, ou près de la moitié de ceux du dessin, qui sont estimés. */
     private static final double PLANCHER = 600_000;
     private static final double PART = 0.45;
 
