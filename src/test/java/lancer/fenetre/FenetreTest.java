@@ -11,6 +11,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
@@ -96,6 +97,8 @@ class FenetreTest extends EssaiFenetre {
         Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
         banc.frapper(KeyEvent.VK_F3);
         composant("vitesse", JDialog.class);
+        attendre("le clavier est à l'une des deux fenêtres",
+                () -> KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner() != null);
         banc.frapper(KeyEvent.VK_ENTER);
         composant("inspecteur", JDialog.class);
         attendre("l'un ne recouvre pas l'autre", () -> {
