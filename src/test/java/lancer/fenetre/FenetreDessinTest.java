@@ -241,6 +241,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void siElleSeRefuseEnsuiteLaFenetreSeFerme() throws Exception {
         ecrire(FAUTIVE);
+        BancFenetre.exigerEcran();
         assertThrows(SceneFautive.class, () -> new BancFenetre(lectureVue()));
         attendre("plus de fenêtre", () -> Arrays.stream(Window.getWindows()).noneMatch(Window::isShowing));
     }
