@@ -46,8 +46,8 @@ public final class Auto {
     private final Limite[] limites;
     private final Tirage tirage;
     private final Map<Barreau, Echantillonnage> echelle = new LinkedHashMap<>();
-    private final List<Reglage> essayes = new ArrayList<>();
-    private Reglage choisi;
+    private final List<Candidat> essayes = new ArrayList<>();
+    private Candidat choisi;
     private Traceur traceur;
     private Tirage controle;
 
@@ -112,7 +112,7 @@ public final class Auto {
             if (barreau != avant) {
                 ici = ici.prolongee(barreau.erreur / avant.erreur, DISPERSION);
                 avant = barreau;
-                if (restants > 0 && voulue > 0 && ici.plus(-Reglage.PRUDENCE) > voulue) {
+                if (restants > 0 && voulue > 0 && ici.plus(-Candidat.PRUDENCE) > voulue) {
                     continue;
                 }
             }
@@ -129,22 +129,22 @@ public final class Auto {
     }
 
     /** Ce qu'on attend de ce barreau ; là où les rayons permis n'y suffisent pas, ce que promet l'échelle. */
-    private Reglage essayer(Barreau barreau, Echantillonnage echantillonnage, Estimation attendue, Limite limite) {
+    private Candidat essayer(Barreau barreau, Echantillonnage echantillonnage, Estimation attendue, Limite limite) {
         double promis = barreau.prix * limite.rayons;
         boolean dessine = tirage.dessiner(echantillonnage, limite, reste(CHOISIR, promis));
-        return new Reglage(barreau.section, echantillonnage, limite,
+        return new Candidat(barreau.section, echantillonnage, limite,
                 dessine ? attendue.corrigee(tirage.erreur()) : attendue, dessine ? tirage.prix() : promis);
     }
 
     /** Ce qui est attendu de la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */
-    public Reglage evaluer(int reflets, double seuil) {
+    public Candidat evaluer(int reflets, double seuil) {
         Limite presente = Limite.permises(reflets, seuil)[0];
         presente.essayer(essais, semis, Double.MAX_VALUE);
         return essayer(ORDINAIRE, deLaScene, INCONNUE, presente);
     }
 
     /** Ce qui est choisi. */
-    public Reglage getChoisi() {
+    public Candidat getChoisi() {
         return choisi;
     }
 
@@ -154,7 +154,7 @@ public final class Auto {
     }
 
     /** Les réglages essayés, avec ce qui en est attendu, du moins cher au plus juste à peu près. */
-    public List<Reglage> getEssayes() {
+    public List<Candidat> getEssayes() {
         return essayes;
     }
 
@@ -200,6 +200,6 @@ public final class Auto {
         if (mesuree().plus(-2) == 0) {
             return "on ne peut en dire plus : trop peu de pixels portent l'erreur mesurée, d'autres ont pu manquer";
         }
-        return mesuree().plus(Reglage.PRUDENCE) <= voulue ? "erreur voulue tenue" : "erreur voulue atteinte, à ± près";
+        return mesuree().plus(Candidat.PRUDENCE) <= voulue ? "erreur voulue tenue" : "erreur voulue atteinte, à ± près";
     }
 }

@@ -65,7 +65,7 @@ public final class Section {
      * @param type celui de la section, par exemple {@code Antialias}
      * @param clesEtValeurs une clé, sa valeur, une autre clé, sa valeur…
      */
-    public static Section reglage(String type, String... clesEtValeurs) {
+    public static Section sansFichier(String type, String... clesEtValeurs) {
         Section section = new Section(REGLAGE, type, 0);
         for (int k = 0; k + 1 < clesEtValeurs.length; k += 2) {
             section.ajouter(clesEtValeurs[k], clesEtValeurs[k + 1], 0);

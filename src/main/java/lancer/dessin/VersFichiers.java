@@ -10,7 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.DoubleSupplier;
 import lancer.auto.Auto;
-import lancer.auto.Reglage;
+import lancer.auto.Candidat;
 import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
 import lancer.commande.Options;
@@ -106,7 +106,7 @@ public final class VersFichiers {
 
     /** Trois lignes : ce que {@code --auto} a choisi, ce qui en était attendu, et ce qu'il en est. */
     private List<String> rapport(Auto auto, double essais) {
-        Reglage choisi = auto.getChoisi();
+        Candidat choisi = auto.getChoisi();
         int nombre = auto.getEssayes().size();
         return Arrays.asList("auto, choisi : " + choisi,
                 texte("auto, attendu : erreur de %.2f, au plus %.2f ; %.2f rayons de toutes sortes par pixel ; "

@@ -17,7 +17,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import lancer.Couleur;
 import lancer.auto.Auto;
-import lancer.auto.Reglage;
+import lancer.auto.Candidat;
 import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
@@ -52,7 +52,7 @@ final class PanneauVitesse extends JDialog {
     private transient Auto auto;
 
     /** Le point dessiné, s'il n'est pas encore mesuré. */
-    private transient Reglage voulu;
+    private transient Candidat voulu;
 
     PanneauVitesse(JFrame cadre, Atelier atelier) {
         super(cadre, "Vitesse ou précision");
@@ -168,16 +168,16 @@ final class PanneauVitesse extends JDialog {
         essais = Atelier.confier(fil, () -> {
             Auto fait = Auto.choisir(lancer, 0, null, null, fils, libres, enCours ->
                     montrer(scene, enCours, "d'autres réglages à essayer…", null));
-            Reglage present = fait.evaluer(reglages.getReflets(), reglages.getSeuil());
+            Candidat present = fait.evaluer(reglages.getReflets(), reglages.getSeuil());
             montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages"
                     + " (ou flèches, et Entrée).", present);
         }, panne -> etat.setText("Essais impossibles : " + panne));
     }
 
     /** Du fil des essais : ce qu'ils disent, si personne n'a changé de scène entre-temps. */
-    private void montrer(List<Object> scene, Auto enCours, String texte, Reglage present) {
+    private void montrer(List<Object> scene, Auto enCours, String texte, Candidat present) {
         List<GraphiqueVitesse.Point> points = new ArrayList<>();
-        for (Reglage reglage : enCours.getEssayes()) {
+        for (Candidat reglage : enCours.getEssayes()) {
             points.add(new GraphiqueVitesse.Point(reglage, enCours.getEssayes().stream()
                     .noneMatch(autre -> autre.prix < reglage.prix && autre.erreur <= reglage.erreur)));
         }
@@ -192,7 +192,7 @@ final class PanneauVitesse extends JDialog {
         });
     }
 
-    private void dessiner(Reglage reglage) {
+    private void dessiner(Candidat reglage) {
         ReglagesDessin reglages = atelier.getReglages().avec(reglage.reflets, reglage.seuil);
         if (reglage.section != null) {
             Variante variante = reglages.getVariante(reglage.section.getNom());
@@ -202,7 +202,7 @@ final class PanneauVitesse extends JDialog {
         atelier.dessiner(reglages, false);
     }
 
-    private void mesurer(Auto fait, Reglage reglage, Traceur lancer, ImageMemoire image) {
+    private void mesurer(Auto fait, Candidat reglage, Traceur lancer, ImageMemoire image) {
         List<Object> scene = essayee;
         double rayons = lancer.getCompteurs().rayons() / (double) image.getCodes().length;
         etat.setText("mesure de l'image…");

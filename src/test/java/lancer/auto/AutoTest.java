@@ -258,7 +258,7 @@ class AutoTest {
             for (int fils : new int[] {1, 2, 7}) {
                 Auto auto = Auto.choisir(LancerSurveille.preparer(quelquesBoules(), 80, 70, false), erreur, null, null, fils, GRILLES,
                         enCours -> { });
-                Reglage r = auto.getChoisi();
+                Candidat r = auto.getChoisi();
                 String choix = r + " " + r.erreur + " " + r.auPlus + " " + r.prix + " " + auto.getRayonsDesEssais();
                 attendu = attendu == null ? choix : attendu;
                 assertEquals(attendu, choix, fils + " fils");
@@ -277,7 +277,7 @@ class AutoTest {
     @Test
     void sansRienDeVouluTouteLEchelleEstEssayee() {
         Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, GRILLES, 0);
-        List<Reglage> front = auto.getEssayes();
+        List<Candidat> front = auto.getEssayes();
         assertEquals(4, front.size());
         for (int k = 1; k < 4; k++) {
             assertTrue(front.get(k).prix > front.get(k - 1).prix && front.get(k).erreur < front.get(k - 1).erreur, "" + front);
@@ -315,7 +315,7 @@ class AutoTest {
     void unReglageFautifEstRefuseCommeUneSection() {
         Traceur lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> fautive = Collections.singletonList(
-                new GrilleDEssai(Collections.singletonList(new Barreau(Section.reglage("Grille", "m", "3"), 1, 1))));
+                new GrilleDEssai(Collections.singletonList(new Barreau(Section.sansFichier("Grille", "m", "3"), 1, 1))));
         SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, 1, null, null, 1, fautive, enCours -> { }));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }

@@ -33,7 +33,7 @@ final class GrilleDEssai implements Variante {
     /** Une grille pleine de n × n gagne un facteur n^(4/3) pour n² fois le prix, à peu près. */
     static Barreau barreau(String n) {
         double cote = Double.parseDouble(n);
-        return new Barreau(Section.reglage("Grille", "n", n), 6 * Math.pow(cote, -4.0 / 3), cote * cote);
+        return new Barreau(Section.sansFichier("Grille", "n", n), 6 * Math.pow(cote, -4.0 / 3), cote * cote);
     }
 
     @Override

@@ -32,7 +32,7 @@ public final class EssaiParametres {
                 }
             }
             for (String valeur : valeurs) {
-                Section section = Section.reglage(variante.getSection(), p.getCle(), valeur);
+                Section section = Section.sansFichier(variante.getSection(), p.getCle(), valeur);
                 variante.installer(section, new Modele());
                 section.verifierCles();
             }

@@ -70,8 +70,8 @@ public final class Antialias implements Variante {
         List<Barreau> echelle = new ArrayList<>();
         for (String barreau : ECHELLE) {
             String[] mots = barreau.split(" ");
-            echelle.add(new Barreau(Section.reglage(getSection(), "n", mots[0], "methode", mots[1], "seuil", mots[2]),
-                    Double.parseDouble(mots[3]), Double.parseDouble(mots[4])));
+            Section section = Section.sansFichier("Antialias", "n", mots[0], "methode", mots[1], "seuil", mots[2]);
+            echelle.add(new Barreau(section, Double.parseDouble(mots[3]), Double.parseDouble(mots[4])));
         }
         return echelle;
     }

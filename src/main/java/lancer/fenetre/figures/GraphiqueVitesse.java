@@ -20,7 +20,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
-import lancer.auto.Reglage;
+import lancer.auto.Candidat;
 import lancer.contrat.Section;
 
 /** Des réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
@@ -57,14 +57,14 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** Un réglage et ce qui en est attendu. Immuable, à la différence du réglage. */
     public static final class Point {
-        private final Reglage reglage;
+        private final Candidat reglage;
         private final boolean front;
         private final double rayons;
         private final double erreur;
         private final double auMoins;
         private final double auPlus;
 
-        public Point(Reglage reglage, boolean front) {
+        public Point(Candidat reglage, boolean front) {
             this.reglage = reglage;
             this.front = front;
             rayons = reglage.prix;
@@ -78,7 +78,7 @@ public final class GraphiqueVitesse extends JPanel {
      * @param clic reçoit le réglage du point choisi
      * @param siAtteint reçoit ce qu'il y a à dire du point où mènent la souris et les flèches
      */
-    public GraphiqueVitesse(Consumer<Reglage> clic, Consumer<String> siAtteint) {
+    public GraphiqueVitesse(Consumer<Candidat> clic, Consumer<String> siAtteint) {
         dire = siAtteint;
         setName("vitesse.graphique");
         setFocusable(true);
@@ -137,7 +137,7 @@ public final class GraphiqueVitesse extends JPanel {
         return reflets + " " + seuil + " " + section;
     }
 
-    public static String cle(Reglage reglage) {
+    public static String cle(Candidat reglage) {
         return cle(reglage.reflets, reglage.seuil, reglage.section);
     }
 
@@ -201,7 +201,7 @@ public final class GraphiqueVitesse extends JPanel {
                 .min(Comparator.comparingDouble(p -> e.getPoint().distance(x(p.rayons), y(p.erreur)))).orElse(null);
     }
 
-    private void viser(MouseEvent e, Consumer<Reglage> clic) {
+    private void viser(MouseEvent e, Consumer<Candidat> clic) {
         Point vise = sous(e);
         if (vise != null) {
             choisi = front().indexOf(vise);
@@ -221,7 +221,7 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     /** Le réglage tel qu'on le dirait : {@code 16 rayons là où c'est utile, reflets : 10}. */
-    private static String enMots(Reglage reglage) {
+    private static String enMots(Candidat reglage) {
         String n = reglage.section == null ? null : reglage.section.valeur("n");
         String rayons = n == null ? reglage.toString().replaceFirst(", .*", "")
                 : n.equals("1") ? "un rayon par pixel" : Math.round(Math.pow(Double.parseDouble(n), 2))

@@ -3,8 +3,8 @@ package lancer.auto;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Section;
 
-/** Un échantillonnage et une limite des reflets : de quoi dessiner, l'erreur attendue et le prix. Immuable. */
-public final class Reglage {
+/** Façon de dessiner : un échantillonnage et une limite des reflets, l'erreur attendue et le prix. Immuable. */
+public final class Candidat {
 
     /** Écarts types entre ce qui est attendu et ce qui est promis. */
     static final double PRUDENCE = 1.5;
@@ -28,7 +28,7 @@ public final class Reglage {
     final Echantillonnage echantillonnage;
     private final Limite limite;
 
-    Reglage(Section section, Echantillonnage echantillonnage, Limite limite, Estimation estimation, double prix) {
+    Candidat(Section section, Echantillonnage echantillonnage, Limite limite, Estimation estimation, double prix) {
         this.section = section;
         this.echantillonnage = echantillonnage;
         this.limite = limite;
