@@ -113,7 +113,7 @@ public final class Scene {
      */
     public Couleur getCouleurVue(Rayon rayon, Objet3D saufLui, int profondeur) {
         PointContact contact = getClosestIntersection(rayon, saufLui);
-        Ecoute.rayon(modele.getEcoute(), contact);
+        Ecoute.rayon(modele.getEcoute(), rayon.getV(), contact);
         Couleur couleur = contact == null ? rayon.getSkyColor()
                 : contact.objet.getColor(this, rayon, contact, profondeur);
         Couleur vue = modele.getAtmosphere().traverser(couleur, contact == null ? Constantes.INFINI : contact.distance);

@@ -18,9 +18,9 @@ public interface Atmosphere {
      */
     Couleur traverser(Couleur vue, double distance);
 
-    /** Air qui fait de même, et le dit à {@code ecoute} ({@link Ecoute#aLAir}) ; par défaut, il ne dit rien. */
-    default Atmosphere ecoutee(Ecoute ecoute) {
-        return this;
+    /** Part k de l'air dans ce que voit un rayon de cette longueur, pour l'inspecteur ; NaN : il n'en dit rien. */
+    default double k(double distance) {
+        return Double.NaN;
     }
 
     /** L'air transparent ; une classe nommée, car la première lambda coûterait au démarrage. */

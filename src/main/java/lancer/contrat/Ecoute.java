@@ -8,15 +8,15 @@ import lancer.Vecteur;
 /**
  * Récit d'un pixel, que font les classes du cours en le calculant, à qui le demande ; d'ordinaire personne,
  * et {@code e} est {@code null}. Un rayon se dit dans l'ordre : son contact, les lampes, le reflet (donc le rayon
- * suivant, en entier), l'air, et enfin ce qu'il voit.
+ * suivant, en entier), et enfin ce qu'il voit.
  *
  * <p>Qui écoute reçoit des copies : un objet qu'on lui donnerait n'aurait plus le droit de ne vivre que dans les
  * registres, même quand personne n'écoute.
  */
 public interface Ecoute {
 
-    /** Un rayon, et ce qu'il rencontre d'abord : {@code null} si c'est le ciel. */
-    void auRayon(PointContact contact);
+    /** Un rayon de direction V, et ce qu'il rencontre d'abord : {@code null} si c'est le ciel. */
+    void auRayon(Vecteur V, PointContact contact);
 
     /** La normale à ce contact, et le miroir du rayon ; une forme qui se colore à sa façon n'en dit rien. */
     void auContact(Vecteur N, Vecteur R);
@@ -27,9 +27,6 @@ public interface Ecoute {
     /** Lumière que donnerait cette lampe, qui est devant, si rien ne la cachait. */
     void aLEclairement(double cosinus, double eclat, Couleur diffus, Couleur reflet);
 
-    /** La base et l'exposant du reflet d'une lampe : R·L et ns pour Phong. */
-    void auReflet(double base, double exposant);
-
     /** Question d'un rayon d'ombre : une lampe est-elle cachée ? {@code L} va du contact à la lampe. */
     void aLOmbre(Vecteur L, double distance);
 
@@ -39,33 +36,18 @@ public interface Ecoute {
     /** Produit des Ks, qui dit si le reflet vaut d'être suivi. */
     void auPoids(Couleur produitKs);
 
-    /** Effet de l'air sur la somme : k, et les deux termes de ce qu'il laisse voir. */
-    void aLAir(double k, Couleur air, Couleur reste);
-
     /** Couleur que voit enfin ce rayon : la somme de son contact, ou le ciel, puis à travers l'air. */
     void aLaVue(Couleur somme, Couleur vue);
 
-    static void rayon(Ecoute e, PointContact contact) {
+    static void rayon(Ecoute e, Vecteur V, PointContact contact) {
         if (e != null) {
-            e.auRayon(contact);
-        }
-    }
-
-    static void reflet(Ecoute e, double base, double exposant) {
-        if (e != null) {
-            e.auReflet(base, exposant);
+            e.auRayon(new Vecteur(V.x, V.y, V.z), contact);
         }
     }
 
     static void ombre(Ecoute e, Vecteur L, double distance) {
         if (e != null) {
             e.aLOmbre(new Vecteur(L.x, L.y, L.z), distance);
-        }
-    }
-
-    static void air(Ecoute e, double k, Couleur air, Couleur reste) {
-        if (e != null) {
-            e.aLAir(k, new Couleur(air.r, air.v, air.b), new Couleur(reste.r, reste.v, reste.b));
         }
     }
 

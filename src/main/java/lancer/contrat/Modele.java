@@ -39,11 +39,7 @@ public final class Modele {
         return sien;
     }
 
-    /**
-     * Modèle identique, sauf l'échantillonnage et le seuil.
-     *
-     * @param seuil voir {@link #setSeuil}
-     */
+    /** Modèle identique, sauf l'échantillonnage et le seuil ({@link #setSeuil}). */
     public Modele avec(Echantillonnage echantillonnage, double seuil) {
         Modele autre = new Modele(this);
         autre.echantillonnage = echantillonnage;
@@ -51,11 +47,9 @@ public final class Modele {
         return autre;
     }
 
-    /** Modèle identique, qui dit à {@code ecoute} ce qu'il calcule. */
+    /** Modèle identique, dont le calcul se dit à {@code ecoute}. */
     public Modele ecoute(Ecoute ecoute) {
         Modele autre = new Modele(this);
-        autre.atmosphere = atmosphere.ecoutee(ecoute);
-        autre.specularite = specularite.quiDit(ecoute);
         autre.ecoute = ecoute;
         return autre;
     }

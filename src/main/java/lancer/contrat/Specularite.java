@@ -9,7 +9,7 @@ import lancer.Vecteur;
 public interface Specularite {
 
     /** Le reflet de la base : max(0, R·L)^ns. */
-    Specularite PHONG = new Phong(null);
+    Specularite PHONG = new Phong();
 
     /** Exposant au-delà duquel la puissance entière perdrait plus de chiffres qu'elle ne gagnerait de temps. */
     int EXPOSANT_ENTIER_MAX = 1024;
@@ -60,15 +60,17 @@ public interface Specularite {
         }
     }
 
-    /**
-     * Reflet identique, qui dit à {@code ecoute} sa base et son exposant ({@link Ecoute#auReflet}) ; par défaut, il ne
-     * dit rien.
-     */
-    default Specularite quiDit(Ecoute ecoute) {
-        return this;
+    /** Base de la {@link #puissance} qu'est cet éclat, pour l'inspecteur ; NaN : il n'en dit rien. */
+    default double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
+        return Double.NaN;
     }
 
-    /** Nom de la base qu'il dit. */
+    /** Exposant de cette puissance. */
+    default double exposant(double ns) {
+        return ns;
+    }
+
+    /** Nom de sa base. */
     default String nomDeLaBase() {
         return "R·L";
     }
@@ -76,22 +78,14 @@ public interface Specularite {
     /** Reflet de Phong, 1975. */
     final class Phong implements Specularite {
 
-        private final Ecoute ecoute;
-
-        private Phong(Ecoute ecoute) {
-            this.ecoute = ecoute;
-        }
-
         @Override
         public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
-            double base = R.dot(L);
-            Ecoute.reflet(ecoute, base, ns);
-            return puissance(base, ns);
+            return puissance(R.dot(L), ns);
         }
 
         @Override
-        public Specularite quiDit(Ecoute autre) {
-            return new Phong(autre);
+        public double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
+            return R.dot(L);
         }
     }
 }

@@ -23,11 +23,11 @@ final class Chaine implements Ecoute {
     private final Deque<Etape> ouvertes = new ArrayDeque<>();
 
     @Override
-    public void auRayon(PointContact contact) {
+    public void auRayon(Vecteur V, PointContact contact) {
         if (ouvertes.isEmpty()) {
             etapes.clear();
         }
-        Etape etape = new Etape(etapes.size() + 1, contact);
+        Etape etape = new Etape(etapes.size() + 1, V, contact);
         etapes.add(etape);
         ouvertes.push(etape);
     }
@@ -58,14 +58,6 @@ final class Chaine implements Ecoute {
     }
 
     @Override
-    public void auReflet(double base, double exposant) {
-        if (!ouvertes.peek().lampes.isEmpty()) {
-            enCours().base = base;
-            enCours().exposant = exposant;
-        }
-    }
-
-    @Override
     public void aLOmbre(Vecteur L, double distance) {
         // une forme qui se colore à sa façon demande ses ombres sans nommer la lampe
         if (!ouvertes.peek().lampes.isEmpty()) {
@@ -89,13 +81,6 @@ final class Chaine implements Ecoute {
     }
 
     @Override
-    public void aLAir(double part, Couleur sien, Couleur passe) {
-        ouvertes.peek().k = part;
-        ouvertes.peek().air = sien;
-        ouvertes.peek().reste = passe;
-    }
-
-    @Override
     public void aLaVue(Couleur somme, Couleur vue) {
         Etape etape = ouvertes.pop();
         etape.somme = somme;
@@ -107,6 +92,7 @@ final class Chaine implements Ecoute {
         Rayon rayon = depart;
         PointContact sauf = null;
         for (Etape etape : etapes) {
+            etape.k = scene.getModele().getAtmosphere().k(etape.distance());
             for (Eclairage eclairage : etape.lampes) {
                 if (eclairage.L != null && !eclairage.eclaire()) {
                     eclairage.cache = cache(eclairage, etape.contact, scene);

@@ -15,10 +15,6 @@ public final class Eclairage {
 
     double cosinus;
     double eclat;
-
-    /** Base et exposant du reflet, NaN si la spécularité n'en dit rien. */
-    double base = Double.NaN;
-    double exposant = Double.NaN;
     Couleur diffus;
     Couleur reflet;
 

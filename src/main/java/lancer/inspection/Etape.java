@@ -2,6 +2,7 @@ package lancer.inspection;
 
 import java.util.ArrayList;
 import java.util.List;
+import lancer.Constantes;
 import lancer.Couleur;
 import lancer.PointContact;
 import lancer.Vecteur;
@@ -14,6 +15,9 @@ public final class Etape {
 
     /** Contact rencontré, {@code null} pour le ciel. */
     public final PointContact contact;
+
+    /** Direction du rayon. */
+    final Vecteur V;
 
     public final List<Eclairage> lampes = new ArrayList<>();
 
@@ -30,15 +34,19 @@ public final class Etape {
     Couleur reflet;
     Couleur somme;
 
-    /** Part k de l'air, et les deux termes de la vue, s'il les dit. */
-    double k;
-    Couleur air;
-    Couleur reste;
+    /** Part de l'air, NaN s'il n'en dit rien. */
+    double k = Double.NaN;
     Couleur vue;
 
-    Etape(int numero, PointContact contact) {
+    Etape(int numero, Vecteur V, PointContact contact) {
         this.numero = numero;
+        this.V = V;
         this.contact = contact;
+    }
+
+    /** Longueur du rayon, +∞ si c'est le ciel. */
+    double distance() {
+        return contact == null ? Constantes.INFINI : contact.distance;
     }
 
     /** La direction du reflet, {@code null} s'il n'a pas été suivi. */
@@ -48,7 +56,7 @@ public final class Etape {
 
     /** Dit si ce que voit le rayon n'est pas la somme telle quelle. */
     boolean aTraversLAir() {
-        return air != null || vue != null && !vue.equals(somme);
+        return !Double.isNaN(k) || vue != null && !vue.equals(somme);
     }
 
     /** Le nom, dans le récit, de ce que voit ce rayon. */

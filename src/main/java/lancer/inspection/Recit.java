@@ -164,24 +164,27 @@ public final class Recit {
             String lampe = " ⊗ lampe " + facteur(e.lampe.getCouleur()) + " × ";
             dire("       diffus = Kd " + facteur(etape.contact.objet.getKd()) + lampe + "N·L "
                     + nombre.apply(e.cosinus) + " = " + ecrire(e.diffus));
-            dire("       + reflet = Ks " + facteur(etape.contact.objet.getKs()) + lampe + eclat(e) + " = "
+            dire("       + reflet = Ks " + facteur(etape.contact.objet.getKs()) + lampe + eclat(etape, e) + " = "
                     + ecrire(e.reflet));
             dire("       = " + ecrire(e.apport));
         }
     }
 
-    /** La base et l'exposant de l'éclat d'une lampe, tels que les a pris ce qui le calcule ; sinon l'éclat lui-même. */
-    private String eclat(Eclairage e) {
+    /** La base et l'exposant de l'éclat d'une lampe, s'il a été calculé et les dit ; sinon l'éclat lui-même. */
+    private String eclat(Etape etape, Eclairage e) {
         Specularite specularite = pixel.scene.getModele().getSpecularite();
-        return Double.isNaN(e.base) ? "éclat " + nombre.apply(e.eclat) : "(" + specularite.nomDeLaBase() + " "
-                + nombre.apply(e.base) + ")^" + nombre.apply(e.exposant);
+        double base = specularite.base(etape.V, etape.N, e.L, etape.R);
+        return Double.isNaN(base) || etape.contact.objet.getKs().estNoire() ? "éclat " + nombre.apply(e.eclat)
+                : "(" + specularite.nomDeLaBase() + " " + nombre.apply(base) + ")^"
+                + nombre.apply(specularite.exposant(etape.contact.objet.getNs()));
     }
 
     private void direLAir(Etape etape) {
-        if (etape.air != null) {
+        if (!Double.isNaN(etape.k)) {
+            Couleur air = pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance());
             dire("     air : k = " + nombre.apply(etape.k));
-            dire("       k · air = " + ecrire(etape.air));
-            dire("       + (1 − k) · somme " + etape.numero + " = " + ecrire(etape.reste));
+            dire("       k · air = " + ecrire(air));
+            dire("       + (1 − k) · somme " + etape.numero + " = " + ecrire(etape.somme.mul(1 - etape.k)));
         }
         if (etape.vue != null) {
             dire("   vue " + etape.numero + " = " + ecrire(etape.vue));

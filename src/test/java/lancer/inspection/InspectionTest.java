@@ -118,9 +118,9 @@ class InspectionTest {
             pixel.faire();
             for (Etape etape : pixel.getEtapes()) {
                 for (Eclairage lampe : etape.lampes) {
-                    if (lampe.devant > 0 && !etape.contact.objet.getKs().estNoire()) {
-                        assertEquals(etape.contact.objet.getNs(), lampe.exposant);
-                        assertEquals(lampe.eclat, Specularite.puissance(lampe.base, lampe.exposant));
+                    if (lampe.L != null && !etape.contact.objet.getKs().estNoire()) {
+                        double base = Specularite.PHONG.base(etape.V, etape.N, lampe.L, etape.R);
+                        assertEquals(lampe.eclat, Specularite.puissance(base, etape.contact.objet.getNs()));
                         reflets++;
                     }
                 }

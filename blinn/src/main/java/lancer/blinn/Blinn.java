@@ -3,7 +3,6 @@ package lancer.blinn;
 import java.util.Collections;
 import java.util.List;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
@@ -19,8 +18,6 @@ public final class Blinn implements Variante, Specularite {
     private static final double FACTEUR = 1;
 
     private final double facteur;
-    /** Auditeur de la scène ; d'ordinaire {@code null}. */
-    private final Ecoute ecoute;
 
     /** Le reflet d'une scène qui n'en dit rien. */
     public Blinn() {
@@ -29,12 +26,7 @@ public final class Blinn implements Variante, Specularite {
 
     /** @param facteur ce qui multiplie ns, plus grand que 0 */
     Blinn(double facteur) {
-        this(facteur, null);
-    }
-
-    private Blinn(double facteur, Ecoute ecoute) {
         this.facteur = facteur;
-        this.ecoute = ecoute;
     }
 
     @Override
@@ -54,20 +46,20 @@ public final class Blinn implements Variante, Specularite {
 
     @Override
     public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
-        Vecteur H = L.sub(V);
-        double norme = H.norme();
+        double base = base(V, N, L, R);
         // la lampe est droit derrière le contact : il n'y a pas de bissectrice, et rien à refléter
-        if (norme == 0) {
-            return 0;
-        }
-        double base = N.dot(H) / norme;
-        Ecoute.reflet(ecoute, base, facteur * ns);
-        return Specularite.puissance(base, facteur * ns);
+        return Double.isNaN(base) ? 0 : Specularite.puissance(base, exposant(ns));
     }
 
     @Override
-    public Specularite quiDit(Ecoute autre) {
-        return new Blinn(facteur, autre);
+    public double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
+        Vecteur H = L.sub(V);
+        return N.dot(H) / H.norme();
+    }
+
+    @Override
+    public double exposant(double ns) {
+        return facteur * ns;
     }
 
     @Override

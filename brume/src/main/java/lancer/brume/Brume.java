@@ -5,7 +5,6 @@ import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.contrat.Atmosphere;
-import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
@@ -25,8 +24,6 @@ public final class Brume implements Variante, Atmosphere {
 
     private final Couleur couleur;
     private final LoiBrume loi;
-    /** Qui écoute, d'ordinaire {@code null}. */
-    private final Ecoute ecoute;
 
     /** La brume d'une scène qui n'en dit rien. */
     public Brume() {
@@ -34,13 +31,8 @@ public final class Brume implements Variante, Atmosphere {
     }
 
     Brume(Couleur couleur, LoiBrume loi) {
-        this(couleur, loi, null);
-    }
-
-    private Brume(Couleur couleur, LoiBrume loi, Ecoute ecoute) {
         this.couleur = couleur;
         this.loi = loi;
-        this.ecoute = ecoute;
     }
 
     @Override
@@ -80,18 +72,15 @@ public final class Brume implements Variante, Atmosphere {
         return new LoiBrume.Exponentielle(debut, densite);
     }
 
-    /** Un rayon qui ne rencontre rien traverse toute la brume : il ne voit qu'elle, si légère soit-elle. */
     @Override
     public Couleur traverser(Couleur vue, double distance) {
-        double k = distance == Constantes.INFINI ? 1 : loi.k(distance);
-        Couleur brume = couleur.mul(k);
-        Couleur reste = vue.mul(1 - k);
-        Ecoute.air(ecoute, k, brume, reste);
-        return brume.add(reste);
+        double k = k(distance);
+        return couleur.mul(k).add(vue.mul(1 - k));
     }
 
+    /** Un rayon qui ne rencontre rien traverse toute la brume : il ne voit qu'elle, si légère soit-elle. */
     @Override
-    public Atmosphere ecoutee(Ecoute autre) {
-        return new Brume(couleur, loi, autre);
+    public double k(double distance) {
+        return distance == Constantes.INFINI ? 1 : loi.k(distance);
     }
 }
