@@ -1,6 +1,9 @@
 package lancer.fenetre;
 
 import java.awt.EventQueue;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
+import java.awt.image.BufferedImage;
 import java.io.File;
 import java.nio.file.Files;
 import java.util.Locale;
@@ -13,10 +16,7 @@ import lancer.image.ImageMemoire;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
-/**
- * L'image achevée, vers un fichier PNG, le même qu'avec {@code --image} ; le disque a un fil à
- * part.
- */
+/** L'image achevée, vers le presse-papiers, ou vers un fichier PNG, le même qu'avec {@code --image}. */
 final class Enregistrement {
 
     private final Atelier atelier;
@@ -34,11 +34,37 @@ final class Enregistrement {
         this.bandeau = bandeau;
     }
 
-    /** L'image achevée ; à défaut, dit pourquoi il n'y en a pas. */
-    private ImageMemoire imageOuAvis() {
+    /** Met l'image dans le presse-papiers. */
+    void copier() {
+        ImageMemoire image = imageOuAvis("copiée");
+        if (image != null) {
+            BufferedImage copie = new BufferedImage(image.getLargeur(), image.getHauteur(), BufferedImage.TYPE_INT_RGB);
+            copie.setRGB(0, 0, copie.getWidth(), copie.getHeight(), image.getCodes(), 0, copie.getWidth());
+            bandeau.getToolkit().getSystemClipboard().setContents(new Transferable() {
+                @Override
+                public DataFlavor[] getTransferDataFlavors() {
+                    return new DataFlavor[] {DataFlavor.imageFlavor};
+                }
+
+                @Override
+                public boolean isDataFlavorSupported(DataFlavor sorte) {
+                    return sorte.equals(DataFlavor.imageFlavor);
+                }
+
+                @Override
+                public Object getTransferData(DataFlavor sorte) {
+                    return copie;
+                }
+            }, null);
+            bandeau.avis("image copiée, " + image.getLargeur() + " × " + image.getHauteur() + " pixels");
+        }
+    }
+
+    /** L'image achevée ; à défaut, dit pourquoi elle n'est pas enregistrée, ou copiée. */
+    private ImageMemoire imageOuAvis(String geste) {
         ImageMemoire image = atelier.getImageComplete();
         if (atelier.direFautes() != null) {
-            bandeau.avis("Image non enregistrée : " + atelier.direFautes() + ".");
+            bandeau.avis("Image non " + geste + " : " + atelier.direFautes() + ".");
             return null;
         }
         if (image == null) {
@@ -50,7 +76,7 @@ final class Enregistrement {
 
     /** Demande où l'écrire, et n'écrase pas la scène. */
     void enregistrer() {
-        ImageMemoire image = imageOuAvis();
+        ImageMemoire image = imageOuAvis("enregistrée");
         if (image == null) {
             return;
         }

@@ -80,6 +80,8 @@ public final class Fenetre {
         Menus.article(menu, "Ouvrir une scène…", Menus.ctrl(KeyEvent.VK_O), this::choisirScene);
         Menus.siScene(atelier, Menus.article(menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S),
                 enregistrement::enregistrer));
+        Menus.siScene(atelier, Menus.article(menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C),
+                enregistrement::copier));
         menu.add(panneau.bandeau.copie);
         menu.addSeparator();
         Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);

@@ -16,7 +16,7 @@ final class Touches extends JDialog {
     private static final String[][] TOUCHES = {
         {"Ctrl+O", "ouvrir une scène ; ou déposer son fichier sur la fenêtre"},
         {"Page suivante, précédente", "les autres scènes du dossier"},
-        {"Ctrl+S", "enregistrer l'image"},
+        {"Ctrl+S, Ctrl+C", "enregistrer l'image, la copier"},
         {"+, −", "plus ou moins de réflexions"},
         {"F2", "les paramètres des variantes"},
         {"F3", "vitesse ou précision : les réglages possibles, à dessiner d'un clic"},

@@ -10,6 +10,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
+import java.awt.Image;
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -90,6 +94,17 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         choisir(dossier.resolve("sous/autre.png"));
         banc.attendreMessage("enregistrée : autre.png");
         assertEquals("boule.png", enregistrerSous(dossier.resolve("fin.png")));
+    }
+
+    @Test
+    void ctrlCCopieLImage() throws Exception {
+        ouvrir();
+        banc.frapperCtrl('c');
+        banc.attendreMessage("image copiée, 320 × 240 pixels");
+        Image copie = (Image) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.imageFlavor);
+        BufferedImage lue = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
+        lue.createGraphics().drawImage(copie, 0, 0, null);
+        assertArrayEquals(attendue(L, H), BancFenetre.codes(lue));
     }
 
     /** Frappe Ctrl+S et choisit ce fichier ; rend le nom qui était proposé. */

@@ -106,7 +106,7 @@ class FenetreFichiersTest extends EssaiFenetre {
     @Test
     void leTexteDUneFauteSeCopie() throws Exception {
         ouvrir();
-        AbstractButton article = banc.cadre.getJMenuBar().getMenu(0).getItem(2);
+        AbstractButton article = banc.cadre.getJMenuBar().getMenu(0).getItem(3);
         assertFalse(article.isEnabled(), "rien à copier");
         ecrire(FAUTIVE);
         banc.attendreMessage(scene.toString());

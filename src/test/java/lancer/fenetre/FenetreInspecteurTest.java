@@ -287,11 +287,10 @@ class FenetreInspecteurTest extends EssaiFenetre {
     }
 
     @Test
-    void leTexteSeCopie() throws Exception {
+    void sansRienChoisirCtrlCCopieToutLeTexteEtNonLImage() throws Exception {
         int[] codes = ouvrir().getCodes();
         cliquer(150, 100);
         String recit = attendreRecit(couleur(codes[100 * L + 150]));
-        presser(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
         presser(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
         attendre("le texte, copié", () -> BancFenetre.copie().equals(recit));
         assertFalse(composant("recit", JTextPane.class).isEditable());
