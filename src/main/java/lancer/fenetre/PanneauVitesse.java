@@ -38,7 +38,7 @@ final class PanneauVitesse extends JDialog {
     private static final int MARGE = 8;
 
     private final transient Atelier atelier;
-    private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, this::atteindre);
+    private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, this::atteindre, this::estPresent);
     private final JLabel etat = new JLabel(" ");
     /** Le point où mènent la souris et les flèches, en mots. */
     private final JTextArea point = new JTextArea(2, 40);
@@ -94,7 +94,6 @@ final class PanneauVitesse extends JDialog {
         if (essais != null) {
             essais.cancel(true);
         }
-        essais = null;
         essayee = null;
         auto = null;
         voulu = null;
@@ -108,21 +107,17 @@ final class PanneauVitesse extends JDialog {
             etat.setText("Pas encore d'image : les essais commenceront avec elle.");
             return;
         }
-        Traceur lancer = montre.traceur;
-        ReglagesDessin reglages = montre.reglages;
-        List<Object> scene = scene(lancer, reglages);
-        if (!memes(scene, essayee)) {
+        List<Object> scene = scene(montre);
+        if (!scene.equals(essayee)) {
             abandonner();
             essayee = scene;
-            essayer(lancer, reglages);
+            essayer(montre);
         }
-        String present = GraphiqueVitesse.cle(reglages.getReflets(), reglages.getSeuil(), section(reglages));
-        graphique.setPresent(present);
+        graphique.repaint();
         ImageMemoire image = atelier.getImageComplete();
-        if (voulu != null && auto != null && image != null && image.getLineaire() != null
-                && GraphiqueVitesse.cle(voulu).equals(present)) {
+        if (voulu != null && auto != null && image != null && image.getLineaire() != null && estPresent(voulu)) {
             if (atelier.direFautes() == null) {
-                mesurer(auto, voulu, lancer, image);
+                mesurer(montre.traceur, image);
             } else {
                 etat.setText("Image non mesurée : " + atelier.direFautes() + ".");
             }
@@ -131,21 +126,15 @@ final class PanneauVitesse extends JDialog {
     }
 
     /** Ce dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
-    private static List<Object> scene(Traceur lancer, ReglagesDessin reglages) {
-        List<Object> scene = new ArrayList<>(Arrays.asList(lancer.getScene().getObjets(),
-                lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur()));
-        for (Variante variante : reglages.getVariantes()) {
-            if (reglages.estBranchee(variante) && !libres(reglages).contains(variante)) {
-                scene.add(reglages.getSection(variante).toString());
+    private static List<Object> scene(Dessin dessin) {
+        List<Object> scene = new ArrayList<>(Arrays.asList(dessin.traceur.getScene().getObjets(),
+                dessin.image.getLargeur(), dessin.image.getHauteur()));
+        for (Variante variante : dessin.reglages.getVariantes()) {
+            if (dessin.reglages.estBranchee(variante) && !libres(dessin.reglages).contains(variante)) {
+                scene.add(dessin.reglages.getSection(variante).toString());
             }
         }
         return scene;
-    }
-
-    /** La liste des objets est la même, ou ce n'est plus la même scène ; le reste se compare. */
-    private static boolean memes(List<Object> une, List<Object> autre) {
-        return autre != null && une.get(0) == autre.get(0)
-                && une.subList(1, une.size()).equals(autre.subList(1, autre.size()));
     }
 
     /** Les variantes branchées que les essais règlent : le fichier n'en dit rien. */
@@ -155,37 +144,32 @@ final class PanneauVitesse extends JDialog {
         return libres;
     }
 
-    /** La section qui règle l'échantillonnage ; {@code null} si c'est la scène. */
-    private static Section section(ReglagesDessin reglages) {
-        return libres(reglages).stream().map(reglages::getSection).findFirst().orElse(null);
+    /** Dit si l'image montrée est dessinée avec ce réglage. */
+    private boolean estPresent(Candidat reglage) {
+        ReglagesDessin presents = atelier.getMontre().reglages;
+        Section section = libres(presents).stream().map(presents::getSection).findFirst().orElse(null);
+        return reglage.reflets == presents.getReflets() && reglage.seuil == presents.getSeuil()
+                && String.valueOf(reglage.section).equals(String.valueOf(section));
     }
 
-    private void essayer(Traceur lancer, ReglagesDessin reglages) {
+    private void essayer(Dessin montre) {
         List<Object> scene = essayee;
-        List<Variante> libres = libres(reglages);
-        int fils = atelier.fils;
         etat.setText("premiers essais…");
         essais = Atelier.confier(fil, () -> {
-            Auto fait = Auto.choisir(lancer, 0, null, null, fils, libres, enCours ->
-                    montrer(scene, enCours, "d'autres réglages à essayer…", null));
-            Candidat present = fait.evaluer(reglages.getReflets(), reglages.getSeuil());
-            montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages"
-                    + " (ou flèches, et Entrée).", present);
+            Auto fait = Auto.choisir(montre.traceur, 0, null, null, atelier.fils, libres(montre.reglages),
+                    enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
+            montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée).",
+                    fait.evaluer(montre.reglages.getReflets(), montre.reglages.getSeuil()));
         }, panne -> etat.setText("Essais impossibles : " + panne));
     }
 
     /** Du fil des essais : ce qu'ils disent, si personne n'a changé de scène entre-temps. */
     private void montrer(List<Object> scene, Auto enCours, String texte, Candidat present) {
-        List<GraphiqueVitesse.Point> points = new ArrayList<>();
-        for (Candidat reglage : enCours.getEssayes()) {
-            points.add(new GraphiqueVitesse.Point(reglage, enCours.getEssayes().stream()
-                    .noneMatch(autre -> autre.prix < reglage.prix && autre.erreur <= reglage.erreur)));
-        }
-        GraphiqueVitesse.Point ici = present == null ? null : new GraphiqueVitesse.Point(present, false);
+        List<Candidat> essayes = new ArrayList<>(enCours.getEssayes());
         EventQueue.invokeLater(() -> {
             if (scene == essayee) {
                 etat.setText(texte);
-                graphique.montrer(points, ici);
+                graphique.montrer(essayes, present);
                 auto = present == null ? null : enCours;
                 suivre();
             }
@@ -195,15 +179,16 @@ final class PanneauVitesse extends JDialog {
     private void dessiner(Candidat reglage) {
         ReglagesDessin reglages = atelier.getReglages().avec(reglage.reflets, reglage.seuil);
         if (reglage.section != null) {
-            Variante variante = reglages.getVariante(reglage.section.getNom());
-            reglages = reglages.avec(variante, reglage.section);
+            reglages = reglages.avec(reglages.getVariante(reglage.section.getNom()), reglage.section);
         }
         voulu = reglage;
         atelier.dessiner(reglages, false);
     }
 
-    private void mesurer(Auto fait, Candidat reglage, Traceur lancer, ImageMemoire image) {
+    private void mesurer(Traceur lancer, ImageMemoire image) {
         List<Object> scene = essayee;
+        Auto fait = auto;
+        Candidat reglage = voulu;
         double rayons = lancer.getCompteurs().rayons() / (double) image.getCodes().length;
         etat.setText("mesure de l'image…");
         essais = Atelier.confier(fil, () -> {
@@ -218,8 +203,7 @@ final class PanneauVitesse extends JDialog {
             EventQueue.invokeLater(() -> {
                 if (scene == essayee) {
                     etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : de %.2f à %.2f), "
-                            + "%.1f rayons par pixel", erreur, incertitude, reglage.auMoins,
-                            reglage.auPlus, rayons));
+                            + "%.1f rayons par pixel", erreur, incertitude, reglage.auMoins, reglage.auPlus, rayons));
                     graphique.ajouterMesure(rayons, erreur, incertitude);
                 }
             });

@@ -14,6 +14,8 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.swing.JLabel;
@@ -111,9 +113,10 @@ class FenetreVitesseTest extends EssaiFenetre {
     void changerLaSceneRecommenceLesEssais() throws Exception {
         ouvrirLePanneau();
         attendreEtat("Un clic");
-        int avant = graphique.getVersion();
+        List<Object> dits = new CopyOnWriteArrayList<>();
+        etat.addPropertyChangeListener("text", e -> dits.add(e.getNewValue()));
         ecrire(BLEUE);
-        attendre("d'autres essais commencent", () -> graphique.getVersion() > avant);
+        attendre("d'autres essais commencent", () -> dits.contains("premiers essais…"));
         attendreEtat("Un clic");
     }
 }

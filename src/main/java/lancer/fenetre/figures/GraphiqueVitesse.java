@@ -6,31 +6,33 @@ import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
-import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import lancer.auto.Candidat;
-import lancer.contrat.Section;
 
 /** Des réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
 public final class GraphiqueVitesse extends JPanel {
 
-    /** L'erreur que fait l'écran seul en arrondissant à un niveau entier : 1/√12. */
-    public static final double ARRONDI = 1 / Math.sqrt(12);
-
     private static final long serialVersionUID = 1;
 
+    /** L'erreur que fait l'écran seul en arrondissant à un niveau entier. */
+    private static final double ARRONDI = 1 / Math.sqrt(12);
+
+    private static final double Y_MIN = ARRONDI / 3;
     private static final int GAUCHE = 58;
     private static final int DROITE = 18;
     private static final int HAUT = 26;
@@ -44,42 +46,24 @@ public final class GraphiqueVitesse extends JPanel {
     private static final Color MESURE = new Color(0xC0392B);
 
     private final transient Consumer<String> dire;
-    private final transient List<Point> points = new ArrayList<>();
+    private final transient Predicate<Candidat> estPresent;
+    private transient List<Candidat> points = Collections.emptyList();
+    /** Ceux que rien ne domine, du moins cher au plus cher. */
+    private transient List<Candidat> front = Collections.emptyList();
     private final transient List<double[]> mesures = new ArrayList<>();
-    private transient Point ici;
-    private String present = "";
     private int choisi = -1;
-    private int version;
-    private double xMin = 1;
-    private double xMax = 10;
-    private double yMin = 0.1;
-    private double yMax = 10;
-
-    /** Un réglage et ce qui en est attendu. Immuable, à la différence du réglage. */
-    public static final class Point {
-        private final Candidat reglage;
-        private final boolean front;
-        private final double rayons;
-        private final double erreur;
-        private final double auMoins;
-        private final double auPlus;
-
-        public Point(Candidat reglage, boolean front) {
-            this.reglage = reglage;
-            this.front = front;
-            rayons = reglage.prix;
-            erreur = reglage.erreur;
-            auPlus = reglage.auPlus;
-            auMoins = reglage.auMoins;
-        }
-    }
+    private double xMin;
+    private double xMax;
+    private double yMax;
 
     /**
      * @param clic reçoit le réglage du point choisi
      * @param siAtteint reçoit ce qu'il y a à dire du point où mènent la souris et les flèches
+     * @param estPresent dit si l'image montrée est dessinée avec ce réglage
      */
-    public GraphiqueVitesse(Consumer<Candidat> clic, Consumer<String> siAtteint) {
+    public GraphiqueVitesse(Consumer<Candidat> clic, Consumer<String> siAtteint, Predicate<Candidat> estPresent) {
         dire = siAtteint;
+        this.estPresent = estPresent;
         setName("vitesse.graphique");
         setFocusable(true);
         getAccessibleContext().setAccessibleName("réglages, par prix et par erreur");
@@ -94,88 +78,56 @@ public final class GraphiqueVitesse extends JPanel {
             @Override
             public void mouseClicked(MouseEvent e) {
                 requestFocusInWindow();
-                viser(e, clic);
+                Candidat vise = sous(e);
+                if (vise != null) {
+                    choisi = front.indexOf(vise);
+                    clic.accept(vise);
+                }
             }
         };
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
-        for (int touche : new int[] {KeyEvent.VK_LEFT, KeyEvent.VK_RIGHT}) {
-            registerKeyboardAction(e -> avancer(touche == KeyEvent.VK_RIGHT ? 1 : -1),
-                    KeyStroke.getKeyStroke(touche, 0), WHEN_IN_FOCUSED_WINDOW);
-        }
-        registerKeyboardAction(e -> {
-            if (choisi >= 0 && choisi < front().size()) {
-                clic.accept(front().get(choisi).reglage);
+        addKeyListener(new KeyAdapter() {
+            @Override
+            public void keyPressed(KeyEvent e) {
+                int touche = e.getKeyCode();
+                if (touche == KeyEvent.VK_LEFT || touche == KeyEvent.VK_RIGHT) {
+                    avancer(touche == KeyEvent.VK_RIGHT ? 1 : -1);
+                    e.consume();
+                } else if (touche == KeyEvent.VK_ENTER && choisi >= 0) {
+                    // sans point choisi, Entrée est pour l'image
+                    clic.accept(front.get(choisi));
+                    e.consume();
+                }
             }
-        }, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), WHEN_IN_FOCUSED_WINDOW);
+        });
     }
 
-    /** Combien de scènes ont été essayées. */
-    public int getVersion() {
-        return version;
-    }
-
+    /** N'a plus rien à montrer : c'est une autre scène. */
     public void vider() {
-        version++;
-        points.clear();
         mesures.clear();
-        ici = null;
         choisi = -1;
-        repaint();
+        montrer(Collections.emptyList(), null);
     }
 
-    /** @param nouvelIci les réglages présents, s'ils sont essayés */
-    public void montrer(List<Point> nouveaux, Point nouvelIci) {
-        points.clear();
-        points.addAll(nouveaux);
-        ici = nouvelIci;
-        cadrer();
-    }
-
-    /** De quoi comparer des réglages. @param section celle de l'échantillonnage, {@code null} si c'est la scène */
-    public static String cle(int reflets, double seuil, Section section) {
-        return reflets + " " + seuil + " " + section;
-    }
-
-    public static String cle(Candidat reglage) {
-        return cle(reglage.reflets, reglage.seuil, reglage.section);
-    }
-
-    /** @param cle celle des réglages de l'image montrée */
-    public void setPresent(String cle) {
-        present = cle;
+    /** @param ici les réglages présents, s'ils sont évalués ; ou {@code null} */
+    public void montrer(List<Candidat> essayes, Candidat ici) {
+        points = new ArrayList<>(essayes);
+        if (ici != null && points.stream().noneMatch(estPresent)) {
+            points.add(ici);
+        }
+        front = essayes.stream().filter(p -> essayes.stream().noneMatch(q -> q.prix < p.prix && q.erreur <= p.erreur))
+                .sorted(Comparator.comparingDouble(p -> p.prix)).collect(Collectors.toList());
+        choisi = Math.min(choisi, front.size() - 1);
+        DoubleSummaryStatistics prix = points.stream().mapToDouble(p -> p.prix).summaryStatistics();
+        xMin = prix.getMin() / 1.3;
+        xMax = prix.getMax() * 1.3;
+        yMax = Math.max(1, points.stream().mapToDouble(p -> p.auPlus).max().orElse(1) * 1.3);
         repaint();
     }
 
     public void ajouterMesure(double rayons, double erreur, double incertitude) {
         mesures.add(new double[] {rayons, erreur, incertitude});
-        cadrer();
-    }
-
-    private boolean estPresent(Point p) {
-        return cle(p.reglage).equals(present);
-    }
-
-    private List<Point> tous() {
-        List<Point> tous = new ArrayList<>(points);
-        if (ici != null) {
-            tous.add(ici);
-        }
-        return tous;
-    }
-
-    private List<Point> front() {
-        List<Point> front = new ArrayList<>(points);
-        front.removeIf(p -> !p.front);
-        front.sort(Comparator.comparingDouble(p -> p.rayons));
-        return front;
-    }
-
-    private void cadrer() {
-        xMin = tous().stream().mapToDouble(p -> p.rayons).min().orElse(1) / 1.3;
-        xMax = tous().stream().mapToDouble(p -> p.rayons).max().orElse(10) * 1.3;
-        yMin = ARRONDI / 3;
-        yMax = Math.max(1, tous().stream().mapToDouble(p -> p.auPlus).max().orElse(10) * 1.3);
         repaint();
     }
 
@@ -184,40 +136,32 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     private double y(double erreur) {
-        double part = Math.log(Math.max(erreur, yMin) / yMin) / Math.log(yMax / yMin);
+        double part = Math.log(Math.max(erreur, Y_MIN) / Y_MIN) / Math.log(yMax / Y_MIN);
         return getHeight() - BAS - (getHeight() - HAUT - BAS) * part;
     }
 
     private void avancer(int pas) {
-        choisi = Math.max(0, Math.min(front().size() - 1, choisi + pas));
-        if (!front().isEmpty()) {
-            dire.accept(legende(front().get(choisi)));
+        if (!front.isEmpty()) {
+            choisi = Math.max(0, Math.min(front.size() - 1, choisi + pas));
+            dire.accept(legende(front.get(choisi)));
+            repaint();
         }
-        repaint();
     }
 
-    private Point sous(MouseEvent e) {
-        return tous().stream().filter(p -> e.getPoint().distance(x(p.rayons), y(p.erreur)) < PORTEE)
-                .min(Comparator.comparingDouble(p -> e.getPoint().distance(x(p.rayons), y(p.erreur)))).orElse(null);
-    }
-
-    private void viser(MouseEvent e, Consumer<Candidat> clic) {
-        Point vise = sous(e);
-        if (vise != null) {
-            choisi = front().indexOf(vise);
-            clic.accept(vise.reglage);
-        }
+    private Candidat sous(MouseEvent e) {
+        return points.stream().filter(p -> e.getPoint().distance(x(p.prix), y(p.erreur)) < PORTEE)
+                .min(Comparator.comparingDouble(p -> e.getPoint().distance(x(p.prix), y(p.erreur)))).orElse(null);
     }
 
     /** Le réglage en mots, son prix, et ce qu'on y gagne sur le présent. */
-    private String legende(Point p) {
-        String gain = tous().stream().filter(this::estPresent).findFirst().filter(autre -> autre != p)
+    private String legende(Candidat p) {
+        String gain = points.stream().filter(estPresent).findFirst().filter(autre -> autre != p)
                 .map(autre -> String.format(Locale.FRANCE, " ; au lieu du présent, %s rayons et %s erreur",
-                        fois(p.rayons / autre.rayons), fois(p.erreur / autre.erreur))).orElse("");
+                        fois(p.prix / autre.prix), fois(p.erreur / autre.erreur))).orElse("");
         String erreur = auPlus(p) ? String.format(Locale.FRANCE, "d'au plus %.2f", p.auPlus)
                 : String.format(Locale.FRANCE, "de %.2f à %.2f", p.auMoins, p.auPlus);
-        return enMots(p.reglage) + String.format(Locale.FRANCE, " — %.1f rayons par pixel, erreur %s niveau%s",
-                p.rayons, erreur, p.auPlus < 2 ? "" : "x") + gain;
+        return enMots(p) + String.format(Locale.FRANCE, " — %.1f rayons par pixel, erreur %s niveau%s",
+                p.prix, erreur, p.auPlus < 2 ? "" : "x") + gain;
     }
 
     /** Le réglage tel qu'on le dirait : {@code 16 rayons là où c'est utile, reflets : 10}. */
@@ -230,8 +174,8 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     /** Dit si l'erreur attendue peut être nulle : seule sa plus grande valeur est alors sûre. */
-    private boolean auPlus(Point p) {
-        return p.auMoins <= yMin;
+    private static boolean auPlus(Candidat p) {
+        return p.auMoins <= Y_MIN;
     }
 
     private static String fois(double rapport) {
@@ -254,67 +198,60 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     private void peindreAxes(Graphics2D g) {
-        double droite = (double) getWidth() - DROITE;
-        double bas = (double) getHeight() - BAS;
+        int droite = getWidth() - DROITE;
+        int bas = getHeight() - BAS;
         g.setColor(SOUS_L_ARRONDI);
-        g.fill(new Rectangle2D.Double(GAUCHE, y(ARRONDI), droite - GAUCHE, bas - y(ARRONDI)));
+        g.fillRect(GAUCHE, (int) y(ARRONDI), droite - GAUCHE, bas - (int) y(ARRONDI));
         g.setFont(g.getFont().deriveFont(Font.PLAIN, g.getFont().getSize2D() * 0.9f));
         for (double t : graduations(xMin, xMax)) {
             trait(g, x(t), HAUT, x(t), bas, GRILLE);
             ecrire(g, nombre(t), x(t), bas + 15, 0.5);
         }
-        for (double t : graduations(yMin, yMax)) {
+        for (double t : graduations(Y_MIN, yMax)) {
             trait(g, GAUCHE, y(t), droite, y(t), GRILLE);
-            ecrire(g, nombre(t), GAUCHE - 6.0, y(t) + 4, 1);
+            ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
         }
         trait(g, GAUCHE, HAUT, droite, HAUT, Color.BLACK);
         trait(g, GAUCHE, bas, droite, bas, Color.BLACK);
         trait(g, GAUCHE, HAUT, GAUCHE, bas, Color.BLACK);
-        ecrire(g, "sous l'arrondi de l'écran", GAUCHE + 4.0, bas - 5, 0);
+        ecrire(g, "sous l'arrondi de l'écran", GAUCHE + 4, bas - 5, 0);
         ecrire(g, "rayons de toutes sortes par pixel", (GAUCHE + droite) / 2, bas + 33, 0.5);
         ecrire(g, "erreur attendue (niveaux sur 255)", 6, 14, 0);
     }
 
     private void peindrePoints(Graphics2D g) {
-        Path2D ligne = new Path2D.Double();
-        for (Point p : front()) {
-            if (ligne.getCurrentPoint() == null) {
-                ligne.moveTo(x(p.rayons), y(p.erreur));
-            } else {
-                ligne.lineTo(x(p.rayons), y(p.erreur));
-            }
-        }
-        g.setColor(FRONT);
         g.setStroke(new BasicStroke(1.5f));
-        g.draw(ligne);
-        for (Point p : tous()) {
-            Color couleur = p.front ? FRONT : DOMINE;
+        for (int k = 1; k < front.size(); k++) {
+            Candidat avant = front.get(k - 1);
+            trait(g, x(avant.prix), y(avant.erreur), x(front.get(k).prix), y(front.get(k).erreur), FRONT);
+        }
+        for (Candidat p : points) {
+            Color couleur = front.contains(p) ? FRONT : DOMINE;
+            double x = x(p.prix);
+            double pied = auPlus(p) ? y(Y_MIN) - RAYON : y(p.auMoins);
+            trait(g, x, pied, x, y(p.auPlus), couleur);
             if (auPlus(p)) {
                 // au plus : un plafond, et une flèche vers le bas
-                trait(g, x(p.rayons) - RAYON, y(p.auPlus), x(p.rayons) + RAYON, y(p.auPlus), couleur);
-                trait(g, x(p.rayons) - RAYON, y(yMin) - 2 * RAYON, x(p.rayons), y(yMin) - RAYON, couleur);
-                trait(g, x(p.rayons) + RAYON, y(yMin) - 2 * RAYON, x(p.rayons), y(yMin) - RAYON, couleur);
+                trait(g, x - RAYON, y(p.auPlus), x + RAYON, y(p.auPlus), couleur);
+                trait(g, x - RAYON, pied - RAYON, x, pied, couleur);
+                trait(g, x + RAYON, pied - RAYON, x, pied, couleur);
             }
-            trait(g, x(p.rayons), auPlus(p) ? y(yMin) - RAYON : y(p.auMoins), x(p.rayons), y(p.auPlus), couleur);
-            g.fill(disque(p.rayons, p.erreur, p.front ? RAYON : RAYON - 2));
-            if (p == ici ? points.stream().noneMatch(this::estPresent) : estPresent(p)) {
-                g.setColor(Color.BLACK);
-                g.draw(disque(p.rayons, p.erreur, 2.0 * RAYON));
+            g.fill(disque(p.prix, p.erreur, front.contains(p) ? RAYON : RAYON - 2));
+            g.setColor(Color.BLACK);
+            if (estPresent.test(p)) {
+                g.draw(disque(p.prix, p.erreur, 2 * RAYON));
+            }
+            if (choisi >= 0 && p == front.get(choisi)) {
+                g.drawRect((int) x - 8, (int) y(p.erreur) - 8, 16, 16);
             }
         }
         for (double[] m : mesures) {
             trait(g, x(m[0]), y(m[1] - m[2]), x(m[0]), y(m[1] + m[2]), MESURE);
             g.draw(disque(m[0], m[1], RAYON));
         }
-        List<Point> front = front();
-        if (choisi >= 0 && choisi < front.size()) {
-            Point p = front.get(choisi);
-            g.setColor(Color.BLACK);
-            g.draw(new Rectangle2D.Double(x(p.rayons) - 8, y(p.erreur) - 8, 16, 16));
-        }
     }
 
-    private Ellipse2D disque(double rayons, double erreur, double rayon) {
+    private Ellipse2D disque(double rayons, double erreur, int rayon) {
         return new Ellipse2D.Double(x(rayons) - rayon, y(erreur) - rayon, 2 * rayon, 2 * rayon);
     }
 
