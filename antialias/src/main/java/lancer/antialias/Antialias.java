@@ -56,7 +56,11 @@ public final class Antialias implements Variante {
     public void installer(Section valeurs, Modele modele) {
         int n = valeurs.entier("n", N, 1, N_MAX);
         double seuil = valeurs.reel("seuil", SEUIL, 0, Double.MAX_VALUE);
-        modele.setEchantillonnage(methode(valeurs, n, seuil));
+        String methode = valeurs.mot("methode", "coins");
+        if (!methode.matches("coins|partage")) {
+            throw valeurs.fautive("methode", "méthode inconnue : " + Texte.cite(methode), "coins ou partage");
+        }
+        modele.setEchantillonnage(methode.equals("coins") ? coins(n, seuil) : partage(n, seuil));
     }
 
     @Override
@@ -74,17 +78,5 @@ public final class Antialias implements Variante {
             echelle.add(new Barreau(section, Double.parseDouble(mots[3]), Double.parseDouble(mots[4])));
         }
         return echelle;
-    }
-
-    private static Echantillonnage methode(Section valeurs, int n, double seuil) {
-        String nom = valeurs.mot("methode", "coins");
-        switch (nom) {
-            case "coins":
-                return coins(n, seuil);
-            case "partage":
-                return partage(n, seuil);
-            default:
-                throw valeurs.fautive("methode", "méthode inconnue : " + Texte.cite(nom), "coins ou partage");
-        }
     }
 }

@@ -103,7 +103,7 @@ final class Cases {
 
     /** Vrai si contraste × côté dépasse le seuil : plus une case est petite, moins elle change le pixel. */
     private boolean depasse(int x0, int y0, int x1, int y1) {
-        double contraste = Contraste.entre(voir(x0, y0), voir(x1, y0), voir(x0, y1), voir(x1, y1));
+        double contraste = Coins.contraste(voir(x0, y0), voir(x1, y0), voir(x0, y1), voir(x1, y1));
         return (contraste + PRUDENCE) * Math.sqrt((double) (x1 - x0) * (y1 - y0)) / n > seuil;
     }
 

@@ -1,5 +1,6 @@
 package lancer.antialias;
 
+import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
@@ -26,16 +27,28 @@ final class Coins implements Echantillonnage {
     /** @return le nombre de pixels pour lesquels il a fallu plus que les quatre coins */
     @Override
     public int tracer(Pave pave, Vue vue, Toile toile) {
-        Echantillons echantillons = new Echantillons(n, vue);
+        SousPixels sousPixels = new SousPixels(n, pave, vue);
         int raffines = 0;
-        for (int j = pave.j0; j < pave.j1; j++) {
-            for (int i = pave.i0; i < pave.i1; i++) {
-                echantillons.commencer(i, j);
+        for (int j = 0; j < pave.j1 - pave.j0; j++) {
+            for (int i = 0; i < pave.i1 - pave.i0; i++) {
                 // jusqu'à n = 2, les coins sont déjà tous les sous-pixels
-                boolean complet = n > 2 && (seuil == 0 || contraste(echantillons) > seuil);
-                toile.drawPixel(complet || n < 2 ? echantillons.moyenne() : echantillons.moyenneDesCoins(), i, j);
+                boolean complet = n > 2 && (seuil == 0 || contraste(sousPixels.voir(i, j, 0, 0),
+                        sousPixels.voir(i, j, n - 1, 0), sousPixels.voir(i, j, 0, n - 1),
+                        sousPixels.voir(i, j, n - 1, n - 1)) > seuil);
+                int pas = complet ? 1 : Math.max(1, n - 1);
+                int nombre = 0;
+                Couleur somme = new Couleur();
+                for (int dy = 0; dy < n; dy += pas) {
+                    for (int dx = 0; dx < n; dx += pas) {
+                        somme = somme.add(sousPixels.voir(i, j, dx, dy));
+                        nombre++;
+                    }
+                }
+                vue.diviser(somme, nombre);
+                toile.drawPixel(somme.div(nombre), pave.i0 + i, pave.j0 + j);
                 raffines += complet ? 1 : 0;
             }
+            sousPixels.oublier(j);
         }
         return raffines;
     }
@@ -45,8 +58,22 @@ final class Coins implements Echantillonnage {
         return tracer(voulus, vue, toile);
     }
 
-    private double contraste(Echantillons echantillons) {
-        return Contraste.entre(echantillons.voir(0, 0), echantillons.voir(n - 1, 0), echantillons.voir(0, n - 1),
-                echantillons.voir(n - 1, n - 1));
+    /** Le plus grand écart entre quatre couleurs telles qu'on les verra, sur une composante : de 0 à 1. */
+    static double contraste(Couleur a, Couleur b, Couleur c, Couleur d) {
+        return Math.max(etendue(a.r, b.r, c.r, d.r),
+                Math.max(etendue(a.v, b.v, c.v, d.v), etendue(a.b, b.b, c.b, d.b)));
+    }
+
+    /** Sans Math.min ni Math.max, dont le soin pour NaN et −0.0 doublerait le temps de la méthode. */
+    private static double etendue(double a, double b, double c, double d) {
+        double minAB = a < b ? a : b;
+        double maxAB = a < b ? b : a;
+        double minCD = c < d ? c : d;
+        double maxCD = c < d ? d : c;
+        return limite(maxAB < maxCD ? maxCD : maxAB) - limite(minAB < minCD ? minAB : minCD);
+    }
+
+    private static double limite(double x) {
+        return x < 0 ? 0 : x > 1 ? 1 : x;
     }
 }

@@ -37,7 +37,7 @@ final class Partage implements Echantillonnage {
 
     @Override
     public Echantillonnage pour(List<Objet3D> objets, Camera camera) {
-        return n == 1 || seuil == 0 ? this : new Partage(n, seuil, Petites.de(objets, camera));
+        return n == 1 || seuil == 0 ? this : new Partage(n, seuil, new Petites(objets, camera));
     }
 
     /** @return le nombre de pixels où une case a été coupée */

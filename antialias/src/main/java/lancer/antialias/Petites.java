@@ -1,6 +1,7 @@
 package lancer.antialias;
 
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import lancer.Camera;
 import lancer.Constantes;
@@ -14,7 +15,7 @@ import lancer.Sphere;
  */
 final class Petites {
 
-    static final Petites AUCUNE = new Petites(1, 1);
+    static final Petites AUCUNE = new Petites(Collections.emptyList(), new Camera(1, 1));
 
     /** Le rayon au-dessous duquel un disque peut passer entre les points d'une trame, en pas de cette trame. */
     private static final double MAILLE = Math.sqrt(0.5);
@@ -23,30 +24,23 @@ final class Petites {
     private final int hauteur;
 
     /** Abscisse, ordonnée et rayon de chaque disque, en pixels. */
-    private double[] disques = {};
+    private final double[] disques;
 
     /** Par pixel, ligne par ligne, où commencent ses disques dans {@link #rangs} ; puis où finissent les derniers. */
-    private int[] debuts;
-    private int[] rangs = {};
+    private final int[] debuts;
+    private int[] rangs;
 
-    private Petites(int largeur, int hauteur) {
-        this.largeur = largeur;
-        this.hauteur = hauteur;
+    Petites(List<Objet3D> objets, Camera camera) {
+        largeur = camera.getLargeur();
+        hauteur = camera.getHauteur();
         debuts = new int[largeur * hauteur + 1];
-    }
-
-    static Petites de(List<Objet3D> objets, Camera camera) {
-        Petites petites = new Petites(camera.getLargeur(), camera.getHauteur());
-        double[] disques = new double[3 * objets.size()];
+        double[] places = new double[3 * objets.size()];
         int taille = 0;
         for (Objet3D objet : objets) {
-            if (objet instanceof Sphere && petites.projeter((Sphere) objet, disques, taille)) {
-                taille += 3;
-            }
+            taille += objet instanceof Sphere && projeter((Sphere) objet, places, taille) ? 3 : 0;
         }
-        petites.disques = Arrays.copyOf(disques, taille);
-        petites.ranger();
-        return petites;
+        disques = Arrays.copyOf(places, taille);
+        ranger();
     }
 
     /** Projette une sphère de rayon r, à un angle θ de l'axe et à la distance D : son demi-axe est F r/(D cos²θ). */
@@ -64,29 +58,25 @@ final class Petites {
 
     /** Range chaque disque dans les pixels que sa boîte touche : les compte, puis les note, du dernier au premier. */
     private void ranger() {
-        int[] combien = new int[debuts.length];
         for (int passe = 0; passe < 2; passe++) {
             for (int d = 0; d < disques.length; d += 3) {
                 double r = disques[d + 2];
                 int bas = Math.min(hauteur - 1, bord(disques[d + 1] + r));
                 int droite = Math.min(largeur - 1, bord(disques[d] + r));
                 for (int j = bord(disques[d + 1] - r); j <= bas; j++) {
-                    for (int i = bord(disques[d] - r); i <= droite; i++) {
-                        int k = j * largeur + i;
+                    for (int k = j * largeur + bord(disques[d] - r); k <= j * largeur + droite; k++) {
                         if (passe == 0) {
-                            combien[k]++;
+                            debuts[k]++;
                         } else {
-                            rangs[debuts[k] + --combien[k]] = d;
+                            rangs[--debuts[k]] = d;
                         }
                     }
                 }
             }
-            if (passe == 0) {
-                for (int k = 0; k + 1 < debuts.length; k++) {
-                    debuts[k + 1] = debuts[k] + combien[k];
-                }
-                rangs = new int[debuts[debuts.length - 1]];
+            for (int k = 1; k < debuts.length && passe == 0; k++) {
+                debuts[k] += debuts[k - 1];
             }
+            rangs = passe == 0 ? new int[debuts[debuts.length - 1]] : rangs;
         }
     }
 

@@ -12,21 +12,19 @@ final class SousPixels {
     private final Pave pave;
     private final Vue vue;
     private final int largeur;
-    /** Pour chaque pixel, ligne par ligne : son premier sous-pixel, puis les autres ; ceux-ci manquent à la plupart. */
-    private final Couleur[] premiers;
-    private final Couleur[][] autres;
+    /** Pour chaque pixel, ligne par ligne : de quoi retenir son premier sous-pixel, ou tous s'il en faut d'autres. */
+    private final Couleur[][] pixels;
 
     SousPixels(int n, Pave pave, Vue vue) {
         this.n = n;
         this.pave = pave;
         this.vue = vue;
         largeur = pave.i1 - pave.i0;
-        premiers = new Couleur[largeur * (pave.j1 - pave.j0)];
-        autres = new Couleur[premiers.length][];
+        pixels = new Couleur[pave.pixels()][];
     }
 
     /**
-     * La couleur d'un sous-pixel.
+     * La couleur d'un sous-pixel, vu en son centre : xe = i + (dx + 1/2)/n, ye = j + (dy + 1/2)/n.
      *
      * @param i colonne du pixel, depuis la gauche du pavé
      * @param j ligne du pixel, depuis le haut du pavé
@@ -34,41 +32,23 @@ final class SousPixels {
      * @param dy ligne dans le pixel ; n est la première du pixel suivant
      */
     Couleur voir(int i, int j, int dx, int dy) {
-        int pixel = j * largeur + i;
-        int x = dx;
-        int y = dy;
-        if (x == n) {
-            pixel++;
-            x = 0;
-        }
-        if (y == n) {
-            pixel += largeur;
-            y = 0;
-        }
-        if (x + y == 0) {
-            if (premiers[pixel] == null) {
-                premiers[pixel] = lancer(pixel, 0, 0);
-            }
-            return premiers[pixel];
-        }
-        Couleur[] reste = autres[pixel];
-        if (reste == null) {
-            reste = new Couleur[n * n];
-            autres[pixel] = reste;
-        }
+        int x = dx == n ? 0 : dx;
+        int y = dy == n ? 0 : dy;
+        int pixel = (dy == n ? j + 1 : j) * largeur + (dx == n ? i + 1 : i);
         int k = y * n + x;
-        if (reste[k] == null) {
-            reste[k] = lancer(pixel, x, y);
+        Couleur[] vus = pixels[pixel];
+        if (vus == null || k >= vus.length) {
+            vus = vus == null ? new Couleur[k == 0 ? 1 : n * n] : Arrays.copyOf(vus, n * n);
+            pixels[pixel] = vus;
         }
-        return reste[k];
-    }
-
-    private Couleur lancer(int pixel, int x, int y) {
-        return vue.couleur(pave.i0 + pixel % largeur + (x + 0.5) / n, pave.j0 + pixel / largeur + (y + 0.5) / n);
+        if (vus[k] == null) {
+            vus[k] = vue.couleur(pave.i0 + pixel % largeur + (x + 0.5) / n, pave.j0 + pixel / largeur + (y + 0.5) / n);
+        }
+        return vus[k];
     }
 
     /** Rend la mémoire d'une ligne de pixels, qui ne sera plus vue. */
     void oublier(int j) {
-        Arrays.fill(autres, j * largeur, (j + 1) * largeur, null);
+        Arrays.fill(pixels, j * largeur, (j + 1) * largeur, null);
     }
 }

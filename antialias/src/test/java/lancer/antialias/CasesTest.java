@@ -47,7 +47,7 @@ class CasesTest {
                 for (int i = 0; i < 4; i++) {
                     q[i] = new Couleur(c == 0 ? x[i] : 0.5, c == 1 ? x[i] : 0.5, c == 2 ? x[i] : 0.5);
                 }
-                assertEquals(attendu, Contraste.entre(q[0], q[1], q[2], q[3]), "graine 53, tirage " + k);
+                assertEquals(attendu, Coins.contraste(q[0], q[1], q[2], q[3]), "graine 53, tirage " + k);
             }
         }
     }
@@ -97,11 +97,11 @@ class CasesTest {
         assertEquals(4, rayons);
         sousPixels.oublier(1);
         assertSame(dessus, sousPixels.voir(3, 0, 1, 2));
-        assertSame(premier, sousPixels.voir(2, 1, 0, 0));
         assertSame(dessous, sousPixels.voir(0, 2, 1, 2));
         assertEquals(4, rayons);
         assertEquals(ligne, sousPixels.voir(2, 1, 1, 2));
-        assertEquals(5, rayons);
+        assertEquals(premier, sousPixels.voir(2, 1, 0, 0));
+        assertEquals(6, rayons);
     }
 
     @Test

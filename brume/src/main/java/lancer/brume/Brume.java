@@ -23,16 +23,26 @@ public final class Brume implements Variante, Atmosphere {
     private static final double FIN = 30;
 
     private final Couleur couleur;
-    private final LoiBrume loi;
+    private final double debut;
+    /** Distance où l'on ne voit plus que la brume ; NaN si elle a une densité. */
+    private final double fin;
+    private final double densite;
 
     /** La brume d'une scène qui n'en dit rien. */
     public Brume() {
-        this(COULEUR, new LoiBrume.Lineaire(DEBUT, FIN));
+        this(COULEUR, DEBUT, FIN, 0);
     }
 
-    Brume(Couleur couleur, LoiBrume loi) {
+    /**
+     * @param debut positif ou nul, plus petit que {@code fin}
+     * @param fin NaN pour une brume également répartie
+     * @param densite par unité de la scène, positive ou nulle, finie
+     */
+    Brume(Couleur couleur, double debut, double fin, double densite) {
         this.couleur = couleur;
-        this.loi = loi;
+        this.debut = debut;
+        this.fin = fin;
+        this.densite = densite;
     }
 
     @Override
@@ -42,7 +52,20 @@ public final class Brume implements Variante, Atmosphere {
 
     @Override
     public void installer(Section valeurs, Modele modele) {
-        modele.setAtmosphere(new Brume(valeurs.couleur("couleur", COULEUR, COULEUR_MAX), loi(valeurs)));
+        Couleur sienne = valeurs.couleur("couleur", COULEUR, COULEUR_MAX);
+        double de = valeurs.reel("debut", DEBUT, 0, Double.MAX_VALUE);
+        boolean repartie = valeurs.contient("densite");
+        double dense = valeurs.reel("densite", 0, 0, Double.MAX_VALUE);
+        if (repartie && valeurs.contient("fin")) {
+            throw valeurs.fautive("densite", "donnée en même temps que fin", "fin ou densite, pas les deux");
+        }
+        double a = repartie ? Double.NaN : valeurs.reel("fin", FIN, 0, Double.MAX_VALUE);
+        if (de >= a) {
+            throw valeurs.fautive(valeurs.contient("debut") ? "debut" : "fin", "la brume commencerait à "
+                    + Texte.cite(valeurs.mot("debut", "0")) + " et finirait à " + Texte.cite(valeurs.mot("fin", "30")),
+                    "debut plus petit que fin (à défaut, 0 et 30)");
+        }
+        modele.setAtmosphere(new Brume(sienne, de, a, dense));
     }
 
     @Override
@@ -52,35 +75,27 @@ public final class Brume implements Variante, Atmosphere {
                 Parametre.nombre("densite", null, 0, 0.5, 0.005).sans("fin"));
     }
 
-    /** La loi demandée, par {@code densite} si elle est donnée, sinon par {@code fin}. */
-    private static LoiBrume loi(Section valeurs) {
-        double debut = valeurs.reel("debut", DEBUT, 0, Double.MAX_VALUE);
-        if (!valeurs.contient("densite")) {
-            double fin = valeurs.reel("fin", FIN, 0, Double.MAX_VALUE);
-            if (debut >= fin) {
-                throw valeurs.fautive(valeurs.contient("debut") ? "debut" : "fin", "la brume commencerait à "
-                        + Texte.cite(valeurs.mot("debut", "0")) + " et finirait à "
-                        + Texte.cite(valeurs.mot("fin", "30")),
-                        "debut plus petit que fin (à défaut, 0 et 30)");
-            }
-            return new LoiBrume.Lineaire(debut, fin);
-        }
-        double densite = valeurs.reel("densite", 0, 0, Double.MAX_VALUE);
-        if (valeurs.contient("fin")) {
-            throw valeurs.fautive("densite", "donnée en même temps que fin", "fin ou densite, pas les deux");
-        }
-        return new LoiBrume.Exponentielle(debut, densite);
-    }
-
     @Override
     public Couleur traverser(Couleur vue, double distance) {
         double k = k(distance);
         return couleur.mul(k).add(vue.mul(1 - k));
     }
 
-    /** Un rayon qui ne rencontre rien traverse toute la brume : il ne voit qu'elle, si légère soit-elle. */
+    /**
+     * Part de brume : k = (d − debut) / (fin − debut), ou 1 − exp(−densite·(d − debut)), la loi d'une brume également
+     * répartie (Beer et Lambert). Un rayon qui ne rencontre rien la traverse toute : il ne voit qu'elle, si légère
+     * soit-elle.
+     *
+     * @param distance longueur du rayon, en unités de la scène
+     * @return de 0 (on ne voit que l'objet) à 1 (on ne voit que la brume), jamais NaN
+     */
     @Override
     public double k(double distance) {
-        return distance == Constantes.INFINI ? 1 : loi.k(distance);
+        if (distance == Constantes.INFINI) {
+            return 1;
+        }
+        double d = distance - debut;
+        // 1 − exp d'un négatif ne dépasse pas 1 ; expm1 garde les chiffres d'une brume très légère
+        return Math.max(0, Double.isNaN(fin) ? -Math.expm1(-densite * d) : Math.min(1, d / (fin - debut)));
     }
 }

@@ -113,19 +113,20 @@ class BrumeTest {
         double precedent;
         for (double debut : valeurs) {
             for (double parametre : valeurs) {
-                List<LoiBrume> lois = new ArrayList<>();
-                lois.add(new LoiBrume.Exponentielle(debut, parametre));
+                List<Brume> brumes = new ArrayList<>();
+                brumes.add(new Brume(new Couleur(1e6), debut, Double.NaN, parametre));
                 if (parametre > debut) {
-                    lois.add(new LoiBrume.Lineaire(debut, parametre));
+                    brumes.add(new Brume(new Couleur(1e6), debut, parametre, 0));
                 }
-                for (LoiBrume loi : lois) {
+                for (Brume brume : brumes) {
                     precedent = 0;
                     for (double d : valeurs) {
-                        double k = loi.k(d);
-                        assertTrue(k >= precedent && k <= 1, () -> loi.getClass() + " " + debut + " " + parametre + " en " + d + " : " + k);
+                        double k = brume.k(d);
+                        String loi = brume == brumes.get(0) ? "densite " : "fin ";
+                        assertTrue(k >= precedent && k <= 1, () -> loi + debut + " " + parametre + " en " + d + " : " + k);
                         precedent = k;
                     }
-                    Couleur vue = new Brume(new Couleur(1e6), loi).traverser(new Couleur(0.5), Constantes.INFINI);
+                    Couleur vue = brume.traverser(new Couleur(0.5), Constantes.INFINI);
                     assertEquals(new Couleur(1e6), vue);
                 }
             }
@@ -134,8 +135,8 @@ class BrumeTest {
 
     @Test
     void unePetiteBrumeGardeSesChiffres() {
-        assertEquals(1e-12, new LoiBrume.Exponentielle(0, 1e-12).k(1), 1e-24);
-        assertEquals(3e-20, new LoiBrume.Exponentielle(0, 1e-20).k(3), 1e-35);
+        assertEquals(1e-12, new Brume(new Couleur(1), 0, Double.NaN, 1e-12).k(1), 1e-24);
+        assertEquals(3e-20, new Brume(new Couleur(1), 0, Double.NaN, 1e-20).k(3), 1e-35);
     }
 
     @Test

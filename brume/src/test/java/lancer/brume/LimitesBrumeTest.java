@@ -23,7 +23,7 @@ class LimitesBrumeTest {
     @Test
     void zeroFoisLInfiniNEstPasUneBrume() {
         assertTrue(Double.isNaN(exponentielleNaive(0, 0, Constantes.INFINI)));
-        Brume sansDensite = new Brume(new Couleur(0.25), new LoiBrume.Exponentielle(0, 0));
+        Brume sansDensite = new Brume(new Couleur(0.25), 0, Double.NaN, 0);
         assertEquals(new Couleur(0.25), sansDensite.traverser(new Couleur(0.9), Constantes.INFINI), "la brume seule");
         assertEquals(new Couleur(0.9), sansDensite.traverser(new Couleur(0.9), 1e300), "un objet, si loin soit-il, n'en a pas");
     }
@@ -32,10 +32,10 @@ class LimitesBrumeTest {
     @Test
     void uneBrumeTresLegereSePerdDansUn() {
         assertEquals(0, exponentielleNaive(0, 1e-17, 1), "disparue");
-        assertEquals(1e-17, new LoiBrume.Exponentielle(0, 1e-17).k(1), 1e-32);
+        assertEquals(1e-17, new Brume(new Couleur(1), 0, Double.NaN, 1e-17).k(1), 1e-32);
         double naive = exponentielleNaive(0, 1e-12, 1);
         assertTrue(Math.abs(naive / 1e-12 - 1) > 1e-5, "il en reste quatre chiffres : " + naive);
-        assertEquals(1, new LoiBrume.Exponentielle(0, 1e-12).k(1) / 1e-12, 1e-11);
+        assertEquals(1, new Brume(new Couleur(1), 0, Double.NaN, 1e-12).k(1) / 1e-12, 1e-11);
     }
 
     /** debut = fin : un objet juste là est à 0/0. La lecture le refuse, la loi n'a pas à y répondre. */
@@ -43,7 +43,7 @@ class LimitesBrumeTest {
     void uneBrumeSansEpaisseurEstUnZeroSurZero() {
         assertTrue(Double.isNaN(lineaireNaive(5, 5, 5)));
         // le refus : BrumeTest.uneValeurImpossibleEstRefuseeEnUneLigne ; et l'épaisseur la plus mince qui reste permise :
-        LoiBrume mince = new LoiBrume.Lineaire(5, Math.nextUp(5.0));
+        Brume mince = new Brume(new Couleur(1), 5, Math.nextUp(5.0), 0);
         assertEquals(0, mince.k(5));
         assertEquals(1, mince.k(Math.nextUp(5.0)));
     }
@@ -51,7 +51,7 @@ class LimitesBrumeTest {
     /** Cumuler les longueurs d'un rayon et de ses reflets mettrait un objet vu dans un miroir derrière deux brumes à la fois. */
     @Test
     void chaqueRayonTraverseSaBrumeEtElleSeule() {
-        Brume brume = new Brume(new Couleur(1), new LoiBrume.Lineaire(0, 20));
+        Brume brume = new Brume(new Couleur(1), 0, 20, 0);
         // objet noir à 8 d'un miroir parfait, lui-même à 4 : 0,4 de brume, puis 0,2 + 0,8·0,4
         double justes = brume.traverser(brume.traverser(new Couleur(), 8), 4).r;
         double cumulees = brume.traverser(brume.traverser(new Couleur(), 8 + 4), 4).r;
