@@ -41,8 +41,8 @@ final class Semis {
                 .forEach(boule -> marquer((Sphere) boule, camera));
         int[] tous = IntStream.range(0, Math.min(CARREAUX, Pave.nombre(largeur, camera.getHauteur(), COTE)))
                 .mapToObj(rang -> Pave.eparpille(rang, largeur, camera.getHauteur(), COTE))
-                .flatMapToInt(carreau -> IntStream.range(0, carreau.pixels()).map(k -> largeur * (carreau.j0
-                        + k / (carreau.i1 - carreau.i0)) + carreau.i0 + k % (carreau.i1 - carreau.i0))).toArray();
+                .flatMapToInt(carreau -> IntStream.range(carreau.j0, carreau.j1).flatMap(j ->
+                        IntStream.range(largeur * j + carreau.i0, largeur * j + carreau.i1))).toArray();
         niveaux = new double[tous.length][];
         int faits = essais.passer(tous.length, Essais.PROFONDEUR, Essais.SANS_LIMITE, permis, (k, vue) ->
                 niveaux[k] = niveaux(vue.couleur(tous[k] % largeur + 0.5, tous[k] / largeur + 0.5)));

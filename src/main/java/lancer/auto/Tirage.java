@@ -128,8 +128,8 @@ final class Tirage {
             Pixel pixel = pixels.get(k);
             int i = rangs[k] % semis.largeur;
             int j = rangs[k] / semis.largeur;
-            Pave pave = Pave.deRang(j / Pave.COTE * Pave.nombre(semis.largeur, 1) + i / Pave.COTE, semis.largeur,
-                    essais.prepare.getCamera().getHauteur());
+            Pave pave = Pave.deRang(j / Pave.COTE * Pave.nombre(semis.largeur, 1, Pave.COTE) + i / Pave.COTE,
+                    semis.largeur, essais.prepare.getCamera().getHauteur(), Pave.COTE);
             pixel.lances = 0;
             // ce qui entoure le pixel ne se compte pas
             Vue comptee = (xe, ye) -> {

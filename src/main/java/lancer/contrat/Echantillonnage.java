@@ -14,10 +14,10 @@ import lancer.Objet3D;
 public interface Echantillonnage {
 
     /** L'échantillonnage de la base : un rayon par pixel, en son centre. */
-    Echantillonnage CENTRE = new Centre();
+    Echantillonnage CENTRE = new Carres(1);
 
     /** Échantillonnage du brouillon, seize fois moins cher. */
-    Echantillonnage BROUILLON = new Brouillon();
+    Echantillonnage BROUILLON = new Carres(Constantes.PAS_BROUILLON);
 
     /**
      * Dessine chaque pixel du pavé, une fois. Le résultat ne dépend que du pavé et de la vue.
@@ -41,29 +41,17 @@ public interface Echantillonnage {
         return this;
     }
 
-    /** Un rayon au centre de chaque pixel. */
-    final class Centre implements Echantillonnage {
-        @Override
-        public int tracer(Pave pave, Vue vue, Toile toile) {
-            for (int j = pave.j0; j < pave.j1; j++) {
-                for (int i = pave.i0; i < pave.i1; i++) {
-                    toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
-                }
-            }
-            return 0;
+    /** Un rayon au centre de chaque carré de tant de pixels ; sur les bords, de sa part qui est dans l'image. */
+    final class Carres implements Echantillonnage {
+
+        private final int pas;
+
+        private Carres(int pas) {
+            this.pas = pas;
         }
 
         @Override
-        public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
-            return tracer(voulus, vue, toile);
-        }
-    }
-
-    /** Un rayon pour seize pixels ; sur les bords, au centre de la part du carré qui est dans l'image. */
-    final class Brouillon implements Echantillonnage {
-        @Override
         public int tracer(Pave pave, Vue vue, Toile toile) {
-            int pas = Constantes.PAS_BROUILLON;
             for (int j = pave.j0; j < pave.j1; j += pas) {
                 int jFin = Math.min(j + pas, pave.j1);
                 for (int i = pave.i0; i < pave.i1; i += pas) {
@@ -77,6 +65,11 @@ public interface Echantillonnage {
                 }
             }
             return 0;
+        }
+
+        @Override
+        public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+            return tracer(pas == 1 ? voulus : pave, vue, toile);
         }
     }
 }

@@ -12,13 +12,21 @@ import lancer.texte.Nombre;
  */
 public final class Parametre {
 
-    private final String cle;
-    private final String defaut;
+    public final String cle;
+
+    /** La valeur là où la section ne la donne pas, telle qu'on l'écrirait ; {@code null} s'il n'y en a pas. */
+    public final String defaut;
+
+    /** Les mots entre lesquels choisir ; vide si ce n'est pas un mot. */
+    public final List<String> mots;
+
+    /** La clé qui ne va pas avec celle-ci, {@code null} s'il n'y en a pas. */
+    public final String autre;
+
+    /** Le nombre de pas d'un bout à l'autre d'un nombre. */
+    public final int crans;
     private final BigDecimal min;
     private final BigDecimal pas;
-    private final int crans;
-    private final List<String> mots;
-    private final String autre;
 
     private Parametre(String cle, String defaut, BigDecimal min, BigDecimal pas, int crans, List<String> mots,
             String autre) {
@@ -56,35 +64,11 @@ public final class Parametre {
         return new Parametre(cle, defaut, min, pas, crans, mots, autreCle);
     }
 
-    public String getCle() {
-        return cle;
-    }
-
-    /** La valeur là où la section ne la donne pas, telle qu'on l'écrirait ; {@code null} s'il n'y en a pas. */
-    public String getDefaut() {
-        return defaut;
-    }
-
-    /** La clé qui ne va pas avec celle-ci, {@code null} s'il n'y en a pas. */
-    public String getAutre() {
-        return autre;
-    }
-
-    /** Les mots entre lesquels choisir ; vide si ce n'est pas un mot. */
-    public List<String> getMots() {
-        return mots;
-    }
-
     public boolean estUneCouleur() {
         return min == null && mots.isEmpty();
     }
 
-    /** Le nombre de pas d'un bout à l'autre d'un nombre. */
-    public int getCrans() {
-        return crans;
-    }
-
-    /** La valeur de ce cran, de 0 à {@link #getCrans()}, telle qu'on l'écrirait dans un fichier de scène. */
+    /** La valeur de ce cran, de 0 à {@link #crans}, telle qu'on l'écrirait dans un fichier de scène. */
     public String getValeur(int cran) {
         return ecrire(min.add(pas.multiply(BigDecimal.valueOf(cran))));
     }

@@ -3,7 +3,7 @@ package lancer.contrat;
 /** Un rectangle de pixels, confié tout entier à un fil. Immuable. */
 public final class Pave {
 
-    /** Côté d'un pavé entier, en pixels ; les pavés du bord sont plus petits. */
+    /** Côté d'un pavé du dessin, en pixels ; les pavés du bord sont plus petits. */
     public static final int COTE = 32;
 
     /** Première colonne et première ligne. */
@@ -21,19 +21,9 @@ public final class Pave {
         this.j1 = j1;
     }
 
-    /** Nombre de pavés de l'image. */
-    public static int nombre(int largeur, int hauteur) {
-        return nombre(largeur, hauteur, COTE);
-    }
-
     /** Nombre de pavés de ce côté, en pixels, dans l'image. */
     public static int nombre(int largeur, int hauteur, int cote) {
-        return enColonnes(largeur, cote) * ((hauteur + cote - 1) / cote);
-    }
-
-    /** Le pavé de rang {@code k}, dans l'ordre de la lecture. */
-    public static Pave deRang(int k, int largeur, int hauteur) {
-        return deRang(k, largeur, hauteur, COTE);
+        return enColonnes(largeur, cote) * enColonnes(hauteur, cote);
     }
 
     /** Pavé de rang {@code k} parmi ceux de ce côté, dans l'ordre de la lecture. */
@@ -43,31 +33,10 @@ public final class Pave {
         return new Pave(i0, j0, Math.min(i0 + cote, largeur), Math.min(j0 + cote, hauteur));
     }
 
-    private static int enColonnes(int largeur, int cote) {
-        return (largeur + cote - 1) / cote;
-    }
-
-    public int pixels() {
-        return (i1 - i0) * (j1 - j0);
-    }
-
-    public boolean contient(int i, int j) {
-        return i >= i0 && i < i1 && j >= j0 && j < j1;
-    }
-
-    public boolean contient(Pave autre) {
-        return autre.i0 >= i0 && autre.i1 <= i1 && autre.j0 >= j0 && autre.j1 <= j1;
-    }
-
     /**
-     * Le k-ième pavé dans un ordre qui saute d'un bout à l'autre de l'image : si elle commence par du ciel, ce qui se
-     * dessine d'abord ressemble quand même à tout le reste.
+     * Le k-ième pavé de ce côté dans un ordre qui saute d'un bout à l'autre de l'image : si elle commence par du ciel,
+     * ce qui se dessine d'abord ressemble quand même à tout le reste.
      */
-    public static Pave eparpille(int k, int largeur, int hauteur) {
-        return eparpille(k, largeur, hauteur, COTE);
-    }
-
-    /** De même, parmi les pavés de ce côté. */
     public static Pave eparpille(int k, int largeur, int hauteur, int cote) {
         int nombre = nombre(largeur, hauteur, cote);
         // environ la part d'or, et premier avec le nombre : chaque pavé une fois
@@ -78,7 +47,19 @@ public final class Pave {
         return deRang((int) ((long) k * pas % nombre), largeur, hauteur, cote);
     }
 
+    private static int enColonnes(int largeur, int cote) {
+        return (largeur + cote - 1) / cote;
+    }
+
     private static int pgcd(int a, int b) {
         return b == 0 ? a : pgcd(b, a % b);
+    }
+
+    public int pixels() {
+        return (i1 - i0) * (j1 - j0);
+    }
+
+    public boolean contient(int i, int j) {
+        return i >= i0 && i < i1 && j >= j0 && j < j1;
     }
 }

@@ -107,9 +107,9 @@ public final class ReglagesDessin {
     /** La valeur de ce paramètre, donnée ou par défaut ; {@code null} si une autre clé en tient lieu. */
     public String getValeur(Variante variante, Parametre parametre) {
         Section section = getSection(variante);
-        String donnee = section.valeur(parametre.getCle());
-        boolean ailleurs = parametre.getAutre() != null && section.valeur(parametre.getAutre()) != null;
-        return donnee != null || ailleurs ? donnee : parametre.getDefaut();
+        String donnee = section.valeur(parametre.cle);
+        boolean ailleurs = parametre.autre != null && section.valeur(parametre.autre) != null;
+        return donnee != null || ailleurs ? donnee : parametre.defaut;
     }
 
     /** Variantes branchées que rien ne règle : {@code --auto} peut les régler. */
@@ -212,10 +212,10 @@ public final class ReglagesDessin {
             if (estBranchee(variante)) {
                 s.append(", ").append(getSection(variante));
                 for (Parametre parametre : variante.getParametres()) {
-                    boolean donne = getSection(variante).valeur(parametre.getCle()) != null
+                    boolean donne = getSection(variante).valeur(parametre.cle) != null
                             || parametre.estUneCouleur();
                     String valeur = donne ? null : getValeur(variante, parametre);
-                    s.append(valeur == null ? "" : " " + parametre.getCle() + "=" + valeur);
+                    s.append(valeur == null ? "" : " " + parametre.cle + "=" + valeur);
                 }
             }
         }

@@ -51,13 +51,13 @@ final class PanneauVariantes extends JDialog {
             poser(boite(variante), 0, ligne++, 3);
             for (Parametre parametre : variante.getParametres()) {
                 JLabel valeur = new JLabel(" ");
-                JLabel nom = new JLabel(parametre.getCle());
+                JLabel nom = new JLabel(parametre.cle);
                 JComponent choix = parametre.estUneCouleur() ? couleur(variante, parametre)
-                        : parametre.getMots().isEmpty() ? glissiere(variante, parametre) : mot(variante, parametre);
-                choix.setName(variante.getSection() + "." + parametre.getCle());
+                        : parametre.mots.isEmpty() ? glissiere(variante, parametre) : mot(variante, parametre);
+                choix.setName(variante.getSection() + "." + parametre.cle);
                 ajustements.add(() -> {
                     String actuelle = valeur(variante, parametre);
-                    valeur.setText(!parametre.getMots().isEmpty() ? " " : actuelle == null ? "—" : actuelle);
+                    valeur.setText(!parametre.mots.isEmpty() ? " " : actuelle == null ? "—" : actuelle);
                     choix.setEnabled(atelier.getReglages().estBranchee(actuelle(variante)));
                 });
                 nom.setLabelFor(choix);
@@ -99,7 +99,7 @@ final class PanneauVariantes extends JDialog {
     }
 
     private JComboBox<String> mot(Variante variante, Parametre parametre) {
-        JComboBox<String> choix = new JComboBox<>(parametre.getMots().toArray(new String[0]));
+        JComboBox<String> choix = new JComboBox<>(parametre.mots.toArray(new String[0]));
         choix.addActionListener(e -> regler(variante, parametre, (String) choix.getSelectedItem(), false));
         ajustements.add(() -> choix.setSelectedItem(valeur(variante, parametre)));
         return choix;
@@ -140,7 +140,7 @@ final class PanneauVariantes extends JDialog {
         private final transient Parametre parametre;
 
         Glissiere(Parametre parametre) {
-            super(0, parametre.getCrans(), 0);
+            super(0, parametre.crans, 0);
             this.parametre = parametre;
         }
 
@@ -174,8 +174,8 @@ final class PanneauVariantes extends JDialog {
         }
         ReglagesDessin reglages = atelier.getReglages();
         Section section = reglages.getSection(actuelle(variante));
-        if (!voulue.equals(section.valeur(parametre.getCle()))) {
-            Section autre = section.avec(parametre.getCle(), voulue, parametre.getAutre());
+        if (!voulue.equals(section.valeur(parametre.cle))) {
+            Section autre = section.avec(parametre.cle, voulue, parametre.autre);
             changer(reglages.avec(actuelle(variante), autre), parametre, glisse);
         } else if (!glisse) {
             // lâchée : le geste est fini

@@ -89,7 +89,7 @@ public class Traceur implements Boucle {
 
     /** La part faite de l'image (ou du brouillon) en cours, de 0 à 1. */
     public double getAvancement() {
-        return (double) equipe.getFaites() / Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur());
+        return (double) equipe.getFaites() / Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur(), Pave.COTE);
     }
 
     /** Dit si le brouillon est fini : chaque pixel de l'image a une couleur. */
@@ -120,7 +120,7 @@ public class Traceur implements Boucle {
     /** Dessine toute l'image par cet échantillonnage. */
     public void parcourir(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
         long debut = System.nanoTime();
-        int nombre = Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur());
+        int nombre = Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur(), Pave.COTE);
         Echantillonnage prepare = echantillonnage.pour(getScene().getObjets(), getCamera());
         List<Fil> ouvriers = new ArrayList<>();
         for (int k = 0; k < Math.min(fils, nombre); k++) {
@@ -151,7 +151,7 @@ public class Traceur implements Boucle {
 
         @Override
         public void accept(int rang) {
-            Pave pave = Pave.eparpille(rang, getCamera().getLargeur(), getCamera().getHauteur());
+            Pave pave = Pave.eparpille(rang, getCamera().getLargeur(), getCamera().getHauteur(), Pave.COTE);
             sien.getScene().getCompteurs().pixelsRaffines += echantillonnage.tracer(pave, regard, toile);
             if (fautes != null) {
                 fautes.peindre(pave, toile);

@@ -19,20 +19,20 @@ public final class EssaiParametres {
 
     /** Ce sont ces clés, et sa section les accepte, du premier cran à leur valeur par défaut, ou chacun de leurs mots. */
     public static void verifier(Variante variante, String... cles) {
-        assertEquals(Arrays.asList(cles), variante.getParametres().stream().map(Parametre::getCle).collect(Collectors.toList()));
+        assertEquals(Arrays.asList(cles), variante.getParametres().stream().map(p -> p.cle).collect(Collectors.toList()));
         for (Parametre p : variante.getParametres()) {
-            List<String> valeurs = new ArrayList<>(p.getMots());
+            List<String> valeurs = new ArrayList<>(p.mots);
             if (p.estUneCouleur()) {
-                valeurs.add(p.getDefaut());
+                valeurs.add(p.defaut);
             } else if (valeurs.isEmpty()) {
-                int dernier = p.getDefaut() == null ? p.getCrans() : p.getCran(p.getDefaut());
-                assertEquals(p.getDefaut(), p.getDefaut() == null ? null : p.getValeur(dernier), "un cran est au défaut");
+                int dernier = p.defaut == null ? p.crans : p.getCran(p.defaut);
+                assertEquals(p.defaut, p.defaut == null ? null : p.getValeur(dernier), "un cran est au défaut");
                 for (int cran = 0; cran <= dernier; cran++) {
                     valeurs.add(p.getValeur(cran));
                 }
             }
             for (String valeur : valeurs) {
-                Section section = Section.sansFichier(variante.getSection(), p.getCle(), valeur);
+                Section section = Section.sansFichier(variante.getSection(), p.cle, valeur);
                 variante.installer(section, new Modele());
                 section.verifierCles();
             }

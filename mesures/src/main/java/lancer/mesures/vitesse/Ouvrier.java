@@ -93,13 +93,13 @@ final class Ouvrier {
      */
     static int verifier(Methode.Dessin dessin, Scene scene, ImageLineaire image, Taille taille) {
         double cout = (double) dessin.lancer.getCompteurs().rayons() * (scene.getObjets().size() + SOCLE);
-        int nombre = Pave.nombre(taille.largeur, taille.hauteur);
+        int nombre = Pave.nombre(taille.largeur, taille.hauteur, Pave.COTE);
         int combien = Math.max(1, (int) (nombre * Math.min(1, BUDGET / cout)));
         List<Pave> choisis = new Random(GRAINE).ints(0, nombre).distinct().limit(combien)
-                .mapToObj(k -> Pave.deRang(k, taille.largeur, taille.hauteur)).collect(Collectors.toList());
+                .mapToObj(k -> Pave.deRang(k, taille.largeur, taille.hauteur, Pave.COTE)).collect(Collectors.toList());
         ImageLineaire juste = new ImageLineaire(taille.largeur, taille.hauteur);
         Arrays.fill(juste.getComposantes(), Double.NaN);
-        dessin.refaire(entier -> (pave, vue, toile) -> choisis.stream().anyMatch(p -> p.contient(pave))
+        dessin.refaire(entier -> (pave, vue, toile) -> choisis.stream().anyMatch(p -> p.contient(pave.i0, pave.j0))
                 ? entier.tracer(pave, vue, toile) : 0, juste, taille.fils);
         int refaits = 0;
         for (int k = 0; k < taille.pixels(); k++) {
