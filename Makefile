@@ -86,13 +86,13 @@ scene-geante: mesures/target/mesures.jar
 bench: mesures/target/mesures.jar | mesures/target/embree
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --spheres $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
-# Le temps de chaque façon de calculer une intersection, par JMH, et la courbe des méthodes ; JMH="-p formule=MANUEL" pour ses options.
+# Le temps de chaque façon de calculer une intersection, et la courbe des méthodes.
 noyaux: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.noyaux.Noyaux $(JMH)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --noyaux
 
 # Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se
-# chronomètre pas, si chargée que soit la machine ; MESURES=--stabilite n'en mesure que la stabilité.
+# chronomètre pas, si chargée que soit la machine, et MESURES=--temps le reste ; MESURES=--stabilite ne mesure que la stabilité.
 mesures: mesures/target/mesures.jar | mesures/target/embree
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 

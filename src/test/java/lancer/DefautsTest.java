@@ -3,6 +3,10 @@ package lancer;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Paths;
+import java.util.List;
 import lancer.contrat.Echantillonnage;
 import lancer.essai.Defauts;
 import org.junit.jupiter.api.Test;
@@ -25,9 +29,11 @@ class DefautsTest {
     };
 
     @Test
-    void chaqueDefautSeVoitEtLeProgrammeNEnAAucun() {
+    void chaqueDefautSeVoitAutantQueLeDitLaPageEtLeProgrammeNEnAAucun() throws IOException {
+        List<String> page = Files.readAllLines(Paths.get("docs/stabilite.md"));
         for (Defauts.Defaut defaut : new Defauts(NEUF_POINTS).tous()) {
-            assertTrue(defaut.faux(defaut.naive) > 0, defaut.nom);
+            int faux = defaut.faux(defaut.naive);
+            assertTrue(faux > 0 && page.contains("| " + defaut.nom + " | " + faux + " |"), defaut.nom + " : " + faux);
             assertEquals(0, defaut.faux(defaut.programme), defaut.nom);
         }
     }

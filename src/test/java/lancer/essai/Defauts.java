@@ -39,8 +39,6 @@ public final class Defauts {
     /** Une scène, ce que sa géométrie en donne, ce qu'en fait un défaut, et ce qu'en fait le programme. */
     public static final class Defaut {
 
-        /** En un mot, puis en français. */
-        public final String cle;
         public final String nom;
         public final int cote;
         public final Couleur[] naive;
@@ -49,17 +47,12 @@ public final class Defauts {
         /** {@code null} là où la géométrie ne décide pas. */
         private final Couleur[] attendue;
 
-        Defaut(String cle, String nom, int cote, Couleur[] attendue, Couleur[] naive, Couleur[] programme) {
-            this.cle = cle;
+        Defaut(String nom, int cote, Couleur[] attendue, Couleur[] naive, Couleur[] programme) {
             this.nom = nom;
             this.cote = cote;
             this.attendue = attendue;
             this.naive = naive;
             this.programme = programme;
-        }
-
-        public int juges() {
-            return (int) Arrays.stream(attendue).filter(Objects::nonNull).count();
         }
 
         public int faux(Couleur[] obtenue) {
@@ -89,18 +82,18 @@ public final class Defauts {
     public List<Defaut> tous() {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
         Scene scene = scene(Camera.OEIL, boule);
-        noter("acne", "une surface s'ombre elle-même", scene, 0, naive(scene, Ombre.SANS_EXCLURE, 0), deLaLampe(boule, 1));
+        noter("une surface s'ombre elle-même", scene, 0, naive(scene, Ombre.SANS_EXCLURE, 0), deLaLampe(boule, 1));
         epsilons();
         voisin();
         jumelle(boule);
         Scene deux = scene(Camera.OEIL, boule, boule(0, 0, -9, 2, 1, 0));
-        noter("au-dela", "ombre d'un objet derrière la lampe", deux, 0, naive(deux, Ombre.SANS_DISTANCE, 0), deLaLampe(boule, 1));
+        noter("ombre d'un objet derrière la lampe", deux, 0, naive(deux, Ombre.SANS_DISTANCE, 0), deLaLampe(boule, 1));
         soleil();
         miroir();
         dedans();
         dos();
         Lancer lancer = new Lancer(scene, camera);
-        noter("demi-pixel", "pixels vus en leur coin", scene, 0, image((xe, ye) -> lancer.getCouleurPixel(xe - 0.5, ye - 0.5, 0)),
+        noter("pixels vus en leur coin", scene, 0, image((xe, ye) -> lancer.getCouleurPixel(xe - 0.5, ye - 0.5, 0)),
                 deLaLampe(boule, 1));
         limites();
         camera = new Camera(COTE_IMPAIR, COTE_IMPAIR);
@@ -152,25 +145,25 @@ public final class Defauts {
         double r = 1e11 / 3;
         Sphere sol = boule(0, -r - 1, 5, r, 0.8, 0);
         Scene grande = scene(Camera.OEIL, sol);
-        noter("epsilon-court", "epsilon de 10⁻⁶, sol de rayon 3·10¹⁰", grande, 0, naive(grande, Ombre.SANS_EXCLURE, 1e-6), (xe, ye) -> {
+        noter("epsilon de 10⁻⁶, sol de rayon 3·10¹⁰", grande, 0, naive(grande, Ombre.SANS_EXCLURE, 1e-6), (xe, ye) -> {
             Vecteur V = forme(sol).regard(xe, ye);
             return V.y < 0 ? new Couleur(-0.8 * V.y) : Analytique.ciel(V);
         });
         Sphere proche = boule(0, 0, 100 + 5e-5, 100, 1, 0);
         Scene petite = scene(Camera.OEIL, proche);
-        noter("epsilon-long", "epsilon de 10⁻⁴, boule à 5·10⁻⁵", petite, 0, naive(petite, Ombre.AUCUNE, 1e-4), deLaLampe(proche, 1));
+        noter("epsilon de 10⁻⁴, boule à 5·10⁻⁵", petite, 0, naive(petite, Ombre.AUCUNE, 1e-4), deLaLampe(proche, 1));
     }
 
     /** L'écran est dans deux coques, à 10⁻⁵ l'une de l'autre ; la lampe, dehors, ne doit éclairer que la seconde. */
     private void voisin() {
         Scene scene = scene(new Point(0, 3, 12), boule(0, 0, 2, 4, 1, 0), boule(0, 0, 2, 4 + 1e-5, 1, 0));
-        noter("voisin", "départ exclu par la distance", scene, 0, naive(scene, Ombre.SANS_EXCLURE, 1e-4), (xe, ye) -> new Couleur());
+        noter("départ exclu par la distance", scene, 0, naive(scene, Ombre.SANS_EXCLURE, 1e-4), (xe, ye) -> new Couleur());
     }
 
     private void jumelle(Sphere boule) {
         Sphere jumelle = boule(0, 0, 5, 1.5, 1, 0);
         Scene scene = scene(Camera.OEIL, boule, jumelle);
-        noter("jumelle", "sphère jumelle gardée", scene, 0,
+        noter("sphère jumelle gardée", scene, 0,
                 naive(scene, 0, new RechercheSimple(Arrays.<Objet3D>asList(boule, jumelle), new Compteurs())), deLaLampe(boule, 1));
     }
 
@@ -179,14 +172,14 @@ public final class Defauts {
         Vecteur soleil = new Vecteur(-1, 2, -3).normalized();
         Sphere boule = boule(0, 0, 5, 1, 0.75, 0);
         Scene scene = scene(new Point().add(soleil.mul(1e9)), boule);
-        noter("lampe-lointaine", "b² − 4ac, lampe à 10⁹", scene, 0, naive(scene, Ombre.PREMIER_DU_MANUEL, 0),
+        noter("b² − 4ac, lampe à 10⁹", scene, 0, naive(scene, Ombre.PREMIER_DU_MANUEL, 0),
                 vue(boule, false, (V, N) -> new Couleur(0.75 * Math.max(0, N.dot(soleil)))));
     }
 
     private void miroir() {
         Sphere boule = boule(0, 0, 5, 1.5, 0, 0.5);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.<Lampe>emptyList());
-        noter("miroir", "un miroir se réfléchit lui-même", scene, 1,
+        noter("un miroir se réfléchit lui-même", scene, 1,
                 naive(scene, 1, new RechercheNaive(scene.getObjets(), Ombre.AUCUNE, 0)), vue(boule, false, (V, N) -> {
                     Vecteur R = V.sub(N.mul(2 * N.dot(V)));
                     // le ciel change d'un coup à l'horizon
@@ -199,7 +192,7 @@ public final class Defauts {
         Sphere boule = boule(0, 0, 0, 9, 1, 0);
         Point lampe = new Point(0, 0, 20);
         Analytique forme = forme(boule);
-        noter("dedans", "première racine seule, vue du dedans", scene(lampe, boule), 0,
+        noter("première racine seule, vue du dedans", scene(lampe, boule), 0,
                 image((xe, ye) -> Analytique.ciel(forme.regard(xe, ye))), vue(boule, true,
                     (V, N) -> new Couleur(Math.max(0, N.dot(new Vecteur(forme.point(N), lampe).normalized())))));
     }
@@ -208,7 +201,7 @@ public final class Defauts {
     private void dos() {
         Sphere boule = boule(0, 0, 5, 1.5, 0, 0.5);
         boule.setNs(0);
-        noter("dos", "ns = 0 sans regarder N·L", scene(new Point(0, 0, 50), boule), 0,
+        noter("ns = 0 sans regarder N·L", scene(new Point(0, 0, 50), boule), 0,
                 image(vue(boule, false, (V, N) -> new Couleur(0.5))), vue(boule, false, (V, N) -> new Couleur()));
     }
 
@@ -217,7 +210,7 @@ public final class Defauts {
         Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
         Vue points = deLaLampe(boule, 10);
-        noter("limiter", "limiter avant de moyenner", scene.avec(scene.getModele().avec(neufPoints, scene.getModele().getSeuil())), 0,
+        noter("limiter avant de moyenner", scene.avec(scene.getModele().avec(neufPoints, scene.getModele().getSeuil())), 0,
                 image((xe, ye) -> moyenne(points, xe, ye, 1)), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
     }
 
@@ -234,15 +227,15 @@ public final class Defauts {
     private void lampePosee() {
         Sphere boule = boule(0, 0, 5, 1, 1, 0);
         Point lampe = new Point(0, 0, 4);
-        noter("nan", "lampe posée sur une boule : 0/0", scene(lampe, boule), 0, image(vue(boule, false, (V, N) -> {
+        noter("lampe posée sur une boule : 0/0", scene(lampe, boule), 0, image(vue(boule, false, (V, N) -> {
             Vecteur versLampe = new Vecteur(forme(boule).point(N), lampe);
             return new Couleur(Math.max(0, N.dot(versLampe.div(Math.sqrt(versLampe.norme2())))));
         })), vue(boule, false, (V, N) -> new Couleur()));
     }
 
-    private void noter(String cle, String nom, Scene scene, int reflets, Couleur[] naive, Vue juste) {
+    private void noter(String nom, Scene scene, int reflets, Couleur[] naive, Vue juste) {
         scene.getModele().setSeuil(0);
-        defauts.add(new Defaut(cle, nom, camera.getLargeur(), image(juste), naive, image(scene, reflets)));
+        defauts.add(new Defaut(nom, camera.getLargeur(), image(juste), naive, image(scene, reflets)));
     }
 
     private Couleur[] image(Scene scene, int reflets) {

@@ -8,7 +8,7 @@ import lancer.precision.IntersectionCompensee;
 
 /**
  * Des façons de calculer la distance d'un rayon à une sphère : celles que l'on trouve partout, celle du programme, et ce que coûterait
- * de calculer toujours plus finement. Les tests montrent où chacune échoue ; {@code mesures} en fait des courbes, et mesure leur temps.
+ * de calculer toujours plus finement : les tests montrent où chacune échoue.
  *
  * <p>Toutes reçoivent un départ P, une direction V « de longueur 1 », un centre C et un rayon r, et rendent la plus petite distance
  * strictement positive, +∞ si elles n'en trouvent pas.
@@ -58,24 +58,6 @@ public enum Formule {
         }
     },
 
-    /** La projection du centre sur le rayon, puis Pythagore : h² = r² − (|f|² − b²), où deux grands carrés se soustraient encore. */
-    GEOMETRIQUE {
-        @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            double fx = cx - px;
-            double fy = cy - py;
-            double fz = cz - pz;
-            double b = fx * vx + fy * vy + fz * vz;
-            double l2 = fx * fx + fy * fy + fz * fz - b * b;
-            if (l2 > r * r) {
-                return Constantes.INFINI;
-            }
-            double h = Math.sqrt(r * r - l2);
-            return premiere(b - h, b + h);
-        }
-    },
-
     /** La perpendiculaire du centre au rayon, calculée comme un vecteur : h² = r² − |f − bV|², puis les racines telles quelles. */
     PERPENDICULAIRE {
         @Override
@@ -97,53 +79,12 @@ public enum Formule {
         }
     },
 
-    /** La même en {@code float}, données comprises : ce que fait une carte graphique. */
-    FLOAT {
-        @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            float x = (float) vx;
-            float y = (float) vy;
-            float z = (float) vz;
-            float fx = (float) cx - (float) px;
-            float fy = (float) cy - (float) py;
-            float fz = (float) cz - (float) pz;
-            float b = fx * x + fy * y + fz * z;
-            float lx = fx - b * x;
-            float ly = fy - b * y;
-            float lz = fz - b * z;
-            float h2 = (float) r * (float) r - (lx * lx + ly * ly + lz * lz);
-            if (h2 < 0) {
-                return Constantes.INFINI;
-            }
-            float h = (float) Math.sqrt(h2);
-            return premiere(b - h, b + h);
-        }
-    },
-
     /** La nôtre, telle que le programme l'appelle. */
     PROGRAMME {
         @Override
         public double distance(double px, double py, double pz, double vx, double vy, double vz,
                 double cx, double cy, double cz, double r) {
             return Intersection.distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
-        }
-    },
-
-    /** La nôtre encore, dans une recherche : un doute n'est tranché que si cette sphère peut être la plus proche. */
-    RECHERCHE {
-        @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            return distanceAvant(Constantes.INFINI, px, py, pz, vx, vy, vz, cx, cy, cz, r);
-        }
-
-        @Override
-        public double distanceAvant(double plusProche, double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, cx, cy, cz, r);
-            return d >= 0 ? d : Intersection.auMoins(d) > plusProche ? Constantes.INFINI
-                    : Intersection.trancher(px, py, pz, vx, vy, vz, cx, cy, cz, r);
         }
     },
 
@@ -183,12 +124,6 @@ public enum Formule {
 
     public abstract double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r);
-
-    /** La distance, ou n'importe laquelle au-delà de {@code plusProche} si elle y est. */
-    public double distanceAvant(double plusProche, double px, double py, double pz, double vx, double vy, double vz,
-            double cx, double cy, double cz, double r) {
-        return distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
-    }
 
     public final double distance(Point P, Vecteur V, Point C, double r) {
         return distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import lancer.mesures.trace.Style;
 
 /** Ce que disent les mesures, en nombres : pour les titres et pour les pages. */
-final class Bilan {
+public final class Bilan {
 
     /** Part des rayons mal classés au-dessus de laquelle une erreur ne veut plus rien dire. */
     private static final double TROP = 0.1;
@@ -23,7 +23,7 @@ final class Bilan {
         this.tous = tous;
     }
 
-    List<Exactitude> de(String figure, Aspect methode) {
+    List<Exactitude> de(String figure, Formule methode) {
         return de(figure, methode.cle());
     }
 
@@ -31,24 +31,23 @@ final class Bilan {
         return tous.stream().filter(r -> r.figure.equals(figure) && r.formule.equals(methode)).collect(Collectors.toList());
     }
 
-    /** Les défauts, du plus voyant au moins voyant. */
-    List<Exactitude> defauts() {
-        return tous.stream().filter(r -> r.figure.equals(Mesures.DEFAUTS) && !r.formule.equals(Aspect.PROGRAMME.cle()))
-                .sorted(Comparator.comparingInt(r -> -r.faux)).collect(Collectors.toList());
-    }
-
-    static boolean estClasse(Exactitude r) {
+    public static boolean estClasse(Exactitude r) {
         return r.part() <= TROP;
     }
 
-    /** Les rayons mal classés, ou les pixels faux, à partir de cette abscisse. */
-    int faux(String figure, Aspect methode, double aPartirDe) {
+    /** Ce que vaut une méthode dans un régime. */
+    public Exactitude en(Regime regime, Formule methode) {
+        return de(regime.figure(), methode).get(0);
+    }
+
+    /** Les rayons mal classés à partir de cette abscisse. */
+    int faux(String figure, Formule methode, double aPartirDe) {
         return de(figure, methode).stream().filter(r -> r.x >= aPartirDe).mapToInt(r -> r.faux).sum();
     }
 
     /** La plus grande de ces valeurs, celles du programme. */
     double max(String figure, ToDoubleFunction<Exactitude> valeur) {
-        return de(figure, Aspect.PROGRAMME).stream().mapToDouble(valeur).max().orElse(0);
+        return de(figure, Formule.PROGRAMME).stream().mapToDouble(valeur).max().orElse(0);
     }
 
     /** Ce que la pire erreur du programme ne dépasse pas, en dixièmes d'unité de κ u t. */
@@ -57,13 +56,13 @@ final class Bilan {
     }
 
     /** Ce que vaut une méthode à la plus grande abscisse, ou à la plus petite. */
-    private Exactitude auBout(String figure, Aspect methode, boolean grande) {
+    private Exactitude auBout(String figure, Formule methode, boolean grande) {
         return de(figure, methode).stream().max(Comparator.comparingDouble((Exactitude r) -> grande ? r.x : -r.x)).get();
     }
 
     /** L'exposant de la distance dans l'erreur du manuel, de dix à un million de rayons. */
     double pente() {
-        List<Exactitude> manuel = de(Mesures.LOIN, Aspect.MANUEL);
+        List<Exactitude> manuel = de(Mesures.LOIN, Formule.MANUEL);
         return (Math.log10(en(manuel, 1e6).erreurEnUnites) - Math.log10(en(manuel, 10).erreurEnUnites)) / 5;
     }
 
@@ -73,8 +72,8 @@ final class Bilan {
 
     /** Combien de fois l'erreur du programme fait celle du manuel, en moyenne géométrique, là où les deux classent bien. */
     private double rapportDesErreurs(String figure) {
-        List<Exactitude> programme = de(figure, Aspect.PROGRAMME);
-        return Math.exp(de(figure, Aspect.MANUEL).stream().filter(Bilan::estClasse)
+        List<Exactitude> programme = de(figure, Formule.PROGRAMME);
+        return Math.exp(de(figure, Formule.MANUEL).stream().filter(Bilan::estClasse)
                 .mapToDouble(m -> Math.log(m.erreurRelative / en(programme, m.x).erreurRelative)).average().orElse(0));
     }
 
@@ -84,29 +83,25 @@ final class Bilan {
     }
 
     /** Les nombres que montrent les titres et les pages, par leurs noms. */
-    Map<String, String> nombres() {
+    public Map<String, String> nombres() {
         Map<String, String> valeurs = new TreeMap<>();
         valeurs.put("stabilite.unites", Style.arrondi(unites(Mesures.LOIN)));
         valeurs.put("stabilite.pente", Style.arrondi(pente()));
         // d'où, de loin, le manuel classe mal plus d'un rayon sur dix
-        valeurs.put("stabilite.perdu", Style.puissance(de(Mesures.LOIN, Aspect.MANUEL).stream().filter(r -> r.x >= DE_LOIN && !estClasse(r))
-                .mapToDouble(r -> r.x).min().orElse(Double.NaN)));
+        valeurs.put("stabilite.perdu", Style.puissance(de(Mesures.LOIN, Formule.MANUEL).stream()
+                .filter(r -> r.x >= DE_LOIN && !estClasse(r)).mapToDouble(r -> r.x).min().orElse(Double.NaN)));
         valeurs.put("stabilite.bout", Style.puissance(max(Mesures.LOIN, r -> r.x)));
-        valeurs.put("stabilite.bout.manuel", Style.arrondi(100 * auBout(Mesures.LOIN, Aspect.MANUEL, true).part()));
-        valeurs.put("stabilite.loin.programme", fois(faux(Mesures.LOIN, Aspect.PROGRAMME, DE_LOIN)));
+        valeurs.put("stabilite.bout.manuel", Style.arrondi(100 * auBout(Mesures.LOIN, Formule.MANUEL, true).part()));
+        valeurs.put("stabilite.loin.programme", fois(faux(Mesures.LOIN, Formule.PROGRAMME, DE_LOIN)));
         valeurs.put("stabilite.ras.rapport", Style.arrondi(rapportDesErreurs(Mesures.RAS)));
         valeurs.put("stabilite.ras-loin.rapport", Style.arrondi(rapportDesErreurs(Mesures.RAS_LOIN)));
         valeurs.put("stabilite.ras.unites", Style.arrondi(Math.max(unites(Mesures.RAS), unites(Mesures.RAS_LOIN))));
         valeurs.put("stabilite.sol", Style.puissance(max(Mesures.SOL, r -> r.x)));
-        for (Aspect methode : Mesures.DES_COURBES) {
+        for (Formule methode : Mesures.DES_COURBES) {
             valeurs.put("stabilite.sol." + methode.cle(),
                     String.valueOf((int) -Math.log10(auBout(Mesures.SOL, methode, true).erreurRelative)));
             valeurs.put("stabilite.pose." + methode.cle(), fois(auBout(Mesures.POSE, methode, false).faux));
         }
-        List<Exactitude> naifs = defauts();
-        valeurs.put("stabilite.defauts", String.valueOf(naifs.size()));
-        valeurs.put("stabilite.defauts.programme", Style.nombre(faux(Mesures.DEFAUTS, Aspect.PROGRAMME, 0)));
-        naifs.forEach(r -> valeurs.put("stabilite.defaut." + r.formule, Style.nombre(r.faux)));
         petites(valeurs);
         reflets(valeurs);
         return valeurs;

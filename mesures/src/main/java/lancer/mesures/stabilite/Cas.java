@@ -1,33 +1,50 @@
 package lancer.mesures.stabilite;
 
+import java.math.BigDecimal;
 import java.util.Random;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
-import lancer.essai.Exact;
-import lancer.essai.Formule;
 
 /** Un rayon et une sphère, tirés au sort, et la réponse exacte. Une même graine donne les mêmes. */
-public final class Cas {
+final class Cas {
 
     /** Précision relative d'un double. */
     static final double U = 0x1p-53;
 
-    /** Ce que promet le programme, en unités de l'erreur inévitable. */
-    static final double K = 8;
+    /** P, V, C et r, à la suite. */
+    final double[] nombres;
 
-    private final Point P;
-    private final Vecteur V;
-    private final Point C;
-    private final double r;
-    final Exact exacte;
+    /** Sans arrondi : les doubles du cas sont pris tels quels, la direction est la différence exacte de deux points ; +∞ sans contact. */
+    final double distance;
 
-    private Cas(Point P, Point vers, Point C, double r) {
-        this.P = P;
-        this.V = new Rayon(P, vers).getV();
-        this.C = C;
-        this.r = r;
-        this.exacte = new Exact(P, vers, C, r);
+    /** La demi-corde, +∞ si la droite ne touche pas la sphère. Près de 0, un chiffre perdu sur les données en coûte beaucoup. */
+    private final double demiCorde;
+
+    /** De combien la droite entre dans la sphère, r − l, l étant sa distance au centre ; négatif si elle passe à côté. */
+    private final double enfoncement;
+
+    Cas(Point P, Point vers, Point C, double r) {
+        Vecteur V = new Rayon(P, vers).getV();
+        nombres = new double[] {P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r};
+        BigDecimal[] d = Decimaux.difference(exact(vers), exact(P), Decimaux.EXACT);
+        BigDecimal[] f = Decimaux.difference(exact(C), exact(P), Decimaux.EXACT);
+        BigDecimal norme2 = Decimaux.scalaire(d, d, Decimaux.EXACT);
+        BigDecimal norme = Decimaux.racine(norme2);
+        BigDecimal b = Decimaux.scalaire(f, d, Decimaux.EXACT).divide(norme, Decimaux.PRECIS);
+        // le carré de la distance de la droite au centre, d'un seul quotient : rien ne s'y perd
+        BigDecimal l2 = Decimaux.scalaire(f, f, Decimaux.EXACT).multiply(norme2)
+                .subtract(Decimaux.scalaire(f, d, Decimaux.EXACT).pow(2)).divide(norme2, Decimaux.PRECIS);
+        BigDecimal h2 = new BigDecimal(r).pow(2).subtract(l2);
+        BigDecimal h = Decimaux.racine(h2.max(BigDecimal.ZERO));
+        double t = b.compareTo(h) > 0 ? b.subtract(h).doubleValue() : b.add(h).doubleValue();
+        distance = h2.signum() < 0 || t <= 0 ? Double.POSITIVE_INFINITY : t;
+        demiCorde = h2.signum() < 0 ? Double.POSITIVE_INFINITY : h.doubleValue();
+        enfoncement = new BigDecimal(r).subtract(Decimaux.racine(l2)).doubleValue();
+    }
+
+    private static BigDecimal[] exact(Point p) {
+        return new BigDecimal[] {new BigDecimal(p.x), new BigDecimal(p.y), new BigDecimal(p.z)};
     }
 
     /** De loin, vers une sphère de rayon 1 ou à côté d'elle, jusqu'à deux rayons de son centre. */
@@ -70,32 +87,27 @@ public final class Cas {
 
     /** Faux si l'arrondi de la direction suffit à faire toucher ou manquer la sphère : les deux réponses se valent. */
     boolean seJuge() {
-        return Math.abs(exacte.enfoncement) >= K * U * (new Vecteur(P, C).norme() + r);
+        Vecteur f = new Vecteur(nombres[6] - nombres[0], nombres[7] - nombres[1], nombres[8] - nombres[2]);
+        return Math.abs(enfoncement) >= Stabilite.PROMESSE * U * (f.norme() + nombres[9]);
     }
 
     /** Vrai si une méthode touche ce qu'il faut manquer, ou l'inverse, ou prend une racine pour l'autre. */
-    public boolean malClasse(Formule formule) {
-        double t = formule.distance(P, V, C, r);
-        if (Double.isInfinite(exacte.distance) || Double.isInfinite(t) || Double.isNaN(t)) {
-            return t != exacte.distance;
+    boolean malClasse(Formule formule) {
+        double t = formule.distance(Double.POSITIVE_INFINITY, nombres, 0);
+        if (Double.isInfinite(distance) || Double.isInfinite(t) || Double.isNaN(t)) {
+            return t != distance;
         }
-        return Math.abs(t - exacte.distance) > exacte.demiCorde;
+        return Math.abs(t - distance) > demiCorde;
     }
 
     /** |Δt| / t. */
-    public double erreurRelative(Formule formule) {
-        return Math.abs(formule.distance(P, V, C, r) - exacte.distance) / exacte.distance;
+    double erreurRelative(Formule formule) {
+        return Math.abs(formule.distance(Double.POSITIVE_INFINITY, nombres, 0) - distance) / distance;
     }
 
     /** |Δt| en unités de κ u t = u (1 + r/h) t : ce que l'arrondi de la direction, que personne n'évite, change à la réponse. */
     double erreurEnUnites(Formule formule) {
-        return erreurRelative(formule) / (U * (1 + r / exacte.demiCorde));
-    }
-
-    /** P, V, C et r, à la suite à partir de {@code k}. */
-    public void copier(double[] nombres, int k) {
-        double[] siens = {P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r};
-        System.arraycopy(siens, 0, nombres, k, siens.length);
+        return erreurRelative(formule) / (U * (1 + nombres[9] / demiCorde));
     }
 
     private static Vecteur gauss(Random hasard) {

@@ -7,16 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import lancer.atelier.FichierCsv;
-import lancer.mesures.Intervalle;
 
-/** Ce que valent les réponses d'une méthode, sur tant d'essais : une ligne de stabilite.csv, ou de methodes.csv. */
-final class Exactitude {
+/** Ce que valent les réponses d'une méthode, sur tant d'essais : une ligne de stabilite.csv. */
+public final class Exactitude {
 
-    private static final String FIN = ",essais,faux,erreur_relative,erreur_unites";
-    static final String STABILITE = "figure,methode,x,y" + FIN;
-
-    /** x : nanosecondes par intersection ; y : ce qu'il y a de part et d'autre dans son intervalle. */
-    static final String METHODES = "regime,methode,ns,plus_ou_moins" + FIN;
+    private static final String COLONNES = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites";
 
     /** Quelle courbe : voir {@link Mesures}. */
     final String figure;
@@ -24,15 +19,15 @@ final class Exactitude {
     final double x;
     final double y;
 
-    /** Rayons jugés, ou pixels. */
-    final int essais;
+    /** Rayons jugés. */
+    public final int essais;
 
-    /** Ceux dont la réponse n'est pas du bon genre, ou la couleur pas la bonne. */
-    final int faux;
+    /** Ceux dont la réponse n'est pas du bon genre. */
+    public final int faux;
 
     /** La pire des autres, |Δt|/t, puis en unités de κ u t. */
     final double erreurRelative;
-    final double erreurEnUnites;
+    public final double erreurEnUnites;
 
     Exactitude(String figure, String formule, double x, double y, int essais, int faux, double erreurRelative, double erreurEnUnites) {
         this.figure = figure;
@@ -46,32 +41,23 @@ final class Exactitude {
     }
 
     /** La part des essais qui sont faux, de 0 à 1. */
-    double part() {
+    public double part() {
         return essais == 0 ? 0 : (double) faux / essais;
     }
 
-    /** En nanosecondes, dans methodes.csv. */
-    Intervalle temps() {
-        return new Intervalle(x, x - y, x + y);
-    }
-
-    /** @param note ce qu'il faut savoir pour comparer, en dernière ligne ; vide s'il n'y en a pas */
-    static void ecrire(Path fichier, String enTete, List<Exactitude> exactitudes, String note) throws IOException {
+    static void ecrire(Path fichier, List<Exactitude> exactitudes) throws IOException {
         List<String> lignes = new ArrayList<>();
-        lignes.add(enTete);
+        lignes.add(COLONNES);
         exactitudes.forEach(r -> lignes.add(FichierCsv.ligne(r.figure, r.formule, r.x, r.y, r.essais, r.faux, r.erreurRelative,
                 r.erreurEnUnites)));
-        if (!note.isEmpty()) {
-            lignes.add(FichierCsv.NOTE + note);
-        }
         Files.write(fichier, lignes);
     }
 
     /** @throws IOException si le fichier n'est pas de ceux qu'écrit {@link #ecrire} */
-    static List<Exactitude> lire(Path fichier, String enTete) throws IOException {
+    static List<Exactitude> lire(Path fichier) throws IOException {
         List<Exactitude> exactitudes = new ArrayList<>();
         for (Map<String, String> champs : FichierCsv.lire(fichier)) {
-            if (!String.join(",", champs.keySet()).equals(enTete)) {
+            if (!String.join(",", champs.keySet()).equals(COLONNES)) {
                 throw new IOException(fichier + " : pas une mesure de stabilité");
             }
             String[] c = champs.values().toArray(new String[0]);

@@ -1,23 +1,18 @@
 package lancer.mesures.stabilite;
 
 import java.awt.Color;
-import java.awt.Graphics2D;
-import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
-import lancer.antialias.Antialias;
-import lancer.essai.Defauts;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Serie;
 import lancer.mesures.trace.Style;
-import lancer.mesures.trace.Vignettes;
 import lancer.mesures.trace.Volet;
 
-/** Les quatre planches de la stabilité. */
+/** Les planches de la stabilité. */
 final class Figures {
 
     private static final String ERREUR = "erreur relative de t, la pire";
@@ -25,9 +20,6 @@ final class Figures {
 
     /** Où dessiner une part nulle, en %, sur un axe qui ne saurait l'atteindre. */
     private static final double AUCUN = 0.05;
-
-    /** Nombre de pixels faux au-dessous duquel chacun est grossi. */
-    private static final int RARES = 10;
 
     private final Bilan bilan;
     private final Map<String, String> nombres;
@@ -49,7 +41,7 @@ final class Figures {
     Planche loin() {
         Volet erreur = new Volet("Manuel : une erreur comme |P − C| à la puissance " + nombre("pente") + ". Programme, ici : "
                 + nombre("unites") + " unités au plus", "Erreur de la distance", "|P − C| / r", "erreur de t, en unités de κ u t")
-                .repere(Cas.K, "K = 8, la borne promise");
+                .repere(Stabilite.PROMESSE, "K = 8, la borne promise");
         courbes(erreur, Mesures.LOIN, r -> Math.max(0.1, r.erreurEnUnites), true);
         Volet genre = new Volet("À " + nombre("bout") + " r, le manuel se trompe " + nombre("bout.manuel") + " fois sur cent",
                 "Rayons mal classés", "|P − C| / r", "rayons mal classés, en %").repere(AUCUN, "aucun");
@@ -68,13 +60,13 @@ final class Figures {
         Volet volet = new Volet("L'erreur du manuel est " + nombre(figure + ".rapport") + " fois celle du programme",
                 "À " + Style.nombre(distance) + " r du centre", TANGENTE, ERREUR).versZero();
         courbes(volet, figure, r -> r.erreurRelative, true);
-        return volet.serie(guide("8 u (1 + r/h), la borne promise", Style.GRIS, figure, Cas.K))
+        return volet.serie(guide("8 u (1 + r/h), la borne promise", Style.GRIS, figure, Stabilite.PROMESSE))
                 .serie(guide("u (1 + r/h), l'effet d'un arrondi", Style.FRONT, figure, 1));
     }
 
     private Serie guide(String nom, Color couleur, String figure, double facteur) {
         // h² = r² − l²
-        List<Marque> marques = bilan.de(figure, Aspect.PROGRAMME).stream()
+        List<Marque> marques = bilan.de(figure, Formule.PROGRAMME).stream()
                 .map(r -> Marque.en(r.x, facteur * Cas.U * (1 + 1 / Math.sqrt(r.x * (2 - r.x))))).collect(Collectors.toList());
         return new Serie(nom, couleur, FormeDePoint.AUCUNE, true, marques);
     }
@@ -91,24 +83,7 @@ final class Figures {
                 + nombre("sol.perpendiculaire"), note).volet(sol).volet(pose);
     }
 
-    /** D : les défauts, en images. */
-    Planche defauts() {
-        List<Defauts.Defaut> images = new Defauts(Antialias.coins(3, 0)).tous();
-        List<Exactitude> naifs = bilan.defauts();
-        Vignettes vignettes = new Vignettes();
-        for (Exactitude r : naifs) {
-            Defauts.Defaut defaut = images.stream().filter(d -> d.cle.equals(r.formule)).findFirst().get();
-            vignettes.image(image(defaut), defaut.nom, Style.nombre(r.faux) + (r.faux > 1 ? " pixels faux" : " pixel faux"));
-        }
-        return new Planche(naifs.size() + " défauts courants : de " + Style.nombre(naifs.get(naifs.size() - 1).faux) + " à "
-                + Style.nombre(naifs.get(0).faux) + " pixels faux ; le programme : " + nombre("defauts.programme"),
-                "À gauche ce que dessine le programme, au milieu ce que donne le défaut, à droite les pixels faux : plus d'un demi-niveau "
-                        + "de "
-                + "l'écran d'écart à ce que donne la géométrie. Images de " + Style.nombre(naifs.get(0).essais) + " pixels. make mesures")
-                .taille(Style.LARGEUR, 1480).vignettes(vignettes);
-    }
-
-    /** E : des boules plus petites qu'un pixel. */
+    /** D : des boules plus petites qu'un pixel. */
     Planche petites() {
         Volet volet = new Volet("", "", "rayon des boules, en pixels", "erreur, en niveaux");
         Object[][] series = {{"un_rayon", "un rayon", Style.NOIR, FormeDePoint.ROND},
@@ -131,7 +106,7 @@ final class Figures {
                 + "coins, tant qu'un disque ne peut couvrir deux sous-pixels. make mesures").volet(volet);
     }
 
-    /** F : d'un reflet à l'autre. */
+    /** E : d'un reflet à l'autre. */
     Planche reflets() {
         Volet volet = new Volet("", "", "reflets, de boule en boule", "erreur du contact, en rayons de la boule").repere(1,
                 "la boule elle-même est perdue");
@@ -153,28 +128,9 @@ final class Figures {
                 + "près, et le reflet suivant multiplie cet arrondi. make mesures").volet(volet);
     }
 
-    /** L'image juste, celle du défaut, et où celle-ci est fausse ; de rares pixels sont grossis. */
-    private static BufferedImage image(Defauts.Defaut d) {
-        int cote = d.cote;
-        BufferedImage image = new BufferedImage(3 * cote + 4, cote, BufferedImage.TYPE_INT_RGB);
-        Graphics2D g = image.createGraphics();
-        g.setColor(Style.BANDE);
-        g.fillRect(2 * cote + 4, 0, cote, cote);
-        g.setColor(Style.VERMILLON);
-        int bord = d.faux(d.naive) < RARES ? 2 : 0;
-        for (int k = 0; k < cote * cote; k++) {
-            image.setRGB(k % cote, k / cote, d.programme[k].getCode());
-            image.setRGB(k % cote + cote + 2, k / cote, d.naive[k].getCode());
-            if (d.estFaux(k, d.naive)) {
-                g.fillRect(k % cote + 2 * cote + 4 - bord, k / cote - bord, 2 * bord + 1, 2 * bord + 1);
-            }
-        }
-        return image;
-    }
-
     /** Chaque méthode. @param juste vrai pour ne tracer que là où elle touche et manque encore comme il faut */
     private void courbes(Volet volet, String figure, ToDoubleFunction<Exactitude> y, boolean juste) {
-        for (Aspect methode : Mesures.DES_COURBES) {
+        for (Formule methode : Mesures.DES_COURBES) {
             volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, true, bilan.de(figure, methode).stream()
                     .filter(r -> !juste || Bilan.estClasse(r))
                     .map(r -> Marque.en(r.x, Math.max(Double.MIN_NORMAL, y.applyAsDouble(r))))

@@ -7,10 +7,8 @@ import java.util.Random;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import lancer.antialias.Antialias;
-import lancer.essai.Defauts;
 
-/** Juge chaque méthode sur des rayons tirés au sort, et chaque défaut. Rien n'est chronométré : le fichier est partout le même. */
+/** Juge chaque méthode sur des rayons tirés au sort. Rien n'est chronométré : le fichier est partout le même. */
 final class Mesures {
 
     /** De loin : x = |P − C|/r. */
@@ -26,15 +24,12 @@ final class Mesures {
     /** Posé sur une surface : x = hauteur/rayon. */
     static final String POSE = "pose";
 
-    /** Les défauts courants, en images : x = rang du défaut. */
-    static final String DEFAUTS = "defauts";
-
     /** De combien de rayons {@link #RAS} et {@link #RAS_LOIN} regardent la sphère. */
     static final double PRES = 3;
     static final double LOINTAIN = 1000;
 
     /** Méthodes que comparent les courbes. */
-    static final List<Aspect> DES_COURBES = Arrays.asList(Aspect.MANUEL, Aspect.PERPENDICULAIRE, Aspect.PROGRAMME);
+    static final List<Formule> DES_COURBES = Arrays.asList(Formule.MANUEL, Formule.PERPENDICULAIRE, Formule.PROGRAMME);
 
     /** Des rayons tirés pour une abscisse, part qui doit se juger pour qu'elle soit tracée. */
     private static final double PART_JUGEE = 0.5;
@@ -56,21 +51,12 @@ final class Mesures {
         tous.addAll(courbe(RAS_LOIN, 3, -12, -1, 1, m -> h -> Cas.rasant(h, LOINTAIN, m)));
         tous.addAll(sol());
         tous.addAll(courbe(POSE, 5, -16, -1, 1, e -> h -> Cas.pose(h, e)));
-        tous.addAll(defauts());
+        for (Regime regime : Regime.values()) {
+            tous.addAll(regime.juger());
+        }
         tous.addAll(PetitesBoules.mesurer(pas > 1));
         tous.addAll(Reflets.mesurer(pas > 1 ? 15 : 41));
         return tous;
-    }
-
-    /** De chaque défaut, les pixels faux, puis ceux du programme. */
-    static List<Exactitude> defauts() {
-        List<Exactitude> exactitudes = new ArrayList<>();
-        for (Defauts.Defaut d : new Defauts(Antialias.coins(3, 0)).tous()) {
-            int rang = exactitudes.size() / 2;
-            exactitudes.add(new Exactitude(DEFAUTS, d.cle, rang, 0, d.juges(), d.faux(d.naive), 0, 0));
-            exactitudes.add(new Exactitude(DEFAUTS, Aspect.PROGRAMME.cle(), rang, 0, d.juges(), d.faux(d.programme), 0, 0));
-        }
-        return exactitudes;
     }
 
     List<Exactitude> sol() {
@@ -94,22 +80,22 @@ final class Mesures {
 
     /** Juge chaque méthode sur les mêmes rayons ; rien si la plupart ne se jugent pas. */
     static List<Exactitude> juger(String figure, double x, int tires, long graine, Function<Random, Cas> tirage,
-            List<Aspect> methodes) {
+            List<Formule> methodes) {
         List<Cas> cas = tirer(tires, graine, tirage);
         List<Exactitude> exactitudes = new ArrayList<>();
         if (cas.size() < PART_JUGEE * tires) {
             return exactitudes;
         }
-        for (Aspect methode : methodes) {
+        for (Formule methode : methodes) {
             int faux = 0;
             double relative = 0;
             double unites = 0;
             for (Cas c : cas) {
-                if (c.malClasse(methode.formule)) {
+                if (c.malClasse(methode)) {
                     faux++;
-                } else if (!Double.isInfinite(c.exacte.distance)) {
-                    relative = Math.max(relative, c.erreurRelative(methode.formule));
-                    unites = Math.max(unites, c.erreurEnUnites(methode.formule));
+                } else if (!Double.isInfinite(c.distance)) {
+                    relative = Math.max(relative, c.erreurRelative(methode));
+                    unites = Math.max(unites, c.erreurEnUnites(methode));
                 }
             }
             exactitudes.add(new Exactitude(figure, methode.cle(), x, 0, cas.size(), faux, relative, unites));

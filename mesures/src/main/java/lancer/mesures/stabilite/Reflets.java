@@ -1,7 +1,6 @@
 package lancer.mesures.stabilite;
 
 import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -28,11 +27,8 @@ final class Reflets {
     private static final double PRES = 5;
     private static final double LOIN = 40;
 
-    private static final MathContext EXACT = new MathContext(140);
-    private static final BigDecimal DEMI = new BigDecimal("0.5");
-
-    /** De seize chiffres justes à tous ceux-là. */
-    private static final int PAS_DE_NEWTON = 4;
+    /** Celui des rayons justes. */
+    private static final UnaryOperator<BigDecimal> PRECIS = x -> x.round(Decimaux.PRECIS);
 
     private final Random hasard;
 
@@ -75,7 +71,7 @@ final class Reflets {
     /** Une chaîne : les boules naissent sous le rayon juste, puis chaque façon de compter suit les mêmes. */
     private void suivre(Map<String, double[][]> erreurs, int c) {
         BigDecimal[] depart = tirer();
-        BigDecimal[] direction = unite(tirer(), x -> x.round(EXACT));
+        BigDecimal[] direction = unite(tirer(), PRECIS);
         BigDecimal[][] rayon = {depart, direction};
         List<BigDecimal[]> justes = new ArrayList<>();
         for (int k = 0; k <= MAX; k++) {
@@ -85,12 +81,12 @@ final class Reflets {
                 centre[i] = new BigDecimal(rayon[0][i].add(rayon[1][i].multiply(distance)).add(centre[i]).doubleValue());
             }
             centres.add(centre);
-            rayon = reflechir(rayon, centre, x -> x.round(EXACT));
+            rayon = reflechir(rayon, centre, PRECIS);
             justes.add(rayon[0]);
         }
         facons().forEach((nom, arrondi) -> {
             boolean attend = nom.equals("compensee");
-            UnaryOperator<BigDecimal> sien = attend ? x -> x.round(EXACT) : arrondi;
+            UnaryOperator<BigDecimal> sien = attend ? PRECIS : arrondi;
             BigDecimal[][] suivi = {arrondir(depart, arrondi), arrondir(direction, arrondi)};
             for (int k = 0; k <= MAX; k++) {
                 suivi = suivi == null ? null : reflechir(suivi, centres.get(k), sien);
@@ -117,48 +113,26 @@ final class Reflets {
     /** Le contact d'un rayon et d'une boule de rayon 1, et la direction du reflet ; {@code null} s'il passe à côté. */
     private static BigDecimal[][] reflechir(BigDecimal[][] rayon, BigDecimal[] centre, UnaryOperator<BigDecimal> a) {
         BigDecimal[] v = rayon[1];
-        BigDecimal[] f = ajouter(centre, rayon[0], BigDecimal.ONE.negate(), a);
-        BigDecimal b = scalaire(f, v, a);
-        BigDecimal[] l = ajouter(f, v, b.negate(), a);
-        BigDecimal h2 = a.apply(BigDecimal.ONE.subtract(scalaire(l, l, a)));
+        BigDecimal[] f = Decimaux.difference(centre, rayon[0], a);
+        BigDecimal b = Decimaux.scalaire(f, v, a);
+        BigDecimal[] l = Decimaux.ajouter(f, v, b.negate(), a);
+        BigDecimal h2 = a.apply(BigDecimal.ONE.subtract(Decimaux.scalaire(l, l, a)));
         if (h2.signum() < 0) {
             return null;
         }
-        BigDecimal[] p = ajouter(rayon[0], v, a.apply(b.subtract(a.apply(racine(h2)))), a);
-        BigDecimal[] n = unite(ajouter(p, centre, BigDecimal.ONE.negate(), a), a);
-        return new BigDecimal[][] {p, unite(ajouter(v, n, a.apply(new BigDecimal(-2).multiply(scalaire(v, n, a))), a), a)};
-    }
-
-    /** u + k v. */
-    private static BigDecimal[] ajouter(BigDecimal[] u, BigDecimal[] v, BigDecimal k, UnaryOperator<BigDecimal> a) {
-        return IntStream.range(0, 3).mapToObj(i -> a.apply(u[i].add(a.apply(v[i].multiply(k))))).toArray(BigDecimal[]::new);
-    }
-
-    private static BigDecimal scalaire(BigDecimal[] u, BigDecimal[] v, UnaryOperator<BigDecimal> a) {
-        return a.apply(a.apply(a.apply(u[0].multiply(v[0])).add(a.apply(u[1].multiply(v[1])))).add(a.apply(u[2].multiply(v[2]))));
+        BigDecimal[] p = Decimaux.ajouter(rayon[0], v, a.apply(b.subtract(a.apply(Decimaux.racine(h2)))), a);
+        BigDecimal[] n = unite(Decimaux.difference(p, centre, a), a);
+        BigDecimal retour = a.apply(new BigDecimal(-2).multiply(Decimaux.scalaire(v, n, a)));
+        return new BigDecimal[][] {p, unite(Decimaux.ajouter(v, n, retour, a), a)};
     }
 
     private static BigDecimal[] unite(BigDecimal[] v, UnaryOperator<BigDecimal> a) {
-        BigDecimal norme = a.apply(racine(scalaire(v, v, a)));
-        return Arrays.stream(v).map(x -> a.apply(x.divide(norme, EXACT))).toArray(BigDecimal[]::new);
+        BigDecimal norme = a.apply(Decimaux.racine(Decimaux.scalaire(v, v, a)));
+        return Arrays.stream(v).map(x -> a.apply(x.divide(norme, Decimaux.PRECIS))).toArray(BigDecimal[]::new);
     }
 
     private static double distance(BigDecimal[] u, BigDecimal[] v) {
-        BigDecimal[] d = ajouter(u, v, BigDecimal.ONE.negate(), x -> x.round(EXACT));
-        return racine(scalaire(d, d, x -> x.round(EXACT))).doubleValue();
-    }
-
-    private static BigDecimal racine(BigDecimal x) {
-        if (x.signum() == 0) {
-            return x;
-        }
-        // un exposant pair de côté : le reste est un double ordinaire
-        int e = (x.precision() - x.scale()) / 2;
-        BigDecimal reste = x.scaleByPowerOfTen(-2 * e);
-        BigDecimal s = new BigDecimal(Math.sqrt(reste.doubleValue()));
-        for (int k = 0; k < PAS_DE_NEWTON; k++) {
-            s = s.add(reste.divide(s, EXACT)).multiply(DEMI, EXACT);
-        }
-        return s.scaleByPowerOfTen(e);
+        BigDecimal[] d = Decimaux.difference(u, v, PRECIS);
+        return Decimaux.racine(Decimaux.scalaire(d, d, PRECIS)).doubleValue();
     }
 }

@@ -16,9 +16,9 @@ public enum Regime {
     SOL("Au-dessus d'un sol de rayon 20 000, à hauteur 1", h -> Cas.auSol(h, 20_000));
 
     /** Rayons tirés pour juger ; les premiers servent à mesurer le temps. */
-    static final int RAYONS = 4_000;
+    public static final int RAYONS = 4_000;
 
-    final String nom;
+    public final String nom;
     private final Function<Random, Cas> tirage;
 
     Regime(String nom, Function<Random, Cas> tirage) {
@@ -30,8 +30,13 @@ public enum Regime {
         return Math.pow(10, de + (a - de) * h.nextDouble());
     }
 
-    String cle() {
+    public String cle() {
         return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Son nom dans stabilite.csv, où une courbe a déjà le sien. */
+    String figure() {
+        return "regime-" + cle();
     }
 
     private long graine() {
@@ -39,12 +44,12 @@ public enum Regime {
     }
 
     /** Les mêmes à chaque fois, hors ceux que l'arrondi de leur direction suffit à faire changer d'avis. */
-    public List<Cas> tirer(int tires) {
+    List<Cas> tirer(int tires) {
         return Mesures.tirer(tires, graine(), tirage);
     }
 
     /** Ce que vaut chaque méthode. */
     List<Exactitude> juger() {
-        return Mesures.juger(cle(), 0, RAYONS, graine(), tirage, Arrays.asList(Aspect.values()));
+        return Mesures.juger(figure(), 0, RAYONS, graine(), tirage, Arrays.asList(Formule.values()));
     }
 }

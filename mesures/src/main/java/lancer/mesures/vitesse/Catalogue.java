@@ -2,8 +2,10 @@ package lancer.mesures.vitesse;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Point;
@@ -14,6 +16,8 @@ import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.contrat.Modele;
 import lancer.mesures.Gabarit;
+import lancer.mesures.stabilite.Formule;
+import lancer.mesures.stabilite.Regime;
 
 /** Tout ce qui se mesure. Le catalogue court en est une partie : {@code make mesures RAPIDE=1}. */
 final class Catalogue {
@@ -21,6 +25,10 @@ final class Catalogue {
     static final String METHODES = "methodes";
     static final String DEMANDES = "demandes";
     static final String SPHERES = "spheres";
+    static final String BESOINS = "besoins";
+
+    /** La scène y est un régime de rayons, la méthode une façon de calculer une distance. */
+    static final String INTERSECTIONS = "intersections";
 
     static final String UN_RAYON = "un rayon";
     static final String GRILLE = "grille";
@@ -69,10 +77,10 @@ final class Catalogue {
         }
     }
 
-    /** Les réglages qui se comparent sur une même scène, scène par scène. */
-    static List<Groupe> reglages() {
+    /** Les réglages qui se comparent sur une même scène, scène par scène ; du catalogue court, la scène du cours seule. */
+    List<Groupe> reglages() {
         List<Groupe> groupes = new ArrayList<>();
-        for (String scene : new String[] {"scene1", "bowling", "miroirs", "tournesol"}) {
+        for (String scene : court ? new String[] {"scene1"} : new String[] {"scene1", "bowling", "miroirs", "tournesol"}) {
             groupes.add(new Groupe(METHODES, scene, methodes(scene), 1));
         }
         return groupes;
@@ -80,7 +88,11 @@ final class Catalogue {
 
     /** Tout ce qui se chronomètre, dans l'ordre ; le catalogue court n'a que la scène du cours, et de petites foules. */
     List<Groupe> groupes() {
-        List<Groupe> groupes = new ArrayList<>(reglages().subList(0, court ? 1 : 4));
+        List<Groupe> groupes = reglages();
+        // les temps de celles dont aucun réglage ne se compare
+        for (String scene : court ? new String[0] : new String[] {"brume", "diffus", "ombres"}) {
+            groupes.add(new Groupe(BESOINS, scene, Collections.singletonList(new Methode(TELLE_QUELLE, "")), 1));
+        }
         groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5));
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
             groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(true, n <= BOUCLES_MAX), 1));
@@ -89,6 +101,12 @@ final class Catalogue {
             groupes.add(new Groupe(SPHERES, Scenes.ETOILES + "-" + n, spheres(false, false), 1));
         }
         return groupes;
+    }
+
+    /** Ce que {@code make noyaux} compare au manuel. */
+    static List<Groupe> intersections() {
+        List<Methode> methodes = Arrays.stream(Formule.values()).map(f -> new Methode(f.name(), "")).collect(Collectors.toList());
+        return Arrays.stream(Regime.values()).map(r -> new Groupe(INTERSECTIONS, r.name(), methodes, 5)).collect(Collectors.toList());
     }
 
     /** @throws IllegalArgumentException si le catalogue n'a rien de tel */

@@ -47,30 +47,26 @@ final class Manches {
         final int manches;
         final int jetees;
 
-        /** De la meilleure manche, en nanosecondes : la référence, et les processeurs pour ce qui lui est comparé. */
+        /** De la meilleure manche. */
         final double referenceNs;
-        final double processeurNs;
 
-        Temps(double[] rapports, int manches, int jetees, double referenceNs, double processeurNs) {
+        Temps(double[] rapports, int manches, int jetees, double referenceNs) {
             this.rapports = rapports;
             this.rapport = Intervalle.desRapports(rapports);
             this.manches = manches;
             this.jetees = jetees;
             this.referenceNs = referenceNs;
-            this.processeurNs = processeurNs;
         }
 
         /** Un seul rapport, leur moyenne : des manches d'une même machine virtuelle se ressemblent plus que d'une machine à l'autre. */
         Temps enUnRapport() {
-            return new Temps(new double[] {rapport.valeur}, manches, jetees, referenceNs, processeurNs);
+            return new Temps(new double[] {rapport.valeur}, manches, jetees, referenceNs);
         }
 
         /** Celles d'une autre machine virtuelle, en plus. */
         Temps plus(Temps autre) {
             double[] tous = DoubleStream.concat(Arrays.stream(rapports), Arrays.stream(autre.rapports)).toArray();
-            boolean siens = referenceNs <= autre.referenceNs;
-            return new Temps(tous, manches + autre.manches, jetees + autre.jetees, Math.min(referenceNs, autre.referenceNs),
-                    siens ? processeurNs : autre.processeurNs);
+            return new Temps(tous, manches + autre.manches, jetees + autre.jetees, Math.min(referenceNs, autre.referenceNs));
         }
     }
 
@@ -90,7 +86,6 @@ final class Manches {
     Temps mesurer(Echantillon reference, Echantillon methode, int voulues) throws IOException {
         List<Double> rapports = new ArrayList<>();
         double meilleure = Double.POSITIVE_INFINITY;
-        double processeur = Double.NaN;
         List<Double> partsReference = new ArrayList<>();
         List<Double> parts = new ArrayList<>();
         long debut = System.nanoTime();
@@ -108,17 +103,13 @@ final class Manches {
             // d'une seule manche, sans intervalle, rien ne se dira : elle peut être troublée
             if (garde && calme || agitee || voulues == 1) {
                 rapports.add(m[0] / r[0]);
-                if (r[0] < meilleure) {
-                    meilleure = r[0];
-                    processeur = m[1];
-                }
+                meilleure = Math.min(meilleure, r[0]);
             } else {
                 jetees++;
                 renoncer(essais, rapports.size(), voulues, System.nanoTime() - debut);
             }
         }
-        return new Temps(rapports.stream().mapToDouble(Double::doubleValue).toArray(), essais, essais - rapports.size(), meilleure,
-                processeur);
+        return new Temps(rapports.stream().mapToDouble(Double::doubleValue).toArray(), essais, essais - rapports.size(), meilleure);
     }
 
     private static boolean partTenue(List<Double> parts, double[] temps) {

@@ -18,7 +18,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.Main;
-import lancer.Scene;
 import lancer.atelier.Circonstances;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
@@ -79,7 +78,7 @@ final class Mesureur {
         for (Catalogue.Groupe groupe : groupes) {
             sortie.println(groupe.famille + ", " + groupe.scene + ", à " + (System.nanoTime() - debut) / 1_000_000_000 + " s");
             groupe.methodes.removeIf(m -> povray == null && m.povray || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
-            Path fichier = Scenes.fichier(groupe.scene, dossier);
+            Path fichier = groupe.famille.equals(Catalogue.INTERSECTIONS) ? null : Scenes.fichier(groupe.scene, dossier);
             if (groupe.enProcessus()) {
                 enProcessus(groupe, fichier);
             } else {
@@ -107,7 +106,7 @@ final class Mesureur {
     // ---- des machines virtuelles qui durent
 
     private void enDessins(Catalogue.Groupe groupe, Path fichier) throws IOException {
-        Scene scene = Scenes.lire(fichier);
+        int spheres = fichier == null ? 1 : Scenes.lire(fichier).getObjets().size();
         int lancements = groupe.lancements;
         Map<Methode, Manches.Temps> temps = new HashMap<>();
         for (int lancement = 1; lancement <= lancements; lancement++) {
@@ -119,7 +118,7 @@ final class Mesureur {
                     temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
                     if (lancement == lancements) {
                         champs.put("lancements", lancements);
-                        noter(groupe, methode, scene.getObjets().size(), champs, temps.get(methode));
+                        noter(groupe, methode, spheres, champs, temps.get(methode));
                     }
                 }
             }
@@ -131,9 +130,10 @@ final class Mesureur {
             throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
             Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs + machine.dureeNs));
+            // d'une intersection, il n'y en a qu'un, vide
             String[] comptes = machine.demander("finir").split(" ");
             String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies"};
-            for (int k = 0; k < noms.length; k++) {
+            for (int k = 0; k < comptes.length; k++) {
                 champs.put(noms[k], comptes[k]);
             }
             return temps;
@@ -278,7 +278,7 @@ final class Mesureur {
         double examens = Ouvrier.pixels(fichier, taille, pixels, null);
         champs.put("tests", Math.round(examens / pixels * taille.pixels()));
         noter(groupe, new Methode(Catalogue.BOUCLES, "extrapolé de " + pixels + " pixels"), spheres, champs,
-                new Manches.Temps(new double[0], 0, 0, Double.NaN, Double.NaN));
+                new Manches.Temps(new double[0], 0, 0, Double.NaN));
     }
 
     private void noter(Catalogue.Groupe groupe, Methode methode, int spheres, Map<String, Object> champs, Manches.Temps temps)
@@ -287,9 +287,8 @@ final class Mesureur {
         Object[] communs = {"machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
             groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
             "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees", temps.jetees,
-            "reference_ms", Releve.reel(temps.referenceNs / 1e6), "processeur_ms", Releve.reel(temps.processeurNs / 1e6),
-            "rapport", Releve.reel(temps.rapport.valeur), "rapport_min", Releve.reel(temps.rapport.min),
-            "rapport_max", Releve.reel(temps.rapport.max)};
+            "reference_ms", Releve.reel(temps.referenceNs / 1e6), "rapport", Releve.reel(temps.rapport.valeur),
+            "rapport_min", Releve.reel(temps.rapport.min), "rapport_max", Releve.reel(temps.rapport.max)};
         for (int k = 0; k < communs.length; k += 2) {
             champs.put((String) communs[k], communs[k + 1]);
         }

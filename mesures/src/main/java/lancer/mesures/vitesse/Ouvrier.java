@@ -14,6 +14,7 @@ import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import lancer.Constantes;
@@ -23,11 +24,14 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
 import lancer.fils.Traceur;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.stabilite.Formule;
+import lancer.mesures.stabilite.Noyau;
+import lancer.mesures.stabilite.Regime;
 import lancer.dessin.LancerSurveille;
 
 /**
- * Une machine virtuelle qui ne dessine que d'une façon, et le fait quand on le lui demande, sur son entrée : un nombre
- * de dessins à chronométrer, autant de fois qu'on veut, et « finir ». L'image n'est vérifiée qu'à la fin : jusque-là,
+ * Une machine virtuelle qui ne dessine, ou n'intersecte, que d'une façon, et le fait quand on le lui demande, sur son entrée : un nombre
+ * de fois à chronométrer, autant de fois qu'on veut, et « finir ». L'image n'est vérifiée qu'à la fin : jusque-là,
  * rien n'y est compilé que pour elle.
  */
 final class Ouvrier {
@@ -46,40 +50,50 @@ final class Ouvrier {
     /** @param args famille, scène, méthode, fichier, largeur, hauteur */
     public static void main(String[] args) throws IOException {
         PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
+        BufferedReader entree = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
         try {
-            Methode methode = Catalogue.methode(args[0], args[1], args[2]);
-            Taille taille = new Taille(Integer.parseInt(args[4]), Integer.parseInt(args[5]));
-            dessiner(methode, Scenes.lire(Paths.get(args[3])), taille,
-                    new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)), sortie);
+            if (args[0].equals(Catalogue.INTERSECTIONS)) {
+                Noyau noyau = new Noyau(Formule.valueOf(args[2].replace("/", "")), Regime.valueOf(args[1]));
+                repondre(noyau::faire, () -> "", entree, sortie);
+            } else {
+                dessiner(Catalogue.methode(args[0], args[1], args[2]), Scenes.lire(Paths.get(args[3])),
+                        new Taille(Integer.parseInt(args[4]), Integer.parseInt(args[5])), entree, sortie);
+            }
         } catch (RuntimeException | OutOfMemoryError e) {
             sortie.println("faute " + e);
         }
     }
 
-    static void dessiner(Methode methode, Scene scene, Taille taille, BufferedReader entree, PrintStream sortie)
-            throws IOException {
+    static void dessiner(Methode methode, Scene scene, Taille taille, BufferedReader entree, PrintStream sortie) throws IOException {
         Methode.Dessin dessin = methode.new Dessin(scene, taille.largeur, taille.hauteur);
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+        repondre(() -> dessin.faire(image, taille.fils), () -> {
+            int verifies = verifier(dessin, scene, image, taille);
+            Compteurs c = dessin.lancer.getCompteurs();
+            return c.primaires + " " + c.ombre + " " + c.reflechis + " " + c.testsSpheres + " " + c.noeudsVisites + " " + c.pixelsRaffines
+                    + " " + verifies;
+        }, entree, sortie);
+    }
+
+    /** @param fin ce qu'il y a à dire du travail, une fois les temps pris */
+    private static void repondre(Runnable travail, Supplier<String> fin, BufferedReader entree, PrintStream sortie) throws IOException {
         for (String demande = entree.readLine(); demande != null; demande = entree.readLine()) {
             if (demande.equals("finir")) {
-                int verifies = verifier(dessin, scene, image, taille);
-                Compteurs c = dessin.lancer.getCompteurs();
-                sortie.println(c.primaires + " " + c.ombre + " " + c.reflechis + " " + c.testsSpheres + " " + c.noeudsVisites + " "
-                        + c.pixelsRaffines + " " + verifies);
+                sortie.println(fin.get());
                 return;
             }
-            double[] temps = repeter(dessin, image, taille, Integer.parseInt(demande));
+            double[] temps = repeter(travail, Integer.parseInt(demande));
             sortie.println(temps[0] + " " + temps[1]);
         }
     }
 
-    /** Le temps réel et celui des processeurs, par dessin. */
-    private static double[] repeter(Methode.Dessin dessin, ImageLineaire image, Taille taille, int fois) {
+    /** Le temps réel et celui des processeurs, par fois. */
+    private static double[] repeter(Runnable travail, int fois) {
         OperatingSystemMXBean systeme = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
         long processeur = systeme.getProcessCpuTime();
         long debut = System.nanoTime();
         for (int k = 0; k < fois; k++) {
-            dessin.faire(image, taille.fils);
+            travail.run();
         }
         double duree = System.nanoTime() - debut;
         return new double[] {duree / fois, (double) (systeme.getProcessCpuTime() - processeur) / fois};

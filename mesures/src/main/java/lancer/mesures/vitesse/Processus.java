@@ -26,7 +26,7 @@ class Processus implements Closeable {
 
     /** Un autre programme. */
     Processus(String commande, Object... args) throws IOException {
-        processus = new ProcessBuilder(Stream.concat(Stream.of(commande), Arrays.stream(args).map(Object::toString))
+        processus = new ProcessBuilder(Stream.concat(Stream.of(commande), Arrays.stream(args).map(String::valueOf))
                 .collect(Collectors.toList())).redirectError(ProcessBuilder.Redirect.INHERIT).start();
         entree = new PrintStream(processus.getOutputStream(), true, "UTF-8");
         sortie = new BufferedReader(new InputStreamReader(processus.getInputStream(), StandardCharsets.UTF_8));

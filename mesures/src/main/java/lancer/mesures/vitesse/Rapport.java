@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.PagesMesurees;
+import lancer.mesures.stabilite.Bilan;
 import lancer.mesures.stabilite.Stabilite;
 import lancer.mesures.trace.Planche;
 
@@ -29,19 +30,28 @@ final class Rapport {
     private final Path dossier;
     private final PrintStream sortie;
     private final Constats constats;
+    private final Bilan bilan;
+
+    /** {@code null} si leurs temps n'ont pas été pris. */
+    private final Methodes methodes;
 
     /** @param dossier où sont les mesures, et où vont les courbes */
     Rapport(Path dossier, PrintStream sortie) throws IOException {
         this.dossier = dossier;
         this.sortie = sortie;
-        constats = new Constats(Releves.lire(dossier),
-                FichierCsv.lire(dossier.resolve(Vitesse.BESOINS)));
+        constats = new Constats(Releves.lire(dossier), FichierCsv.lire(dossier.resolve(Vitesse.BESOINS)));
+        bilan = Stabilite.lire(dossier);
+        Releves temps = new Releves(Releves.lignes(dossier.resolve(Methodes.CSV)));
+        methodes = temps.get().isEmpty() ? null : new Methodes(temps, bilan);
     }
 
     /** Ce que montrent les pages, par leurs noms. */
     Map<String, String> valeurs() throws IOException {
         Map<String, String> valeurs = new TreeMap<>(constats.pages());
-        valeurs.putAll(Stabilite.pages(dossier));
+        valeurs.putAll(bilan.nombres());
+        if (methodes != null) {
+            valeurs.putAll(methodes.pages());
+        }
         if (Files.exists(dossier.resolve(AUTO))) {
             valeurs.putAll(MesureAuto.bilan(FichierCsv.lire(dossier.resolve(AUTO))));
         }
@@ -62,6 +72,9 @@ final class Rapport {
             ecrire(planches.spheres(), "spheres");
         }
         Stabilite.dessiner(dossier);
+        if (methodes != null) {
+            ecrire(methodes.planche(), "methodes");
+        }
         Map<String, String> valeurs = valeurs();
         valeurs.forEach((nom, valeur) -> sortie.println(nom + " : " + valeur));
         for (Path page : pages ? PAGES : new Path[0]) {

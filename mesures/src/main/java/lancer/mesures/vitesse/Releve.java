@@ -14,8 +14,7 @@ final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
             "methode", "parametres", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
-            "raffines", "pixels_verifies", "lecture_ms", "preparation_ms", "trace_ms", "lancements", "manches", "jetees", "reference_ms",
-            "processeur_ms", "rapport", "rapport_min", "rapport_max");
+            "raffines", "pixels_verifies", "lancements", "manches", "jetees", "reference_ms", "rapport", "rapport_min", "rapport_max");
 
     final String famille;
     final String scene;

@@ -41,7 +41,8 @@ final class Releves {
         return new Releves(tous);
     }
 
-    private static List<Releve> lignes(Path csv) throws IOException {
+    /** Celles d'un fichier, telles quelles ; aucune s'il n'est pas là. */
+    static List<Releve> lignes(Path csv) throws IOException {
         return Files.exists(csv) ? FichierCsv.lire(csv).stream().map(Releve::new).collect(Collectors.toList()) : new ArrayList<>();
     }
 

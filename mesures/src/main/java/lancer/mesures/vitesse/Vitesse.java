@@ -28,7 +28,7 @@ import lancer.texte.Texte;
  *
  * <pre>
  * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--agitee]
- *      [--spheres | --comptes | --stabilite | --dessiner] [--dossier DOSSIER]
+ *      [--temps | --spheres | --noyaux | --comptes | --stabilite | --dessiner] [--dossier DOSSIER]
  * </pre>
  *
  * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
@@ -39,7 +39,8 @@ public final class Vitesse {
     static final String CSV = "vitesse.csv";
     static final String BESOINS = "besoins.csv";
 
-    private static final String USAGE = "[--rapide] [--agitee] [--spheres | --comptes | --stabilite | --dessiner] [--dossier DOSSIER]";
+    private static final String USAGE = "[--rapide] [--agitee] [--temps | --spheres | --noyaux | --comptes | --stabilite | --dessiner]"
+            + " [--dossier DOSSIER]";
 
     /** Où finit une mesure complète, avec ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
@@ -96,18 +97,21 @@ public final class Vitesse {
         long debut = System.nanoTime();
         boolean spheres = arguments.a("--spheres");
         boolean comptes = arguments.a("--comptes");
-        boolean tout = !spheres && !comptes && !arguments.a("--stabilite") && !arguments.a("--dessiner");
+        boolean temps = arguments.a("--temps");
+        boolean tout = !spheres && !comptes && !temps && !arguments.a("--noyaux") && !arguments.a("--stabilite")
+                && !arguments.a("--dessiner");
         List<String> neufs = new ArrayList<>();
         Files.createDirectories(atelier);
-        PovRay povray = tout || spheres || comptes ? povray() : null;
+        PovRay povray = tout || spheres || comptes || temps ? povray() : null;
         // ce qui ne demande pas une machine tranquille d'abord
         if (tout || comptes) {
             Comptes lesComptes = new Comptes(TAILLE, povray, atelier, sortie);
-            lesComptes.ecrire(Catalogue.reglages().subList(0, rapide ? 1 : Catalogue.reglages().size()));
+            List<Catalogue.Groupe> reglages = new Catalogue(rapide).reglages();
+            lesComptes.ecrire(reglages);
             lesComptes.comparer();
             compterLesBesoins();
             neufs.addAll(Arrays.asList(Comptes.CSV, BESOINS));
-            Catalogue.reglages().forEach(g -> neufs.add(g.scene + Comptes.DECOUPES));
+            reglages.forEach(g -> neufs.add(g.scene + Comptes.DECOUPES));
             neufs.addAll(povray == null ? Collections.emptyList() : Collections.singletonList(Comptes.PROGRAMMES));
         }
         if (tout || comptes || arguments.a("--stabilite")) {
@@ -115,9 +119,14 @@ public final class Vitesse {
             Stabilite.mesurer(atelier, rapide);
             neufs.add(Stabilite.CSV);
         }
-        if (tout || spheres) {
-            chronometrer(povray, spheres);
+        if (tout || temps || spheres) {
+            chronometrer(povray, new Catalogue(rapide).groupes().stream().filter(g -> !spheres || g.famille.equals(Catalogue.SPHERES))
+                    .collect(Collectors.toList()), CSV);
             neufs.add(CSV);
+        }
+        if (arguments.a("--noyaux")) {
+            chronometrer(null, Catalogue.intersections(), Methodes.CSV);
+            neufs.add(Methodes.CSV);
         }
         Files.createDirectories(resultats);
         for (String nom : resultats.equals(atelier) ? new ArrayList<String>() : neufs) {
@@ -139,11 +148,9 @@ public final class Vitesse {
     }
 
     /** @throws IOException si la machine est trop troublée ; la mesure rapide s'en passe, et le dit */
-    private void chronometrer(PovRay povray, boolean spheres) throws IOException {
+    private void chronometrer(PovRay povray, List<Catalogue.Groupe> groupes, String csv) throws IOException {
         try {
-            new Mesureur(rapide, arguments.a("--agitee"), TAILLE, povray, atelier.resolve(CSV), sortie).mesurer(
-                    new Catalogue(rapide).groupes().stream().filter(g -> !spheres || g.famille.equals(Catalogue.SPHERES))
-                    .collect(Collectors.toList()));
+            new Mesureur(rapide, arguments.a("--agitee"), TAILLE, povray, atelier.resolve(csv), sortie).mesurer(groupes);
         } catch (Manches.Troublee e) {
             if (!rapide) {
                 throw e;

@@ -9,11 +9,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
+import lancer.Point;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -32,19 +32,17 @@ class StabiliteTest {
         Stabilite.mesurer(deuxieme, true);
         assertArrayEquals(Files.readAllBytes(dossier.resolve(Stabilite.CSV)), Files.readAllBytes(deuxieme.resolve(Stabilite.CSV)));
         Stabilite.dessiner(dossier);
-        for (String nom : new String[] {"loin", "ras", "sol", "defauts", "petites", "reflets"}) {
+        for (String nom : new String[] {"loin", "ras", "sol", "petites", "reflets"}) {
             BufferedImage planche = ImageIO.read(dossier.resolve("stabilite-" + nom + ".png").toFile());
             assertEquals(1600, planche.getWidth(), nom);
         }
-        Bilan bilan = new Bilan(Exactitude.lire(dossier.resolve(Stabilite.CSV), Exactitude.STABILITE));
+        Bilan bilan = new Bilan(Exactitude.lire(dossier.resolve(Stabilite.CSV)));
         // ce que la page promet et raconte, sur ces rayons-ci aussi
-        assertTrue(bilan.unites(Mesures.LOIN) <= Cas.K && bilan.unites(Mesures.RAS) <= Cas.K
-                && bilan.unites(Mesures.RAS_LOIN) <= Cas.K);
-        assertEquals(0, bilan.faux(Mesures.LOIN, Aspect.PROGRAMME, Bilan.DE_LOIN));
-        assertEquals(0, bilan.faux(Mesures.DEFAUTS, Aspect.PROGRAMME, 0));
-        assertTrue(bilan.faux(Mesures.LOIN, Aspect.MANUEL, Bilan.DE_LOIN) > 100, "de loin, le manuel ne sait plus qui touche");
+        assertTrue(bilan.unites(Mesures.LOIN) <= Stabilite.PROMESSE && bilan.unites(Mesures.RAS) <= Stabilite.PROMESSE
+                && bilan.unites(Mesures.RAS_LOIN) <= Stabilite.PROMESSE);
+        assertEquals(0, bilan.faux(Mesures.LOIN, Formule.PROGRAMME, Bilan.DE_LOIN));
+        assertTrue(bilan.faux(Mesures.LOIN, Formule.MANUEL, Bilan.DE_LOIN) > 100, "de loin, le manuel ne sait plus qui touche");
         assertTrue(bilan.pente() > 0.8 && bilan.pente() < 1.2, "pente " + bilan.pente());
-        bilan.defauts().forEach(r -> assertTrue(r.faux > 0, r.formule + " se voit"));
         petitesBoules(bilan);
         reflets(bilan);
     }
@@ -81,9 +79,7 @@ class StabiliteTest {
 
     @Test
     void lesComptesNotesSontCeuxDuProgrammeDeCeCommit() throws IOException {
-        List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Stabilite.CSV), Exactitude.STABILITE);
-        assertEquals(comptes(Mesures.defauts()),
-                comptes(notees.stream().filter(r -> r.figure.equals(Mesures.DEFAUTS)).collect(Collectors.toList())));
+        List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Stabilite.CSV));
         List<String> sol = comptes(notees.stream().filter(r -> r.figure.equals(Mesures.SOL)).collect(Collectors.toList()));
         assertEquals(comptes(new Mesures(false).sol()), sol, "make mesures MESURES=--stabilite");
         double dite = Double.parseDouble(new Bilan(notees).nombres().get("stabilite.ras.unites").replace(',', '.'));
@@ -92,41 +88,33 @@ class StabiliteTest {
     }
 
     @Test
-    void lesErreursDesMethodesSontCellesNoteesEtLeProgrammeEstLeSeulDesRapidesQuiTienneSaBorne() throws IOException {
-        List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Methodes.CSV), Exactitude.METHODES);
-        assertTrue(notees.stream().allMatch(r -> r.formule.equals("float") || r.y <= 0.15 * r.x), "make noyaux, la machine tranquille");
-        Map<String, Exactitude> juges = new TreeMap<>();
+    void lesErreursDesMethodesSontCellesNoteesEtLeProgrammeEstLeSeulQuiTienneSaBorne() throws IOException {
+        List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Stabilite.CSV));
         for (Regime regime : Regime.values()) {
-            List<Exactitude> siennes = regime.juger();
-            assertEquals(comptes(siennes), comptes(notees.stream().filter(r -> r.figure.equals(regime.cle())).collect(Collectors.toList())),
-                    "make noyaux");
-            siennes.forEach(r -> juges.put(Methodes.cle(r.figure, r.formule), r));
-            Exactitude programme = juges.get(Methodes.cle(regime.name(), "programme"));
-            assertEquals(0, programme.faux, regime.name());
-            assertTrue(programme.erreurEnUnites <= Cas.K, regime + " : " + programme.erreurEnUnites);
-            Exactitude fin = juges.get(Methodes.cle(regime.name(), "deux_doubles"));
-            assertTrue(fin.faux == 0 && fin.erreurEnUnites <= Cas.K, regime + " : " + fin.erreurEnUnites);
+            assertEquals(comptes(regime.juger()),
+                    comptes(notees.stream().filter(r -> r.figure.equals(regime.figure())).collect(Collectors.toList())),
+                    "make mesures MESURES=--stabilite");
         }
-        assertTrue(juges.get("loin manuel").part() > 0.05, "de loin, le manuel ne sait plus qui touche");
-        assertTrue(juges.get("sol perpendiculaire").erreurEnUnites > 100 * Cas.K, "sur un sol, l'arrondi de P − C");
-        assertTrue(juges.get("loin compensee").erreurEnUnites > 100 * Cas.K, "b² − c perd de loin ce que la perpendiculaire garde");
+        Bilan bilan = new Bilan(notees);
+        for (Formule methode : Formule.values()) {
+            boolean notre = methode == Formule.PROGRAMME || methode == Formule.RECHERCHE;
+            assertEquals(notre, Arrays.stream(Regime.values()).map(r -> bilan.en(r, methode))
+                    .allMatch(r -> r.faux == 0 && r.erreurEnUnites <= Stabilite.PROMESSE), methode.nom);
+        }
+        assertTrue(bilan.en(Regime.LOIN, Formule.MANUEL).part() > 0.05, "de loin, le manuel ne sait plus qui touche");
+        assertTrue(bilan.en(Regime.SOL, Formule.PERPENDICULAIRE).erreurEnUnites > 100 * Stabilite.PROMESSE, "l'arrondi de P − C");
+        assertTrue(bilan.en(Regime.LOIN, Formule.COMPENSEE).erreurEnUnites > 100 * Stabilite.PROMESSE,
+                "b² − c perd de loin ce que la perpendiculaire garde");
     }
 
     @Test
-    void desTempsDePlusNeChangentQueLesTempsEtLaCourbeSeDessine() throws IOException {
-        Map<String, double[]> temps = new TreeMap<>();
-        for (Regime regime : Regime.values()) {
-            for (Aspect methode : Aspect.values()) {
-                temps.put(Methodes.cle(regime.name(), methode.cle()), new double[] {5 + methode.ordinal(), 0.5});
-            }
-        }
-        Methodes.noter(dossier, temps);
-        Methodes methodes = new Methodes(dossier);
-        methodes.planche().ecrire(dossier.resolve("methodes.png"));
-        assertEquals(1600, ImageIO.read(dossier.resolve("methodes.png").toFile()).getWidth());
-        assertEquals("× 1,7", methodes.pages().get("methodes.programme.loin"), "12 ns contre 7");
-        temps.values().forEach(t -> t[1] = 4);
-        Methodes.noter(dossier, temps);
-        assertEquals("autant, à l'intervalle près", new Methodes(dossier).pages().get("methodes.programme.loin"), "12 ± 4 ns contre 7 ± 4");
+    void laReponseExacteEstCelleDesTrianglesRectangles() {
+        // de l'origine vers z, une boule de rayon 5 à la distance 3 de l'axe, centrée à 20 : h = 4
+        Cas cas = new Cas(new Point(), new Point(0, 0, 7), new Point(0, 3, 20), 5);
+        assertEquals(16, cas.distance);
+        assertEquals(24, new Cas(new Point(0, 0, 18), new Point(0, 0, 19), new Point(0, 3, 20), 5).distance + 18, "du dedans, la sortie");
+        assertEquals(Double.POSITIVE_INFINITY, new Cas(new Point(), new Point(0, 0, 1), new Point(0, 6, 20), 5).distance, "à côté");
+        assertEquals(Double.POSITIVE_INFINITY, new Cas(new Point(), new Point(0, 0, -1), new Point(0, 3, 20), 5).distance, "derrière");
+        assertEquals(0x1p-40, new Cas(new Point(), new Point(0, 0, 1), new Point(0, 0, 1 + 0x1p-40), 1).distance);
     }
 }

@@ -19,6 +19,10 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.atelier.FichierCsv;
+import lancer.mesures.stabilite.Formule;
+import lancer.mesures.stabilite.Noyau;
+import lancer.mesures.stabilite.Regime;
+import lancer.mesures.stabilite.Stabilite;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,6 +30,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** La mesure de bout en bout, et ce qu'elle en dit. */
 class VitesseTest {
+
+    private static final Path RESULTATS = Paths.get(Files.exists(Paths.get("mesures")) ? "mesures/resultats" : "resultats");
 
     @TempDir
     Path dossier;
@@ -186,6 +192,35 @@ class VitesseTest {
         noter(Catalogue.PROFONDEUR, "p=0", 0.5, 40);
         assertEquals(Arrays.asList(Catalogue.PROFONDEUR, Catalogue.UN_RAYON, Catalogue.PARTAGE),
                 notes().front().stream().map(r -> r.methode).collect(Collectors.toList()));
+    }
+
+    @Test
+    void lesTempsDesIntersectionsSeDisentAuManuelSiLIntervalleLePorte() throws IOException {
+        for (Regime regime : Regime.values()) {
+            for (Formule f : Formule.values()) {
+                temps.add(ligne(Releve.COLONNES, "famille", Catalogue.INTERSECTIONS, "scene", regime.name(), "methode", f.name(),
+                        "lancements", 5, "reference_ms", Noyau.DISTANCES / 1e6 * 5, "rapport", 1 + 0.1 * f.ordinal(),
+                        "rapport_min", 0.85 + 0.1 * f.ordinal(), "rapport_max", 1.15 + 0.1 * f.ordinal()));
+            }
+        }
+        Files.write(dossier.resolve(Methodes.CSV), temps, StandardCharsets.UTF_8);
+        Methodes methodes = new Methodes(new Releves(Releves.lignes(dossier.resolve(Methodes.CSV))), Stabilite.lire(RESULTATS));
+        Map<String, String> pages = methodes.pages();
+        assertEquals("autant, à l'intervalle près", pages.get("methodes.perpendiculaire.loin"));
+        assertEquals("× 1,4", pages.get("methodes.programme.loin"));
+        assertTrue(pages.get("methodes.tableau").contains("| le programme | 7 ns (de 6,25 à 7,75) ; 2,1 |"), pages.get("methodes.tableau"));
+        methodes.planche().ecrire(dossier.resolve("methodes.png"));
+        assertTrue(Files.exists(dossier.resolve("methodes.png")));
+    }
+
+    @Test
+    void uneIntersectionSeChronometreCommeUnDessin() throws IOException {
+        Catalogue.Groupe sol = new Catalogue.Groupe(Catalogue.INTERSECTIONS, Regime.SOL.name(),
+                Arrays.asList(new Methode(Formule.MANUEL.name(), ""), new Methode(Formule.PROGRAMME.name(), "")), 1);
+        new Mesureur(true, true, TAILLE, null, dossier.resolve(Methodes.CSV), new PrintStream(sortie)).mesurer(
+                Collections.singletonList(sol));
+        Releves releves = new Releves(Releves.lignes(dossier.resolve(Methodes.CSV)));
+        assertTrue(releves.le("PROGRAMME", "").nombre("rapport") > 0 && releves.le("MANUEL", "").nombre("reference_ms") > 0);
     }
 
     @Test

@@ -1,0 +1,112 @@
+package lancer.mesures.stabilite;
+
+import java.awt.Color;
+import java.util.Locale;
+import lancer.Constantes;
+import lancer.mesures.trace.FormeDePoint;
+import lancer.mesures.trace.Style;
+import lancer.precision.Intersection;
+import lancer.precision.IntersectionCompensee;
+
+/**
+ * Des façons de calculer la distance d'un rayon à une sphère, la plus petite qui soit positive, et comment une courbe les nomme et les
+ * dessine. Les dix nombres d'un cas se suivent à partir du rang k : départ P, direction V, centre C, rayon r.
+ */
+public enum Formule {
+
+    /** Avec f = P − C, le discriminant b² − 4ac soustrait deux nombres de l'ordre de |f|² pour en trouver un de l'ordre de r². */
+    MANUEL("manuel : b² − 4ac", Style.BLEU, FormeDePoint.CARRE, (avant, n, k) -> {
+        double fx = n[k] - n[k + 6];
+        double fy = n[k + 1] - n[k + 7];
+        double fz = n[k + 2] - n[k + 8];
+        double a = n[k + 3] * n[k + 3] + n[k + 4] * n[k + 4] + n[k + 5] * n[k + 5];
+        double b = 2 * (n[k + 3] * fx + n[k + 4] * fy + n[k + 5] * fz);
+        double c = fx * fx + fy * fy + fz * fz - n[k + 9] * n[k + 9];
+        double discriminant = b * b - 4 * a * c;
+        if (discriminant < 0) {
+            return Constantes.INFINI;
+        }
+        double racine = Math.sqrt(discriminant);
+        return premiere((-b - racine) / (2 * a), (-b + racine) / (2 * a));
+    }),
+
+    /** La perpendiculaire du centre au rayon, calculée comme un vecteur : h² = r² − |f − bV|², puis les racines telles quelles. */
+    PERPENDICULAIRE("perpendiculaire : |f − bV|²", Style.VERT, FormeDePoint.POINTE, (avant, n, k) -> {
+        double fx = n[k + 6] - n[k];
+        double fy = n[k + 7] - n[k + 1];
+        double fz = n[k + 8] - n[k + 2];
+        double b = fx * n[k + 3] + fy * n[k + 4] + fz * n[k + 5];
+        double lx = fx - b * n[k + 3];
+        double ly = fy - b * n[k + 4];
+        double lz = fz - b * n[k + 5];
+        double h2 = n[k + 9] * n[k + 9] - (lx * lx + ly * ly + lz * lz);
+        return h2 < 0 ? Constantes.INFINI : premiere(b - Math.sqrt(h2), b + Math.sqrt(h2));
+    }),
+
+    /** La même en {@code float}, données comprises : ce que fait une carte graphique. */
+    FLOAT("perpendiculaire en float", Style.GRIS, FormeDePoint.POINTE, (avant, n, k) -> {
+        float x = (float) n[k + 3];
+        float y = (float) n[k + 4];
+        float z = (float) n[k + 5];
+        float fx = (float) n[k + 6] - (float) n[k];
+        float fy = (float) n[k + 7] - (float) n[k + 1];
+        float fz = (float) n[k + 8] - (float) n[k + 2];
+        float b = fx * x + fy * y + fz * z;
+        float lx = fx - b * x;
+        float ly = fy - b * y;
+        float lz = fz - b * z;
+        float h2 = (float) n[k + 9] * (float) n[k + 9] - (lx * lx + ly * ly + lz * lz);
+        float h = (float) Math.sqrt(h2);
+        return h2 < 0 ? Constantes.INFINI : premiere(b - h, b + h);
+    }),
+
+    /** Le calcul compensé, que le programme ne fait que près d'une surface, fait toujours. Il n'est pas juste de loin : h² = b² − c. */
+    COMPENSEE("toujours compensée", Style.POURPRE, FormeDePoint.CROIX, (avant, n, k) -> IntersectionCompensee.distance(
+            n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9])),
+
+    /** La nôtre, telle que le programme l'appelle. */
+    PROGRAMME("le programme", Style.VERMILLON, FormeDePoint.ROND, (avant, n, k) -> Intersection.distance(
+            n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9])),
+
+    /** La nôtre encore, dans une recherche : un doute n'est tranché que si cette sphère peut être la plus proche. */
+    RECHERCHE("le programme, dans une recherche", Style.VERMILLON, FormeDePoint.CARRE, (avant, n, k) -> {
+        double d = Intersection.distanceOuDoute(n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8],
+                n[k + 9]);
+        return d >= 0 ? d : Intersection.auMoins(d) > avant ? Constantes.INFINI : Intersection.trancher(n[k], n[k + 1], n[k + 2],
+                n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9]);
+    });
+
+    /** Les nombres d'un cas. */
+    static final int NOMBRES = 10;
+
+    /** Dans la légende. */
+    public final String nom;
+    public final Color couleur;
+    public final FormeDePoint forme;
+    private final Calcul calcul;
+
+    private interface Calcul {
+        double distance(double avant, double[] n, int k);
+    }
+
+    Formule(String nom, Color couleur, FormeDePoint forme, Calcul calcul) {
+        this.nom = nom;
+        this.couleur = couleur;
+        this.forme = forme;
+        this.calcul = calcul;
+    }
+
+    /** Dans un CSV. */
+    public String cle() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** La distance, ou n'importe laquelle au-delà de {@code avant} si elle y est ; +∞ s'il n'y en a pas. */
+    double distance(double avant, double[] n, int k) {
+        return calcul.distance(avant, n, k);
+    }
+
+    private static double premiere(double t1, double t2) {
+        return t1 > 0 ? t1 : t2 > 0 ? t2 : Constantes.INFINI;
+    }
+}

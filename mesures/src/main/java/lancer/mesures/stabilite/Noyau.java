@@ -1,0 +1,68 @@
+package lancer.mesures.stabilite;
+
+import java.util.List;
+import lancer.Constantes;
+
+/**
+ * Une façon de calculer une distance, seule dans sa machine virtuelle, sur les rayons d'un régime : la plus petite de huit est gardée,
+ * comme dans toute recherche.
+ */
+public final class Noyau {
+
+    /** Combien de distances en calcule {@link #faire}. */
+    public static final int DISTANCES = 5_120_000;
+
+    /** Rayons d'un tour ; leurs nombres tiennent dans le cache le plus proche du processeur. */
+    static final int RAYONS = 256;
+
+    /** De tant de distances, la plus petite est gardée. */
+    static final int ENSEMBLE = 8;
+
+    private static final int VERIFIES = 128;
+
+    /** Erreur relative qu'aucune méthode, même en {@code float}, n'atteint d'ordinaire loin de la tangente. */
+    private static final double PERMISE = 1e-3;
+
+    private final Formule formule;
+    private final double[] cas = new double[Formule.NOMBRES * RAYONS];
+
+    /** La somme de toutes les distances gardées : sans quoi la machine virtuelle pourrait ne pas les calculer. */
+    private double somme;
+
+    public Noyau(Formule formule, Regime regime) {
+        this.formule = formule;
+        verifier(formule, Regime.ORDINAIRE);
+        List<Cas> tires = regime.tirer(RAYONS + RAYONS / 2);
+        for (int k = 0; k < RAYONS; k++) {
+            System.arraycopy(tires.get(k).nombres, 0, cas, Formule.NOMBRES * k, Formule.NOMBRES);
+        }
+    }
+
+    /** @throws IllegalStateException si la méthode n'y répond pas juste : son temps ne voudrait rien dire */
+    static void verifier(Formule formule, Regime regime) {
+        long faux = regime.tirer(VERIFIES).stream().filter(c -> c.malClasse(formule) || c.erreurRelative(formule) > PERMISE).count();
+        if (faux > VERIFIES / 100) {
+            throw new IllegalStateException(formule + " se trompe sur " + faux + " rayons sur " + VERIFIES + " : aucun temps");
+        }
+    }
+
+    public void faire() {
+        for (int k = 0; k < DISTANCES / RAYONS; k++) {
+            somme += tour();
+        }
+    }
+
+    /** La somme des plus petites distances, {@value #ENSEMBLE} par {@value #ENSEMBLE}. */
+    double tour() {
+        double plusPetites = 0;
+        for (int ensemble = 0; ensemble < cas.length; ensemble += Formule.NOMBRES * ENSEMBLE) {
+            double distance = Constantes.INFINI;
+            for (int k = ensemble; k < ensemble + Formule.NOMBRES * ENSEMBLE; k += Formule.NOMBRES) {
+                double d = formule.distance(distance, cas, k);
+                distance = d < distance ? d : distance;
+            }
+            plusPetites += distance;
+        }
+        return plusPetites;
+    }
+}
