@@ -22,7 +22,6 @@ import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
 import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
-import lancer.scene.Origines;
 
 /**
  * La vie d'un dessin dans la fenêtre : il commence, sa scène se lit, son brouillon puis son image se montrent, il
@@ -43,8 +42,7 @@ final class Atelier {
     private final ExecutorService dessins;
     private final PanneauImage panneau;
     private final Supplier<Dimension> taille;
-    private final Surveillance surveillance = new Surveillance(() -> EventQueue.invokeLater(this::suivreFichier),
-            () -> EventQueue.invokeLater(this::direEfface));
+    private final Surveillance surveillance;
     private final List<Runnable> prevenus = new ArrayList<>();
 
     /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
@@ -77,6 +75,8 @@ final class Atelier {
         this.fils = fils;
         this.panneau = panneau;
         this.taille = taille;
+        surveillance = new Surveillance(this::suivreFichier,
+                () -> panneau.bandeau.faute("fichier effacé : la dernière image reste"));
     }
 
     /** Un fil à part, où les tâches attendent leur tour ; oisif il s'en va, et ne retient jamais le programme. */
@@ -158,11 +158,6 @@ final class Atelier {
         return couts.get(image);
     }
 
-    /** D'où viennent les objets et les lampes de la scène lue. */
-    Origines getOrigines() {
-        return dessinateur.getOrigines();
-    }
-
     /** Le dessin dont l'image se voit ; {@code null} avant la première. */
     Dessin getMontre() {
         return montre;
@@ -179,7 +174,7 @@ final class Atelier {
 
     /** Lit cette scène et la dessine ; ce qui se dessinait est abandonné. */
     void ouvrir(File scene) {
-        panneau.setInvite(null);
+        panneau.dire("", true);
         dessiner(scene.getPath());
     }
 
@@ -193,10 +188,6 @@ final class Atelier {
         if (!enCours || courant.fichier == null || courant.fichier.equals(fichier)) {
             relire();
         }
-    }
-
-    private void direEfface() {
-        panneau.bandeau.faute("fichier effacé : la dernière image reste");
     }
 
     /**
@@ -253,8 +244,7 @@ final class Atelier {
 
     /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
     private void retenir() {
-        boolean gardee = complete != null && complete.getCodes().length <= PIXELS_GARDES;
-        avant = gardee ? complete : null;
+        avant = complete != null && complete.getCodes().length <= PIXELS_GARDES ? complete : null;
     }
 
     private void lancer(String aLire) {
@@ -279,7 +269,7 @@ final class Atelier {
 
     /** Regarde où en est le dessin en cours, et le montre ; à appeler souvent. */
     void observer() {
-        boolean fini = courant.isFini();
+        boolean fini = courant.isDone();
         lu = courant.getAvertissements() != null ? courant.fichier : lu;
         Dessin dessin = courant.getDessin();
         if (dessin != null && panneau.montrer(dessin.image, dessin.traceur.isBrouillonFait(),
@@ -320,9 +310,8 @@ final class Atelier {
             couts.put(complete, BarreEtat.cout(montre.traceur) + ", " + courant.getReglages() + ignorees
                     + (direFautes() == null ? "" : ", " + direFautes()));
             panneau.bandeau.effacerErreur();
-            String ecart = montre.traceur.getEcart();
-            if (ecart != null) {
-                panneau.bandeau.avis(ecart);
+            if (montre.traceur.getEcart() != null) {
+                panneau.bandeau.avis(montre.traceur.getEcart());
             }
             if (direFautes() != null) {
                 panneau.bandeau.erreur(direFautes() + " ; le premier : "

@@ -93,7 +93,7 @@ final class BarreEtat extends JPanel {
     void avancer(Tracage tracage) {
         avancement.setValue(tracage.isAcheve() ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));
         avancement.setString(tracage.getEtat());
-        bouton.setText(tracage.isFini() ? "Redessiner" : "Arrêter");
+        bouton.setText(tracage.isDone() ? "Redessiner" : "Arrêter");
     }
 
     /** Ce qu'a coûté un dessin. */

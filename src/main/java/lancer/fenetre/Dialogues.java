@@ -3,15 +3,26 @@ package lancer.fenetre;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.FontMetrics;
 import java.awt.GraphicsEnvironment;
+import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.io.File;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import javax.swing.JColorChooser;
 import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JFileChooser;
+import javax.swing.JFrame;
 import javax.swing.JOptionPane;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import javax.swing.colorchooser.AbstractColorChooserPanel;
@@ -21,7 +32,7 @@ import lancer.Couleur;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
-/** Les dialogues, en français même là où Java ne l'est pas, et l'apparence du système. */
+/** Les dialogues, en français même là où Java ne l'est pas, la place des fenêtres d'à côté, l'apparence du système. */
 final class Dialogues {
 
     /** Un texte, et les clés, de {@code FileChooser} à défaut, qui le montrent : selon Java, il en manque. */
@@ -57,10 +68,35 @@ final class Dialogues {
         {"Fermer sans rien choisir", "cancelButtonToolTipText"},
     };
 
+    private static final String[][] TOUCHES = {
+        {"Ctrl+O", "ouvrir une scène ; ou déposer son fichier sur la fenêtre"},
+        {"Page suivante, précédente", "les autres scènes du dossier"},
+        {"Ctrl+S, Ctrl+C", "enregistrer l'image, la copier"},
+        {"+, −", "plus ou moins de réflexions"},
+        {"F2", "les paramètres des variantes"},
+        {"F3", "vitesse ou précision : les réglages possibles, à dessiner d'un clic"},
+        {"Espace, tenue", "l'image d'avant"},
+        {"Ctrl+Maj+C", "copier les réglages"},
+        {"Ctrl+1, Ctrl+0, F11", "taille demandée, remplir la fenêtre, plein écran"},
+        {"molette, Ctrl+Haut, Ctrl+Bas", "loupe ; la tirer la déplace"},
+        {"un clic, Entrée", "les rayons du pixel"},
+        {"flèches", "le pixel voisin ; avec Maj, de dix en dix"},
+        {"1 à 9, 0", "un rebond seul dans les figures, tous ; ou un clic sur son numéro"},
+        {"D", "déplier ou replier le détail du pixel"},
+        {"Ctrl+Page suivante, précédente", "un autre échantillon du pixel"},
+        {"F5", "relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi"},
+        {"Échap", "arrêter le dessin ; sinon, fermer ce qui est à côté, ou le plein écran"},
+        {"F10", "les menus"},
+        {"Ctrl+Q", "quitter"},
+        {"F1", "ces touches"},
+    };
+
     private static final String TITRE_IMAGE = "Enregistrer l'image";
 
     /** Ce qu'un dialogue laisse d'un petit écran à son propre cadre. */
     private static final int BORDS = 40;
+
+    private static final int MARGE = 16;
 
     /** Vrai tant qu'un choix de fichier est à l'écran : une touche qui se répète en ouvrirait un autre par-dessus. */
     private static boolean ouvert;
@@ -85,6 +121,74 @@ final class Dialogues {
                 UIManager.put(texte[k].indexOf('.') < 0 ? "FileChooser." + texte[k] : texte[k], texte[0]);
             }
         }
+    }
+
+    /** Ce qu'une fenêtre peut prendre de l'écran. */
+    static Rectangle ecran() {
+        return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+    }
+
+    /** Le tableau des touches, qui reste ouvert à côté pendant qu'on les essaie. */
+    static Window touches(JFrame cadre) {
+        JTable table = new JTable(TOUCHES, new String[] {"touche", "effet"});
+        table.setName("table");
+        // les touches essayées d'ici vont au cadre
+        table.setFocusable(false);
+        table.setEnabled(false);
+        FontMetrics m = table.getFontMetrics(table.getFont());
+        table.setRowHeight(m.getHeight() + 4);
+        for (int colonne = 0; colonne < 2; colonne++) {
+            int ici = colonne;
+            int large = Arrays.stream(TOUCHES).mapToInt(ligne -> m.stringWidth(ligne[ici])).max().getAsInt();
+            table.getColumnModel().getColumn(colonne).setPreferredWidth(large + MARGE);
+        }
+        table.setPreferredScrollableViewportSize(table.getPreferredSize());
+        JDialog touches = new JDialog(cadre, "Touches");
+        touches.add(new JScrollPane(table));
+        touches.pack();
+        return touches;
+    }
+
+    /** Montre cette fenêtre à côté de celle dont elle dépend, qui laisse la place qu'elle peut, et des autres. */
+    static void aCote(Window fenetre) {
+        if (!fenetre.isVisible()) {
+            Window cadre = fenetre.getOwner();
+            Rectangle ecran = ecran();
+            fenetre.setSize(Math.min(fenetre.getWidth(), ecran.width), Math.min(fenetre.getHeight(), ecran.height));
+            int depasse = cadre.getX() + cadre.getWidth() + fenetre.getWidth() - ecran.x - ecran.width;
+            if (depasse > 0 && cadre.getX() > ecran.x) {
+                cadre.setLocation(Math.max(ecran.x, cadre.getX() - depasse), cadre.getY());
+            }
+            List<Rectangle> prises = Arrays.stream(cadre.getOwnedWindows()).filter(Window::isVisible)
+                    .map(Window::getBounds).collect(Collectors.toList());
+            fenetre.setLocation(place(fenetre.getSize(), ecran, cadre.getBounds(), prises));
+        }
+        fenetre.setVisible(true);
+    }
+
+    /**
+     * La place d'une fenêtre dans l'écran : là où elle cache le moins des autres, puis du cadre ; plutôt à droite.
+     *
+     * @param prises la place des autres
+     */
+    static Point place(Dimension taille, Rectangle ecran, Rectangle cadre, List<Rectangle> prises) {
+        List<Integer> xs = new ArrayList<>(Arrays.asList(cadre.x + cadre.width, ecran.x + ecran.width - taille.width,
+                ecran.x));
+        List<Integer> ys = new ArrayList<>(Arrays.asList(cadre.y, ecran.y, ecran.y + ecran.height - taille.height));
+        for (Rectangle prise : prises) {
+            xs.addAll(Arrays.asList(prise.x, prise.x - taille.width, prise.x + prise.width));
+            ys.addAll(Arrays.asList(prise.y + prise.height, prise.y - taille.height));
+        }
+        return xs.stream().flatMap(x -> ys.stream().map(y -> new Rectangle(new Point(x, y), taille)))
+                .filter(ecran::contains).min(Comparator.comparingDouble(place -> cache(place, cadre)
+                + (double) ecran.width * ecran.height * prises.stream().mapToDouble(p -> cache(place, p)).sum()))
+                .map(Rectangle::getLocation).orElse(ecran.getLocation());
+    }
+
+    /** Les pixels de l'autre que cache cette place. */
+    private static double cache(Rectangle place, Rectangle autre) {
+        Rectangle commun = place.intersection(autre);
+        return commun.isEmpty() ? 0 : (double) commun.width * commun.height;
     }
 
     /** @param actuelle la scène déjà ouverte, dont le dossier est proposé, ou {@code null} */
@@ -155,10 +259,9 @@ final class Dialogues {
         ouvert = true;
         choix.setDialogTitle(titre);
         choix.setFileFilter(filtre);
-        Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         Dimension voulue = choix.getPreferredSize();
-        choix.setPreferredSize(new Dimension(Math.min(voulue.width, ecran.width - BORDS),
-                Math.min(voulue.height, ecran.height - BORDS)));
+        choix.setPreferredSize(new Dimension(Math.min(voulue.width, ecran().width - BORDS),
+                Math.min(voulue.height, ecran().height - BORDS)));
         try {
             int reponse = choix.showDialog(parent, null);
             return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;

@@ -3,35 +3,46 @@ package lancer.fenetre;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.GraphicsEnvironment;
+import java.awt.GraphicsDevice;
 import java.awt.Image;
 import java.awt.KeyEventPostProcessor;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
+import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.ButtonGroup;
+import javax.swing.ImageIcon;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import javax.swing.TransferHandler;
 import javax.swing.WindowConstants;
 import lancer.commande.Options;
 import lancer.dessin.Dessinateur;
 import lancer.image.ImageMemoire;
 
 /**
- * La fenêtre : son cadre, ses menus, ses touches, et ce qui s'y lit du dessin que mène {@link Atelier}. Le fil des
+ * La fenêtre : son cadre, sa taille, ses touches, et ce qui s'y lit du dessin que mène {@link Atelier}. Le fil des
  * événements ne calcule pas, ne lit pas, n'écrit pas et n'attend pas ; une horloge lui fait regarder trente fois par
  * seconde où en est le dessin.
  */
@@ -46,37 +57,53 @@ public final class Fenetre {
     final JFrame cadre = new JFrame();
     final Atelier atelier;
     private final String programme;
+    /** La taille de l'image que dit la ligne de commande. */
+    private final Dimension demandee;
     private final Runnable fin;
     private final PanneauImage panneau;
     private final BarreEtat barre;
-    private final MenuAffichage affichage;
     private final Enregistrement enregistrement;
-    /** L'inspecteur, dès qu'on l'a demandé ; {@code null} avant. */
-    private Inspecteur inspecteur;
-    private final Timer retaille = new Timer(REPOS_MS, e -> ajuster());
+    private final Timer retaille;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
     private final KeyEventPostProcessor renvoi = this::renvoyer;
     private final MenuScenes scenes;
-    private Touches touches;
+    private JMenuItem remplir;
+    private JCheckBoxMenuItem plein;
+    /** Celle du cadre avant le plein écran. */
+    private Rectangle place;
+    /** L'inspecteur, dès qu'on l'a demandé ; {@code null} avant. */
+    private Inspecteur inspecteur;
+    private Window touches;
 
     Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
             Runnable fin) {
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
         this.fin = fin;
-        Dimension taille = new Dimension(options.largeur, options.hauteur);
-        panneau = new PanneauImage(taille);
+        demandee = new Dimension(options.largeur, options.hauteur);
+        panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
         barre = new BarreEtat(this::arreterOuRecharger, panneau.getPreferredSize().width, variantes.size());
-        affichage = new MenuAffichage(cadre, panneau, barre, taille, this::ajuster);
-        atelier = new Atelier(dessinateur, dessins, options.fils, panneau, affichage::getTaille);
+        atelier = new Atelier(dessinateur, dessins, options.fils, panneau, this::getTaille);
         atelier.prevenir(this::suivre);
+        retaille = new Timer(REPOS_MS, e -> atelier.ajuster());
         enregistrement = new Enregistrement(atelier, panneau.bandeau);
         scenes = new MenuScenes(atelier);
-        cadre.setJMenuBar(menus(variantes));
+        JMenuBar menus = new JMenuBar();
+        menus.add(menuFichier());
+        menus.add(menuAffichage());
+        menus.add(new MenuDessin(cadre, atelier, variantes).menu);
+        menus.add(scenes.menu);
+        JMenu aide = menus.add(Menus.menu("Aide"));
+        // A est à Affichage
+        aide.setMnemonic(KeyEvent.VK_I);
+        Menus.article(aide, "Touches", Menus.touche(KeyEvent.VK_F1), () -> {
+            touches = touches == null ? Dialogues.touches(cadre) : touches;
+            Dialogues.aCote(touches);
+        });
+        cadre.setJMenuBar(menus);
     }
 
-    private JMenuBar menus(List<String> variantes) {
-        JMenuBar menus = new JMenuBar();
-        JMenu menu = menus.add(Menus.menu("Fichier"));
+    private JMenu menuFichier() {
+        JMenu menu = Menus.menu("Fichier");
         Menus.article(menu, "Ouvrir une scène…", Menus.ctrl(KeyEvent.VK_O), this::choisirScene);
         Menus.siScene(atelier, Menus.article(menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S),
                 enregistrement::enregistrer));
@@ -85,25 +112,44 @@ public final class Fenetre {
         menu.add(panneau.bandeau.copie);
         menu.addSeparator();
         Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
-        menus.add(affichage.menu);
-        Menus.siScene(atelier, Menus.article(affichage.menu, "Rayons d'un pixel (Entrée)", null, this::inspecter));
-        menus.add(new MenuDessin(cadre, atelier, variantes).menu);
-        menus.add(scenes.menu);
-        menu = menus.add(Menus.menu("Aide"));
-        // A est à Affichage
-        menu.setMnemonic(KeyEvent.VK_I);
-        Menus.article(menu, "Touches", Menus.touche(KeyEvent.VK_F1), this::montrerTouches);
-        return menus;
+        return menu;
+    }
+
+    /** La taille où l'image se dessine, celle où elle se montre, et le plein écran. */
+    private JMenu menuAffichage() {
+        JMenu menu = Menus.menu("Affichage");
+        ButtonGroup tailles = new ButtonGroup();
+        JMenuItem demander = Menus.choix(menu, tailles, "Taille demandée, " + demandee.width + " × " + demandee.height,
+                Menus.ctrl(KeyEvent.VK_1), atelier::ajuster);
+        demander.setSelected(true);
+        remplir = Menus.choix(menu, tailles, "Remplir la fenêtre", Menus.ctrl(KeyEvent.VK_0), atelier::ajuster);
+        plein = Menus.coche(menu, "Plein écran", Menus.touche(KeyEvent.VK_F11), this::basculer);
+        menu.addSeparator();
+        Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
+        Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
+        Menus.siScene(atelier, Menus.article(menu, "Rayons d'un pixel (Entrée)", null, this::inspecter));
+        // Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique
+        Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_AMPERSAND), demander::doClick);
+        Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_NUMPAD1), demander::doClick);
+        Menus.lier(cadre, Menus.ctrl(KeyEvent.getExtendedKeyCodeForChar('à')), remplir::doClick);
+        Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_NUMPAD0), remplir::doClick);
+        return menu;
     }
 
     /** @param premier le dessin qu'il y a déjà à montrer, ou {@code null} */
     void commencer(Tracage premier) {
-        assembler();
+        cadre.add(panneau, BorderLayout.CENTER);
+        cadre.add(barre, BorderLayout.PAGE_END);
+        cadre.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        cadre.pack();
+        Rectangle ecran = Dialogues.ecran();
+        cadre.setSize(Math.min(cadre.getWidth(), ecran.width), Math.min(cadre.getHeight(), ecran.height));
+        cadre.setLocationRelativeTo(null);
         ecouter();
         titrer();
         if (premier == null) {
             scenes.montrer(null);
-            panneau.setInvite("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
+            panneau.dire("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini", true);
             EventQueue.invokeLater(this::choisirScene);
         } else {
             atelier.commencer(premier);
@@ -111,21 +157,13 @@ public final class Fenetre {
         cadre.setVisible(true);
     }
 
-    private void assembler() {
-        cadre.add(panneau, BorderLayout.CENTER);
-        cadre.add(barre, BorderLayout.PAGE_END);
-        cadre.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-        cadre.pack();
-        Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        cadre.setSize(Math.min(cadre.getWidth(), ecran.width), Math.min(cadre.getHeight(), ecran.height));
-        cadre.setLocationRelativeTo(null);
-    }
-
     /** À quoi la fenêtre répond, en plus de ses menus. */
     private void ecouter() {
-        cadre.getRootPane().setTransferHandler(new DepotFichier(atelier::ouvrir, panneau.bandeau::avis));
+        cadre.getRootPane().setTransferHandler(new Depot());
         Menus.lier(cadre, Menus.touche(KeyEvent.VK_ESCAPE), this::echapper);
         Menus.lier(cadre, Menus.touche(KeyEvent.VK_ENTER), this::inspecter);
+        Menus.lier(cadre, Menus.touche(KeyEvent.VK_SPACE), () -> tenir(true));
+        Menus.lier(cadre, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, true), () -> tenir(false));
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventPostProcessor(renvoi);
         cadre.addWindowListener(new WindowAdapter() {
             @Override
@@ -138,28 +176,75 @@ public final class Fenetre {
                 tenir(false);
             }
         });
-        Menus.lier(cadre, Menus.touche(KeyEvent.VK_SPACE), () -> tenir(true));
-        Menus.lier(cadre, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, true), () -> tenir(false));
         retaille.setRepeats(false);
-        panneau.suivreSouris(this::decrire, this::inspecter);
-        panneau.addComponentListener(new ComponentAdapter() {
+        ComponentAdapter tailleEtPlace = new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
                 decrire();
                 retaille.restart();
             }
-        });
-        cadre.addComponentListener(new ComponentAdapter() {
+
             @Override
             public void componentMoved(ComponentEvent e) {
                 panneau.perdreSouris();
             }
-        });
+        };
+        panneau.addComponentListener(tailleEtPlace);
+        cadre.addComponentListener(tailleEtPlace);
     }
 
-    private void montrerTouches() {
-        touches = touches == null ? new Touches(cadre) : touches;
-        Menus.aCote(touches);
+    /** Ouvre la scène dont on dépose le fichier sur la fenêtre. */
+    private final class Depot extends TransferHandler {
+
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public boolean canImport(TransferSupport depot) {
+            return depot.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
+        }
+
+        @Override
+        public boolean importData(TransferSupport depot) {
+            try {
+                List<?> fichiers = (List<?>) depot.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
+                if (fichiers.size() == 1) {
+                    atelier.ouvrir((File) fichiers.get(0));
+                } else {
+                    panneau.bandeau.avis("une scène à la fois : " + fichiers.size() + " fichiers déposés");
+                }
+                return fichiers.size() == 1;
+            } catch (UnsupportedFlavorException | IOException e) {
+                return false;
+            }
+        }
+    }
+
+    /** La taille où dessiner l'image, en pixels. */
+    private Dimension getTaille() {
+        return remplir.isSelected() || plein.isSelected() ? panneau.getTailleMax(demandee.width, demandee.height)
+                : demandee;
+    }
+
+    /** Entre dans le plein écran, ou en sort. */
+    private void basculer() {
+        boolean entre = plein.isSelected();
+        GraphicsDevice ecran = cadre.getGraphicsConfiguration().getDevice();
+        List<Window> ouvertes = Arrays.stream(cadre.getOwnedWindows()).filter(Window::isVisible)
+                .collect(Collectors.toList());
+        place = entre ? cadre.getBounds() : place;
+        // un cadre garde sa barre de titre, même en plein écran, et n'en change que fermé
+        cadre.dispose();
+        cadre.setUndecorated(entre);
+        // cachés, des menus ne répondraient plus à leurs touches
+        cadre.getJMenuBar().setPreferredSize(entre ? new Dimension() : null);
+        barre.setVisible(!entre);
+        panneau.bandeau.fautesSeules(entre);
+        ecran.setFullScreenWindow(entre ? cadre : null);
+        cadre.setBounds(entre ? cadre.getBounds() : place);
+        cadre.setVisible(true);
+        cadre.requestFocus();
+        ouvertes.forEach(fenetre -> fenetre.setVisible(true));
+        atelier.ajuster();
     }
 
     private void choisirScene() {
@@ -183,13 +268,9 @@ public final class Fenetre {
     private void inspecter() {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
-            inspecter(pixel);
+            inspecteur = inspecteur == null ? new Inspecteur(cadre, atelier, panneau) : inspecteur;
+            inspecteur.montrer(pixel);
         }
-    }
-
-    private void inspecter(Point pixel) {
-        inspecteur = inspecteur == null ? new Inspecteur(cadre, atelier, panneau) : inspecteur;
-        inspecteur.montrer(pixel);
     }
 
     /** Montre l'image d'avant, ou de nouveau celle de maintenant. */
@@ -206,8 +287,8 @@ public final class Fenetre {
             aCote().setVisible(false);
         } else if (inspecteur != null && inspecteur.isVisible()) {
             inspecteur.setVisible(false);
-        } else {
-            affichage.quitterLePleinEcran();
+        } else if (plein.isSelected()) {
+            plein.doClick();
         }
     }
 
@@ -240,16 +321,11 @@ public final class Fenetre {
         if (cadre.isDisplayable()) {
             horloge.stop();
             atelier.terminer();
-            if (inspecteur != null) {
-                inspecteur.terminer();
-            }
+            // ce qu'elles calculent s'arrête avec elles
+            Arrays.stream(cadre.getOwnedWindows()).forEach(fenetre -> fenetre.setVisible(false));
             KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
             cadre.dispose();
         }
-    }
-
-    private void ajuster() {
-        atelier.ajuster();
     }
 
     /** Un dessin commence ou finit, ou une scène est lue. */
@@ -265,11 +341,14 @@ public final class Fenetre {
         decrire();
     }
 
-    /** Charge les icônes, que la première image n'a pas à attendre. */
+    /** Charge les icônes, entre lesquelles le bureau choisit, et que la première image n'a pas à attendre. */
     private void donnerIcones() {
         if (cadre.getIconImages().isEmpty()) {
             new Thread(() -> {
-                List<Image> icones = Icone.lire();
+                // la scène du cours, que « make images » dessine
+                List<Image> icones = Stream.of("16", "32", "48", "128").map(cote ->
+                        new ImageIcon(Fenetre.class.getResource("icone-" + cote + ".png")).getImage())
+                        .collect(Collectors.toList());
                 EventQueue.invokeLater(() -> cadre.setIconImages(icones));
             }, "lancer-icone").start();
         }
@@ -278,7 +357,7 @@ public final class Fenetre {
     /** Dit où en est le dessin : au bas de la fenêtre, et en plein écran sur l'image. */
     private void avancer() {
         barre.avancer(atelier.getCourant());
-        if (affichage.estPlein()) {
+        if (plein.isSelected()) {
             panneau.dire(cadre.getTitle() + " — " + atelier.getCourant().getEtat(), atelier.enCours());
         }
     }

@@ -4,10 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.Font;
-import java.awt.GraphicsEnvironment;
 import java.awt.Point;
-import java.awt.Rectangle;
-import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
@@ -68,27 +65,27 @@ final class Inspecteur extends JDialog {
     private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
     private final VueDeCote cote = new VueDeCote(this::isoler);
     private final transient ExecutorService fil = Atelier.unFil("lancer-inspection");
+    private final transient Depliage depliage = new Depliage();
+    private transient List<Depliage.Vue> vues = Collections.emptyList();
+    private transient Inspection enCours;
     private Point pixel;
     private int rang = Inspection.AU_CENTRE;
     /** Le numéro du seul rebond que montrent les figures ; 0 : tous. */
     private int rebond;
-    private transient Inspection enCours;
-    private final transient Depliage depliage = new Depliage();
-    private transient List<Depliage.Vue> vues = Collections.emptyList();
 
     Inspecteur(JFrame cadre, Atelier atelier, PanneauImage panneau) {
         super(cadre);
         this.atelier = atelier;
         this.panneau = panneau;
         setName("inspecteur");
+        verdict.setName("verdict");
+        verdict.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         texte.setName("recit");
         texte.getAccessibleContext().setAccessibleName("chaîne du pixel");
-        verdict.setName("verdict");
         texte.setEditable(false);
         ((DefaultCaret) texte.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         texte.setFont(new Font(Font.MONOSPACED, Font.PLAIN, verdict.getFont().getSize()));
-        texte.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        verdict.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
+        texte.setBorder(verdict.getBorder());
         JPanel bas = new JPanel(new BorderLayout(MARGE, MARGE));
         bas.add(cote, BorderLayout.CENTER);
         bas.add(grille, BorderLayout.LINE_END);
@@ -101,8 +98,13 @@ final class Inspecteur extends JDialog {
             @Override
             public void mouseClicked(MouseEvent e) {
                 int ou = texte.viewToModel(e.getPoint());
-                int ligne = texte.getDocument().getDefaultRootElement().getElementIndex(ou);
-                cliquer(vues.get(Math.max(0, ligne - 1)));
+                // la deuxième ligne n'est pas du récit
+                int rang = Math.max(0, texte.getDocument().getDefaultRootElement().getElementIndex(ou) - 1);
+                if (vues.get(rang).repli != null) {
+                    deplier(vues.get(rang).repli);
+                } else if (vues.get(rang).rebond > 0) {
+                    isoler(vues.get(rang).rebond);
+                }
             }
         });
         lierTouches(texte, JComponent.WHEN_FOCUSED);
@@ -154,17 +156,11 @@ final class Inspecteur extends JDialog {
         panneau.suivre(pixel);
         rang = Inspection.AU_CENTRE;
         if (!isVisible()) {
-            placer();
+            setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, Dialogues.ecran().width - getOwner().getWidth())),
+                    Math.max(HAUTEUR_MIN, getOwner().getHeight()));
+            Dialogues.aCote(this);
         }
         calculer();
-    }
-
-    private void placer() {
-        Window cadre = getOwner();
-        Rectangle ecran = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, ecran.width - cadre.getWidth())),
-                Math.max(HAUTEUR_MIN, cadre.getHeight()));
-        Menus.aCote(this);
     }
 
     private void choisir(int voulu) {
@@ -177,14 +173,6 @@ final class Inspecteur extends JDialog {
         if (isVisible()) {
             rebond = numero == rebond ? 0 : numero;
             calculer();
-        }
-    }
-
-    private void cliquer(Depliage.Vue ligne) {
-        if (ligne.repli != null) {
-            deplier(ligne.repli);
-        } else if (ligne.rebond > 0) {
-            isoler(ligne.rebond);
         }
     }
 
@@ -202,13 +190,6 @@ final class Inspecteur extends JDialog {
             panneau.suivre(null);
             panneau.superposer(null, null);
         }
-    }
-
-    /** La fenêtre du programme se ferme. */
-    void terminer() {
-        abandonner();
-        fil.shutdown();
-        dispose();
     }
 
     private void abandonner() {

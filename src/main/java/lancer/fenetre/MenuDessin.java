@@ -1,5 +1,6 @@
 package lancer.fenetre;
 
+import java.awt.Window;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -27,15 +28,13 @@ final class MenuDessin {
     private final JMenu reflexions = Menus.menu("Réflexions");
     private final ButtonGroup nombres = new ButtonGroup();
     private final Map<String, JCheckBoxMenuItem> cases = new LinkedHashMap<>();
-    private final JFrame cadre;
     private final Atelier atelier;
     private final JMenuItem arreter;
-    private PanneauVariantes parametres;
-    private PanneauVitesse vitesse;
+    private Window parametres;
+    private Window vitesse;
 
     /** @param variantes les noms de celles qui sont présentes */
     MenuDessin(JFrame cadre, Atelier atelier, List<String> variantes) {
-        this.cadre = cadre;
         this.atelier = atelier;
         article("Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5), atelier::relire);
         // la touche est liée ailleurs : Java l'afficherait « Escape »
@@ -44,18 +43,22 @@ final class MenuDessin {
         for (int n : REFLEXIONS) {
             Menus.choix(reflexions, nombres, String.valueOf(n), null, () -> reflechir(n));
         }
-        menu.add(reflexions);
-        Menus.siScene(atelier, reflexions);
+        menu.add(Menus.siScene(atelier, reflexions));
         reflexions.setMnemonic('x');
         reflexions.setToolTipText("touches + et −");
         for (String nom : variantes) {
-            cases.put(nom, Menus.coche(menu, nom, null, () -> basculer(nom)));
-            Menus.siScene(atelier, cases.get(nom));
+            cases.put(nom, Menus.siScene(atelier, Menus.coche(menu, nom, null, () -> basculer(nom))));
         }
         if (!variantes.isEmpty()) {
-            article("Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), this::regler);
+            article("Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), () -> {
+                parametres = parametres == null ? new PanneauVariantes(cadre, atelier) : parametres;
+                Dialogues.aCote(parametres);
+            });
         }
-        article("Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3), this::comparer);
+        article("Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3), () -> {
+            vitesse = vitesse == null ? new PanneauVitesse(cadre, atelier) : vitesse;
+            Dialogues.aCote(vitesse);
+        });
         menu.addSeparator();
         article("Revenir aux réglages de la scène", null,
                 () -> atelier.dessiner(atelier.getReglages().initiaux(), false));
@@ -94,16 +97,6 @@ final class MenuDessin {
         atelier.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);
     }
 
-    private void regler() {
-        parametres = parametres == null ? new PanneauVariantes(cadre, atelier) : parametres;
-        Menus.aCote(parametres);
-    }
-
-    private void comparer() {
-        vitesse = vitesse == null ? new PanneauVitesse(cadre, atelier) : vitesse;
-        Menus.aCote(vitesse);
-    }
-
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */
     private void copier() {
         StringBuilder s = new StringBuilder();
@@ -119,9 +112,7 @@ final class MenuDessin {
         arreter.setEnabled(atelier.enCours());
         nombres.clearSelection();
         for (int k = 0; k < REFLEXIONS.length && reglages != null; k++) {
-            if (REFLEXIONS[k] == reglages.getReflets()) {
-                reflexions.getItem(k).setSelected(true);
-            }
+            reflexions.getItem(k).setSelected(REFLEXIONS[k] == reglages.getReflets());
         }
         cases.forEach((nom, coche) ->
                 coche.setSelected(reglages != null && reglages.estBranchee(reglages.getVariante(nom))));

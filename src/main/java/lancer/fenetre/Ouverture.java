@@ -8,7 +8,6 @@ import java.awt.HeadlessException;
 import java.awt.Toolkit;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
-import java.util.List;
 import java.util.concurrent.ExecutorService;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
@@ -35,28 +34,27 @@ public final class Ouverture {
      * @throws Echec s'il n'y a pas d'écran
      */
     public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
-        Dimension taille = new Dimension(options.largeur, options.hauteur);
-        Tracage premier = options.scene == null ? null : new Tracage(dessinateur, options.scene, taille, null);
         if (!ecranPresent()) {
-            if (premier != null) {
+            if (options.scene != null) {
                 // ce que la scène a de fautif d'abord
-                premier.lire();
+                dessinateur.lireScene(options.scene);
             }
             throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
         // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
         ExecutorService dessins = Atelier.unFil("lancer-dessin");
+        Tracage premier = options.scene == null ? null
+                : new Tracage(dessinateur, options.scene, new Dimension(options.largeur, options.hauteur), null);
         if (premier != null) {
             // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
             dessins.execute(premier);
             premier.attendreLecture(PATIENCE_MS);
         }
-        List<String> variantes = Services.nomsDesVariantes();
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
                 Dialogues.preparer();
-                ouverte[0] = new Fenetre(dessinateur, options, variantes, dessins, fin);
+                ouverte[0] = new Fenetre(dessinateur, options, Services.nomsDesVariantes(), dessins, fin);
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {

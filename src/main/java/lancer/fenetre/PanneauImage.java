@@ -18,8 +18,6 @@ import java.awt.image.ColorModel;
 import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
-import java.awt.image.WritableRaster;
-import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
@@ -29,7 +27,8 @@ import lancer.image.ImageMemoire;
 
 /**
  * L'image au milieu d'un gris neutre qui ne fausse pas les couleurs, un de ses pixels sur chaque pixel de l'écran ;
- * réduite, ses proportions gardées, là où la place manque.
+ * réduite, ses proportions gardées, là où la place manque. Les places et la souris sont en pixels de l'écran, qui sont
+ * plusieurs par point s'il est dense.
  */
 final class PanneauImage extends JPanel {
 
@@ -46,14 +45,13 @@ final class PanneauImage extends JPanel {
     private transient ImageMemoire naissante;
     /** L'image d'avant, tant qu'on la tient à la place des autres. */
     private transient ImageMemoire tenue;
-    private String invite;
     /** Ce qui se peint par-dessus l'image ; {@code null} : rien. */
     private transient Figure dessus;
     private transient IntConsumer siNumero;
+    private final transient Runnable siBouge;
     private Point souris;
     private Point suivi;
-    private transient Runnable siChange = () -> { };
-    /** Ce qui se dessine, en une ligne sur le haut de l'image, et combien elle est opaque, de 0 à 1. */
+    /** Ce qui se lit sur le haut de l'image, et combien c'est opaque, de 0 à 1. */
     private String ligne = "";
     private float opacite;
     private final Timer fondu = new Timer(FONDU_MS, e -> estomper());
@@ -63,8 +61,13 @@ final class PanneauImage extends JPanel {
     private double centreX = 0.5;
     private double centreY = 0.5;
 
-    /** @param image la taille de l'image à montrer, en pixels */
-    PanneauImage(Dimension image) {
+    /**
+     * @param image la taille de l'image à montrer, en pixels
+     * @param siBouge appelé quand la souris ou la loupe bouge
+     * @param siClique appelé quand on clique sur l'image montrée
+     */
+    PanneauImage(Dimension image, Runnable siBouge, Runnable siClique) {
+        this.siBouge = siBouge;
         setName("image");
         setBackground(GRIS);
         setFocusable(true);
@@ -73,6 +76,76 @@ final class PanneauImage extends JPanel {
         AffineTransform ecran = getEchelle();
         setPreferredSize(new Dimension((int) Math.ceil(image.width / ecran.getScaleX()),
                 (int) Math.ceil(image.height / ecran.getScaleY())));
+        Suiveur suiveur = new Suiveur(siClique);
+        addMouseListener(suiveur);
+        addMouseMotionListener(suiveur);
+        addMouseWheelListener(suiveur);
+    }
+
+    /** Suit la souris ; la molette, et un bouton tenu, mènent la loupe. */
+    private final class Suiveur extends MouseAdapter {
+
+        private final Runnable siClique;
+
+        Suiveur(Runnable siClique) {
+            this.siClique = siClique;
+        }
+
+        private void placer(MouseEvent e) {
+            AffineTransform ecran = getEchelle();
+            souris = new Point((int) (e.getX() * ecran.getScaleX()), (int) (e.getY() * ecran.getScaleY()));
+        }
+
+        @Override
+        public void mousePressed(MouseEvent e) {
+            requestFocusInWindow();
+        }
+
+        @Override
+        public void mouseClicked(MouseEvent e) {
+            placer(e);
+            int numero = dessus == null ? 0 : dessus.numeroEn(souris);
+            if (numero > 0) {
+                siNumero.accept(numero);
+            } else if (getPixelSouris(montree) != null && SwingUtilities.isLeftMouseButton(e)) {
+                siClique.run();
+            }
+        }
+
+        @Override
+        public void mouseMoved(MouseEvent e) {
+            placer(e);
+            siBouge.run();
+        }
+
+        @Override
+        public void mouseExited(MouseEvent e) {
+            perdreSouris();
+        }
+
+        @Override
+        public void mouseDragged(MouseEvent e) {
+            if (loupe > 0 && souris != null) {
+                Point avant = souris;
+                placer(e);
+                centrer(centreX - (souris.x - avant.x) / (double) (loupe * montree.getLargeur()),
+                        centreY - (souris.y - avant.y) / (double) (loupe * montree.getHauteur()));
+            }
+        }
+
+        @Override
+        public void mouseWheelMoved(MouseWheelEvent e) {
+            placer(e);
+            if (e.getWheelRotation() != 0) {
+                grossir(e.getWheelRotation() < 0);
+            }
+        }
+    }
+
+    /** On ne sait plus où elle est : sortie, ou la fenêtre a bougé sous elle, qui n'en dit rien. */
+    void perdreSouris() {
+        souris = null;
+        siBouge.run();
     }
 
     /** Dit ceci en une ligne sur le haut de l'image. @param reste faux si cela doit s'effacer peu à peu */
@@ -90,19 +163,13 @@ final class PanneauImage extends JPanel {
     private void estomper() {
         opacite = Math.max(0, opacite - FONDU);
         if (opacite == 0) {
-            fondu.stop();
+            dire("", true);
         }
         repaint();
     }
 
     String getLigne() {
-        return opacite > 0 ? ligne : "";
-    }
-
-    /** Ce qu'on lit tant qu'il n'y a pas d'image ; {@code null} pour rien. */
-    void setInvite(String invite) {
-        this.invite = invite;
-        repaint();
+        return ligne;
     }
 
     /** L'image montrée, {@code null} avant la première. */
@@ -125,41 +192,33 @@ final class PanneauImage extends JPanel {
         return tenue != null ? tenue : getPixelSouris(naissante) != null ? naissante : montree;
     }
 
-    /** Le nombre de pixels de l'écran par point : un écran dense en a plusieurs. */
     private AffineTransform getEchelle() {
         return (getGraphicsConfiguration() != null ? getGraphicsConfiguration()
                 : GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice().getDefaultConfiguration())
                 .getDefaultTransform();
     }
 
-    /** La place qu'il y a pour l'image, en pixels de l'écran. */
+    /** La place qu'il y a pour l'image. */
     private Dimension getLibre() {
         AffineTransform ecran = getEchelle();
         return new Dimension((int) (getWidth() * ecran.getScaleX()), (int) (getHeight() * ecran.getScaleY()));
     }
 
-    /** La plus grande taille de mêmes proportions qui tienne ici, en pixels de l'écran. */
-    Dimension getTailleMax(Dimension proportions) {
+    /** La plus grande taille de ces proportions qui tienne ici. */
+    Dimension getTailleMax(int largeur, int hauteur) {
         Dimension libre = getLibre();
-        double rapport = Math.min((double) libre.width / proportions.width, (double) libre.height / proportions.height);
-        return new Dimension(Math.max(1, (int) Math.round(rapport * proportions.width)),
-                Math.max(1, (int) Math.round(rapport * proportions.height)));
+        double rapport = Math.min((double) libre.width / largeur, (double) libre.height / hauteur);
+        return new Dimension(Math.max(1, (int) Math.round(rapport * largeur)),
+                Math.max(1, (int) Math.round(rapport * hauteur)));
     }
 
-    /** Où va cette image, en pixels de l'écran ; à la loupe, elle déborde. */
+    /** Où va cette image ; à la loupe, elle déborde. */
     private Rectangle getPlace(ImageMemoire image) {
-        int largeur = image.getLargeur();
-        int hauteur = image.getHauteur();
         Dimension libre = getLibre();
-        Dimension max = getTailleMax(new Dimension(largeur, hauteur));
-        if (loupe > 0) {
-            int l = loupe * largeur;
-            int h = loupe * hauteur;
-            return new Rectangle((int) (libre.width / 2 - centreX * l), (int) (libre.height / 2 - centreY * h), l, h);
-        }
-        int l = Math.min(largeur, max.width);
-        int h = Math.min(hauteur, max.height);
-        return new Rectangle((libre.width - l) / 2, (libre.height - h) / 2, l, h);
+        Dimension max = getTailleMax(image.getLargeur(), image.getHauteur());
+        int l = loupe > 0 ? loupe * image.getLargeur() : Math.min(image.getLargeur(), max.width);
+        int h = loupe > 0 ? loupe * image.getHauteur() : Math.min(image.getHauteur(), max.height);
+        return new Rectangle((int) (libre.width / 2.0 - centreX * l), (int) (libre.height / 2.0 - centreY * h), l, h);
     }
 
     /** Le rapport de la taille à laquelle l'image est montrée à la sienne, du côté où il est le plus petit. */
@@ -171,7 +230,7 @@ final class PanneauImage extends JPanel {
     /** Agrandit deux fois plus, ou deux fois moins, comme la molette, sans perdre de vue le pixel suivi. */
     void approcher(boolean plus) {
         grossir(plus);
-        laisserVoir();
+        suivre(suivi);
     }
 
     /** Autour de la souris, ou du milieu si elle n'est pas là. */
@@ -180,28 +239,25 @@ final class PanneauImage extends JPanel {
             return;
         }
         // une image qui ne tient qu'en réduction passe d'abord à sa taille, un pixel pour un
-        Dimension max = getTailleMax(new Dimension(montree.getLargeur(), montree.getHauteur()));
+        Dimension max = getTailleMax(montree.getLargeur(), montree.getHauteur());
         int premiere = montree.getLargeur() > max.width || montree.getHauteur() > max.height ? 1 : 2;
         int autre = plus ? Math.max(premiere, Math.min(LOUPE_MAX, 2 * loupe)) : loupe <= premiere ? 0 : loupe / 2;
-        if (autre != loupe) {
-            Dimension libre = getLibre();
-            AffineTransform ecran = getEchelle();
-            double x = souris == null ? libre.width / 2.0 : souris.x * ecran.getScaleX();
-            double y = souris == null ? libre.height / 2.0 : souris.y * ecran.getScaleY();
-            Rectangle place = getPlace(montree);
-            loupe = autre;
-            centrer((x - place.x) / place.width - (x - libre.width / 2.0) / (loupe * montree.getLargeur()),
-                    (y - place.y) / place.height - (y - libre.height / 2.0) / (loupe * montree.getHauteur()));
+        Dimension libre = getLibre();
+        Point ici = souris == null ? new Point(libre.width / 2, libre.height / 2) : souris;
+        Rectangle place = getPlace(montree);
+        loupe = autre;
+        if (loupe == 0) {
+            centrer(0.5, 0.5);
+        } else {
+            Rectangle apres = getPlace(montree);
+            centrer((double) (ici.x - place.x) / place.width - (ici.x - libre.width / 2.0) / apres.width,
+                    (double) (ici.y - place.y) / place.height - (ici.y - libre.height / 2.0) / apres.height);
         }
     }
 
     /** Garde ce pixel de l'image en vue à la loupe ; {@code null} : plus aucun. */
     void suivre(Point pixel) {
         suivi = pixel;
-        laisserVoir();
-    }
-
-    private void laisserVoir() {
         if (loupe > 0 && suivi != null) {
             Rectangle place = getPlace(montree);
             Rectangle carre = new Rectangle(place.x + loupe * suivi.x, place.y + loupe * suivi.y, loupe, loupe);
@@ -215,7 +271,7 @@ final class PanneauImage extends JPanel {
         centreX = Math.max(0, Math.min(1, x));
         centreY = Math.max(0, Math.min(1, y));
         repaint();
-        siChange.run();
+        siBouge.run();
     }
 
     /**
@@ -239,47 +295,42 @@ final class PanneauImage extends JPanel {
         return image == montree || image == naissante;
     }
 
-    /** Une image AWT sur le tableau même des codes : rien n'est copié. */
-    private static BufferedImage surCodes(ImageMemoire image) {
-        DirectColorModel couleurs = (DirectColorModel) ColorModel.getRGBdefault();
-        int[] codes = image.getCodes();
-        WritableRaster raster = Raster.createPackedRaster(new DataBufferInt(codes, codes.length),
-                image.getLargeur(), image.getHauteur(), image.getLargeur(), couleurs.getMasks(), null);
-        return new BufferedImage(couleurs, raster, false, null);
+    /**
+     * Peint ceci par-dessus l'image, à l'écran seulement ; {@code null} : plus rien.
+     *
+     * @param siChoisi reçoit le numéro du rebond sur lequel on clique
+     */
+    void superposer(Figure figure, IntConsumer siChoisi) {
+        dessus = figure;
+        siNumero = siChoisi;
+        repaint();
     }
 
     @Override
     protected void paintComponent(Graphics g) {
         super.paintComponent(g);
         Graphics2D g2 = (Graphics2D) g.create();
-        try {
-            // défait l'agrandissement d'un écran dense : l'image a déjà ses pixels
-            AffineTransform t = g2.getTransform();
-            g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
-                    Math.round(t.getTranslateY())));
-            g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, loupe > 0
-                    ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR
-                    : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-            peindre(g2, tenue != null ? tenue : montree);
-            peindre(g2, tenue != null ? null : naissante);
-            if (dessus != null && montree != null && tenue == null) {
-                g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
-                dessus.peindre(g2, getPlace(montree), getLibre());
-            }
-        } finally {
-            g2.dispose();
+        // défait l'agrandissement d'un écran dense : l'image a déjà ses pixels
+        AffineTransform t = g2.getTransform();
+        g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
+                Math.round(t.getTranslateY())));
+        g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, loupe > 0
+                ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        peindre(g2, tenue != null ? tenue : montree);
+        if (tenue == null) {
+            peindre(g2, naissante);
         }
-        if (opacite > 0) {
+        if (dessus != null && montree != null && tenue == null) {
+            g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
+            dessus.peindre(g2, getPlace(montree), getLibre());
+        }
+        g2.dispose();
+        if (!ligne.isEmpty()) {
             FontMetrics m = g.getFontMetrics();
             g.setColor(new Color(0, 0, 0, opacite / 2));
             g.fillRect(0, 0, getWidth(), m.getHeight());
             g.setColor(new Color(1, 1, 1, opacite));
             g.drawString(ligne, m.getHeight() / 2, m.getAscent());
-        }
-        if (invite != null && montree == null) {
-            g.setColor(Color.WHITE);
-            FontMetrics m = g.getFontMetrics();
-            g.drawString(invite, Math.max(0, (getWidth() - m.stringWidth(invite)) / 2), getHeight() / 2);
         }
     }
 
@@ -288,7 +339,11 @@ final class PanneauImage extends JPanel {
         if (image == null) {
             return;
         }
-        BufferedImage pixels = surCodes(image);
+        // sur le tableau même des codes : rien n'est copié
+        DirectColorModel couleurs = (DirectColorModel) ColorModel.getRGBdefault();
+        BufferedImage pixels = new BufferedImage(couleurs, Raster.createPackedRaster(
+                new DataBufferInt(image.getCodes(), image.getCodes().length), image.getLargeur(), image.getHauteur(),
+                image.getLargeur(), couleurs.getMasks(), null), false, null);
         Rectangle place = getPlace(image);
         if (loupe == 0) {
             g.drawImage(pixels, place.x, place.y, place.width, place.height, null);
@@ -311,122 +366,28 @@ final class PanneauImage extends JPanel {
         bandeau.setBounds(0, getHeight() - hauteur, getWidth(), hauteur);
     }
 
-    /**
-     * Peint ceci par-dessus l'image, à l'écran seulement ; {@code null} : plus rien.
-     *
-     * @param siChoisi reçoit le numéro du rebond sur lequel on clique
-     */
-    void superposer(Figure figure, IntConsumer siChoisi) {
-        dessus = figure;
-        siNumero = siChoisi;
-        repaint();
-    }
-
-    /**
-     * Suit la souris ; la molette, et un bouton tenu, mènent la loupe.
-     *
-     * @param siBouge appelé quand la souris ou la loupe bouge
-     * @param siClique reçoit le pixel de l'image montrée où l'on clique
-     */
-    void suivreSouris(Runnable siBouge, Consumer<Point> siClique) {
-        siChange = siBouge;
-        MouseAdapter suiveur = new MouseAdapter() {
-            @Override
-            public void mousePressed(MouseEvent e) {
-                requestFocusInWindow();
-            }
-
-            @Override
-            public void mouseClicked(MouseEvent e) {
-                souris = e.getPoint();
-                Point pixel = getPixelSouris(montree);
-                AffineTransform ecran = getEchelle();
-                int numero = dessus == null ? 0
-                        : dessus.numeroEn(e.getX() * ecran.getScaleX(), e.getY() * ecran.getScaleY());
-                if (numero > 0) {
-                    siNumero.accept(numero);
-                } else if (pixel != null && SwingUtilities.isLeftMouseButton(e)) {
-                    siClique.accept(pixel);
-                }
-            }
-
-            @Override
-            public void mouseMoved(MouseEvent e) {
-                souris = e.getPoint();
-                siBouge.run();
-            }
-
-            @Override
-            public void mouseExited(MouseEvent e) {
-                perdreSouris();
-            }
-
-            @Override
-            public void mouseDragged(MouseEvent e) {
-                if (loupe > 0 && souris != null) {
-                    AffineTransform ecran = getEchelle();
-                    double dx = (e.getX() - souris.x) * ecran.getScaleX();
-                    double dy = (e.getY() - souris.y) * ecran.getScaleY();
-                    souris = e.getPoint();
-                    centrer(centreX - dx / (loupe * montree.getLargeur()),
-                            centreY - dy / (loupe * montree.getHauteur()));
-                }
-            }
-
-            @Override
-            public void mouseWheelMoved(MouseWheelEvent e) {
-                souris = e.getPoint();
-                if (e.getWheelRotation() != 0) {
-                    grossir(e.getWheelRotation() < 0);
-                }
-            }
-        };
-        addMouseListener(suiveur);
-        addMouseMotionListener(suiveur);
-        addMouseWheelListener(suiveur);
-    }
-
-    /** On ne sait plus où elle est : sortie, ou la fenêtre a bougé sous elle, qui n'en dit rien. */
-    void perdreSouris() {
-        souris = null;
-        siChange.run();
-    }
-
     /** Le pixel de l'image montrée sous la souris, ou le plus près du milieu ; {@code null} s'il n'y en a pas. */
     Point getPixelVise() {
         Point sous = getPixelSouris(montree);
-        if (sous != null || montree == null) {
-            return sous;
-        }
-        Rectangle place = getPlace(montree);
-        Dimension libre = getLibre();
-        return new Point(rang(libre.width / 2 - place.x, montree.getLargeur(), place.width),
-                rang(libre.height / 2 - place.y, montree.getHauteur(), place.height));
-    }
-
-    /** La colonne ou la ligne de l'image, de {@code nombre}, à cet écart du bord de sa place, ou la plus près. */
-    private static int rang(int ecart, int nombre, int etendue) {
-        return (int) Math.max(0, Math.min(nombre - 1, (long) ecart * nombre / etendue));
+        return sous != null || montree == null ? sous
+                : getPixel(montree, new Point(getLibre().width / 2, getLibre().height / 2));
     }
 
     /** Le pixel de cette image qui est sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas dessiné. */
     Point getPixelSouris(ImageMemoire image) {
-        return getPixel(image, souris);
+        if (souris == null || image == null || !getPlace(image).contains(souris)) {
+            return null;
+        }
+        Point pixel = getPixel(image, souris);
+        return image.getCodes()[pixel.y * image.getLargeur() + pixel.x] == 0 ? null : pixel;
     }
 
+    /** Le pixel de cette image à cet endroit, ou le plus près. */
     private Point getPixel(ImageMemoire image, Point ou) {
-        if (ou == null || image == null) {
-            return null;
-        }
-        AffineTransform ecran = getEchelle();
         Rectangle place = getPlace(image);
-        int dx = (int) (ou.x * ecran.getScaleX()) - place.x;
-        int dy = (int) (ou.y * ecran.getScaleY()) - place.y;
-        if (dx < 0 || dx >= place.width || dy < 0 || dy >= place.height) {
-            return null;
-        }
-        Point pixel = new Point(rang(dx, image.getLargeur(), place.width),
-                rang(dy, image.getHauteur(), place.height));
-        return image.getCodes()[pixel.y * image.getLargeur() + pixel.x] == 0 ? null : pixel;
+        long x = (long) (ou.x - place.x) * image.getLargeur() / place.width;
+        long y = (long) (ou.y - place.y) * image.getHauteur() / place.height;
+        return new Point((int) Math.max(0, Math.min(image.getLargeur() - 1, x)),
+                (int) Math.max(0, Math.min(image.getHauteur() - 1, y)));
     }
 }

@@ -1,5 +1,6 @@
 package lancer.fenetre;
 
+import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.attribute.BasicFileAttributes;
@@ -28,7 +29,7 @@ final class Surveillance extends TimerTask {
     private String vue;
 
     /**
-     * @param siChange appelé dans le fil de la surveillance, une fois par changement
+     * @param siChange appelé dans le fil des événements, une fois par changement
      * @param siEfface appelé de même quand le fichier a disparu ; qu'il revienne est un changement
      */
     Surveillance(Runnable siChange, Runnable siEfface) {
@@ -47,24 +48,17 @@ final class Surveillance extends TimerTask {
         connue = version;
     }
 
+    /** Dit, une fois, qu'un fichier a changé et n'a plus bougé depuis, ou qu'il n'est plus là. */
     @Override
-    public void run() {
-        Runnable nouvelle = regarder();
-        if (nouvelle != null) {
-            nouvelle.run();
-        }
-    }
-
-    /** Ce qu'il y a à faire, une fois, d'un fichier qui a changé et n'a plus bougé depuis, ou qui n'est plus là. */
-    private synchronized Runnable regarder() {
+    public synchronized void run() {
         String nouvelle = fichier == null ? null : version(fichier);
         absences = fichier == null || nouvelle != null ? 0 : absences + 1;
         boolean change = nouvelle != null && nouvelle.equals(vue) && !nouvelle.equals(connue);
         vue = nouvelle;
         if (change || absences == ABSENCES) {
             connue = nouvelle;
+            EventQueue.invokeLater(change ? siChange : siEfface);
         }
-        return change ? siChange : absences == ABSENCES ? siEfface : null;
     }
 
     /** L'heure, la taille et l'identité du fichier ; {@code null} s'il n'existe pas. */

@@ -114,7 +114,7 @@ class FenetreTest extends EssaiFenetre {
         Rectangle cadre = new Rectangle(0, 0, 812, 720);
         List<Rectangle> prises = new ArrayList<>();
         for (Dimension taille : new Dimension[] {new Dimension(350, 720), new Dimension(400, 230), new Dimension(560, 480)}) {
-            Rectangle place = new Rectangle(Menus.place(taille, ecran, cadre, prises), taille);
+            Rectangle place = new Rectangle(Dialogues.place(taille, ecran, cadre, prises), taille);
             assertTrue(ecran.contains(place) && prises.stream().noneMatch(place::intersects), place + " et " + prises);
             prises.add(place);
         }

@@ -86,8 +86,8 @@ public final class Figure {
     }
 
     /** Le rebond dont le numéro se lit en ce point de l'écran ; 0 s'il n'y en a pas. */
-    public int numeroEn(double x, double y) {
-        return numeros.entrySet().stream().filter(e -> e.getValue().contains(x, y)).mapToInt(Map.Entry::getKey)
+    public int numeroEn(java.awt.Point ou) {
+        return numeros.entrySet().stream().filter(e -> e.getValue().contains(ou)).mapToInt(Map.Entry::getKey)
                 .findFirst().orElse(0);
     }
 
