@@ -166,7 +166,7 @@ final class Atelier {
     /** Suit un dessin déjà commencé. */
     void commencer(Tracage premier) {
         courant = premier;
-        if (premier.getAvertissements() != null) {
+        if (premier.avertissements != null) {
             adopter();
         }
         suivre(premier);
@@ -270,7 +270,7 @@ final class Atelier {
     /** Regarde où en est le dessin en cours, et le montre ; à appeler souvent. */
     void observer() {
         boolean fini = courant.isDone();
-        lu = courant.getAvertissements() != null ? courant.fichier : lu;
+        lu = courant.avertissements != null ? courant.fichier : lu;
         Dessin dessin = courant.getDessin();
         if (dessin != null && panneau.montrer(dessin.image, dessin.traceur.isBrouillonFait(),
                 courant.getDureeNs() > PATIENCE_NS)) {
@@ -290,11 +290,11 @@ final class Atelier {
     /** La scène que ce dessin a lue devient celle qui est montrée. */
     private void adopter() {
         adopte = courant;
-        reglages = courant.getReglages() != null ? courant.getReglages() : dessinateur.getReglages();
+        reglages = courant.reglages != null ? courant.reglages : dessinateur.getReglages();
         fichier = courant.fichier;
-        surveillance.suivre(fichier, courant.getVersion());
+        surveillance.suivre(fichier, courant.version);
         panneau.bandeau.faute("");
-        panneau.bandeau.avis(String.join("\n", courant.getAvertissements()));
+        panneau.bandeau.avis(String.join("\n", courant.avertissements));
         prevenus.forEach(Runnable::run);
     }
 
@@ -305,9 +305,9 @@ final class Atelier {
         if (courant.isAcheve()) {
             complete = montre.image;
             // les sections laissées de côté, sans le reste de leur avertissement
-            String ignorees = String.join("\n", adopte.getAvertissements())
+            String ignorees = String.join("\n", adopte.avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            couts.put(complete, BarreEtat.cout(montre.traceur) + ", " + courant.getReglages() + ignorees
+            couts.put(complete, BarreEtat.cout(montre.traceur) + ", " + courant.reglages + ignorees
                     + (direFautes() == null ? "" : ", " + direFautes()));
             panneau.bandeau.effacerErreur();
             if (montre.traceur.getEcart() != null) {
@@ -338,7 +338,7 @@ final class Atelier {
         panneau.bandeau.faute(message);
         if (fichier == null || courant.fichier.equals(fichier)) {
             fichier = courant.fichier;
-            surveillance.suivre(fichier, courant.getVersion());
+            surveillance.suivre(fichier, courant.version);
         }
         if (adopte != null && fichier.equals(lu) && getImageComplete() == null) {
             // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image

@@ -7,8 +7,10 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.nio.file.Files;
 import java.util.Locale;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.FutureTask;
 import lancer.SceneFautive;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
@@ -90,17 +92,13 @@ final class Enregistrement {
         dossier = choisi.getParentFile();
         boolean png = choisi.getName().toLowerCase(Locale.ROOT).endsWith(".png");
         File cible = png ? choisi : new File(choisi.getPath() + ".png");
-        essayer(cible, () -> verifier(image, cible, scene));
-    }
-
-    private void essayer(File cible, Runnable etape) {
-        Atelier.confier(disque, etape, panne -> {
+        Atelier.confier(disque, () -> ecrire(image, cible, scene), panne -> {
             echoue = cible;
             bandeau.erreur(panne);
         });
     }
 
-    private void verifier(ImageMemoire image, File cible, String scene) {
+    private void ecrire(ImageMemoire image, File cible, String scene) {
         Ecriture ecriture = new Ecriture(cible.getPath());
         try {
             ecriture.epargner(FichierScene.trouver(scene),
@@ -109,25 +107,25 @@ final class Enregistrement {
         } catch (SceneFautive e) {
             // effacée depuis qu'elle a été lue
         }
-        if (Files.exists(ecriture.getCible())) {
-            EventQueue.invokeLater(() -> confirmer(image, ecriture, cible));
-        } else {
-            ecrire(image, ecriture, cible);
+        if (!Files.exists(ecriture.getCible()) || confirmer(cible)) {
+            ecriture.ecrire(image, new FichierPng());
+            EventQueue.invokeLater(() -> {
+                echoue = null;
+                bandeau.avis("enregistrée : " + Texte.echappe(cible.getName()));
+            });
         }
     }
 
-    private void confirmer(ImageMemoire image, Ecriture ecriture, File cible) {
-        if (!disque.isShutdown() && Dialogues.confirmerRemplacement(bandeau.getTopLevelAncestor(), cible)) {
-            essayer(cible, () -> ecrire(image, ecriture, cible));
+    /** Attend, du fil du disque, qu'on veuille remplacer ce fichier. */
+    private boolean confirmer(File cible) {
+        FutureTask<Boolean> question = new FutureTask<>(() ->
+                Dialogues.confirmerRemplacement(bandeau.getTopLevelAncestor(), cible));
+        EventQueue.invokeLater(question);
+        try {
+            return question.get();
+        } catch (InterruptedException | ExecutionException e) {
+            throw new IllegalStateException(e);
         }
-    }
-
-    private void ecrire(ImageMemoire image, Ecriture ecriture, File cible) {
-        ecriture.ecrire(image, new FichierPng());
-        EventQueue.invokeLater(() -> {
-            echoue = null;
-            bandeau.avis("enregistrée : " + Texte.echappe(cible.getName()));
-        });
     }
 
     /** Appelle {@code fin} quand tout est écrit. */

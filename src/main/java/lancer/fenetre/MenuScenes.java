@@ -10,9 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -20,7 +22,6 @@ import java.util.prefs.Preferences;
 import java.util.stream.Collectors;
 import javax.swing.ButtonGroup;
 import javax.swing.JMenu;
-import javax.swing.JMenuItem;
 import lancer.SceneFautive;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
@@ -57,16 +58,11 @@ final class MenuScenes {
         montree = tracage;
         String fichier = tracage == null ? null : tracage.fichier;
         Thread liste = new Thread(() -> {
-            List<File> scenes = fichier == null ? new ArrayList<>() : voisines(fichier);
-            List<String> noms = new ArrayList<>();
-            for (File scene : scenes) {
-                String commentaire = commentaire(scene.toPath());
-                noms.add(Texte.echappe(scene.getName()) + (commentaire.isEmpty() ? "" : " — " + commentaire));
-            }
+            Map<File, String> scenes = fichier == null ? new LinkedHashMap<>() : voisines(fichier);
             List<String> recentes = recentes(fichier);
             EventQueue.invokeLater(() -> {
                 if (montree == tracage) {
-                    remplir(scenes, noms, recentes);
+                    remplir(scenes, recentes);
                 }
             });
         }, "lancer-scenes");
@@ -74,25 +70,27 @@ final class MenuScenes {
         liste.start();
     }
 
-    private static List<File> voisines(String fichier) {
+    /** Les scènes du même dossier, et ce qui se lit de chacune. */
+    private static Map<File, String> voisines(String fichier) {
+        Map<File, String> voisines = new LinkedHashMap<>();
         try {
             Path scene = FichierScene.trouver(fichier);
-            File dossier = scene.toAbsolutePath().getParent().toFile();
-            String[] noms = dossier.list((d, nom) ->
-                    nom.toLowerCase(Locale.ROOT).endsWith(".ini") && !new File(d, nom).isDirectory());
-            return Arrays.stream(noms == null ? new String[0] : noms).sorted()
-                    .map(nom -> scene.resolveSibling(nom).toFile()).collect(Collectors.toList());
+            String[] noms = scene.toAbsolutePath().getParent().toFile().list();
+            Arrays.stream(noms == null ? new String[0] : noms).sorted().map(nom -> scene.resolveSibling(nom).toFile())
+                    .filter(f -> f.getName().toLowerCase(Locale.ROOT).endsWith(".ini") && !f.isDirectory())
+                    .forEach(f -> voisines.put(f, Texte.echappe(f.getName()) + commentaire(f)));
         } catch (SceneFautive e) {
-            return new ArrayList<>();
+            // effacée depuis qu'elle a été lue
         }
+        return voisines;
     }
 
     /** Le commentaire par lequel commence ce fichier, vide s'il commence autrement ou ne peut être lu. */
-    private static String commentaire(Path fichier) {
+    private static String commentaire(File scene) {
         byte[] octets = new byte[OCTETS_LUS];
         int lus = 0;
-        if (Files.isRegularFile(fichier)) {
-            try (InputStream entree = Files.newInputStream(fichier)) {
+        if (scene.isFile()) {
+            try (InputStream entree = Files.newInputStream(scene.toPath())) {
                 lus = Math.max(0, entree.read(octets));
             } catch (IOException e) {
                 // elle se dira illisible quand on l'ouvrira
@@ -100,7 +98,7 @@ final class MenuScenes {
         }
         String ligne = new String(octets, 0, lus, StandardCharsets.UTF_8).replace("\uFEFF", "").trim().split("\\R")[0];
         String texte = ligne.matches("[;#].*") ? Texte.echappe(ligne.replaceFirst("[;#]+\\s*", "")) : "";
-        return texte.length() > COMMENTAIRE_MAX ? texte.substring(0, COMMENTAIRE_MAX) + "…" : texte;
+        return texte.isEmpty() ? "" : " — " + texte.replaceFirst("(.{" + COMMENTAIRE_MAX + "}).+", "$1…");
     }
 
     /** Les dernières ouvertes, la scène montrée d'abord. */
@@ -114,8 +112,7 @@ final class MenuScenes {
         }
         recentes.addAll(Arrays.asList(preferences.get(CLE, "").split("\n")));
         recentes.remove("");
-        List<String> gardees = new ArrayList<>(recentes);
-        gardees.subList(Math.min(RECENTES_MAX, gardees.size()), gardees.size()).clear();
+        List<String> gardees = recentes.stream().limit(RECENTES_MAX).collect(Collectors.toList());
         while (String.join("\n", gardees).length() > Preferences.MAX_VALUE_LENGTH) {
             gardees.remove(gardees.size() - 1);
         }
@@ -123,29 +120,24 @@ final class MenuScenes {
         return gardees;
     }
 
-    private void remplir(List<File> scenes, List<String> noms, List<String> recentes) {
-        voisines = scenes;
-        rang = -1;
+    private void remplir(Map<File, String> scenes, List<String> recentes) {
+        voisines = new ArrayList<>(scenes.keySet());
+        rang = montree == null ? -1 : voisines.stream().map(File::getName).collect(Collectors.toList())
+                .indexOf(new File(montree.fichier).getName());
         menu.removeAll();
         ButtonGroup groupe = new ButtonGroup();
-        for (int k = 0; k < scenes.size(); k++) {
-            File scene = scenes.get(k);
-            boolean ici = scene.getName().equals(new File(montree.fichier).getName());
-            rang = ici ? k : rang;
-            if (k < SCENES_MAX) {
-                JMenuItem article = Menus.choix(menu, groupe, noms.get(k), null, () -> atelier.ouvrir(scene));
-                article.setSelected(ici);
-            }
+        for (File scene : voisines.subList(0, Math.min(SCENES_MAX, voisines.size()))) {
+            Menus.choix(menu, groupe, scenes.get(scene), null, () -> atelier.ouvrir(scene))
+                    .setSelected(voisines.indexOf(scene) == rang);
         }
         menu.addSeparator();
         Menus.article(menu, "Scène suivante", Menus.touche(KeyEvent.VK_PAGE_DOWN), () -> voisine(1))
-                .setEnabled(rang >= 0 && rang + 1 < scenes.size());
+                .setEnabled(rang >= 0 && rang + 1 < voisines.size());
         Menus.article(menu, "Scène précédente", Menus.touche(KeyEvent.VK_PAGE_UP), () -> voisine(-1))
                 .setEnabled(rang > 0);
         menu.addSeparator();
         for (String recente : recentes) {
-            File scene = new File(recente);
-            Menus.article(menu, Texte.echappe(recente), null, () -> atelier.ouvrir(scene));
+            Menus.article(menu, Texte.echappe(recente), null, () -> atelier.ouvrir(new File(recente)));
         }
     }
 

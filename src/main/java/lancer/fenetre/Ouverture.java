@@ -69,8 +69,8 @@ public final class Ouverture {
                 EventQueue.invokeLater(ouverte[0]::abandonner);
                 throw e;
             }
-            if (premier.getAvertissements() != null) {
-                Pannes.avertir(premier.getAvertissements(), erreur);
+            if (premier.avertissements != null) {
+                Pannes.avertir(premier.avertissements, erreur);
             }
         }
         return ouverte[0];

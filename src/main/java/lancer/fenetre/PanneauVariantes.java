@@ -6,6 +6,7 @@ import java.awt.GridBagLayout;
 import java.awt.Insets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import javax.accessibility.AccessibleContext;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -43,27 +44,22 @@ final class PanneauVariantes extends JDialog {
     /** À créer quand une scène est lue. */
     PanneauVariantes(JFrame cadre, Atelier atelier) {
         super(cadre, "Variantes");
-        setName("variantes");
         this.atelier = atelier;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         int ligne = 0;
-        for (Variante variante : atelier.getReglages().getVariantes()) {
-            poser(boite(variante), 0, ligne++, 3);
-            for (Parametre parametre : variante.getParametres()) {
-                JLabel valeur = new JLabel(" ");
-                JLabel nom = new JLabel(parametre.cle);
-                JComponent choix = parametre.estUneCouleur() ? couleur(variante, parametre)
-                        : parametre.mots.isEmpty() ? glissiere(variante, parametre) : mot(variante, parametre);
-                choix.setName(variante.getSection() + "." + parametre.cle);
-                ajustements.add(() -> {
-                    String actuelle = valeur(variante, parametre);
-                    valeur.setText(!parametre.mots.isEmpty() ? " " : actuelle == null ? "—" : actuelle);
-                    choix.setEnabled(atelier.getReglages().estBranchee(actuelle(variante)));
-                });
-                nom.setLabelFor(choix);
-                poser(nom, 0, ligne, 1);
-                poser(choix, 1, ligne, 1);
-                poser(valeur, 2, ligne++, 1);
+        for (Variante presente : atelier.getReglages().getVariantes()) {
+            // chaque lecture en fait une neuve
+            Supplier<Variante> variante = () -> atelier.getReglages().getVariante(presente.getSection());
+            JCheckBox boite = new JCheckBox(presente.getSection());
+            boite.setName(presente.getSection());
+            boite.addActionListener(e -> {
+                dernier = null;
+                atelier.dessiner(atelier.getReglages().avec(variante.get(), boite.isSelected()), false);
+            });
+            ajustements.add(() -> boite.setSelected(atelier.getReglages().estBranchee(variante.get())));
+            poser(boite, 0, ligne++, 3);
+            for (Parametre parametre : presente.getParametres()) {
+                ajouter(variante, parametre, ligne++);
             }
         }
         add(grille);
@@ -74,38 +70,41 @@ final class PanneauVariantes extends JDialog {
         atelier.prevenir(this::montrer);
     }
 
+    private void ajouter(Supplier<Variante> variante, Parametre parametre, int ligne) {
+        JLabel nom = new JLabel(parametre.cle);
+        JLabel valeur = new JLabel(" ");
+        JComponent choix = parametre.estUneCouleur() ? couleur(variante, parametre)
+                : parametre.mots.isEmpty() ? glissiere(variante, parametre) : mot(variante, parametre);
+        choix.setName(variante.get().getSection() + "." + parametre.cle);
+        ajustements.add(() -> {
+            String actuelle = valeur(variante, parametre);
+            valeur.setText(!parametre.mots.isEmpty() ? " " : actuelle == null ? "—" : actuelle);
+            choix.setEnabled(atelier.getReglages().estBranchee(variante.get()));
+        });
+        nom.setLabelFor(choix);
+        poser(nom, 0, ligne, 1);
+        poser(choix, 1, ligne, 1);
+        poser(valeur, 2, ligne, 1);
+    }
+
     private void poser(JComponent composant, int x, int y, int colonnes) {
         grille.add(composant, new GridBagConstraints(x, y, colonnes, 1, x == 1 ? 1 : 0, 0,
                 GridBagConstraints.LINE_START, GridBagConstraints.HORIZONTAL,
                 new Insets(0, colonnes == 1 && x == 0 ? 3 * MARGE : 0, 0, MARGE), 0, 0));
     }
 
-    /** La variante de ce type dans les derniers réglages : chaque lecture en fait une neuve. */
-    private Variante actuelle(Variante variante) {
-        return atelier.getReglages().getVariante(variante.getSection());
+    private String valeur(Supplier<Variante> variante, Parametre parametre) {
+        return atelier.getReglages().getValeur(variante.get(), parametre);
     }
 
-    private String valeur(Variante variante, Parametre parametre) {
-        return atelier.getReglages().getValeur(actuelle(variante), parametre);
-    }
-
-    private JCheckBox boite(Variante variante) {
-        JCheckBox boite = new JCheckBox(variante.getSection());
-        boite.setName(variante.getSection());
-        boite.addActionListener(e ->
-                changer(atelier.getReglages().avec(actuelle(variante), boite.isSelected()), null, false));
-        ajustements.add(() -> boite.setSelected(atelier.getReglages().estBranchee(actuelle(variante))));
-        return boite;
-    }
-
-    private JComboBox<String> mot(Variante variante, Parametre parametre) {
+    private JComboBox<String> mot(Supplier<Variante> variante, Parametre parametre) {
         JComboBox<String> choix = new JComboBox<>(parametre.mots.toArray(new String[0]));
         choix.addActionListener(e -> regler(variante, parametre, (String) choix.getSelectedItem(), false));
         ajustements.add(() -> choix.setSelectedItem(valeur(variante, parametre)));
         return choix;
     }
 
-    private JButton couleur(Variante variante, Parametre parametre) {
+    private JButton couleur(Supplier<Variante> variante, Parametre parametre) {
         JButton bouton = new JButton("choisir…");
         bouton.addActionListener(e -> {
             Color choisie = Dialogues.choisirCouleur(this, bouton.getBackground());
@@ -117,8 +116,8 @@ final class PanneauVariantes extends JDialog {
         return bouton;
     }
 
-    private JSlider glissiere(Variante variante, Parametre parametre) {
-        Glissiere glissiere = new Glissiere(parametre);
+    private JSlider glissiere(Supplier<Variante> variante, Parametre parametre) {
+        JSlider glissiere = new Glissiere(parametre);
         // sans écart, les flèches du clavier n'y feraient rien
         glissiere.setMinorTickSpacing(1);
         glissiere.setSnapToTicks(true);
@@ -137,58 +136,39 @@ final class PanneauVariantes extends JDialog {
     private static final class Glissiere extends JSlider {
 
         private static final long serialVersionUID = 1;
-        private final transient Parametre parametre;
 
         Glissiere(Parametre parametre) {
             super(0, parametre.crans, 0);
-            this.parametre = parametre;
-        }
+            accessibleContext = new AccessibleJSlider() {
+                private static final long serialVersionUID = 1;
 
-        @Override
-        public AccessibleContext getAccessibleContext() {
-            if (accessibleContext == null) {
-                accessibleContext = new Dite();
-            }
-            return accessibleContext;
-        }
+                @Override
+                public Number getCurrentAccessibleValue() {
+                    return Double.valueOf(parametre.getValeur(getValue()));
+                }
 
-        private final class Dite extends AccessibleJSlider {
-
-            private static final long serialVersionUID = 1;
-
-            @Override
-            public Number getCurrentAccessibleValue() {
-                return Double.valueOf(parametre.getValeur(getValue()));
-            }
-
-            @Override
-            public Number getMaximumAccessibleValue() {
-                return Double.valueOf(parametre.getValeur(getMaximum()));
-            }
+                @Override
+                public Number getMaximumAccessibleValue() {
+                    return Double.valueOf(parametre.getValeur(getMaximum()));
+                }
+            };
         }
     }
 
-    private void regler(Variante variante, Parametre parametre, String voulue, boolean glisse) {
-        if (miseAJour) {
-            return;
-        }
+    private void regler(Supplier<Variante> variante, Parametre parametre, String voulue, boolean glisse) {
         ReglagesDessin reglages = atelier.getReglages();
-        Section section = reglages.getSection(actuelle(variante));
-        if (!voulue.equals(section.valeur(parametre.cle))) {
-            Section autre = section.avec(parametre.cle, voulue, parametre.autre);
-            changer(reglages.avec(actuelle(variante), autre), parametre, glisse);
-        } else if (!glisse) {
+        Section section = reglages.getSection(variante.get());
+        if (!miseAJour && !voulue.equals(section.valeur(parametre.cle))) {
+            long maintenant = System.nanoTime();
+            boolean suite = parametre == dernier && (glisse || maintenant - dernierNs < GESTE_NS);
+            dernier = parametre;
+            dernierNs = maintenant;
+            atelier.dessiner(reglages.avec(variante.get(),
+                    section.avec(parametre.cle, voulue, parametre.autre)), suite);
+        } else if (!miseAJour && !glisse) {
             // lâchée : le geste est fini
             dernier = null;
         }
-    }
-
-    private void changer(ReglagesDessin reglages, Parametre parametre, boolean glisse) {
-        long maintenant = System.nanoTime();
-        boolean suite = parametre != null && parametre == dernier && (glisse || maintenant - dernierNs < GESTE_NS);
-        dernier = parametre;
-        dernierNs = maintenant;
-        atelier.dessiner(reglages, suite);
     }
 
     private void montrer() {

@@ -23,10 +23,12 @@ final class Tracage extends SwingWorker<Void, Void> {
     private final Dessinateur dessinateur;
     private final ReglagesDessin voulus;
     private final long debut = System.nanoTime();
+    /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */
+    volatile String version;
+    /** Ceux de la scène lue, et les réglages avec lesquels elle se dessine ; {@code null} tant qu'elle ne l'est pas. */
+    volatile List<String> avertissements;
+    volatile ReglagesDessin reglages;
     private volatile long fin;
-    private volatile String version;
-    private volatile List<String> avertissements;
-    private volatile ReglagesDessin reglages;
     private volatile boolean dessine;
     private volatile Dessin dessin;
     private volatile Throwable panne;
@@ -114,21 +116,6 @@ final class Tracage extends SwingWorker<Void, Void> {
     boolean isBrouillonFait() {
         Dessin sien = getDessin();
         return sien != null && sien.traceur.isBrouillonFait();
-    }
-
-    /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */
-    String getVersion() {
-        return version;
-    }
-
-    /** Ceux de la scène lue, {@code null} tant qu'elle ne l'est pas. */
-    List<String> getAvertissements() {
-        return avertissements;
-    }
-
-    /** Ceux avec lesquels il se dessine, {@code null} tant que la scène n'est pas lue. */
-    ReglagesDessin getReglages() {
-        return reglages;
     }
 
     /** Le temps passé depuis la demande, en nanosecondes. */

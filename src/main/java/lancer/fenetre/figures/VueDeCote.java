@@ -9,12 +9,11 @@ import java.awt.RenderingHints;
 import java.awt.Stroke;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -38,7 +37,6 @@ public final class VueDeCote extends JPanel {
 
     private static final int HAUTEUR = 180;
     private static final int MARGE = 14;
-    private static final int SEGMENTS = 256;
     private static final Stroke TIRETE = new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
             new float[] {3, 4}, 0);
     private static final Color RAYON = new Color(0x0070C0);
@@ -133,27 +131,18 @@ public final class VueDeCote extends JPanel {
         g.draw(new Line2D.Double(h(0), v(-demiEcran()), h(0), v(demiEcran())));
         g.fill(new Ellipse2D.Double(h(-Camera.FOCALE) - 3, v(0) - 3, 6, 6));
         g.drawString("œil", (float) h(-Camera.FOCALE), (float) v(0) - 6);
+        numeros.clear();
         Point depart = Camera.OEIL;
         Vecteur V = pixel.getDepart() == null ? null : pixel.getDepart().getV();
-        numeros.clear();
         for (Etape etape : pixel.getEtapes()) {
-            boolean montre = seul == 0 || seul == etape.numero;
             if (V == null) {
                 return;
             }
+            boolean montre = seul == 0 || seul == etape.numero;
             Point bout = etape.contact == null ? depart.add(2 * getWidth() / echelle, V) : etape.contact;
             entourer(g, etape.contact);
-            for (Eclairage lampe : montre ? etape.lampes : Collections.<Eclairage>emptyList()) {
-                entourer(g, lampe.getCache());
-                g.setColor(LAMPE);
-                if (lampe.eclaire()) {
-                    g.draw(ligne(bout, lampe.lampe.getPosition()));
-                } else if (lampe.getCache() != null && seul > 0) {
-                    Stroke plein = g.getStroke();
-                    g.setStroke(TIRETE);
-                    g.draw(ligne(bout, lampe.lampe.getPosition()));
-                    g.setStroke(plein);
-                }
+            if (montre) {
+                etape.lampes.forEach(lampe -> eclairer(g, bout, lampe));
             }
             g.setColor(RAYON);
             if (montre || seul == etape.numero - 1) {
@@ -167,47 +156,45 @@ public final class VueDeCote extends JPanel {
         }
     }
 
-    private void numeroter(Graphics2D g, Etape etape) {
-        String numero = String.valueOf(etape.numero);
-        Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
-        double x = h(etape.contact.z) + 4;
-        double y = v(etape.contact.y) - 4;
-        numeros.put(etape.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
-        g.drawString(numero, (float) x, (float) y);
-        if (seul > 0 && Math.abs(seul - etape.numero) <= 1) {
-            g.setColor(Color.DARK_GRAY);
-            String nom = pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", "");
-            g.drawString(nom, (float) x + 12, (float) y + 16);
+    /** Une lampe, et ce qui la cache ; en tirets jusqu'à celle-ci, si l'on regarde ce rebond de près. */
+    private void eclairer(Graphics2D g, Point contact, Eclairage lampe) {
+        entourer(g, lampe.getCache());
+        g.setColor(LAMPE);
+        if (lampe.eclaire() || lampe.getCache() != null && seul > 0) {
+            Stroke plein = g.getStroke();
+            g.setStroke(lampe.eclaire() ? plein : TIRETE);
+            g.draw(ligne(contact, lampe.lampe.getPosition()));
+            g.setStroke(plein);
         }
     }
 
-    private void entourer(Graphics2D g, PointContact contact) {
-        if (contact != null && contact.objet instanceof Sphere) {
-            Sphere s = (Sphere) contact.objet;
-            g.setColor(SPHERE);
-            g.draw(arc(h(s.getCentre().z), v(s.getCentre().y), s.getRayon() * echelle));
+    private void numeroter(Graphics2D g, Etape etape) {
+        String numero = String.valueOf(etape.numero);
+        Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
+        float x = (float) h(etape.contact.z) + 4;
+        float y = (float) v(etape.contact.y) - 4;
+        numeros.put(etape.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
+        g.drawString(numero, x, y);
+        if (seul > 0 && Math.abs(seul - etape.numero) <= 1) {
+            g.setColor(Color.DARK_GRAY);
+            g.drawString(pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", ""), x + 12, y + 16);
         }
     }
 
     /**
-     * Le bord d'un disque, entier ou là où il est en vue, en segments qui s'en écartent de moins d'un vingtième de
-     * pixel : l'ellipse de Java s'écarte du sien d'un 3700e de son rayon.
+     * Le bord d'une sphère, là où il est en vue : les courbes dont Java fait un arc s'écartent d'un cercle entier d'un
+     * 3700e de son rayon, et de rien d'un petit arc.
      */
-    private Path2D arc(double x, double y, double r) {
-        double diagonale = Math.hypot(getWidth(), getHeight());
-        double milieu = Math.atan2(getHeight() / 2.0 - y, getWidth() / 2.0 - x);
-        double demi = Math.min(Math.PI, 2 * diagonale / r);
-        Path2D arc = new Path2D.Double();
-        for (int k = -SEGMENTS; k <= SEGMENTS; k++) {
-            double angle = milieu + demi * k / SEGMENTS;
-            double px = x + r * Math.cos(angle);
-            double py = y + r * Math.sin(angle);
-            if (k == -SEGMENTS) {
-                arc.moveTo(px, py);
-            } else {
-                arc.lineTo(px, py);
-            }
+    private void entourer(Graphics2D g, PointContact contact) {
+        if (contact != null && contact.objet instanceof Sphere) {
+            Sphere s = (Sphere) contact.objet;
+            double x = h(s.getCentre().z);
+            double y = v(s.getCentre().y);
+            double r = s.getRayon() * echelle;
+            double milieu = Math.toDegrees(Math.atan2(y - getHeight() / 2.0, getWidth() / 2.0 - x));
+            double demi = Math.min(180, Math.toDegrees(2 * Math.hypot(getWidth(), getHeight()) / r));
+            g.setColor(SPHERE);
+            g.draw(new Arc2D.Double(x - r, y - r, 2 * r, 2 * r, milieu - demi, 2 * demi, Arc2D.OPEN));
         }
-        return arc;
     }
 }
