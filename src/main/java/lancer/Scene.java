@@ -40,7 +40,7 @@ public final class Scene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public Scene(String nomFichier, LecteurScene lecteur) {
-        this(lecteur.lire(nomFichier).getObjets(), lecteur.getLampes(), lecteur.getModele());
+        this(lecteur.lire(nomFichier).objets, lecteur.lampes, lecteur.modele);
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente est laissée de côté. */

@@ -1,8 +1,10 @@
 package lancer.contrat;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.StringTokenizer;
 import lancer.Couleur;
 import lancer.Point;
 import lancer.SceneFautive;
@@ -18,13 +20,8 @@ import lancer.texte.Texte;
  */
 public final class Section {
 
-    /** Plus grande coordonnée d'un point ou d'une direction, en unités de la scène. */
+    /** Plus grande coordonnée d'un point ou d'une direction, et plus grande longueur, en unités de la scène. */
     private static final double COORDONNEE_MAX = 1e100;
-    private static final double LONGUEUR_MIN = 1e-100;
-    private static final double LONGUEUR_MAX = 1e100;
-
-    /** Le plus petit nombre strictement positif. */
-    private static final double PLUS_QUE_ZERO = Double.MIN_VALUE;
 
     /** Nombre de clés au plus, qu'aucune section n'atteint : chercher les doublons coûterait ensuite trop cher. */
     private static final int CLES_MAX = 64;
@@ -32,31 +29,38 @@ public final class Section {
     /** Nom tenant lieu de fichier à une section qui n'est dans aucun. */
     private static final String REGLAGE = "réglage";
 
-    private final String fichier;
-    private final String nom;
-    private final int ligne;
-    /** Dit si elle n'apprend ses clés qu'à mesure qu'on les demande. */
-    private final boolean ouverte;
-    private final List<String> connues;
-    private final List<String> cles = new ArrayList<>(5);
-    private final List<String> valeurs = new ArrayList<>(5);
-    private final List<Integer> lignes = new ArrayList<>(5);
+    /** Le nom, tel qu'écrit entre les crochets. */
+    public final String nom;
 
-    /**
-     * @param nom tel qu'écrit entre les crochets
-     * @param ligne celle des crochets, 0 si la section n'est pas dans le fichier
-     */
-    public Section(String fichier, String nom, int ligne) {
-        this(fichier, nom, ligne, null);
+    /** La ligne des crochets, 0 si la section n'est pas dans le fichier. */
+    public final int ligne;
+    private final String fichier;
+    /** Les clés permises, ou demandées jusqu'ici si toutes peuvent l'être. */
+    private final List<String> connues;
+    private final boolean ouverte;
+    private final List<Entree> entrees = new ArrayList<>(5);
+
+    /** Une ligne de la section. */
+    private static final class Entree {
+
+        final String cle;
+        final String valeur;
+        final int ligne;
+
+        Entree(String cle, String valeur, int ligne) {
+            this.cle = cle;
+            this.valeur = valeur;
+            this.ligne = ligne;
+        }
     }
 
-    /** @param connues les seules clés permises, et à demander ; {@code null} : celles qui seront demandées */
-    public Section(String fichier, String nom, int ligne, String[] connues) {
+    /** @param connues les seules clés permises, et à demander ; aucune : celles qui seront demandées */
+    public Section(String fichier, String nom, int ligne, String... connues) {
         this.fichier = fichier;
         this.nom = nom;
         this.ligne = ligne;
-        ouverte = connues == null;
-        this.connues = ouverte ? new ArrayList<>() : Arrays.asList(connues);
+        this.connues = new ArrayList<>(Arrays.asList(connues));
+        ouverte = connues.length == 0;
     }
 
     /**
@@ -73,31 +77,18 @@ public final class Section {
         return section;
     }
 
-    /** Le nom, tel qu'écrit entre les crochets. */
-    public String getNom() {
-        return nom;
-    }
-
-    /** La ligne des crochets. */
-    public int getLigne() {
-        return ligne;
-    }
-
     public void ajouter(String cle, String valeur, int ligneCle) {
-        int deja = rang(cle, cles);
-        if (deja >= 0) {
-            throw fautive(ligneCle, cle, "clé donnée deux fois, déjà ligne " + lignes.get(deja),
-                    "une seule fois chaque clé");
+        Entree deja = entree(cle);
+        if (deja != null) {
+            throw fautive(ligneCle, cle, "clé donnée deux fois, déjà ligne " + deja.ligne, "une seule fois chaque clé");
         }
-        if (!ouverte && rang(cle, connues) < 0) {
+        if (!ouverte && !estConnue(cle)) {
             throw inconnue(ligneCle, cle);
         }
-        if (cles.size() == CLES_MAX) {
+        if (entrees.size() == CLES_MAX) {
             throw fautive(ligneCle, cle, "trop de clés", "au plus " + CLES_MAX + " clés dans une section");
         }
-        cles.add(cle);
-        valeurs.add(valeur);
-        lignes.add(ligneCle);
+        entrees.add(new Entree(cle, valeur, ligneCle));
     }
 
     private SceneFautive inconnue(int ligneCle, String cle) {
@@ -105,28 +96,43 @@ public final class Section {
                 connues.isEmpty() ? "aucune clé" : String.join(", ", connues));
     }
 
-    private static int rang(String cle, List<String> parmi) {
-        for (int k = 0; k < parmi.size(); k++) {
-            if (parmi.get(k).equalsIgnoreCase(cle)) {
-                return k;
+    private Entree entree(String cle) {
+        for (Entree entree : entrees) {
+            if (pareilles(entree.cle, cle)) {
+                return entree;
             }
         }
-        return -1;
+        return null;
+    }
+
+    private boolean estConnue(String cle) {
+        for (String connue : connues) {
+            if (pareilles(connue, cle)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Dit si ces clés sont la même, à la casse près des lettres sans accent : le signe kelvin n'est pas un k. */
+    private static boolean pareilles(String cle, String autre) {
+        return cle.equals(autre) || cle.equalsIgnoreCase(autre)
+                && StandardCharsets.US_ASCII.newEncoder().canEncode(cle + autre);
     }
 
     /** Dit si la section donne cette clé. La clé est alors connue, qu'on lise ou non sa valeur. */
     public boolean contient(String cle) {
-        return demander(cle) >= 0;
+        return demander(cle) != null;
     }
 
-    private int demander(String cle) {
-        if (rang(cle, connues) < 0) {
+    private Entree demander(String cle) {
+        if (!estConnue(cle)) {
             if (!ouverte) {
                 throw new IllegalStateException("getCles ne nomme pas la clé " + cle);
             }
             connues.add(cle);
         }
-        return rang(cle, cles);
+        return entree(cle);
     }
 
     /**
@@ -137,20 +143,15 @@ public final class Section {
      * @param max plus grande valeur permise
      */
     public double reel(String cle, double defaut, double min, double max) {
-        return contient(cle) ? reel(cle, min, max) : defaut;
+        return contient(cle) ? nombres(cle, 1, min, max)[0] : defaut;
     }
 
-    /** Lit comme {@link #reel(String, double, double, double)}, la clé étant obligatoire. */
-    public double reel(String cle, double min, double max) {
-        return nombres(cle, 1, min, max)[0];
-    }
-
-    /** Lit comme {@link #reel(String, double, double, double)}, la valeur étant strictement positive. */
+    /** Lit comme {@link #reel}, la valeur étant strictement positive. */
     public double reelPositif(String cle, double defaut, double max) {
-        return reel(cle, defaut, PLUS_QUE_ZERO, max);
+        return reel(cle, defaut, Double.MIN_VALUE, max);
     }
 
-    /** Lit comme {@link #reel(String, double, double, double)}, la valeur étant un nombre entier. */
+    /** Lit comme {@link #reel}, la valeur étant un nombre entier. */
     public int entier(String cle, int defaut, int min, int max) {
         double valeur = reel(cle, defaut, min, max);
         if (valeur != (int) valeur) {
@@ -188,86 +189,70 @@ public final class Section {
 
     /** La longueur de cette clé, obligatoire : de 1e-100 à 1e100. */
     public double longueur(String cle) {
-        return reel(cle, LONGUEUR_MIN, LONGUEUR_MAX);
+        return nombres(cle, 1, 1 / COORDONNEE_MAX, COORDONNEE_MAX)[0];
     }
 
     /** Le mot de cette clé, tel qu'écrit. */
     public String mot(String cle, String defaut) {
-        int k = demander(cle);
-        return k < 0 ? defaut : valeurs.get(k);
+        Entree entree = demander(cle);
+        return entree == null ? defaut : entree.valeur;
     }
 
     private double[] nombres(String cle, int combien, double min, double max) {
-        int k = demander(cle);
-        if (k < 0) {
+        Entree entree = demander(cle);
+        if (entree == null) {
             throw fautive(ligne, cle, "clé absente", attendu(combien, min, max));
         }
-        String texte = valeurs.get(k);
         double[] nombres = new double[combien];
         int trouves = 0;
-        int fin = 0;
-        for (int debut = fin(texte, 0, true); debut < texte.length(); debut = fin(texte, fin, true)) {
-            fin = fin(texte, debut, false);
-            double valeur = Nombre.lire(texte, debut, fin);
+        for (StringTokenizer mots = new StringTokenizer(entree.valeur, " \t"); mots.hasMoreTokens(); trouves++) {
+            String mot = mots.nextToken();
+            double valeur = Nombre.lire(mot);
             if (!(valeur >= min && valeur <= max)) {
-                throw impossible(k, texte.substring(debut, fin), valeur, attendu(combien, min, max));
+                throw impossible(entree, mot, valeur, attendu(combien, min, max));
             }
-            if (trouves < combien) {
-                nombres[trouves] = valeur;
-            }
-            trouves++;
+            nombres[Math.min(trouves, combien - 1)] = valeur;
         }
         if (trouves != combien) {
-            String faute = trouves == 0 ? "valeur absente"
-                    : trouves + (trouves > 1 ? " nombres" : " nombre") + " au lieu de " + combien + " : "
-                    + Texte.cite(texte);
-            throw fautive(lignes.get(k), cles.get(k), faute, attendu(combien, min, max));
+            String faute = trouves == 0 ? "valeur absente" : trouves + (trouves > 1 ? " nombres" : " nombre")
+                    + " au lieu de " + combien + " : " + Texte.cite(entree.valeur);
+            throw fautive(entree.ligne, entree.cle, faute, attendu(combien, min, max));
         }
         return nombres;
     }
 
-    /** Indice où finissent les blancs, ou ce qui n'en est pas, qui commencent là. */
-    private static int fin(String texte, int debut, boolean blancs) {
-        int i = debut;
-        while (i < texte.length() && (texte.charAt(i) == ' ' || texte.charAt(i) == '\t') == blancs) {
-            i++;
-        }
-        return i;
-    }
-
     /** Refuse un mot, en nommant les fautes les plus courantes. */
-    private SceneFautive impossible(int k, String mot, double valeur, String attendu) {
+    private SceneFautive impossible(Entree entree, String mot, double valeur, String attendu) {
         String faute = Texte.cite(mot);
         String voulu = attendu;
         if (!Double.isNaN(valeur)) {
             faute = (Double.isInfinite(valeur) ? "nombre trop grand : " : "hors limites : ") + faute;
         } else if (mot.startsWith(";") || mot.startsWith("#")) {
-            String texte = valeurs.get(k);
-            faute = "commentaire après une valeur : " + Texte.cite(texte.substring(texte.indexOf(mot)));
+            faute = "commentaire après une valeur : " + Texte.cite(entree.valeur.substring(entree.valeur.indexOf(mot)));
             voulu = "un commentaire seul sur sa ligne";
         } else {
             boolean virgule = mot.indexOf(',') >= 0;
             faute = (virgule ? "une virgule dans un nombre : " : "n'est pas un nombre : ") + faute;
             voulu += virgule ? ", avec un point décimal" : "";
         }
-        return fautive(lignes.get(k), cles.get(k), faute, voulu);
+        return fautive(entree.ligne, entree.cle, faute, voulu);
     }
 
     private static String attendu(int combien, double min, double max) {
         String nombres = combien == 1 ? "un nombre" : combien + " nombres séparés par des blancs, chacun";
         boolean borne = max < Double.MAX_VALUE;
-        if (min == PLUS_QUE_ZERO) {
+        if (min == Double.MIN_VALUE) {
             return nombres + " plus grand que 0" + (borne ? ", au plus " + Nombre.ecrire(max) : "");
         }
-        return borne ? nombres + " de " + Nombre.ecrire(min) + " à " + Nombre.ecrire(max)
-                : nombres + " d'au moins " + Nombre.ecrire(min);
+        return nombres + (borne ? " de " + Nombre.ecrire(min) + " à " + Nombre.ecrire(max)
+                : " d'au moins " + Nombre.ecrire(min));
     }
 
     /** Refuse les clés données que personne n'a demandées. */
     public void verifierCles() {
-        for (int k = 0; k < cles.size(); k++) {
-            if (rang(cles.get(k), connues) < 0) {
-                throw inconnue(lignes.get(k), cles.get(k));
+        for (Entree entree : entrees) {
+            if (!estConnue(entree.cle)) {
+                throw inconnue(entree.ligne, entree.cle);
             }
         }
     }
@@ -280,16 +265,17 @@ public final class Section {
      * @param attendu ce qu'il faudrait
      */
     public SceneFautive fautive(String cle, String faute, String attendu) {
-        int k = rang(cle, cles);
-        return fautive(k < 0 ? ligne : lignes.get(k), cle, faute, attendu);
+        Entree entree = entree(cle);
+        return fautive(entree == null ? ligne : entree.ligne, cle, faute, attendu);
     }
 
     /** Deux clés qui ne vont pas ensemble : c'est la seconde écrite qui est de trop. */
     public SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
-        int premiere = Math.min(rang(cle, cles), rang(autre, cles));
-        int seconde = Math.max(rang(cle, cles), rang(autre, cles));
-        return fautive(lignes.get(seconde), cles.get(seconde),
-                faute + " " + cles.get(premiere) + ", déjà ligne " + lignes.get(premiere), attendu);
+        boolean dansLOrdre = entrees.indexOf(entree(cle)) < entrees.indexOf(entree(autre));
+        Entree premiere = entree(dansLOrdre ? cle : autre);
+        Entree seconde = entree(dansLOrdre ? autre : cle);
+        return fautive(seconde.ligne, seconde.cle, faute + " " + premiere.cle + ", déjà ligne " + premiere.ligne,
+                attendu);
     }
 
     /** Texte de la section, comme dans un fichier mais sur une ligne : {@code [Antialias] n=8 methode=partage}. */
@@ -301,16 +287,16 @@ public final class Section {
     /** Texte de la section, comme dans un fichier, {@code separateur} entre deux clés. */
     public String ecrire(String separateur) {
         StringBuilder s = new StringBuilder("[" + nom + "]");
-        for (int k = 0; k < cles.size(); k++) {
-            s.append(separateur).append(cles.get(k)).append('=').append(valeurs.get(k));
+        for (Entree entree : entrees) {
+            s.append(separateur).append(entree.cle).append('=').append(entree.valeur);
         }
         return s.toString();
     }
 
     /** La valeur de cette clé, telle qu'écrite, {@code null} si elle n'est pas donnée ; ce n'est pas la demander. */
     public String valeur(String cle) {
-        int k = rang(cle, cles);
-        return k < 0 ? null : valeurs.get(k);
+        Entree entree = entree(cle);
+        return entree == null ? null : entree.valeur;
     }
 
     /**
@@ -319,10 +305,10 @@ public final class Section {
      * @param sans une clé à ôter, ou {@code null}
      */
     public Section avec(String cle, String valeur, String sans) {
-        Section autre = new Section(REGLAGE, nom, 0);
-        for (int k = 0; k < cles.size(); k++) {
-            if (k != rang(cle, cles) && (sans == null || k != rang(sans, cles))) {
-                autre.ajouter(cles.get(k), valeurs.get(k), 0);
+        Section autre = sansFichier(nom);
+        for (Entree entree : entrees) {
+            if (!entree.cle.equalsIgnoreCase(cle) && !entree.cle.equalsIgnoreCase(sans)) {
+                autre.ajouter(entree.cle, entree.valeur, 0);
             }
         }
         autre.ajouter(cle, valeur, 0);

@@ -83,9 +83,9 @@ public final class Dessinateur {
         programme.lireScene(nomFichier, lecture);
         lectureNs = System.nanoTime() - debut;
         fichier = nomFichier;
-        origines = lecture.getOrigines();
+        origines = lecture.origines;
         remplacer(lecture.reglages);
-        return lecture.getAvertissements();
+        return lecture.avertissements;
     }
 
     /** Une lecture, qui dit où elle en est et installe les variantes selon la ligne de commande. */

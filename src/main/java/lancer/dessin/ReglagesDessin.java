@@ -117,7 +117,7 @@ public final class ReglagesDessin {
         List<Variante> libres = new ArrayList<>();
         for (Variante variante : lues.keySet()) {
             Section section = getSection(variante);
-            if (estBranchee(variante) && section == lues.get(variante) && section.getLigne() == 0) {
+            if (estBranchee(variante) && section == lues.get(variante) && section.ligne == 0) {
                 libres.add(variante);
             }
         }

@@ -179,7 +179,7 @@ final class PanneauVitesse extends JDialog {
     private void dessiner(Candidat reglage) {
         ReglagesDessin reglages = atelier.getReglages().avec(reglage.reflets, reglage.seuil);
         if (reglage.section != null) {
-            reglages = reglages.avec(reglages.getVariante(reglage.section.getNom()), reglage.section);
+            reglages = reglages.avec(reglages.getVariante(reglage.section.nom), reglage.section);
         }
         voulu = reglage;
         atelier.dessiner(reglages, false);

@@ -41,9 +41,7 @@ public final class Jumelles {
         @Override
         public int hashCode() {
             Point c = sphere.getCentre();
-            // + 0.0 : −0.0 et 0.0 sont la même position
-            int h = 31 * Double.hashCode(c.x + 0.0) + Double.hashCode(c.y + 0.0);
-            return 31 * (31 * h + Double.hashCode(c.z + 0.0)) + Double.hashCode(sphere.getRayon());
+            return Double.hashCode(c.x + 31 * (c.y + 31 * (c.z + 31 * sphere.getRayon())));
         }
 
         @Override
@@ -55,6 +53,7 @@ public final class Jumelles {
         public int compareTo(Geometrie autre) {
             Point c = sphere.getCentre();
             Point d = autre.sphere.getCentre();
+            // + 0.0 : −0.0 et 0.0 sont la même position
             int x = Double.compare(c.x + 0.0, d.x + 0.0);
             int y = x != 0 ? x : Double.compare(c.y + 0.0, d.y + 0.0);
             int z = y != 0 ? y : Double.compare(c.z + 0.0, d.z + 0.0);

@@ -8,7 +8,6 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -43,23 +42,26 @@ public class LecteurScene {
     private static final int PALETTE_MAX = 256;
 
     private static final String[] CLES_LAMPE = {"position", "couleur"};
-    private static final String[] CLES_MATIERE = {"Kd", "Ks", "Kr", "ns"};
+    private static final List<String> CLES_MATIERE = Arrays.asList("Kd", "Ks", "Kr", "ns");
+
+    public final List<Objet3D> objets = new ArrayList<>();
+    public final List<Lampe> lampes = new ArrayList<>();
+    public final Origines origines = new Origines();
+
+    /** Avertissements : une ligne pour chaque section que la lecture a laissée de côté. */
+    public final List<String> avertissements = new ArrayList<>();
+
+    /** Modèle de la scène lue, qu'a rendu {@link #installer}. */
+    public Modele modele;
 
     /** La scène comme on l'a nommée, ou le chemin où elle a été trouvée s'il est autre. */
     private String fichier;
     private final Services services = new Services();
-    private final List<Objet3D> objets = new ArrayList<>();
-    private final List<Lampe> lampes = new ArrayList<>();
-    private final Origines origines = new Origines();
-    private final List<String> avertissements = new ArrayList<>();
     private final Map<String, Section> sectionsVariantes = new HashMap<>();
     /** Chaque nom de section, et sa ligne. */
     private final Map<String, Integer> noms = new HashMap<>();
-    /** Toutes les clés des sections d'une forme, celles de la matière comprises. */
-    private final Map<Forme, String[]> cles = new IdentityHashMap<>();
     /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
-    private Modele modele;
     private Lignes lignes;
     private Section courante;
 
@@ -84,7 +86,8 @@ public class LecteurScene {
                     avancer(part);
                 }
             });
-            new Decoupeur().parse(lignes, new Sections());
+            Sections sections = new Sections();
+            sections.parse(lignes, sections);
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
         } catch (CharacterCodingException e) {
@@ -126,46 +129,21 @@ public class LecteurScene {
         return modele;
     }
 
-    public List<Objet3D> getObjets() {
-        return objets;
-    }
+    /** Découpage d'ini4j, sans ses échappements, et suite donnée à chaque ligne. */
+    private final class Sections extends IniParser implements IniHandler {
 
-    public List<Lampe> getLampes() {
-        return lampes;
-    }
+        /** La forme que décrit la section en cours, {@code null} si ce n'est pas un objet. */
+        private Forme forme;
+        private boolean lampe;
 
-    /** Origines des objets et des lampes lus. */
-    public Origines getOrigines() {
-        return origines;
-    }
-
-    /** Modèle de cette scène, qu'a rendu {@link #installer}. */
-    public Modele getModele() {
-        return modele;
-    }
-
-    /** Avertissements : une ligne pour chaque section que la lecture a laissée de côté. */
-    public List<String> getAvertissements() {
-        return avertissements;
-    }
-
-    /** Découpage d'ini4j, sans ses échappements ; le constructeur évite la recherche de services. */
-    private static final class Decoupeur extends IniParser {
-        Decoupeur() {
+        /** Évite la recherche de services que fait ini4j. */
+        Sections() {
             Config config = new Config();
             config.setInclude(false);
             config.setEscape(false);
             config.setEscapeNewline(false);
             setConfig(config);
         }
-    }
-
-    /** Suite donnée à chaque ligne que découpe ini4j. */
-    private final class Sections implements IniHandler {
-
-        /** La forme que décrit la section en cours, {@code null} si ce n'est pas un objet. */
-        private Forme forme;
-        private boolean lampe;
 
         @Override
         public void startSection(String nomEcrit) {
@@ -179,11 +157,10 @@ public class LecteurScene {
             int ligne = lignes.getNumero();
             lampe = type.equals("lampe");
             forme = lampe ? null : services.forme(type);
-            courante = new Section(fichier, nom, ligne, lampe ? CLES_LAMPE : forme == null ? null : cles(forme));
+            courante = new Section(fichier, nom, ligne, cles());
             boolean presente = lampe || forme != null || services.variantes().containsKey(type);
             if (!presente && !Services.varianteConnue(type)) {
-                throw courante.fautive(ligne, null, "type de section inconnu",
-                        services.types());
+                throw courante.fautive(ligne, null, "type de section inconnu", services.types());
             }
             Integer deja = noms.putIfAbsent(type + nom.substring(mot.length()), ligne);
             if (deja != null) {
@@ -193,12 +170,22 @@ public class LecteurScene {
             Section premiere = lampe || forme != null ? null : sectionsVariantes.put(type, courante);
             if (premiere != null) {
                 throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne "
-                        + premiere.getLigne(), "une seule section " + mot);
+                        + premiere.ligne, "une seule section " + mot);
             }
             if (!presente) {
                 avertissements.add(Section.message(fichier, ligne, nom, null, "section laissée de côté",
                         "la variante qui la lit, java -jar " + type + "/target/" + type + ".jar"));
             }
+        }
+
+        private String[] cles() {
+            if (forme == null) {
+                return lampe ? CLES_LAMPE : new String[0];
+            }
+            List<String> siennes = new ArrayList<>(Arrays.asList(Objects.requireNonNull(forme.getCles(),
+                    forme.getClass().getName() + ".getCles a rendu null")));
+            siennes.addAll(CLES_MATIERE);
+            return siennes.toArray(new String[0]);
         }
 
         @Override
@@ -209,14 +196,12 @@ public class LecteurScene {
         @Override
         public void endSection() {
             if (lampe) {
-                Lampe lue = new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX));
-                lampes.add(lue);
-                origines.ajouter(lue, courante.getNom(), courante.getLigne());
+                lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
+                origines.ajouter(lampes.get(lampes.size() - 1), courante);
             } else if (forme != null) {
-                Objet3D lu = lireForme(forme);
-                lireMatiere(lu);
-                objets.add(lu);
-                origines.ajouter(lu, courante.getNom(), courante.getLigne());
+                objets.add(lireForme(forme));
+                lireMatiere(objets.get(objets.size() - 1));
+                origines.ajouter(objets.get(objets.size() - 1), courante);
             }
         }
 
@@ -233,18 +218,6 @@ public class LecteurScene {
         }
     }
 
-    private String[] cles(Forme forme) {
-        String[] toutes = cles.get(forme);
-        if (toutes == null) {
-            String[] siennes = Objects.requireNonNull(forme.getCles(),
-                    forme.getClass().getName() + ".getCles a rendu null");
-            toutes = Arrays.copyOf(siennes, siennes.length + CLES_MATIERE.length);
-            System.arraycopy(CLES_MATIERE, 0, toutes, siennes.length, CLES_MATIERE.length);
-            cles.put(forme, toutes);
-        }
-        return toutes;
-    }
-
     /** L'objet de la section, encore sans matière. Une exception de la forme est une section refusée. */
     private Objet3D lireForme(Forme forme) {
         try {
@@ -259,7 +232,7 @@ public class LecteurScene {
             String classe = forme.getClass().getName();
             boolean refus = e.getMessage() != null
                     && (e instanceof IllegalArgumentException || e instanceof IllegalStateException);
-            throw courante.fautive(courante.getLigne(), null, "section que " + classe + " ne sait pas lire : "
+            throw courante.fautive(courante.ligne, null, "section que " + classe + " ne sait pas lire : "
                     + (refus ? Texte.cite(e.getMessage()) : Texte.cause(e, Pattern.quote(classe) + ".*")),
                     "des valeurs qui lui conviennent");
         }
@@ -300,7 +273,7 @@ public class LecteurScene {
 
     /** Refuse la ligne en cours, qui est de la section en cours si elle n'en commence pas une autre. */
     private SceneFautive refus(String faute, String attendu) {
-        String nom = courante == null || lignes.getTexte().trim().startsWith("[") ? null : courante.getNom();
+        String nom = courante == null || lignes.getTexte().trim().startsWith("[") ? null : courante.nom;
         return new SceneFautive(Section.message(fichier, lignes.getNumero(), nom, null, faute, attendu));
     }
 }

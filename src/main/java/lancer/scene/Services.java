@@ -50,8 +50,10 @@ public final class Services {
         }
     };
 
-    private Map<String, Forme> formes;
+    private final Map<String, Forme> formes = new LinkedHashMap<>();
     private Map<String, Variante> variantes;
+    /** De chaque type pris, ce qui le lit. */
+    private final Map<String, String> preneurs = new HashMap<>();
 
     /** Les noms des variantes présentes. */
     public static List<String> nomsDesVariantes() {
@@ -62,24 +64,19 @@ public final class Services {
         if (variantes != null) {
             return;
         }
-        Map<String, String> preneurs = new HashMap<>();
-        prendre("Sphere", Sphere.class.getName(), preneurs);
-        prendre("Lampe", Lampe.class.getName(), preneurs);
-        Map<String, Variante> trouvees = new LinkedHashMap<>();
+        variantes = new LinkedHashMap<>();
+        formes.put(prendre("Sphere", Sphere.class), SPHERE);
+        prendre("Lampe", Lampe.class);
         for (Variante variante : inscrites(Variante.class)) {
-            trouvees.put(prendre(variante.getSection(), variante.getClass().getName(), preneurs), variante);
+            variantes.put(prendre(variante.getSection(), variante.getClass()), variante);
         }
         for (String connue : VARIANTES_CONNUES) {
             String type = Texte.minuscules(connue);
             preneurs.putIfAbsent(type, "la variante " + type);
         }
-        Map<String, Forme> types = new LinkedHashMap<>();
-        types.put("sphere", SPHERE);
         for (Forme forme : inscrites(Forme.class)) {
-            types.put(prendre(forme.getSection(), forme.getClass().getName(), preneurs), forme);
+            formes.put(prendre(forme.getSection(), forme.getClass()), forme);
         }
-        formes = types;
-        variantes = trouvees;
     }
 
     private static <T> List<T> inscrites(Class<T> contrat) {
@@ -88,6 +85,7 @@ public final class Services {
             for (T inscrite : ServiceLoader.load(contrat, Services.class.getClassLoader())) {
                 inscrites.add(inscrite);
             }
+            return inscrites;
         } catch (ServiceConfigurationError e) {
             if (e.getCause() != null && !(e.getCause() instanceof ReflectiveOperationException)) {
                 // la ligne convient : c'est le constructeur qui échoue
@@ -103,15 +101,11 @@ public final class Services {
             throw new SceneFautive("META-INF/services, ligne qui ne convient pas : " + Texte.echappe(dit)
                     + " ; attendu : une classe publique de ce contrat, à constructeur public sans argument", e);
         }
-        return inscrites;
     }
 
-    /**
-     * Un type de section n'a qu'un lecteur.
-     *
-     * @return ce type, en minuscules
-     */
-    private static String prendre(String type, String classe, Map<String, String> preneurs) {
+    /** Prend pour cette classe un type de section, qui n'a qu'un lecteur. @return ce type, en minuscules */
+    private String prendre(String type, Class<?> lecteur) {
+        String classe = lecteur.getName();
         if (type == null || type.isEmpty() || type.indexOf(' ') >= 0) {
             throw new SceneFautive(classe + " : type de section impossible : " + Texte.cite(String.valueOf(type))
                     + " ; attendu : un mot");

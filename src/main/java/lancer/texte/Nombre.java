@@ -15,19 +15,14 @@ public final class Nombre {
     private Nombre() {
     }
 
-    /** Le nombre écrit, infini s'il déborde, NaN si ce n'en est pas un. */
-    public static double lire(String s) {
-        return lire(s, 0, s.length());
-    }
-
     /**
-     * Le nombre écrit de {@code debut} (compris) à {@code fin} (exclu). Un entier court divisé ou multiplié par une
-     * puissance de dix exacte est déjà l'arrondi juste (Clinger, 1990) : c'est le cas de presque tous, et des millions
-     * à lire.
+     * Le nombre écrit, infini s'il déborde, NaN si ce n'en est pas un. Un entier court divisé par une puissance de dix
+     * exacte est déjà l'arrondi juste (Clinger, 1990) : c'est le cas de presque tous, et des millions à lire.
      */
-    public static double lire(String s, int debut, int fin) {
-        boolean negatif = debut < fin && s.charAt(debut) == '-';
-        int i = negatif || debut < fin && s.charAt(debut) == '+' ? debut + 1 : debut;
+    public static double lire(String s) {
+        int fin = s.length();
+        boolean negatif = s.startsWith("-");
+        int i = negatif || s.startsWith("+") ? 1 : 0;
         long mantisse = 0;
         int chiffres = 0;
         int decimales = 0;
@@ -52,10 +47,10 @@ public final class Nombre {
             double valeur = mantisse / DIX[decimales];
             return negatif ? -valeur : valeur;
         }
-        if (i < fin && !s.substring(i, fin).matches("[eE][+-]?[0-9]+")) {
+        if (i < fin && !s.substring(i).matches("[eE][+-]?[0-9]+")) {
             return Double.NaN;
         }
-        return Double.parseDouble(s.substring(debut, fin));
+        return Double.parseDouble(s);
     }
 
     /** Le nombre tel qu'on l'écrit à la main, sans « .0 » ni zéro inutile : 0, 0.05, 1e100. */

@@ -47,7 +47,7 @@ class InspectionTest {
         LecteurScene lecteur = new LecteurScene();
         Scene scene = new Scene(fichier, lecteur);
         scene.getModele().setSeuil(seuil);
-        Origines origines = lecteur.getOrigines();
+        Origines origines = lecteur.origines;
         EssaiRecit recit = new EssaiRecit(scene, origines, 80, 60, reflets, null, null, 0);
         Random hasard = new Random(5);
         for (int k = 0; k < 200; k++) {
@@ -71,7 +71,7 @@ class InspectionTest {
         Scene rapide = new Scene(fichier, lecteur);
         rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60)));
         for (int x = 5; x < 80; x += 9) {
-            Inspection pixel = new Inspection(rapide, lecteur.getOrigines(), new Camera(80, 60), 5, x, 30);
+            Inspection pixel = new Inspection(rapide, lecteur.origines, new Camera(80, 60), 5, x, 30);
             pixel.faire();
             Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);
             assertEquals(new Recit(pixel, Double::toString).lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));

@@ -40,7 +40,7 @@ public final class Scenes {
     /** Une scène, sans variante. @throws lancer.SceneFautive si le fichier ne peut être utilisé */
     public static Scene lire(Path fichier) {
         LecteurScene lu = new LecteurScene().lire(fichier.toString());
-        return new Scene(lu.getObjets(), lu.getLampes());
+        return new Scene(lu.objets, lu.lampes);
     }
 
     /**

@@ -39,9 +39,9 @@ class GenerateurTest {
         Path fichier = dossier.resolve("scene.ini");
         Files.write(fichier, engendrer(args).getBytes(StandardCharsets.UTF_8));
         LecteurScene lu = new LecteurScene().lire(fichier.toString());
-        assertEquals(2, lu.getLampes().size());
-        assertTrue(lu.getAvertissements().isEmpty());
-        return new Scene(lu.getObjets(), lu.getLampes());
+        assertEquals(2, lu.lampes.size());
+        assertTrue(lu.avertissements.isEmpty());
+        return new Scene(lu.objets, lu.lampes);
     }
 
     @ParameterizedTest(name = "{0}")
