@@ -110,7 +110,7 @@ class DependancesTest {
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
         verifier("lancer\\.auto\\..*", COURS + "lancer\\.(contrat|fils)\\..*");
-        String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.VersFichiers|fenetre\\.(PanneauVitesse|figures\\.GraphiqueVitesse)).*";
+        String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.SansFenetre|fenetre\\.(PanneauVitesse|figures\\.GraphiqueVitesse)).*";
         verifier("lancer\\." + saufCeuxQuiLeDemandent, "(?!lancer\\.auto\\.).*");
     }
 

@@ -33,6 +33,11 @@ public interface Recherche {
     /** Recherche d'un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
 
+    /** Le temps qu'elle a passé à construire, préparation comprise, ce que des rayons ont demandé, en nanosecondes. */
+    default long getConstructionNs() {
+        return 0;
+    }
+
     /**
      * Abandonne la question en cours si ce fil est interrompu : une recherche l'appelle au moins une fois par
      * milliseconde.

@@ -18,6 +18,7 @@ public final class Dessin {
     /** Ce qui dessine, sa scène et sa caméra comprises. */
     public final Traceur traceur;
 
+    /** @param image {@code null}, comme {@code traceur}, tant que la scène n'est que lue */
     Dessin(String fichier, Origines origines, ReglagesDessin reglages, ImageMemoire image, Traceur traceur) {
         this.fichier = fichier;
         this.origines = origines;

@@ -6,8 +6,13 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lancer.Camera;
+import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Options;
@@ -15,10 +20,12 @@ import lancer.commande.Pannes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.RechercheSimple;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
+import lancer.rapide.Preparation;
 import lancer.scene.LecteurScene;
 import lancer.scene.Origines;
 
@@ -37,19 +44,9 @@ public final class Dessinateur {
     final Options options;
     final PrintStream sortie;
     final PrintStream erreur;
-    private volatile Origines origines;
-    private volatile String fichier;
-    private volatile ReglagesDessin reglages;
-    /** L'image en cours et ce qui la dessine ; {@code null} tant que la scène ne se dessine pas. */
-    private volatile Dessin dessin;
+    /** La scène lue et ses réglages ; puis, une fois préparée, son image et ce qui la dessine. */
+    private volatile Dessin dessin = new Dessin(null, null, null, null, null);
     private volatile double avancement;
-    // une classe, car la première lambda d'un programme coûte cher à son démarrage
-    private final DoubleConsumer suivi = new DoubleConsumer() {
-        @Override
-        public void accept(double part) {
-            avancement = part;
-        }
-    };
     private long lectureNs;
     private long preparationNs;
 
@@ -61,17 +58,29 @@ public final class Dessinateur {
         this.erreur = erreur;
     }
 
-    /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
-    void direEcart(Traceur dessine) {
-        if (dessine.getEcart() != null) {
-            Pannes.avertir(Collections.singletonList(dessine.getEcart()), erreur);
-        }
+    /**
+     * Prépare une scène pour une image de cette taille : tout dessin du programme passe par ici, et ceux qu'on mesure
+     * aussi.
+     *
+     * @param simple vrai pour les boucles du cours
+     * @throws CancellationException si le fil appelant est interrompu
+     */
+    public static Traceur traceur(Scene scene, int largeur, int hauteur, boolean simple) {
+        return traceur(scene, largeur, hauteur, simple, part -> { });
+    }
+
+    /** Prépare une scène pour une image de cette taille, en disant la part faite, de 0 à 1, après chaque étape. */
+    public static Traceur traceur(Scene scene, int largeur, int hauteur, boolean simple, DoubleConsumer suivi) {
+        Camera camera = new Camera(largeur, hauteur);
+        scene.getModele().setRecherche(simple ? new RechercheSimple(scene.getObjets(), scene.getCompteurs())
+                : Preparation.pour(scene, camera, suivi));
+        return new Traceur(scene, camera);
     }
 
     /**
      * Lit une scène, qui devient celle à dessiner.
      *
-     * @param nomFichier voir {@link lancer.Scene#Scene(String)}
+     * @param nomFichier voir {@link Scene#Scene(String)}
      * @return ce que la lecture a laissé de côté, une ligne chacun
      * @throws SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
      * @throws CancellationException si ce fil a été interrompu ; la précédente reste aussi
@@ -82,9 +91,7 @@ public final class Dessinateur {
         Lecture lecture = new Lecture();
         programme.lireScene(nomFichier, lecture);
         lectureNs = System.nanoTime() - debut;
-        fichier = nomFichier;
-        origines = lecture.origines;
-        remplacer(lecture.reglages);
+        remplacer(nomFichier, lecture.origines, lecture.reglages);
         return lecture.avertissements;
     }
 
@@ -110,19 +117,10 @@ public final class Dessinateur {
         }
     }
 
-    /** De quelles sections viennent les objets et les lampes de la scène lue. */
-    public Origines getOrigines() {
-        return origines;
-    }
-
-    /** La part faite de la lecture, ou de la préparation, de 0 à 1. */
-    public double getAvancement() {
-        return avancement;
-    }
-
-    /** Réglages de la scène lue, tant que {@link #regler} n'en dit pas plus. */
-    public ReglagesDessin getReglages() {
-        return reglages;
+    /** Le dessin d'avant n'est pas celui de la nouvelle scène, même avant qu'elle ne se prépare. */
+    private void remplacer(String fichier, Origines origines, ReglagesDessin reglages) {
+        avancement = 0;
+        dessin = new Dessin(fichier, origines, reglages, null, null);
     }
 
     /**
@@ -132,14 +130,33 @@ public final class Dessinateur {
      */
     public void regler(ReglagesDessin voulus) {
         programme.regler(voulus.getModele());
-        remplacer(voulus);
+        remplacer(dessin.fichier, dessin.origines, voulus);
     }
 
-    /** Le dessin d'avant n'est pas celui de la nouvelle scène, même avant qu'elle ne se prépare. */
-    private void remplacer(ReglagesDessin siens) {
-        dessin = null;
-        avancement = 0;
-        reglages = siens;
+    /** De quelles sections viennent les objets et les lampes de la scène lue. */
+    public Origines getOrigines() {
+        return dessin.origines;
+    }
+
+    /** Réglages de la scène lue, tant que {@link #regler} n'en dit pas plus. */
+    public ReglagesDessin getReglages() {
+        return dessin.reglages;
+    }
+
+    /** La part faite de la lecture, ou de la préparation, de 0 à 1. */
+    public double getAvancement() {
+        return avancement;
+    }
+
+    /** L'image qui se dessine, ou s'est dessinée ; {@code null} tant que la scène ne se dessine pas. */
+    public ImageMemoire getImage() {
+        return dessin.image;
+    }
+
+    /** L'image de la scène lue, ainsi réglée, avec ce qui la dessine ; {@code null} tant qu'elle ne se dessine pas. */
+    public Dessin getDessin() {
+        Dessin present = dessin;
+        return present.image == null ? null : present;
     }
 
     /** Fait dessiner la scène au programme. */
@@ -147,9 +164,20 @@ public final class Dessinateur {
         programme.doTracerImage(largeur, hauteur);
     }
 
-    /** Prépare la scène pour une image de cette taille, que garde la fenêtre. */
+    /** Prépare la scène lue pour une image de cette taille, que garde la fenêtre. */
     public Traceur preparer(int largeur, int hauteur) {
         return preparer(new ImageMemoire(largeur, hauteur, (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE));
+    }
+
+    /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */
+    Traceur preparer(ImageMemoire vierge) {
+        remplacer(dessin.fichier, dessin.origines, dessin.reglages);
+        long debut = System.nanoTime();
+        Traceur traceur = traceur(programme.getScene(), vierge.getLargeur(), vierge.getHauteur(), options.simple,
+                part -> avancement = part);
+        preparationNs = System.nanoTime() - debut;
+        dessin = new Dessin(dessin.fichier, dessin.origines, dessin.reglages, vierge, traceur);
+        return traceur;
     }
 
     /** Rapporte un dessin achevé : l'écart qu'ont vu ses témoins, ses nombres s'ils sont demandés. */
@@ -161,31 +189,11 @@ public final class Dessinateur {
         }
     }
 
-    /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */
-    Traceur preparer(ImageMemoire vierge) {
-        dessin = null;
-        avancement = 0;
-        long debut = System.nanoTime();
-        Traceur nouveau = LancerSurveille.preparer(programme.getScene(), vierge.getLargeur(), vierge.getHauteur(),
-                options.simple, suivi);
-        preparationNs = System.nanoTime() - debut;
-        dessin = new Dessin(fichier, origines, reglages, vierge, nouveau);
-        return nouveau;
-    }
-
-    /** L'image qui se dessine, ou s'est dessinée ; {@code null} tant que la scène ne se dessine pas. */
-    public ImageMemoire getImage() {
-        return dessin == null ? null : dessin.image;
-    }
-
-    /** L'image de la scène lue, ainsi réglée, avec ce qui la dessine ; {@code null} tant qu'elle ne se dessine pas. */
-    public Dessin getDessin() {
-        return dessin;
-    }
-
-    /** Traceur de la scène lue, ainsi réglée ; {@code null} tant qu'elle ne se dessine pas. */
-    public Traceur getTraceur() {
-        return dessin == null ? null : dessin.traceur;
+    /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
+    void direEcart(Traceur acheve) {
+        if (acheve.getEcart() != null) {
+            Pannes.avertir(Collections.singletonList(acheve.getEcart()), erreur);
+        }
     }
 
     /**
@@ -194,32 +202,51 @@ public final class Dessinateur {
      *
      * @param tracesNs le temps de chaque dessin, dans l'ordre, en nanosecondes
      */
-    String statistiques(Traceur dessine, long... tracesNs) {
-        Compteurs c = dessine.getCompteurs();
-        double traceNs = mediane(tracesNs);
+    String statistiques(Traceur acheve, long... tracesNs) {
+        Compteurs c = acheve.getCompteurs();
+        // au début, la machine virtuelle compile encore : la médiane de la seconde moitié
+        double[] tries = Arrays.stream(tracesNs).skip(tracesNs.length / 2).sorted().asDoubleStream().toArray();
+        double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
                 + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "pixels.temoins: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
                 c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
                 c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS,
-                (preparationNs + dessine.getConstructionNs()) / NS_PAR_MS,
+                (preparationNs + acheve.getConstructionNs()) / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
-    }
-
-    /** La médiane de la seconde moitié : au début, la machine virtuelle compile encore. */
-    private static double mediane(long[] temps) {
-        long[] tries = Arrays.copyOfRange(temps, temps.length / 2, temps.length);
-        Arrays.sort(tries);
-        return (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2.0;
     }
 
     /** Échec à dire d'un pixel de la scène lue qui n'a pu être calculé. */
     public Echec nommer(PixelFautif panne) {
-        ImageMemoire image = getImage();
-        int largeur = image == null ? options.largeur : image.getLargeur();
-        int hauteur = image == null ? options.hauteur : image.getHauteur();
-        PixelFautif situee = Diagnostic.situer(panne, programme.getScene());
-        return Echec.panne(Pannes.duPixel(situee, reglages.getOptions(), fichier, largeur, hauteur));
+        Dessin present = dessin;
+        boolean dessinee = present.image != null;
+        return Echec.panne(Pannes.duPixel(situer(panne, programme.getScene()), present.reglages.getOptions(),
+                present.fichier, dessinee ? present.image.getLargeur() : options.largeur,
+                dessinee ? present.image.getHauteur() : options.hauteur));
+    }
+
+    /**
+     * Échec du même pixel, et sa première cause, dont la pile commence, si elle y passe, par une classe de la scène ou
+     * d'une variante.
+     */
+    static PixelFautif situer(PixelFautif panne, Scene scene) {
+        Modele modele = scene.getModele();
+        // ce que la base met à la place d'une variante n'est pas en cause
+        Set<String> classes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite(),
+                modele.getEchantillonnage()).filter(contrat -> !Modele.nom(contrat).startsWith("lancer.contrat.")),
+                scene.getObjets().stream()).map(Modele::nom).collect(Collectors.toSet());
+        Throwable cause = panne;
+        while (cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        StackTraceElement[] pile = cause.getStackTrace();
+        for (int k = 0; k < pile.length; k++) {
+            if (classes.contains(pile[k].getClassName())) {
+                cause.setStackTrace(Arrays.copyOfRange(pile, k, pile.length));
+                break;
+            }
+        }
+        return new PixelFautif(panne.xe, panne.ye, cause);
     }
 }

@@ -8,11 +8,7 @@ import lancer.scene.LecteurScene;
 /** Le programme, vu de ce qui le mène, fenêtre ou ligne de commande : une scène, et de quoi la dessiner. */
 public interface Programme extends Toile {
 
-    /**
-     * Lit une scène, qui devient celle à dessiner.
-     *
-     * @throws lancer.SceneFautive si elle ne peut être utilisée ; la précédente reste alors en place
-     */
+    /** Lit une scène, qui devient celle à dessiner : voir {@link Scene#Scene(String, LecteurScene)}. */
     void lireScene(String nomFichier, LecteurScene lecteur);
 
     /** La scène à dessiner, {@code null} tant qu'aucune n'est lue. */

@@ -1,17 +1,39 @@
 package lancer.dessin;
 
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import lancer.Camera;
+import lancer.auto.Auto;
+import lancer.auto.Candidat;
+import lancer.commande.BarreProgression;
+import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.contrat.Toile;
 import lancer.fils.Traceur;
+import lancer.image.Comparaison;
+import lancer.image.Ecriture;
+import lancer.image.FichierPfm;
+import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 import lancer.image.LectureImage;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
+import lancer.scene.FichierScene;
+import lancer.texte.Texte;
 
-/** Travail sans fenêtre : une image dans un fichier, un pixel expliqué, une comparaison. */
+/**
+ * Travail sans fenêtre : une image dans des fichiers, vérifiés avant de dessiner, et ce qu'il y a à en dire ; un pixel
+ * expliqué ; une comparaison.
+ */
 public final class SansFenetre {
+
+    private static final double NS_PAR_S = 1e9;
 
     private final Dessinateur dessinateur;
     private final Options options;
@@ -36,33 +58,126 @@ public final class SansFenetre {
     }
 
     private void versFichiers() {
-        VersFichiers fichiers = new VersFichiers(options, dessinateur.sortie, dessinateur.erreur);
+        Map<Ecriture, Ecriture.Format> fichiers = fichiers();
         List<String> avertissements = dessinateur.lireScene(options.scene);
-        Traceur dessine = fichiers.dessiner(dessinateur, dessinateur.preparer(fichiers.creerImage()));
+        Traceur prepare = dessinateur.preparer(new ImageMemoire(options.largeur, options.hauteur,
+                options.image != null, options.lineaire != null));
+        long debut = System.nanoTime();
+        Auto auto = options.auto ? Auto.choisir(prepare, options.erreurVoulue,
+                options.refletsDonnes ? options.reflets : null, options.seuilDonne ? options.seuil : null,
+                options.fils, dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
+        Traceur traceur = auto == null ? prepare : auto.getTraceur();
+        Toile toile = auto == null ? dessinateur.programme : auto.surveiller(dessinateur.programme);
+        double essais = (System.nanoTime() - debut) / NS_PAR_S;
+        long[] traces = tracer(traceur, toile, auto == null ? options.reflets : auto.getChoisi().reflets);
+        Ecriture.ecrire(dessinateur.getImage(), fichiers);
+        if (options.statistiques) {
+            String nombres = dessinateur.statistiques(traceur, traces);
+            Pannes.repondre(auto == null ? nombres : nombres + System.lineSeparator() + texte("auto.erreur.attendue: "
+                    + "%.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%nauto.essais.ms: %.3f",
+                    auto.getChoisi().erreur, auto.getErreurMesuree(), auto.getRayonsDesEssais(), 1e3 * essais),
+                    dessinateur.sortie);
+        }
+        if (auto != null) {
+            Pannes.avertir(rapport(auto, essais), dessinateur.erreur);
+        }
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
         Pannes.avertir(avertissements, dessinateur.erreur);
-        dessinateur.direEcart(dessine);
+        dessinateur.direEcart(traceur);
+    }
+
+    /**
+     * Les fichiers demandés, chacun à son format.
+     *
+     * @throws Echec si l'un ne pourra être écrit, ou écraserait un de ceux qui sont lus, ou l'autre
+     */
+    private Map<Ecriture, Ecriture.Format> fichiers() {
+        Map<Ecriture, Ecriture.Format> fichiers = new LinkedHashMap<>();
+        boolean deuxImages = options.comparer != null && Options.estImage(options.scene);
+        Path scene = deuxImages ? Paths.get(options.scene) : FichierScene.trouver(options.scene);
+        Ecriture png = options.image == null ? null : new Ecriture(options.image);
+        if (png != null) {
+            fichiers.put(png, new FichierPng());
+        }
+        if (options.lineaire != null) {
+            fichiers.put(new Ecriture(options.lineaire), new FichierPfm());
+        }
+        for (Ecriture fichier : fichiers.keySet()) {
+            epargner(fichier, scene, deuxImages ? "une des images comparées" : "la scène elle-même");
+            if (options.comparer != null) {
+                epargner(fichier, Paths.get(options.comparer), "une des images comparées");
+            }
+            if (png != null && fichier != png) {
+                png.epargner(fichier.getCible(), "--image et --lineaire écrivent le même fichier : "
+                        + Texte.echappe(options.image) + " ; attendu : deux fichiers");
+            }
+        }
+        return fichiers;
+    }
+
+    private static void epargner(Ecriture sortie, Path fichier, String quoi) {
+        sortie.epargner(fichier, "la sortie est " + quoi + " : " + Texte.echappe(fichier.toString())
+                + " ; attendu : un autre fichier");
+    }
+
+    /** Dessine autant de fois que demandé. @return le temps de chaque dessin, en nanosecondes */
+    private long[] tracer(Traceur traceur, Toile toile, int reflets) {
+        long[] traces = new long[options.repeter];
+        BarreProgression barre = BarreProgression.commencer(traceur::getAvancement, dessinateur.erreur);
+        try {
+            for (int k = 0; k < traces.length; k++) {
+                traceur.TracerPixels(toile, reflets, options.fils);
+                traces[k] = traceur.getDureeNs();
+            }
+        } finally {
+            barre.finir();
+        }
+        return traces;
+    }
+
+    /** Trois lignes : ce que {@code --auto} a choisi, ce qui en était attendu, et ce qu'il en est. */
+    private List<String> rapport(Auto auto, double essais) {
+        Candidat choisi = auto.getChoisi();
+        int nombre = auto.getEssayes().size();
+        return Arrays.asList("auto, choisi : " + choisi,
+                texte("auto, attendu : erreur de %.2f, au plus %.2f ; %.2f rayons de toutes sortes par pixel ; "
+                        + "%d réglage%s, %s une erreur de %.2f", choisi.erreur, choisi.auPlus, choisi.prix, nombre,
+                        nombre > 1 ? "s essayés" : " essayé", choisi.auPlus <= options.erreurVoulue
+                        ? "le moins cher qui promette" : "aucun ne promet", options.erreurVoulue),
+                texte("auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s",
+                        auto.getErreurMesuree(), auto.getIncertitude(), auto.getTraceur().getDureeNs() / NS_PAR_S,
+                        essais, auto.getVerdict()));
+    }
+
+    /** Toujours avec un point, quelle que soit la langue. */
+    private static String texte(String format, Object... valeurs) {
+        return String.format(Locale.ROOT, format, valeurs);
     }
 
     private void dessinerUnPixel() {
         List<String> avertissements = dessinateur.lireScene(options.scene);
-        Camera camera = new Camera(options.largeur, options.hauteur);
-        Inspection pixel = new Inspection(dessinateur.programme.getScene(), dessinateur.getOrigines(), camera,
-                options.reflets, options.pixelX, options.pixelY);
+        Inspection pixel = new Inspection(dessinateur.programme.getScene(), dessinateur.getOrigines(),
+                new Camera(options.largeur, options.hauteur), options.reflets, options.pixelX, options.pixelY);
         pixel.faire();
         Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), dessinateur.sortie);
         Pannes.avertir(avertissements, dessinateur.erreur);
     }
 
+    /** Compare, et écrit l'image des différences si elle est demandée. @return le statut de sortie */
     private int comparer() {
         ImageMemoire attendue = LectureImage.lire(options.comparer);
         ImageMemoire autre = Options.estImage(options.scene) ? LectureImage.lire(options.scene) : null;
-        VersFichiers fichiers = new VersFichiers(options, dessinateur.sortie, dessinateur.erreur);
+        Map<Ecriture, Ecriture.Format> fichiers = fichiers();
         if (autre == null) {
             dessinateur.lireScene(options.scene);
             autre = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
             dessinateur.preparer(autre).TracerPixels(dessinateur.programme, options.reflets, options.fils);
         }
-        return fichiers.comparer(autre, attendue);
+        Comparaison comparaison = Comparaison.de(autre, attendue, options.tolerance, options.part);
+        if (!fichiers.isEmpty()) {
+            Ecriture.ecrire(comparaison.getDifferences(), fichiers);
+        }
+        Pannes.repondre(comparaison.toString(), dessinateur.sortie);
+        return comparaison.sontPareilles() ? 0 : 1;
     }
 }

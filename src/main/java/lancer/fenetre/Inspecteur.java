@@ -66,7 +66,7 @@ final class Inspecteur extends JDialog {
     private final VueDeCote cote = new VueDeCote(this::isoler);
     private final transient ExecutorService fil = Atelier.unFil("lancer-inspection");
     private final transient Depliage depliage = new Depliage();
-    private transient List<Depliage.Vue> vues = Collections.emptyList();
+    private transient List<Recit.Ligne> vues = Collections.emptyList();
     private transient Inspection enCours;
     private Point pixel;
     private int rang = Inspection.AU_CENTRE;
@@ -102,8 +102,8 @@ final class Inspecteur extends JDialog {
                 int rang = Math.max(0, texte.getDocument().getDefaultRootElement().getElementIndex(ou) - 1);
                 if (vues.get(rang).repli != null) {
                     deplier(vues.get(rang).repli);
-                } else if (vues.get(rang).rebond > 0) {
-                    isoler(vues.get(rang).rebond);
+                } else if (vues.get(rang).rebond() > 0) {
+                    isoler(vues.get(rang).rebond());
                 }
             }
         });
@@ -258,12 +258,12 @@ final class Inspecteur extends JDialog {
     }
 
     /** Ajoute une ligne ; sa suite, si elle est trop longue, garde son retrait. */
-    private void ajouter(DefaultStyledDocument document, String ligne, Depliage.Vue vue) {
+    private void ajouter(DefaultStyledDocument document, String ligne, Recit.Ligne vue) {
         MutableAttributeSet style = new SimpleAttributeSet();
         if (vue.changee) {
             StyleConstants.setBackground(style, CHANGE);
         }
-        if (vue.repli != null || vue.rebond > 0) {
+        if (vue.repli != null || vue.rebond() > 0) {
             StyleConstants.setForeground(style, LIEN);
         }
         float retrait = (ligne.length() - ligne.replaceFirst("^ +", "").length() + 2)

@@ -15,28 +15,18 @@ public final class Fautes {
     private static final Couleur MAGENTA = new Couleur(1, 0, 1);
 
     private final int largeur;
-    private final Fautes dessin;
     private final BitSet pixels = new BitSet();
     private PixelFautif premiere;
     private boolean reussi;
 
     /** @param largeur celle de l'image, en pixels */
-    public Fautes(int largeur) {
-        this(largeur, null);
-    }
-
-    /** @param dessin d'autres fautes, à qui dire ce qui réussit ; ou {@code null} */
-    public Fautes(int largeur, Fautes dessin) {
+    Fautes(int largeur) {
         this.largeur = largeur;
-        this.dessin = dessin;
     }
 
     /** Note qu'un pixel au moins a pu être calculé. */
     synchronized void reussir() {
         reussi = true;
-        if (dessin != null) {
-            dessin.reussir();
-        }
     }
 
     /**

@@ -16,11 +16,6 @@ public final class Regard implements Vue {
     private final Fautes fautes;
     private boolean reussi;
 
-    /** Un regard qui refuse un pixel qui échoue : voir l'autre constructeur. */
-    public Regard(Equipe equipe, Lancer lancer, int profondeur) {
-        this(equipe, lancer, profondeur, null);
-    }
-
     /**
      * @param equipe celle dont l'arrêt est observé avant chaque rayon de l'écran
      * @param lancer celui de ce fil seul
@@ -45,8 +40,9 @@ public final class Regard implements Vue {
         equipe.verifier();
         try {
             Couleur vue = PixelFautif.verifier(lancer.getCouleurPixel(xe, ye, profondeur), xe, ye);
-            if (!reussi) {
-                reussir();
+            if (fautes != null && !reussi) {
+                reussi = true;
+                fautes.reussir();
             }
             return vue;
         } catch (OutOfMemoryError | CancellationException e) {
@@ -58,13 +54,6 @@ public final class Regard implements Vue {
                 throw faute;
             }
             return fautes.noter(faute);
-        }
-    }
-
-    private void reussir() {
-        reussi = true;
-        if (fautes != null) {
-            fautes.reussir();
         }
     }
 

@@ -12,23 +12,36 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Recherche;
+import lancer.contrat.RechercheSimple;
 import lancer.contrat.Toile;
 
 /**
  * Le dessin d'une scène par plusieurs fils : le partage de l'image en pavés, l'arrêt, l'avancement, les comptes. Un
- * traceur dessine une image à la fois ; elle ne dépend pas du nombre de fils.
+ * traceur dessine une image à la fois ; elle ne dépend pas du nombre de fils. Des {@link Temoins} jugent sa recherche ;
+ * si elle se trompe, les boucles du cours dessinent.
  */
-public class Traceur implements Boucle {
+public final class Traceur implements Boucle {
 
     private final Lancer lancer;
     private final Equipe equipe = new Equipe("lancer");
+    /** Recherche de la scène préparée, et le temps de ses constructions avant le premier dessin, et le dernier. */
+    private final Recherche preparee;
+    private final long prepareNs;
+    private long construitNs;
     private volatile boolean brouillonFait;
     private volatile Fautes fautes;
+    private volatile Temoins temoins;
+    private int profondeurJugee;
+    private long jugementNs;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
     public Traceur(Scene scene, Camera camera) {
         lancer = new Lancer(scene, camera);
+        preparee = scene.getModele().getRecherche();
+        prepareNs = preparee.getConstructionNs();
+        construitNs = prepareNs;
     }
 
     /** L'algorithme, pour un seul fil. */
@@ -50,7 +63,8 @@ public class Traceur implements Boucle {
     }
 
     /**
-     * Dessine un brouillon, puis tous les pixels ({@link Lancer#TracerImage}).
+     * Dessine un brouillon, puis tous les pixels ({@link Lancer#TracerImage}). Les témoins viennent avant le brouillon,
+     * que l'on regarde déjà.
      *
      * @param profondeur nombre de réflexions permises
      * @param fils nombre de fils d'exécution, au moins 1
@@ -58,6 +72,7 @@ public class Traceur implements Boucle {
      * @throws PixelFautif si un pixel ne peut être calculé
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
+        juger(profondeur);
         lancer.TracerImage(this, toile, profondeur, fils);
     }
 
@@ -67,9 +82,37 @@ public class Traceur implements Boucle {
         brouillonFait = true;
     }
 
+    /** {@inheritDoc} Si personne ne regarde encore l'image, ses témoins viennent après elle. */
     @Override
     public void TracerPixels(Toile toile, int profondeur, int fils) {
-        parcourir(getScene().getModele().getEchantillonnage(), toile, profondeur, fils);
+        long duree = 0;
+        do {
+            duree += parcourir(getScene().getModele().getEchantillonnage(), toile, profondeur, fils);
+        } while (juger(profondeur));
+        long construit = preparee.getConstructionNs();
+        dureeNs = duree + jugementNs - (construit - construitNs);
+        construitNs = construit;
+        jugementNs = 0;
+        compteurs.pixelsTemoins = temoins == null ? 0 : temoins.getNombre();
+    }
+
+    /** Juge la recherche, si elle ne l'est pas encore. @return vrai si les boucles du cours la remplacent */
+    private boolean juger(int profondeur) {
+        Scene scene = getScene();
+        if (scene.getModele().getRecherche() instanceof RechercheSimple
+                || temoins != null && profondeur == profondeurJugee) {
+            return false;
+        }
+        long debut = System.nanoTime();
+        Temoins nouveaux = new Temoins(scene, getCamera(), profondeur, fautes);
+        nouveaux.juger();
+        temoins = nouveaux;
+        profondeurJugee = profondeur;
+        if (getEcart() != null) {
+            scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
+        }
+        jugementNs = System.nanoTime() - debut;
+        return getEcart() != null;
     }
 
     /** Dessine désormais malgré les pixels qui échouent : ils sont comptés, et peints en damier. */
@@ -99,7 +142,7 @@ public class Traceur implements Boucle {
 
     /** Le premier écart que des pixels témoins ont vu, en une phrase qui nomme le pixel ; {@code null} si aucun. */
     public String getEcart() {
-        return null;
+        return temoins == null ? null : temoins.getEcart();
     }
 
     /** Comptes du dernier dessin achevé, tous fils ensemble. */
@@ -107,18 +150,18 @@ public class Traceur implements Boucle {
         return compteurs;
     }
 
-    /** Le temps du dernier dessin achevé, en nanosecondes. */
+    /** Le temps du dernier dessin achevé, celui des témoins compris, en nanosecondes. */
     public long getDureeNs() {
         return dureeNs;
     }
 
     /** Le temps passé depuis la préparation à construire ce que des rayons ont demandé, en nanosecondes. */
     public long getConstructionNs() {
-        return 0;
+        return construitNs - prepareNs;
     }
 
-    /** Dessine toute l'image par cet échantillonnage. */
-    public void parcourir(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
+    /** Dessine toute l'image par cet échantillonnage. @return le temps que cela a pris, en nanosecondes */
+    public long parcourir(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
         long debut = System.nanoTime();
         int nombre = Pave.nombre(getCamera().getLargeur(), getCamera().getHauteur(), Pave.COTE);
         Echantillonnage prepare = echantillonnage.pour(getScene().getObjets(), getCamera());
@@ -132,7 +175,7 @@ public class Traceur implements Boucle {
             total.ajouter(fil.sien.getScene().getCompteurs());
         }
         compteurs = total;
-        dureeNs = System.nanoTime() - debut;
+        return System.nanoTime() - debut;
     }
 
     /** Le travail d'un fil : des pavés, vus à travers sa propre vue de la scène. */

@@ -16,25 +16,6 @@ public final class Depliage {
     private final Map<String, String> anciens = new HashMap<>();
     private final Set<String> deplies = new HashSet<>();
 
-    /** Une ligne à montrer. Immuable. */
-    public static final class Vue {
-
-        public final String texte;
-        /** Dit si elle n'est pas ce qu'elle était au dessin d'avant. */
-        public final boolean changee;
-        /** Ce qu'elle replie ou déplie ; {@code null} : rien. */
-        public final String repli;
-        /** Le rebond dont elle est le titre ; 0 : aucun. */
-        public final int rebond;
-
-        Vue(String texte, boolean changee, String repli, int rebond) {
-            this.texte = texte;
-            this.changee = changee;
-            this.repli = repli;
-            this.rebond = rebond;
-        }
-    }
-
     /** Remplace le récit ; s'il est du même pixel, ce qui a changé se compare à l'ancien. */
     public void remplacer(List<Recit.Ligne> nouvelles) {
         if (textes(nouvelles).equals(textes(lignes))) {
@@ -65,30 +46,29 @@ public final class Depliage {
         }
     }
 
-    /** Les lignes à montrer, dans l'ordre. */
-    public List<Vue> getVues() {
-        List<Vue> vues = new ArrayList<>();
+    /** Les lignes à montrer, dans l'ordre ; d'un repli, celle qui le bascule vient d'abord. */
+    public List<Recit.Ligne> getVues() {
+        List<Recit.Ligne> vues = new ArrayList<>();
         Set<String> dits = new HashSet<>();
         for (Recit.Ligne ligne : lignes) {
+            boolean ouvert = deplies.contains(repli(ligne));
             if (ligne.repli == null) {
-                boolean titre = ligne.etape > 0 && ligne.texte.startsWith(ligne.etape + "  ");
-                vues.add(vue(ligne, titre ? ligne.etape : 0));
+                vues.add(vue(ligne));
             } else if (dits.add(repli(ligne))) {
-                boolean ouvert = deplies.contains(repli(ligne));
-                vues.add(new Vue(ligne.repli + (ouvert ? " ▾" : " ▸"), false, repli(ligne), 0));
+                vues.add(new Recit.Ligne(ligne.repli + (ouvert ? " ▾" : " ▸"), ligne.etape, repli(ligne), false));
                 lignes.stream().filter(autre -> ouvert && autre.repli != null && repli(autre).equals(repli(ligne)))
-                        .forEach(autre -> vues.add(vue(autre, 0)));
+                        .forEach(autre -> vues.add(vue(autre)));
             }
         }
         return vues;
     }
 
-    private Vue vue(Recit.Ligne ligne, int rebond) {
+    private Recit.Ligne vue(Recit.Ligne ligne) {
         String avant = anciens.get(sujet(ligne));
         boolean changee = avant != null && !avant.equals(ligne.texte);
-        return new Vue(!changee ? ligne.texte
-                : ligne.texte + "   ← " + avant.substring(Math.max(0, avant.lastIndexOf(" = ") + 1)).trim(),
-                changee, null, rebond);
+        return new Recit.Ligne(changee ? ligne.texte + "   ← "
+                + avant.substring(Math.max(0, avant.lastIndexOf(" = ") + 1)).trim() : ligne.texte, ligne.etape, null,
+                changee);
     }
 
     /** Ce dont parle une ligne, qui le reste d'un dessin à l'autre. */

@@ -11,22 +11,22 @@ import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Rayon;
 import lancer.Scene;
-import lancer.contrat.Echantillonnage;
-import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.fils.Traceur;
+import lancer.fils.Equipe;
+import lancer.fils.Regard;
 import lancer.scene.Origines;
 
 /**
  * Un pixel de l'image, dessiné comme le veut l'échantillonnage de la scène, sans les autres ou avec ceux de son pavé
  * s'il leur doit des points ; puis l'un de ses échantillons, de nouveau, en écoutant.
  */
-public final class Inspection implements Echantillonnage, Vue, Toile {
+public final class Inspection implements Vue, Toile {
 
     /** Le rang que personne n'a choisi. */
     public static final int AU_CENTRE = -1;
@@ -37,15 +37,13 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
     public final int profondeur;
     public final int x;
     public final int y;
-    private final Echantillonnage entier;
     private final Chaine chaine = new Chaine();
-    private final Traceur traceur;
-    private Vue vue;
+    private final Equipe equipe = new Equipe("lancer");
+    private final Vue vue;
     private Couleur couleur;
     private List<Echantillon> echantillons = Collections.emptyList();
     private Echantillon choisi;
     private PixelFautif faute;
-    private int voulu;
     /** Les échantillons pris près du pixel, par la couleur qui en a été rendue, elle-même. */
     private final Map<Couleur, Echantillon> vus = new IdentityHashMap<>();
 
@@ -67,9 +65,7 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         this.profondeur = profondeur;
         this.x = x;
         this.y = y;
-        entier = scene.getModele().getEchantillonnage().pour(scene.getObjets(), camera);
-        Modele modele = scene.getModele();
-        traceur = new Traceur(scene.avec(modele.avec(this, modele.getSeuil()).ecoute(chaine)), camera);
+        vue = new Regard(equipe, new Lancer(scene.avec(scene.getModele().ecoute(chaine)), camera), profondeur, null);
     }
 
     /** Explique, une fois, l'échantillon le plus proche du centre. @throws CancellationException si on l'arrête */
@@ -77,13 +73,12 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         faire(AU_CENTRE);
     }
 
-    /** Explique, une fois, l'échantillon de ce rang ; {@link #AU_CENTRE} : le plus proche du centre. */
-    public void faire(int rang) {
-        voulu = rang;
-        traceur.TracerPixels(this, profondeur, 1);
+    private void faire(int rang) {
+        // une équipe d'un seul fil, dont la pile suffit aux réflexions permises
+        equipe.faire(1, Collections.singletonList(tache -> expliquer(rang)));
     }
 
-    /** Fait de même, et garde la faute s'il y en a une : la chaîne va alors jusqu'à elle. */
+    /** Explique, une fois, l'échantillon de ce rang, et garde la faute s'il y en a une : la chaîne va jusqu'à elle. */
     public void faireOuEchouer(int rang) {
         try {
             faire(rang);
@@ -93,13 +88,30 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         }
     }
 
-    /** Ce qui a empêché de calculer ce pixel ; {@code null} s'il a une couleur. */
-    public PixelFautif getFaute() {
-        return faute;
+    private void expliquer(int rang) {
+        int largeur = camera.getLargeur();
+        Pave pave = Pave.deRang(y / Pave.COTE * Pave.nombre(largeur, 1) + x / Pave.COTE, largeur, camera.getHauteur());
+        scene.getModele().getEchantillonnage().pour(scene.getObjets(), camera)
+                .tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
+        echantillons = vus.values().stream()
+                .filter(e -> e.estDans(x, y) || termes.stream().anyMatch(t -> t.xe == e.xe && t.ye == e.ye))
+                .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
+                .collect(Collectors.toList());
+        if (!echantillons.isEmpty()) {
+            choisi = rang == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))
+                    : echantillons.get(Math.min(rang, echantillons.size() - 1));
+            vue.couleur(choisi.xe, choisi.ye);
+            chaine.chercher(scene.avec(scene.getModele()), getDepart());
+        }
     }
 
     public void arreter() {
-        traceur.arreter();
+        equipe.arreter();
+    }
+
+    /** Ce qui a empêché de calculer ce pixel ; {@code null} s'il a une couleur. */
+    public PixelFautif getFaute() {
+        return faute;
     }
 
     /** La couleur du pixel. */
@@ -133,26 +145,6 @@ public final class Inspection implements Echantillonnage, Vue, Toile {
         String origine = origines.de(chose);
         return origine != null ? origine : chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))
                 : "objet " + (1 + scene.getObjets().indexOf(chose));
-    }
-
-    @Override
-    public int tracer(Pave pave, Vue duFil, Toile toile) {
-        if (!pave.contient(x, y)) {
-            return 0;
-        }
-        vue = duFil;
-        entier.tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
-        echantillons = vus.values().stream()
-                .filter(e -> e.estDans(x, y) || termes.stream().anyMatch(t -> t.xe == e.xe && t.ye == e.ye))
-                .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
-                .collect(Collectors.toList());
-        if (!echantillons.isEmpty()) {
-            choisi = voulu == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))
-                    : echantillons.get(Math.min(voulu, echantillons.size() - 1));
-            vue.couleur(choisi.xe, choisi.ye);
-            chaine.chercher(scene.avec(scene.getModele()), getDepart());
-        }
-        return 0;
     }
 
     /** {@inheritDoc} Une copie, pour que deux échantillons de la même couleur ne soient pas le même. */

@@ -29,15 +29,24 @@ public final class Recit {
         public final String texte;
 
         /** Le numéro du rayon dont elle parle, 0 si c'est du pixel. */
-        public final int etape;
+        final int etape;
 
         /** Ce qui tient lieu de cette ligne et de ses pareilles tant qu'on ne les demande pas ; {@code null} : rien. */
         public final String repli;
 
-        Ligne(String texte, int etape, String repli) {
+        /** Dit si elle n'est pas ce qu'elle était au dessin d'avant. */
+        public final boolean changee;
+
+        Ligne(String texte, int etape, String repli, boolean changee) {
             this.texte = texte;
             this.etape = etape;
             this.repli = repli;
+            this.changee = changee;
+        }
+
+        /** Le numéro du rayon dont elle est le titre ; 0 : aucun. */
+        public int rebond() {
+            return texte.startsWith(etape + "  ") ? etape : 0;
         }
     }
 
@@ -74,7 +83,7 @@ public final class Recit {
     }
 
     private void dire(String ligne, String repli) {
-        lignes.add(new Ligne(ligne, etape, repli));
+        lignes.add(new Ligne(ligne, etape, repli, false));
     }
 
     private void dire(List<Echantillon> echantillons) {

@@ -26,7 +26,7 @@ import lancer.contrat.Barreau;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.fils.Traceur;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -45,7 +45,7 @@ class AutoTest {
     private static final List<Variante> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
 
     private static Auto auto(Scene scene, int largeur, int hauteur, List<Variante> variantes, double voulue) {
-        return Auto.choisir(LancerSurveille.preparer(scene, largeur, hauteur, false), voulue, null, null, 2, variantes, enCours -> { });
+        return Auto.choisir(Dessinateur.traceur(scene, largeur, hauteur, false), voulue, null, null, 2, variantes, enCours -> { });
     }
 
     /** Dessine, et contrôle. @return les couleurs de l'image, ligne par ligne */
@@ -135,7 +135,7 @@ class AutoTest {
 
     @Test
     void ceQuiEstFixeResteEtLeResteSeChoisit() {
-        Traceur prepare = LancerSurveille.preparer(entreDeuxMurs(0.5), 16, 12, false);
+        Traceur prepare = Dessinateur.traceur(entreDeuxMurs(0.5), 16, 12, false);
         Auto auto = Auto.choisir(prepare, 8, 7, null, 2, SANS, enCours -> { });
         assertEquals("un rayon par pixel, --reflets 7 --seuil 0.015625", auto.getChoisi().toString());
         auto = Auto.choisir(prepare, 1, 3, 0.25, 2, SANS, enCours -> { });
@@ -256,7 +256,7 @@ class AutoTest {
         for (double erreur : new double[] {0.5, 3}) {
             String attendu = null;
             for (int fils : new int[] {1, 2, 7}) {
-                Auto auto = Auto.choisir(LancerSurveille.preparer(quelquesBoules(), 80, 70, false), erreur, null, null, fils, GRILLES,
+                Auto auto = Auto.choisir(Dessinateur.traceur(quelquesBoules(), 80, 70, false), erreur, null, null, fils, GRILLES,
                         enCours -> { });
                 Candidat r = auto.getChoisi();
                 String choix = r + " " + r.erreur + " " + r.auPlus + " " + r.prix + " " + auto.getRayonsDesEssais();
@@ -302,7 +302,7 @@ class AutoTest {
 
     @Test
     void unFilInterrompuAbandonneLesEssais() {
-        Traceur prepare = LancerSurveille.preparer(quelquesBoules(), 80, 60, false);
+        Traceur prepare = Dessinateur.traceur(quelquesBoules(), 80, 60, false);
         Thread.currentThread().interrupt();
         try {
             assertThrows(CancellationException.class, () -> Auto.choisir(prepare, 1, null, null, 2, GRILLES, enCours -> { }));
@@ -313,7 +313,7 @@ class AutoTest {
 
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Traceur lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Traceur lancer = Dessinateur.traceur(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> fautive = Collections.singletonList(
                 new GrilleDEssai(Collections.singletonList(new Barreau(Section.sansFichier("Grille", "m", "3"), 1, 1))));
         SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, 1, null, null, 1, fautive, enCours -> { }));
@@ -322,7 +322,7 @@ class AutoTest {
 
     @Test
     void uneVarianteSansEchelleEstNommee() {
-        Traceur lancer = LancerSurveille.preparer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Traceur lancer = Dessinateur.traceur(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         List<Variante> muette = Collections.singletonList(new GrilleDEssai(null));
         NullPointerException e = assertThrows(NullPointerException.class,
                 () -> Auto.choisir(lancer, 1, null, null, 1, muette, enCours -> { }));

@@ -72,7 +72,7 @@ class DiagnosticTest {
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele);
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        PixelFautif situee = Diagnostic.situer(panne, scene);
+        PixelFautif situee = Dessinateur.situer(panne, scene);
         assertEquals(panne.getMessage(), situee.getMessage());
         return Texte.cause(situee, "(?!java\\.).*").replace(DiagnosticTest.class.getName(), "").replaceAll("java:\\d+", "java");
     }
@@ -106,6 +106,6 @@ class DiagnosticTest {
     @Test
     void unEchecGardeSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        assertSame(panne.getCause(), Diagnostic.situer(panne, scene(new Mur())).getCause());
+        assertSame(panne.getCause(), Dessinateur.situer(panne, scene(new Mur())).getCause());
     }
 }

@@ -5,6 +5,7 @@ import java.util.concurrent.locks.LockSupport;
 import lancer.Couleur;
 import lancer.Main;
 import lancer.commande.Options;
+import lancer.dessin.Dessin;
 import lancer.fils.Traceur;
 
 /** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
@@ -33,7 +34,8 @@ class MainLent extends Main {
     }
 
     Traceur getTraceur() {
-        return getDessinateur().getTraceur();
+        Dessin dessin = getDessinateur().getDessin();
+        return dessin == null ? null : dessin.traceur;
     }
 
     @Override

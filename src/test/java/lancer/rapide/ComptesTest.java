@@ -20,6 +20,7 @@ import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
+import lancer.fils.Temoins;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -183,7 +184,7 @@ class ComptesTest {
             Thread.currentThread().interrupt();
             try {
                 assertThrows(CancellationException.class, () -> lancer.getCouleurPixel(40, 30, 5));
-                assertThrows(CancellationException.class, () -> new Temoins(scene, CAMERA, 5).juger());
+                assertThrows(CancellationException.class, () -> new Temoins(scene, CAMERA, 5, null).juger());
             } finally {
                 assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
             }

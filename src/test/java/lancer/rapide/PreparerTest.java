@@ -16,7 +16,7 @@ import lancer.contrat.RechercheSimple;
 import lancer.essai.Essai;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -37,7 +37,7 @@ class PreparerTest {
         float[] programme = simple ? Essai.dessiner(dossier, SCENE, taille, "--simple") : Essai.dessiner(dossier, SCENE, taille);
         ImageMemoire image = new ImageMemoire(64, 48, true);
         Scene scene = new Scene(SCENE.toString());
-        LancerSurveille.preparer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
+        Dessinateur.traceur(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
         float[] preparee = image.getLineaire();
         for (int j = 0; j < 48; j++) {
             // un fichier PFM commence par la ligne du bas
@@ -52,7 +52,7 @@ class PreparerTest {
     @Test
     void laPartPrepareeSeDitApresChaqueEtape() {
         List<Double> parts = new ArrayList<>();
-        LancerSurveille.preparer(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
+        Dessinateur.traceur(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
         List<Double> croissantes = new ArrayList<>(new TreeSet<>(parts));
         assertEquals(croissantes, parts);
         assertTrue(parts.size() >= 3 && parts.get(0) > 0 && parts.get(parts.size() - 1) <= 1, parts.toString());
@@ -61,7 +61,7 @@ class PreparerTest {
     @Test
     void simpleDonneLesBouclesDuCours() {
         Scene scene = new Scene(SCENE.toString());
-        Traceur lancer = LancerSurveille.preparer(scene, 64, 48, true);
+        Traceur lancer = Dessinateur.traceur(scene, 64, 48, true);
         assertTrue(scene.getModele().getRecherche() instanceof RechercheSimple);
         assertEquals(64, lancer.getCamera().getLargeur());
         assertEquals(48, lancer.getCamera().getHauteur());

@@ -20,8 +20,8 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.RechercheSimple;
+import lancer.fils.Temoins;
 import lancer.fils.Traceur;
-import lancer.dessin.LancerSurveille;
 import org.junit.jupiter.api.Test;
 
 /** Les pixels témoins voient une recherche qui ne répond pas comme les classes du cours, et les boucles dessinent alors. */
@@ -51,7 +51,7 @@ class TemoinsTest {
     @Test
     void uneRechercheJusteALeNombreDeTemoinsPromisEtAucunEcart() {
         for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(60).entrySet()) {
-            Traceur lancer = new LancerSurveille(rapide(e.getValue(), CAMERA), CAMERA);
+            Traceur lancer = new Traceur(rapide(e.getValue(), CAMERA), CAMERA);
             lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
             assertNull(lancer.getEcart(), e.getKey());
             assertEquals(64, lancer.getCompteurs().pixelsTemoins, e.getKey());
@@ -63,7 +63,7 @@ class TemoinsTest {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).scene();
         Compteurs premiers = null;
         for (int fils : new int[] {1, 3}) {
-            Traceur lancer = new LancerSurveille(rapide(scene, CAMERA), CAMERA);
+            Traceur lancer = new Traceur(rapide(scene, CAMERA), CAMERA);
             for (int fois = 0; fois < 2; fois++) {
                 lancer.TracerPixels((couleur, i, j) -> { }, 5, fils);
                 Compteurs c = lancer.getCompteurs();
@@ -79,7 +79,7 @@ class TemoinsTest {
     @Test
     void uneImageDUnPixelAUnTemoin() {
         Camera une = new Camera(1, 1);
-        Traceur lancer = new LancerSurveille(rapide(ScenesDEssai.toutes(60).get("foule"), une), une);
+        Traceur lancer = new Traceur(rapide(ScenesDEssai.toutes(60).get("foule"), une), une);
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 1);
         assertEquals(1, lancer.getCompteurs().pixelsTemoins);
         assertNull(lancer.getEcart());
@@ -88,7 +88,7 @@ class TemoinsTest {
     @Test
     void uneEquationChangeeSeVoitEtCeSontLesBouclesQuiDessinent() {
         Scene scene = modifiee(ScenesDEssai.toutes(60).get("foule"), 0.98);
-        Traceur lancer = new LancerSurveille(scene, CAMERA);
+        Traceur lancer = new Traceur(scene, CAMERA);
         Couleur[] image = new Couleur[CAMERA.getLargeur() * CAMERA.getHauteur()];
         lancer.TracerPixels((couleur, i, j) -> image[j * CAMERA.getLargeur() + i] = couleur, 5, 2);
         assertNotNull(lancer.getEcart());
@@ -109,7 +109,7 @@ class TemoinsTest {
     @Test
     void dansLaFenetreLeBrouillonEstDejaCeluiDesBoucles() {
         Scene scene = modifiee(ScenesDEssai.toutes(60).get("foule"), 0.9);
-        Traceur lancer = new LancerSurveille(scene, CAMERA);
+        Traceur lancer = new Traceur(scene, CAMERA);
         lancer.TracerImage((couleur, i, j) -> assertFalse(scene.getModele().getRecherche() instanceof RechercheRapide), 5, 1);
         assertNotNull(lancer.getEcart());
     }
@@ -118,11 +118,11 @@ class TemoinsTest {
     @Test
     void unTemoinCoupeNeCompteMaisVoitUneRechercheFausse() {
         Scene scene = ScenesDEssai.foule(11, 100_000, 0).lampes(40).scene();
-        Temoins justes = new Temoins(rapide(scene, CAMERA), CAMERA, 5);
+        Temoins justes = new Temoins(rapide(scene, CAMERA), CAMERA, 5, null);
         justes.juger();
         assertNull(justes.getEcart());
         assertTrue(justes.getNombre() < 4, justes.getNombre() + " témoins entiers");
-        Temoins faux = new Temoins(modifiee(scene, 0.5), CAMERA, 5);
+        Temoins faux = new Temoins(modifiee(scene, 0.5), CAMERA, 5, null);
         faux.juger();
         assertNotNull(faux.getEcart());
     }
@@ -131,7 +131,7 @@ class TemoinsTest {
     void lesBouclesDuCoursNeSeJugentPas() {
         Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 6), 1)), Collections.<Lampe>emptyList());
         scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
-        Traceur lancer = new LancerSurveille(scene, CAMERA);
+        Traceur lancer = new Traceur(scene, CAMERA);
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
         assertEquals(0, lancer.getCompteurs().pixelsTemoins);
         assertNull(lancer.getEcart());

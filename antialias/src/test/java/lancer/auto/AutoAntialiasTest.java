@@ -20,7 +20,7 @@ import lancer.antialias.Antialias;
 import lancer.contrat.Variante;
 import lancer.essai.Essai;
 import lancer.fils.Traceur;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,7 +54,7 @@ class AutoAntialiasTest {
     /** Erreur et prix de chaque barreau, attendus de quelques pixels, contre ceux de l'image entière. */
     @Test
     void ceQuiEstAttenduDeLEchelleEstCeQuOnEnDessine() {
-        Traceur prepare = LancerSurveille.preparer(new Scene(scene.toString()), 80, 60, false);
+        Traceur prepare = Dessinateur.traceur(new Scene(scene.toString()), 80, 60, false);
         Auto auto = Auto.choisir(prepare, 0, null, null, 2, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
         assertEquals(new Antialias().getEchelle().size(), auto.getEssayes().size());
         double[][] juste = image(prepare.avec(Antialias.coins(16, 0), 0), 1000);

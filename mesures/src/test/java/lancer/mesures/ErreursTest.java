@@ -15,7 +15,7 @@ import lancer.antialias.Antialias;
 import lancer.atelier.Scenes;
 import lancer.contrat.Echantillonnage;
 import lancer.scene.FichierScene;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -155,7 +155,7 @@ class ErreursTest {
         Scene scene = lire(nom);
         Echantillonnage grille = n == 1 ? Echantillonnage.CENTRE : Antialias.coins(n, Math.max(0, contraste));
         Gabarit gabarit = new Gabarit(scene, L, H, 1);
-        ImageLineaire image = ImageLineaire.de(LancerSurveille.preparer(scene.avec(scene.getModele().avec(grille, 1 / parties)), L, H,
+        ImageLineaire image = ImageLineaire.de(Dessinateur.traceur(scene.avec(scene.getModele().avec(grille, 1 / parties)), L, H,
                 false), reflets, 2);
         double plate = erreur(n, contraste, Math.min(reflets, SANS_LIMITE), 1 / parties);
         assertTrue(plate > 0.3, "de quoi comparer");

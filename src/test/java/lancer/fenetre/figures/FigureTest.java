@@ -33,7 +33,7 @@ class FigureTest {
         Files.write(scene, ("[Sphere 1]\ncentre=0 0 6\nrayon=1\nKd=1 1 1\n[Lampe 1]\nposition=-4 6 -3\ncouleur=1 1 1\n"
                 + "[Lampe 2]\nposition=0 0 1\ncouleur=1 1 1\n").getBytes());
         Inspection pixel = new Inspection(new Scene(scene.toString()), new Origines(), new Camera(L, H), 0, 150, 110);
-        pixel.faire(Inspection.AU_CENTRE);
+        pixel.faire();
         Figure figure = new Figure(pixel, 0);
         Dimension vue = new Dimension(300, 200);
         BufferedImage vues = peindre(figure, vue);

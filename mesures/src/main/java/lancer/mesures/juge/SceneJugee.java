@@ -6,7 +6,7 @@ import lancer.Camera;
 import lancer.Scene;
 import lancer.fils.Traceur;
 import lancer.mesures.ImageLineaire;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 
 /** Une scène prête à être dessinée, par nous et par le juge. */
 public final class SceneJugee {
@@ -37,7 +37,7 @@ public final class SceneJugee {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
             scene.getModele().setSeuil(0);
         }
-        lancer = LancerSurveille.preparer(scene, largeur, hauteur, false);
+        lancer = Dessinateur.traceur(scene, largeur, hauteur, false);
         camera = lancer.getCamera();
         TraductionPov traduction = new TraductionPov(scene, reflets, camera);
         for (int c = 0; c < dessins; c++) {

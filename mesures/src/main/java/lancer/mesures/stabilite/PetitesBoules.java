@@ -19,7 +19,7 @@ import lancer.fils.Traceur;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 
 /** Des boules noires sur le ciel, toutes du même rayon à l'écran, loin les unes des autres et au hasard auprès des pixels. */
 final class PetitesBoules {
@@ -85,7 +85,7 @@ final class PetitesBoules {
             Scene scene = new Scene(image.boules, Collections.emptyList());
             Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR, 1);
             methodes.forEach((nom, methode) -> {
-                Traceur lancer = LancerSurveille.preparer(scene.avec(scene.getModele().avec(methode, 0)), LARGEUR, HAUTEUR, false);
+                Traceur lancer = Dessinateur.traceur(scene.avec(scene.getModele().avec(methode, 0)), LARGEUR, HAUTEUR, false);
                 double erreur = Intervalle.deLaRacine(gabarit.carres(ImageLineaire.de(lancer, 0, 2))).valeur;
                 exactitudes.add(new Exactitude(FIGURE, nom, image.rayon, erreur, image.boules.size(), 0, image.attendue(nom),
                         (double) lancer.getCompteurs().rayons() / LARGEUR / HAUTEUR));

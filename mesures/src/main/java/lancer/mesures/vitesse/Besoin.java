@@ -24,7 +24,7 @@ import lancer.contrat.Recherche;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.mesures.Gabarit;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 
 /** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
 final class Besoin {
@@ -73,7 +73,7 @@ final class Besoin {
 
     private Traceur preparer(Scene copie, double seuil) {
         copie.getModele().setSeuil(seuil);
-        return LancerSurveille.preparer(copie, taille.largeur, taille.hauteur, false);
+        return Dessinateur.traceur(copie, taille.largeur, taille.hauteur, false);
     }
 
     private int[] codes(Traceur lancer, int profondeur) {

@@ -32,7 +32,7 @@ import lancer.fils.Traceur;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 import lancer.texte.Texte;
 
 /**
@@ -138,7 +138,7 @@ public final class MesureAuto {
         Oracle oracle = new Oracle(scene, taille, voulues[0], image -> Intervalle.deLaRacine(gabarit.carres(image)).valeur);
         List<String> lignes = new ArrayList<>();
         for (double voulue : voulues) {
-            Auto auto = Auto.choisir(LancerSurveille.preparer(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
+            Auto auto = Auto.choisir(Dessinateur.traceur(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
                     taille.fils, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
             Traceur lancer = auto.getTraceur();

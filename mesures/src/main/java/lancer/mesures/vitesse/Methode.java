@@ -6,7 +6,7 @@ import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
 import lancer.fils.Traceur;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
 final class Methode {
@@ -77,7 +77,7 @@ final class Methode {
 
         Dessin(Scene lue, int largeur, int hauteur) {
             Scene changee = changement.apply(lue);
-            lancer = LancerSurveille.preparer(changee.avec(changee.getModele().avec(echantillonnage, seuil)), largeur, hauteur, boucles);
+            lancer = Dessinateur.traceur(changee.avec(changee.getModele().avec(echantillonnage, seuil)), largeur, hauteur, boucles);
         }
 
         /** Une fois, par le chemin du programme. */
@@ -89,7 +89,7 @@ final class Methode {
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Scene scene = lancer.getScene();
             Echantillonnage partiel = filtre.apply(scene.getModele().getEchantillonnage().pour(scene.getObjets(), lancer.getCamera()));
-            LancerSurveille.preparer(scene.avec(scene.getModele().avec(partiel, seuil)), lancer.getCamera().getLargeur(),
+            Dessinateur.traceur(scene.avec(scene.getModele().avec(partiel, seuil)), lancer.getCamera().getLargeur(),
                     lancer.getCamera().getHauteur(), true).parcourir(partiel, toile, profondeur, fils);
         }
     }

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 import lancer.fils.Traceur;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
@@ -84,7 +84,7 @@ final class Oracle {
 
     private Essai dessiner(Essai essai) {
         return dessines.computeIfAbsent(essai.toString(), nom -> {
-            Traceur lancer = LancerSurveille.preparer(scene.avec(scene.getModele().avec(Antialias.partage(essai.n, essai.seuil),
+            Traceur lancer = Dessinateur.traceur(scene.avec(scene.getModele().avec(Antialias.partage(essai.n, essai.seuil),
                     essai.seuilDesReflets)),
                     taille.largeur, taille.hauteur, false);
             essai.erreur = erreur.applyAsDouble(ImageLineaire.de(lancer, essai.reflets, taille.fils));

@@ -27,7 +27,7 @@ import lancer.mesures.ImageLineaire;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Noyau;
 import lancer.mesures.stabilite.Regime;
-import lancer.dessin.LancerSurveille;
+import lancer.dessin.Dessinateur;
 
 /**
  * Une machine virtuelle qui ne dessine, ou n'intersecte, que d'une façon, et le fait quand on le lui demande, sur son entrée : un nombre
@@ -159,7 +159,7 @@ final class Ouvrier {
      * @return combien de sphères ils ont fait essayer
      */
     static long pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
-        Traceur lancer = LancerSurveille.preparer(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
+        Traceur lancer = Dessinateur.traceur(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
         BufferedImage image = png == null ? null : ImageIO.read(png.toFile());
         for (int k : new Random(GRAINE).ints(nombre, 0, taille.pixels()).toArray()) {
             int i = k % taille.largeur;

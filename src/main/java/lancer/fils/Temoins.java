@@ -1,4 +1,4 @@
-package lancer.rapide;
+package lancer.fils;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -22,14 +22,12 @@ import lancer.Sphere;
 import lancer.Tuple;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
+import lancer.contrat.PixelFautif;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
-import lancer.fils.Equipe;
-import lancer.fils.Fautes;
-import lancer.fils.Regard;
 
 /**
- * Les pixels témoins, dessinés par les boucles du cours puis par une {@link RechercheRapide} : leurs deux couleurs sont
+ * Les pixels témoins, dessinés par les boucles du cours puis par la recherche d'une scène : leurs deux couleurs sont
  * comparées au bit près. Ils jugent ce à quoi elle répond autrement que par les méthodes du cours. Une faute qui change
  * une part p des pixels est vue avec une probabilité d'au moins 1 − (1 − p)^N, N étant tirés au hasard, un dans chacune
  * de N parts égales de l'image ; le tirage suit la scène, la taille, la profondeur et les classes du cours, pour que ce
@@ -67,20 +65,19 @@ public final class Temoins implements IntConsumer {
     private final Equipe equipe = new Equipe("temoins");
     private int nombre;
     private String ecart;
-    /** Où noter les témoins qui échouent ; {@code null} s'ils arrêtent le dessin. */
-    private Fautes fautes;
+    private final Fautes fautes;
 
-    /** @param profondeur nombre de réflexions permises */
-    public Temoins(Scene scene, Camera camera, int profondeur) {
+    /**
+     * @param profondeur nombre de réflexions permises
+     * @param fautes celles d'un dessin qui continue malgré les pixels qui échouent, à qui dire s'il en est qui
+     *     réussissent ; {@code null} : un témoin qui échoue l'arrête
+     */
+    public Temoins(Scene scene, Camera camera, int profondeur, Fautes fautes) {
         this.scene = scene;
         this.camera = camera;
         this.profondeur = profondeur;
+        this.fautes = fautes;
         pixels = (long) camera.getLargeur() * camera.getHauteur();
-    }
-
-    /** Juge malgré les pixels qui échouent, et dit à {@code duDessin} s'il en est qui réussissent. */
-    public void tolerer(Fautes duDessin) {
-        fautes = new Fautes(camera.getLargeur(), duDessin);
     }
 
     /**
@@ -124,7 +121,7 @@ public final class Temoins implements IntConsumer {
             Bornee boucles = new Bornee(true, reste / Math.min(PART_D_UN_TEMOIN, voulus - k), Long.MAX_VALUE);
             Couleur attendue = voir(boucles, pixel);
             Bornee rapide = new Bornee(false, Long.MAX_VALUE, boucles.questions);
-            if (!voir(rapide, pixel).equals(attendue)) {
+            if (!Objects.equals(voir(rapide, pixel), attendue)) {
                 ecart = "au pixel " + x(pixel) + ", " + y(pixel) + ", la recherche rapide ne répond pas comme les "
                         + "classes du cours : ce sont leurs boucles qui dessinent";
             }
@@ -139,9 +136,21 @@ public final class Temoins implements IntConsumer {
         return debut + hasard.nextInt((int) ((k + 1) * pixels / n - debut));
     }
 
+    /** La couleur de ce pixel, {@code null} s'il échoue et que le dessin le tolère. */
     private Couleur voir(Bornee recherche, long pixel) {
-        return new Regard(equipe, new Lancer(recherche.vue, camera), profondeur, fautes)
-                .couleur(x(pixel) + 0.5, y(pixel) + 0.5);
+        try {
+            Couleur vue = new Regard(equipe, new Lancer(recherche.vue, camera), profondeur, null)
+                    .couleur(x(pixel) + 0.5, y(pixel) + 0.5);
+            if (fautes != null) {
+                fautes.reussir();
+            }
+            return vue;
+        } catch (PixelFautif e) {
+            if (fautes == null) {
+                throw e;
+            }
+            return null;
+        }
     }
 
     private int x(long pixel) {
