@@ -173,7 +173,7 @@ public final class SansFenetre {
             autre = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
             dessinateur.preparer(autre).TracerPixels(dessinateur.programme, options.reflets, options.fils);
         }
-        Comparaison comparaison = Comparaison.de(autre, attendue, options.tolerance, options.part);
+        Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);
         if (!fichiers.isEmpty()) {
             Ecriture.ecrire(comparaison.getDifferences(), fichiers);
         }

@@ -15,23 +15,15 @@ public final class Comparaison {
 
     private final ImageMemoire a;
     private final ImageMemoire b;
-    private final double tolerance;
     private final double part;
     private final boolean surHuitBits;
-    private double rmse;
+    private final int pixels;
+    private final double rmse;
     private double pire;
     private int ou;
     private int auDela;
     private int plusDUn;
     private int plusDeHuit;
-
-    private Comparaison(ImageMemoire a, ImageMemoire b, double tolerance, double part) {
-        this.a = a;
-        this.b = b;
-        this.tolerance = tolerance;
-        this.part = part;
-        this.surHuitBits = a.getLineaire() == null || b.getLineaire() == null;
-    }
 
     /**
      * La comparaison de deux images.
@@ -41,20 +33,18 @@ public final class Comparaison {
      * @param part la part des pixels, de 0 à 1, qui peuvent s'écarter davantage
      * @throws Echec si les images n'ont pas la même taille
      */
-    public static Comparaison de(ImageMemoire a, ImageMemoire b, double tolerance, double part) {
+    public Comparaison(ImageMemoire a, ImageMemoire b, double tolerance, double part) {
         if (a.getLargeur() != b.getLargeur() || a.getHauteur() != b.getHauteur()) {
             throw Echec.demande(String.format(
                     "images de tailles différentes : %dx%d et %dx%d ; attendu : la même taille",
                     a.getLargeur(), a.getHauteur(), b.getLargeur(), b.getHauteur()));
         }
-        Comparaison comparaison = new Comparaison(a, b, tolerance, part);
-        comparaison.mesurer();
-        return comparaison;
-    }
-
-    private void mesurer() {
+        this.a = a;
+        this.b = b;
+        this.part = part;
+        surHuitBits = a.getLineaire() == null || b.getLineaire() == null;
+        pixels = a.getCodes().length;
         double carres = 0;
-        int pixels = a.getCodes().length;
         for (int p = 0; p < pixels; p++) {
             double max = 0;
             for (int k = 0; k < 3; k++) {
@@ -65,10 +55,8 @@ public final class Comparaison {
             auDela += max > tolerance ? 1 : 0;
             plusDUn += max > PEU ? 1 : 0;
             plusDeHuit += max > BEAUCOUP ? 1 : 0;
-            if (max > pire) {
-                pire = max;
-                ou = p;
-            }
+            ou = max > pire ? p : ou;
+            pire = Math.max(pire, max);
         }
         rmse = Math.sqrt(carres / (3.0 * pixels));
     }
@@ -85,7 +73,7 @@ public final class Comparaison {
 
     /** Vrai si les pixels dont une composante s'écarte plus que permis ne sont pas plus nombreux que permis. */
     public boolean sontPareilles() {
-        return (double) auDela / a.getCodes().length <= part;
+        return (double) auDela / pixels <= part;
     }
 
     /**
@@ -94,27 +82,23 @@ public final class Comparaison {
      */
     public ImageMemoire getDifferences() {
         ImageMemoire image = new ImageMemoire(a.getLargeur(), a.getHauteur(), false);
-        for (int p = 0; p < a.getCodes().length; p++) {
+        for (int p = 0; p < pixels; p++) {
             Couleur ecarts = new Couleur(ecart(p, 0), ecart(p, 1), ecart(p, 2)).div(BEAUCOUP);
             image.drawPixel(ecarts, p % a.getLargeur(), p / a.getLargeur());
         }
         return image;
     }
 
-    private String verdict() {
-        return sontPareilles() ? "pareilles"
-                : pire <= PEU ? "différentes, à l'arrondi près : --tolerance 1 les tient pour pareilles"
-                : "différentes";
-    }
-
     /** Le verdict et les écarts, une ligne {@code nom: valeur} chacun. */
     @Override
     public String toString() {
-        int pixels = a.getCodes().length;
+        String verdict = sontPareilles() ? "pareilles"
+                : pire <= PEU ? "différentes, à l'arrondi près : --tolerance 1 les tient pour pareilles"
+                : "différentes";
         String permis = part > 0 ? String.format("%npixels au-delà de la tolérance: %d sur %d", auDela, pixels) : "";
         String place = pire > 0 ? " en " + ou % a.getLargeur() + "," + ou / a.getLargeur() : "";
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"
                 + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d%s",
-                verdict(), rmse, pire, place, plusDUn, pixels, plusDeHuit, pixels, permis);
+                verdict, rmse, pire, place, plusDUn, pixels, plusDeHuit, pixels, permis);
     }
 }

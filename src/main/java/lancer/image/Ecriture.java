@@ -2,6 +2,7 @@ package lancer.image;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -25,21 +26,13 @@ public final class Ecriture {
         void ecrire(ImageMemoire image, OutputStream sortie) throws IOException;
     }
 
-    /** Nombre de liens symboliques suivis l'un après l'autre, comme le fait Linux. */
-    private static final int LIENS_MAX = 40;
-
     private final String nom;
     private final Path cible;
 
     /** Le fichier d'à côté : court, car le nom de la cible peut déjà être aussi long que le système le permet. */
     private Path provisoire;
 
-    /**
-     * Le fichier de ce nom, que l'on écrira.
-     *
-     * @param nom le fichier à écrire
-     * @throws Echec s'il est clair dès maintenant qu'il ne pourra l'être
-     */
+    /** @throws Echec s'il est clair dès maintenant que le fichier de ce nom ne pourra être écrit */
     public Ecriture(String nom) {
         this.nom = nom;
         try {
@@ -53,9 +46,6 @@ public final class Ecriture {
             throw impossible("c'est un dossier");
         }
         Path dossier = cible.getParent();
-        if (!Files.isDirectory(dossier)) {
-            throw impossible("le dossier n'existe pas");
-        }
         if (!estSpecial() && !Files.isWritable(dossier)) {
             throw impossible("écriture interdite dans le dossier " + Texte.echappe(dossier.toString()));
         }
@@ -66,16 +56,16 @@ public final class Ecriture {
 
     /** Le fichier au bout des liens, qu'il existe ou non, dans le vrai dossier : un fichier n'a que ce nom. */
     private static Path suivre(Path chemin) throws IOException {
-        Path lien = chemin;
-        for (int suivis = 0; Files.isSymbolicLink(lien) && !Files.exists(lien); suivis++) {
-            if (suivis == LIENS_MAX) {
-                throw new IOException("trop de liens symboliques");
-            }
-            lien = lien.resolveSibling(Files.readSymbolicLink(lien));
+        // le lien d'un tube, /proc/self/fd/1, mène à « pipe:[123] », qui n'est le nom de rien
+        if (Files.exists(chemin) && !Files.isRegularFile(chemin)) {
+            return chemin;
         }
-        // celui d'un tube, /proc/self/fd/1, mène à « pipe:[123] », qui n'est le nom de rien
-        return Files.isRegularFile(lien) ? lien.toRealPath()
-                : Files.exists(lien) ? lien : lien.getParent().toRealPath().resolve(lien.getFileName());
+        try {
+            return chemin.toRealPath();
+        } catch (NoSuchFileException | AccessDeniedException e) {
+            return Files.isSymbolicLink(chemin) ? suivre(chemin.resolveSibling(Files.readSymbolicLink(chemin)))
+                    : chemin.getParent().toRealPath().resolve(chemin.getFileName());
+        }
     }
 
     /** Vrai pour ce qui n'est pas un fichier ordinaire : on y écrit, on ne le remplace pas. */
@@ -116,12 +106,16 @@ public final class Ecriture {
     /**
      * Écrit l'image dans tous ces fichiers, chacun à son format, ou dans aucun.
      *
-     * @throws Echec si une écriture échoue ; les fichiers sont alors comme avant
+     * @throws Echec si une écriture échoue ; les fichiers sont alors comme avant, sauf ceux qu'il nomme
      */
     public static void ecrire(ImageMemoire image, Map<Ecriture, Format> fichiers) {
         try {
             fichiers.forEach((fichier, format) -> fichier.preparer(image, format));
-            fichiers.keySet().forEach(Ecriture::mettreEnPlace);
+            String ecrits = "";
+            for (Ecriture fichier : fichiers.keySet()) {
+                fichier.mettreEnPlace(ecrits);
+                ecrits += " ; " + Texte.echappe(fichier.nom) + " est écrit";
+            }
         } finally {
             fichiers.keySet().forEach(Ecriture::nettoyer);
         }
@@ -141,14 +135,14 @@ public final class Ecriture {
         }
     }
 
-    private void mettreEnPlace() {
+    private void mettreEnPlace(String ecrits) {
         try {
             if (provisoire != null) {
                 // REPLACE_EXISTING effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent
                 Files.move(provisoire, cible, StandardCopyOption.ATOMIC_MOVE);
             }
         } catch (IOException e) {
-            throw impossible(raison(e));
+            throw impossible(raison(e) + ecrits);
         }
     }
 

@@ -43,11 +43,15 @@ public final class FichierPng implements Ecriture.Format {
     private static void pixels(DataOutputStream sortie, ImageMemoire image) throws IOException {
         Deflater compression = new Deflater(Deflater.BEST_SPEED);
         try {
-            byte[] ligne = new byte[1 + 3 * image.getLargeur()];
+            int largeur = image.getLargeur();
+            byte[] ligne = new byte[1 + 3 * largeur];
+            ligne[0] = FILTRE_GAUCHE;
             byte[] tampon = new byte[BLOC];
             int remplis = 0;
             for (int j = 0; j < image.getHauteur(); j++) {
-                filtrer(image.getCodes(), j * image.getLargeur(), ligne);
+                for (int i = 0; i < largeur; i += MORCEAU) {
+                    filtrer(image.getCodes(), j * largeur, i, Math.min(i + MORCEAU, largeur), ligne);
+                }
                 compression.setInput(ligne);
                 if (j == image.getHauteur() - 1) {
                     compression.finish();
@@ -67,24 +71,15 @@ public final class FichierPng implements Ecriture.Format {
     }
 
     /** Chaque octet moins celui du pixel de gauche : un dégradé devient presque constant, et se comprime. */
-    private static void filtrer(int[] codes, int debut, byte[] ligne) {
-        ligne[0] = FILTRE_GAUCHE;
-        int gauche = 0;
-        for (int k = 1; k < ligne.length; k += 3 * MORCEAU) {
-            gauche = filtrer(codes, debut + k / 3, gauche, ligne, k, Math.min(k + 3 * MORCEAU, ligne.length));
-        }
-    }
-
-    private static int filtrer(int[] codes, int debut, int avant, byte[] ligne, int de, int a) {
-        int gauche = avant;
-        for (int i = debut, k = de; k < a; i++) {
-            int code = codes[i];
+    private static void filtrer(int[] codes, int debut, int de, int a, byte[] ligne) {
+        int gauche = de == 0 ? 0 : codes[debut + de - 1];
+        for (int i = de, k = 1 + 3 * de; i < a; i++) {
+            int code = codes[debut + i];
             ligne[k++] = (byte) ((code >> 16) - (gauche >> 16));
             ligne[k++] = (byte) ((code >> 8) - (gauche >> 8));
             ligne[k++] = (byte) (code - gauche);
             gauche = code;
         }
-        return gauche;
     }
 
     private static void bloc(DataOutputStream sortie, String type, byte[] donnees, int longueur) throws IOException {

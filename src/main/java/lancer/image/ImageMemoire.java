@@ -16,10 +16,7 @@ public final class ImageMemoire implements Toile {
         this(largeur, hauteur, true, avecLineaire);
     }
 
-    /**
-     * @param avecCodes vrai pour garder les codes, 4 octets par pixel
-     * @param avecLineaire vrai pour garder les couleurs non limitées, 12 octets par pixel
-     */
+    /** @param avecCodes vrai pour garder les codes, 4 octets par pixel ; les couleurs non limitées en prennent 12 */
     public ImageMemoire(int largeur, int hauteur, boolean avecCodes, boolean avecLineaire) {
         this.largeur = largeur;
         this.hauteur = hauteur;
