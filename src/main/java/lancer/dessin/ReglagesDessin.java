@@ -1,6 +1,5 @@
 package lancer.dessin;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -8,6 +7,8 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Constantes;
 import lancer.commande.Echec;
 import lancer.commande.Options;
@@ -56,11 +57,8 @@ public final class ReglagesDessin {
     /** @throws Echec si une variante que la ligne de commande débranche n'existe pas */
     void verifier(Options options) {
         for (String type : options.sans) {
-            boolean connue = Services.varianteConnue(type);
-            for (Variante presente : lues.keySet()) {
-                connue |= presente.getSection().equalsIgnoreCase(type);
-            }
-            if (!connue) {
+            if (!Services.varianteConnue(type)
+                    && lues.keySet().stream().noneMatch(presente -> presente.getSection().equalsIgnoreCase(type))) {
                 throw Echec.demande("valeur impossible pour --sans : " + Texte.cite(type)
                         + " ; attendu : une variante, par exemple Brume");
             }
@@ -87,12 +85,7 @@ public final class ReglagesDessin {
 
     /** La variante de cette section : chaque lecture en fait une neuve. */
     public Variante getVariante(String section) {
-        for (Variante presente : lues.keySet()) {
-            if (presente.getSection().equals(section)) {
-                return presente;
-            }
-        }
-        throw new IllegalArgumentException(section);
+        return lues.keySet().stream().filter(presente -> presente.getSection().equals(section)).findFirst().get();
     }
 
     public boolean estBranchee(Variante variante) {
@@ -112,16 +105,20 @@ public final class ReglagesDessin {
         return donnee != null || ailleurs ? donnee : parametre.defaut;
     }
 
+    /** Les variantes branchées, réglées par leur section du fichier ou par une autre. */
+    private Stream<Variante> branchees(boolean parLeFichier) {
+        return lues.keySet().stream().filter(variante -> estBranchee(variante)
+                && (getSection(variante) == lues.get(variante)) == parLeFichier);
+    }
+
     /** Variantes branchées que rien ne règle : {@code --auto} peut les régler. */
     public List<Variante> getVariantesLibres() {
-        List<Variante> libres = new ArrayList<>();
-        for (Variante variante : lues.keySet()) {
-            Section section = getSection(variante);
-            if (estBranchee(variante) && section == lues.get(variante) && section.ligne == 0) {
-                libres.add(variante);
-            }
-        }
-        return libres;
+        return branchees(true).filter(variante -> lues.get(variante).ligne == 0).collect(Collectors.toList());
+    }
+
+    /** Les sections à mettre dans le fichier pour dessiner ainsi, à la place des siennes. */
+    public List<Section> getSectionsChangees() {
+        return branchees(false).map(this::getSection).collect(Collectors.toList());
     }
 
     /** Réglages identiques, à tant de réflexions et à ce seuil. */
@@ -181,17 +178,6 @@ public final class ReglagesDessin {
             }
         }
         return modele;
-    }
-
-    /** Les sections à mettre dans le fichier pour dessiner ainsi, à la place des siennes. */
-    public List<Section> getSectionsChangees() {
-        List<Section> sections = new ArrayList<>();
-        for (Variante variante : lues.keySet()) {
-            if (estBranchee(variante) && getSection(variante) != lues.get(variante)) {
-                sections.add(getSection(variante));
-            }
-        }
-        return sections;
     }
 
     /** Les options à donner au programme pour dessiner ainsi ; vide, ou un blanc puis ce texte. */

@@ -51,7 +51,21 @@ public final class Equipe {
             // plus de mémoire pour un fil : ceux qui sont partis ne doivent pas travailler sans nous
             echouer(e);
         }
-        attendre();
+        boolean interrompu = false;
+        for (Thread fil : fils) {
+            while (fil.isAlive()) {
+                try {
+                    fil.join();
+                } catch (InterruptedException e) {
+                    // on nous demande d'abandonner : les fils d'abord, ils s'arrêtent aussitôt
+                    interrompu = true;
+                    arreter();
+                }
+            }
+        }
+        if (interrompu) {
+            Thread.currentThread().interrupt();
+        }
         if (echec instanceof Error) {
             throw (Error) echec;
         }
@@ -87,24 +101,6 @@ public final class Equipe {
     private void echouer(Throwable e) {
         echec = e;
         arreter();
-    }
-
-    private void attendre() {
-        boolean interrompu = false;
-        for (Thread fil : fils) {
-            while (fil.isAlive()) {
-                try {
-                    fil.join();
-                } catch (InterruptedException e) {
-                    // on nous demande d'abandonner : les fils d'abord, ils s'arrêtent aussitôt
-                    interrompu = true;
-                    arreter();
-                }
-            }
-        }
-        if (interrompu) {
-            Thread.currentThread().interrupt();
-        }
     }
 
     /** Un fil de l'équipe : il prend une tâche après l'autre. */

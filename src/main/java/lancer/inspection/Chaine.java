@@ -5,10 +5,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
+import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Objet3D;
 import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
@@ -112,16 +112,10 @@ final class Chaine implements Ecoute {
             Vecteur f = new Vecteur(rayon.getP(), ((Sphere) etape.contact.objet).getCentre());
             etape.h = Math.abs(etape.contact.distance - f.dot(rayon.getV()));
         }
-        for (Objet3D objet : scene.getObjets()) {
-            if (objet != etape.contact.objet && (sauf == null || objet != sauf.objet)
-                    && objet.getIntersectionDistance(rayon) < Constantes.INFINI) {
-                etape.rivaux.add(rayon.calcContact());
-                etape.rivaux.sort(Comparator.comparingDouble(rival -> rival.distance));
-                if (etape.rivaux.size() > 2) {
-                    etape.rivaux.remove(2);
-                }
-            }
-        }
+        etape.rivaux = scene.getObjets().stream().filter(objet -> objet != etape.contact.objet
+                && (sauf == null || objet != sauf.objet) && objet.getIntersectionDistance(rayon) < Constantes.INFINI)
+                .map(objet -> rayon.calcContact()).sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(2)
+                .collect(Collectors.toList());
     }
 
     private static PointContact cache(Eclairage cachee, PointContact contact, Scene scene) {
@@ -132,14 +126,10 @@ final class Chaine implements Ecoute {
         if (ombre.getDistance() < portee || !lointaine) {
             return depuisLaLampe;
         }
-        PointContact leDernier = null;
-        for (Objet3D objet : scene.getObjets()) {
-            Rayon versLampe = Rayon.dOmbre(contact, cachee.L);
-            double d = objet == contact.objet ? portee : objet.getIntersectionDistance(versLampe);
-            if (d < portee && (leDernier == null || d > leDernier.distance)) {
-                leDernier = versLampe.calcContact();
-            }
-        }
-        return leDernier;
+        Rayon versLampe = Rayon.dOmbre(contact, cachee.L);
+        return scene.getObjets().stream()
+                .filter(objet -> objet != contact.objet && objet.getIntersectionDistance(versLampe) < portee)
+                .map(objet -> versLampe.calcContact()).max(Comparator.comparingDouble(dernier -> dernier.distance))
+                .orElse(null);
     }
 }

@@ -1,6 +1,7 @@
 package lancer.inspection;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -25,7 +26,7 @@ public final class Etape {
     double h = Double.NaN;
 
     /** Les deux plus proches des autres objets que les boucles du cours trouvent sur ce rayon, s'il y en a. */
-    final List<PointContact> rivaux = new ArrayList<>();
+    List<PointContact> rivaux = Collections.emptyList();
     Vecteur N;
     Vecteur R;
 

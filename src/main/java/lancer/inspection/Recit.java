@@ -1,6 +1,7 @@
 package lancer.inspection;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.DoubleFunction;
@@ -63,7 +64,7 @@ public final class Recit {
 
     /** Les lignes de la chaîne, jusqu'à la faute s'il y en a une. */
     public List<Ligne> raconter() {
-        dire("pixel " + pixel.x + ", " + pixel.y);
+        dire("pixel %d, %d", pixel.x, pixel.y);
         if (pixel.getEchantillons().size() > 1) {
             dire(pixel.getEchantillons());
         }
@@ -72,51 +73,64 @@ public final class Recit {
             dire(suivante);
         }
         etape = 0;
-        dire(pixel.getFaute() != null ? "échec : " + Texte.cause(pixel.getFaute(), HORS_DE_JAVA)
-                : "somme " + ecrire(pixel.getCouleur())
-                + String.format(Locale.ROOT, " = #%06X", pixel.getCouleur().getCode() & 0xFFFFFF));
+        if (pixel.getFaute() != null) {
+            dire("échec : %s", Texte.cause(pixel.getFaute(), HORS_DE_JAVA));
+        } else {
+            dire("somme %s = #%06X", pixel.getCouleur(), pixel.getCouleur().getCode() & 0xFFFFFF);
+        }
         return lignes;
     }
 
-    private void dire(String ligne) {
-        dire(ligne, null);
+    private void dire(String format, Object... valeurs) {
+        replier(null, format, valeurs);
     }
 
-    private void dire(String ligne, String repli) {
-        lignes.add(new Ligne(ligne, etape, repli, false));
+    private void replier(String repli, String format, Object... valeurs) {
+        Object[] textes = Arrays.stream(valeurs).map(this::ecrire).toArray();
+        lignes.add(new Ligne(String.format(Locale.ROOT, format, textes), etape, repli, false));
+    }
+
+    /** Les nombres d'une valeur, comme ils s'écrivent ; elle-même, si ce n'en sont pas. */
+    private Object ecrire(Object valeur) {
+        if (valeur instanceof Couleur) {
+            Couleur c = (Couleur) valeur;
+            return ecrire(c.r) + " " + ecrire(c.v) + " " + ecrire(c.b);
+        }
+        if (valeur instanceof Tuple) {
+            Tuple t = (Tuple) valeur;
+            return ecrire(t.x) + " " + ecrire(t.y) + " " + ecrire(t.z);
+        }
+        if (valeur instanceof Echantillon) {
+            return ecrire(((Echantillon) valeur).xe) + ", " + ecrire(((Echantillon) valeur).ye);
+        }
+        return valeur instanceof Double ? nombre.apply((Double) valeur) : valeur;
     }
 
     private void dire(List<Echantillon> echantillons) {
         long siens = echantillons.stream().filter(e -> e.estDans(pixel.x, pixel.y)).count();
-        dire(siens + (siens > 1 ? " échantillons" : " échantillon") + (siens == echantillons.size() ? ""
-                : " et " + (echantillons.size() - siens) + " partagés avec les voisins"));
+        dire("%d échantillon%s%s", siens, siens > 1 ? "s" : "", siens == echantillons.size() ? ""
+                : " et " + (echantillons.size() - siens) + " partagés avec les voisins");
         for (Echantillon e : echantillons) {
-            dire("  " + point(e) + (e.estDans(pixel.x, pixel.y) ? " : " : " (partagé) : ") + ecrire(e.couleur));
+            dire("  %s%s : %s", e, e.estDans(pixel.x, pixel.y) ? "" : " (partagé)", e.couleur);
         }
         if (!pixel.termes.isEmpty()) {
-            dire(pixel.termes.size() + " termes");
+            dire("%d termes", pixel.termes.size());
         }
         for (Echantillon terme : pixel.termes) {
-            dire("  " + nombre.apply(terme.poids) + " × " + point(terme) + " = " + ecrire(terme.couleur));
+            dire("  %s × %s = %s", terme.poids, terme, terme.couleur);
         }
         if (pixel.somme != null) {
-            dire("leur somme = " + ecrire(pixel.somme) + ", divisée par " + nombre.apply(pixel.diviseur)
-                    + " pour le pixel");
+            dire("leur somme = %s, divisée par %s pour le pixel", pixel.somme, pixel.diviseur);
         }
-        dire("chaîne de l'échantillon " + point(pixel.getChoisi()));
-    }
-
-    private String point(Echantillon e) {
-        return nombre.apply(e.xe) + ", " + nombre.apply(e.ye);
+        dire("chaîne de l'échantillon %s", pixel.getChoisi());
     }
 
     private void dire(Etape etape) {
-        String debut = etape.numero + "  ";
         if (etape.contact == null) {
-            dire(debut + "ciel");
+            dire("%d  ciel", etape.numero);
         } else {
-            dire(debut + pixel.nom(etape.contact.objet) + "  d = " + nombre.apply(etape.contact.distance));
-            dire("   contact = " + ecrire(etape.contact));
+            dire("%d  %s  d = %s", etape.numero, pixel.nom(etape.contact.objet), etape.contact.distance);
+            dire("   contact = %s", etape.contact);
             if (etape.N != null) {
                 direLaSurface(etape);
             }
@@ -124,58 +138,55 @@ public final class Recit {
         if (etape.somme == null) {
             return;
         }
-        dire("   somme " + etape.numero + " = " + ecrire(etape.somme));
+        dire("   somme %d = %s", etape.numero, etape.somme);
         if (etape.aTraversLAir()) {
             direLAir(etape);
         }
         if (etape.reflet == null) {
-            dire("   arrêt : " + arret(etape));
+            direLArret(etape);
         }
     }
 
     private void direLaSurface(Etape etape) {
-        dire("   N = " + ecrire(etape.N));
+        dire("   N = %s", etape.N);
         for (Eclairage lampe : etape.lampes) {
             dire(etape, lampe);
         }
         String details = "   demi-corde, rivaux et directions des lampes";
         if (!Double.isNaN(etape.h)) {
-            dire("     demi-corde h = " + nombre.apply(etape.h), details);
+            replier(details, "     demi-corde h = %s", etape.h);
         }
-        etape.rivaux.forEach(rival -> dire("     rival " + pixel.nom(rival.objet) + "  d = "
-                + nombre.apply(rival.distance), details));
+        etape.rivaux.forEach(rival -> replier(details, "     rival %s  d = %s", pixel.nom(rival.objet), rival.distance));
         for (Eclairage lampe : etape.lampes) {
             if (lampe.L != null) {
-                dire("     L = " + ecrire(lampe.L) + "  vers " + pixel.nom(lampe.lampe), details);
+                replier(details, "     L = %s  vers %s", lampe.L, pixel.nom(lampe.lampe));
             }
         }
         if (etape.reflet != null) {
-            dire("     réfléchi : R = " + ecrire(etape.R) + ", poids " + ecrire(etape.poids) + " → "
-                    + (etape.numero + 1));
-            dire("       Ks " + facteur(etape.contact.objet.getKs()) + " ⊗ "
-                    + pixel.getEtapes().get(etape.numero).nomDeLaVue() + " = " + ecrire(etape.reflet));
+            dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids, etape.numero + 1);
+            dire("       Ks (%s) ⊗ %s = %s", etape.contact.objet.getKs(),
+                    pixel.getEtapes().get(etape.numero).nomDeLaVue(), etape.reflet);
         }
     }
 
     private void dire(Etape etape, Eclairage e) {
-        String debut = "     " + pixel.nom(e.lampe);
         long pareilles = etape.lampes.stream().filter(autre -> autre.sort() == e.sort()).count();
         String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + e.sort().nom;
         if (e.diffus == null) {
-            dire(debut + "  N·(lampe − contact) = " + nombre.apply(e.devant)
-                    + "  dans le dos : pas de rayon d'ombre", repli);
+            replier(repli, "     %s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", pixel.nom(e.lampe),
+                    e.devant);
             return;
         }
-        dire(debut + "  N·L = " + nombre.apply(e.cosinus) + "  " + (e.eclaire() ? "éclairée"
+        replier(repli, "     %s  N·L = %s  %s", pixel.nom(e.lampe), e.cosinus, e.eclaire() ? "éclairée"
                 : e.L == null ? "sans effet sur cette matière : pas de rayon d'ombre"
-                : e.cache == null ? "cachée" : "cachée par " + pixel.nom(e.cache.objet)), repli);
+                : e.cache == null ? "cachée" : "cachée par " + pixel.nom(e.cache.objet));
         if (e.eclaire()) {
-            String lampe = " ⊗ lampe " + facteur(e.lampe.getCouleur()) + " × ";
-            dire("       diffus = Kd " + facteur(etape.contact.objet.getKd()) + lampe + "N·L "
-                    + nombre.apply(e.cosinus) + " = " + ecrire(e.diffus));
-            dire("       + reflet = Ks " + facteur(etape.contact.objet.getKs()) + lampe + eclat(etape, e) + " = "
-                    + ecrire(e.reflet));
-            dire("       = " + ecrire(e.apport));
+            Couleur KL = e.lampe.getCouleur();
+            dire("       diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", etape.contact.objet.getKd(), KL, e.cosinus,
+                    e.diffus);
+            dire("       + reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", etape.contact.objet.getKs(), KL, eclat(etape, e),
+                    e.reflet);
+            dire("       = %s", e.apport);
         }
     }
 
@@ -183,44 +194,31 @@ public final class Recit {
     private String eclat(Etape etape, Eclairage e) {
         Specularite specularite = pixel.scene.getModele().getSpecularite();
         double base = specularite.base(etape.V, etape.N, e.L, etape.R);
-        return Double.isNaN(base) || etape.contact.objet.getKs().estNoire() ? "éclat " + nombre.apply(e.eclat)
-                : "(" + specularite.nomDeLaBase() + " " + nombre.apply(base) + ")^"
-                + nombre.apply(specularite.exposant(etape.contact.objet.getNs()));
+        return Double.isNaN(base) || etape.contact.objet.getKs().estNoire() ? "éclat " + ecrire(e.eclat)
+                : "(" + specularite.nomDeLaBase() + " " + ecrire(base) + ")^"
+                + ecrire(specularite.exposant(etape.contact.objet.getNs()));
     }
 
     private void direLAir(Etape etape) {
         if (!Double.isNaN(etape.k)) {
-            Couleur air = pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance());
-            dire("     air : k = " + nombre.apply(etape.k));
-            dire("       k · air = " + ecrire(air));
-            dire("       + (1 − k) · somme " + etape.numero + " = " + ecrire(etape.somme.mul(1 - etape.k)));
+            dire("     air : k = %s", etape.k);
+            dire("       k · air = %s",
+                    pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance()));
+            dire("       + (1 − k) · somme %d = %s", etape.numero, etape.somme.mul(1 - etape.k));
         }
         if (etape.vue != null) {
-            dire("   vue " + etape.numero + " = " + ecrire(etape.vue));
+            dire("   vue %d = %s", etape.numero, etape.vue);
         }
     }
 
-    private String arret(Etape etape) {
+    private void direLArret(Etape etape) {
         if (etape.contact == null) {
-            return "ciel";
+            dire("   arrêt : ciel");
+        } else if (etape.poids != null) {
+            dire("   arrêt : poids %s < seuil %s", etape.poids.max(), pixel.scene.getModele().getSeuil());
+        } else {
+            dire("   arrêt : %s", etape.contact.objet.getKs().estNoire() ? "Ks nul"
+                    : pixel.profondeur + (pixel.profondeur > 1 ? " réflexions" : " réflexion"));
         }
-        if (etape.poids != null) {
-            return "poids " + nombre.apply(etape.poids.max()) + " < seuil "
-                    + nombre.apply(pixel.scene.getModele().getSeuil());
-        }
-        return etape.contact.objet.getKs().estNoire() ? "Ks nul"
-                : pixel.profondeur + (pixel.profondeur > 1 ? " réflexions" : " réflexion");
-    }
-
-    private String facteur(Couleur c) {
-        return "(" + ecrire(c) + ")";
-    }
-
-    private String ecrire(Couleur c) {
-        return nombre.apply(c.r) + " " + nombre.apply(c.v) + " " + nombre.apply(c.b);
-    }
-
-    private String ecrire(Tuple t) {
-        return nombre.apply(t.x) + " " + nombre.apply(t.y) + " " + nombre.apply(t.z);
     }
 }

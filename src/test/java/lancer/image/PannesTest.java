@@ -173,8 +173,7 @@ class PannesTest extends EssaiProcessus {
         Path png = dossier.resolve("a.png");
         Path pfm = dossier.resolve("a.pfm");
         fichiers.put(new Ecriture(png.toString()), new FichierPng());
-        fichiers.put(new Ecriture(pfm.toString()), new FichierPfm());
-        Files.createDirectories(pfm.resolve("plein"));
+        fichiers.put(new Ecriture(pfm.toString()), (image, sortie) -> Files.createDirectories(pfm.resolve("plein")));
         Echec e = assertThrows(Echec.class, () -> Ecriture.ecrire(new ImageMemoire(3, 2, true), fichiers));
         assertTrue(e.getMessage().matches("\\Q" + pfm + " : écriture impossible, \\E.+\\Q ; " + png + " est écrit\\E"), e.getMessage());
         assertTrue(Files.exists(png));

@@ -52,7 +52,7 @@ final class Cases {
             for (int x = voulus.i0 - pave.i0; x < voulus.i1 - pave.i0; x++) {
                 commencer(x, y);
                 boolean divisible = finX > 1 || finY > 1;
-                if (divisible && (voisinSuspect(suspects) || peutEchapper(0, 0, finX, finY))) {
+                if (divisible && (suspects[y + 1][x + 1] || peutEchapper(0, 0, finX, finY))) {
                     couper(0, 0, finX, finY);
                     raffines++;
                 } else {
@@ -77,28 +77,21 @@ final class Cases {
         b = 0;
     }
 
-    /** Pour chaque ligne et chaque colonne, vrai si la case d'un pixel, voulu ou voisin, dépasse seule le seuil. */
+    /**
+     * Pour chaque ligne et chaque colonne, à une près, vrai si la case d'un pixel ou de l'un de ses huit voisins
+     * dépasse seule le seuil : un détail déborde souvent de sa case.
+     */
     private boolean[][] suspects(Pave voulus) {
-        boolean[][] suspects = new boolean[hauteur][largeur];
+        boolean[][] suspects = new boolean[hauteur + 2][largeur + 2];
         for (int y = Math.max(0, voulus.j0 - pave.j0 - 1); y < Math.min(hauteur, voulus.j1 - pave.j0 + 1); y++) {
             for (int x = Math.max(0, voulus.i0 - pave.i0 - 1); x < Math.min(largeur, voulus.i1 - pave.i0 + 1); x++) {
                 commencer(x, y);
-                suspects[y][x] = depasse(0, 0, finX, finY);
-            }
-        }
-        return suspects;
-    }
-
-    /** Vrai si le pixel ou l'un de ses huit voisins est suspect : un détail déborde souvent de sa case. */
-    private boolean voisinSuspect(boolean[][] suspects) {
-        for (int y = Math.max(0, j - 1); y < Math.min(hauteur, j + 2); y++) {
-            for (int x = Math.max(0, i - 1); x < Math.min(largeur, i + 2); x++) {
-                if (suspects[y][x]) {
-                    return true;
+                for (int k = 0; k < 9 && depasse(0, 0, finX, finY); k++) {
+                    suspects[y + k / 3][x + k % 3] = true;
                 }
             }
         }
-        return false;
+        return suspects;
     }
 
     /** Vrai si contraste × côté dépasse le seuil : plus une case est petite, moins elle change le pixel. */
