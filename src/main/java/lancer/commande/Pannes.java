@@ -13,8 +13,6 @@ import lancer.texte.Texte;
 /** Ce que le programme dit et rend quand il n'a pas pu, et comment il parle : une ligne, quoi qu'elle contienne. */
 public final class Pannes {
 
-    private static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
-
     private Pannes() {
     }
 
@@ -36,7 +34,7 @@ public final class Pannes {
                     ? "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2"
                     : "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
         }
-        return "échec du programme : " + Texte.cause(panne, HORS_DE_JAVA);
+        return "échec du programme : " + Texte.cause(panne, Texte.HORS_DE_JAVA);
     }
 
     /** Dit ces messages, une ligne chacun. */
@@ -71,13 +69,15 @@ public final class Pannes {
      * Une ligne : le pixel et la scène, la cause la plus profonde et l'endroit du code, et la commande qui dessine ce
      * pixel de nouveau.
      *
+     * @param classes celles de la scène et des variantes, où situer l'échec : voir {@link Texte#cause}
      * @param options celles que disent les réglages du dessin
      * @param scene le fichier dessiné
      * @param largeur la taille de l'image, en pixels
      */
-    public static String duPixel(PixelFautif panne, String options, String scene, int largeur, int hauteur) {
+    public static String duPixel(PixelFautif panne, String classes, String options, String scene, int largeur,
+            int hauteur) {
         return "pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : "
-                + Texte.cause(panne, HORS_DE_JAVA) + " ; pour le revoir : "
+                + Texte.cause(panne, classes, Texte.HORS_DE_JAVA) + " ; pour le revoir : "
                 + commande(" --pixel " + panne.x + "," + panne.y, options, scene, largeur, hauteur);
     }
 

@@ -6,9 +6,9 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Camera;
@@ -221,32 +221,17 @@ public final class Dessinateur {
     public Echec nommer(PixelFautif panne) {
         Dessin present = dessin;
         boolean dessinee = present.image != null;
-        return Echec.panne(Pannes.duPixel(situer(panne, programme.getScene()), present.reglages.getOptions(),
+        return Echec.panne(Pannes.duPixel(panne, classes(programme.getScene()), present.reglages.getOptions(),
                 present.fichier, dessinee ? present.image.getLargeur() : options.largeur,
                 dessinee ? present.image.getHauteur() : options.hauteur));
     }
 
-    /**
-     * Échec du même pixel, et sa première cause, dont la pile commence, si elle y passe, par une classe de la scène ou
-     * d'une variante.
-     */
-    static PixelFautif situer(PixelFautif panne, Scene scene) {
+    /** Les classes de la scène et des variantes, en une expression régulière : un échec y est situé d'abord. */
+    static String classes(Scene scene) {
         Modele modele = scene.getModele();
         // ce que la base met à la place d'une variante n'est pas en cause
-        Set<String> classes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite(),
-                modele.getEchantillonnage()).filter(contrat -> !Modele.nom(contrat).startsWith("lancer.contrat.")),
-                scene.getObjets().stream()).map(Modele::nom).collect(Collectors.toSet());
-        Throwable cause = panne;
-        while (cause.getCause() != null) {
-            cause = cause.getCause();
-        }
-        StackTraceElement[] pile = cause.getStackTrace();
-        for (int k = 0; k < pile.length; k++) {
-            if (classes.contains(pile[k].getClassName())) {
-                cause.setStackTrace(Arrays.copyOfRange(pile, k, pile.length));
-                break;
-            }
-        }
-        return new PixelFautif(panne.xe, panne.ye, cause);
+        return Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite(), modele.getEchantillonnage()),
+                scene.getObjets().stream()).map(Modele::nom).distinct().filter(nom -> !nom.startsWith("lancer.contrat."))
+                .map(Pattern::quote).collect(Collectors.joining("|"));
     }
 }

@@ -7,14 +7,13 @@ import java.util.Locale;
 import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
 import lancer.Couleur;
+import lancer.PointContact;
 import lancer.Tuple;
 import lancer.contrat.Specularite;
 import lancer.texte.Texte;
 
 /** La chaîne d'un pixel en lignes de texte, chaque terme dans l'ordre où il s'ajoute, avec ses facteurs. */
 public final class Recit {
-
-    private static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
 
     /** Nombre de lampes de même sort au-delà duquel elles ne se montrent qu'à la demande. */
     private static final int LAMPES = 3;
@@ -74,7 +73,7 @@ public final class Recit {
         }
         etape = 0;
         if (pixel.getFaute() != null) {
-            dire("échec : %s", Texte.cause(pixel.getFaute(), HORS_DE_JAVA));
+            dire("échec : %s", Texte.cause(pixel.getFaute(), Texte.HORS_DE_JAVA));
         } else {
             dire("somme %s = #%06X", pixel.getCouleur(), pixel.getCouleur().getCode() & 0xFFFFFF);
         }
@@ -156,7 +155,9 @@ public final class Recit {
         if (!Double.isNaN(etape.h)) {
             replier(details, "     demi-corde h = %s", etape.h);
         }
-        etape.rivaux.forEach(rival -> replier(details, "     rival %s  d = %s", pixel.nom(rival.objet), rival.distance));
+        for (PointContact rival : etape.rivaux) {
+            replier(details, "     rival %s  d = %s", pixel.nom(rival.objet), rival.distance);
+        }
         for (Eclairage lampe : etape.lampes) {
             if (lampe.L != null) {
                 replier(details, "     L = %s  vers %s", lampe.L, pixel.nom(lampe.lampe));

@@ -12,6 +12,9 @@ public final class Texte {
     /** Longueur au-delà de laquelle une citation est coupée, en caractères. */
     private static final int CITATION_MAX = 60;
 
+    /** Les noms des classes qui ne sont pas de Java, pour {@link #cause}. */
+    public static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
+
     /** Les mots du système ou de Java, et leur traduction ; en français, le système se fait comprendre seul. */
     private static final String[][] PANNES = {
         {"No space left on device", "disque plein"},
@@ -94,18 +97,21 @@ public final class Texte {
     /**
      * La cause première d'un échec, et où elle est née.
      *
-     * @param classes de qui dire la ligne : la première de la pile dont la classe a un tel nom, s'il y en a une
+     * @param classes de qui dire la ligne : la première de la pile dont la classe a un tel nom, à défaut un des noms
+     *     suivants
      */
-    public static String cause(Throwable echec, String classes) {
+    public static String cause(Throwable echec, String... classes) {
         Throwable cause = echec;
         while (cause.getCause() != null) {
             cause = cause.getCause();
         }
         String dit = echappe(cause.toString());
-        for (StackTraceElement pas : cause.getStackTrace()) {
-            if (pas.getClassName().matches(classes)) {
-                return dit + " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
-                        + pas.getLineNumber() + ")";
+        for (String noms : classes) {
+            for (StackTraceElement pas : cause.getStackTrace()) {
+                if (pas.getClassName().matches(noms)) {
+                    return dit + " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
+                            + pas.getLineNumber() + ")";
+                }
             }
         }
         return dit;

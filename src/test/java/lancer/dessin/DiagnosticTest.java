@@ -1,7 +1,6 @@
 package lancer.dessin;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -72,9 +71,8 @@ class DiagnosticTest {
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele);
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        PixelFautif situee = Dessinateur.situer(panne, scene);
-        assertEquals(panne.getMessage(), situee.getMessage());
-        return Texte.cause(situee, "(?!java\\.).*").replace(DiagnosticTest.class.getName(), "").replaceAll("java:\\d+", "java");
+        return Texte.cause(panne, Dessinateur.classes(scene), Texte.HORS_DE_JAVA).replace(DiagnosticTest.class.getName(), "")
+                .replaceAll("java:\\d+", "java");
     }
 
     @Test
@@ -104,8 +102,9 @@ class DiagnosticTest {
     }
 
     @Test
-    void unEchecGardeSaPremiereCause() {
+    void unEchecDitSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        assertSame(panne.getCause(), Dessinateur.situer(panne, scene(new Mur())).getCause());
+        String dit = Texte.cause(panne, Dessinateur.classes(scene(new Mur())), Texte.HORS_DE_JAVA);
+        assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
 }
