@@ -231,7 +231,7 @@ public final class Dessinateur {
         Modele modele = scene.getModele();
         // ce que la base met à la place d'une variante n'est pas en cause
         return Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite(), modele.getEchantillonnage()),
-                scene.getObjets().stream()).map(Modele::nom).distinct().filter(nom -> !nom.startsWith("lancer.contrat."))
-                .map(Pattern::quote).collect(Collectors.joining("|"));
+                scene.getObjets().stream()).map(Modele::nom).distinct()
+                .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
     }
 }

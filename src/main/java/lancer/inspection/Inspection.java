@@ -90,8 +90,8 @@ public final class Inspection implements Vue, Toile {
 
     private void expliquer(int rang) {
         int largeur = camera.getLargeur();
-        int cote = Pave.COTE;
-        Pave pave = Pave.deRang(y / cote * Pave.nombre(largeur, 1, cote) + x / cote, largeur, camera.getHauteur(), cote);
+        Pave pave = Pave.deRang(y / Pave.COTE * Pave.nombre(largeur, 1, Pave.COTE) + x / Pave.COTE, largeur,
+                camera.getHauteur(), Pave.COTE);
         scene.getModele().getEchantillonnage().pour(scene.getObjets(), camera)
                 .tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
         echantillons = vus.values().stream()
