@@ -34,7 +34,7 @@ class ReponsesTest {
 
     /** À un niveau près : les fonctions de Java n'arrondissent pas de même sur toutes les machines. */
     private static void memes(ImageMemoire attendue, String fichier) {
-        Comparaison comparaison = Comparaison.de(attendue, LectureImage.lire("../" + fichier), 1, 0);
+        Comparaison comparaison = new Comparaison(attendue, LectureImage.lire("../" + fichier), 1, 0);
         assertTrue(comparaison.sontPareilles(), fichier + " n'est plus du programme (make reponses) : " + comparaison);
     }
 }
