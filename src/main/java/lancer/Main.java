@@ -1,7 +1,6 @@
 package lancer;
 
 import java.io.PrintStream;
-import lancer.commande.Aide;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.Modele;
@@ -53,7 +52,7 @@ public class Main implements Programme {
     private int executer() {
         try {
             if (options.aide || options.version) {
-                Pannes.repondre(options.aide ? Aide.texte() : Aide.version(), sortie);
+                Pannes.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
             } else if (options.sansFenetre()) {
                 return SansFenetre.faire(dessinateur);
             } else {

@@ -14,7 +14,8 @@ public final class Echec extends RuntimeException {
 
     private static final long serialVersionUID = 1;
 
-    private final int code;
+    /** Le statut de sortie. */
+    public final int code;
 
     private Echec(int code, String message) {
         super(message);
@@ -27,10 +28,5 @@ public final class Echec extends RuntimeException {
 
     public static Echec demande(String message) {
         return new Echec(DEMANDE, message);
-    }
-
-    /** Le statut de sortie. */
-    public int getCode() {
-        return code;
     }
 }

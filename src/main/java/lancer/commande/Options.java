@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Scanner;
 import lancer.Constantes;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -18,15 +19,23 @@ public final class Options {
     private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
 
-    private static final String AUTO = "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1";
-
-    private static final String PIXEL =
-            "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426";
-
-    private static final String PART = "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%";
-
-    private static final List<String> A_VALEUR = Arrays.asList("--image", "--lineaire", "--taille", "--reflets",
-            "--seuil", "--sans", "--fils", "--repeter", "--pixel", "--auto", "--comparer", "--tolerance", "--part");
+    /** Chaque option qui a une valeur, ce qui en est attendu si elle manque, et si la valeur est impossible. */
+    private static final String[][] A_VALEUR = {
+        {"--image", "un fichier .png", "un fichier dont le nom finit par .png"},
+        {"--lineaire", "un fichier .pfm", "un fichier dont le nom finit par .pfm"},
+        {"--taille", "une taille, par exemple 800x600", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
+                + " chacune, et au plus " + PIXELS_MAX + " pixels"},
+        {"--reflets", "un entier de 0 à 1000"},
+        {"--seuil", "un nombre positif ou nul", "un nombre positif ou nul, par exemple 0.001"},
+        {"--sans", "une variante, par exemple Brume",
+            "des noms de variantes séparés par une virgule, par exemple Brume,Blinn"},
+        {"--fils", "un entier de 1 à " + FILS_MAX},
+        {"--repeter", "un entier de 1 à 100000"},
+        {"--pixel", "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426"},
+        {"--auto", "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1"},
+        {"--comparer", "une image PNG ou PFM"},
+        {"--tolerance", "un nombre de niveaux positif ou nul", "un nombre de niveaux positif ou nul, par exemple 1"},
+        {"--part", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%"}};
     private static final List<String> SANS_VALEUR =
             Arrays.asList("--statistiques", "--simple", "--aide", "--help", "-h", "--version");
 
@@ -98,6 +107,19 @@ public final class Options {
         return options;
     }
 
+    /** Le texte de {@code --aide}. */
+    public static String getAide() {
+        try (Scanner texte = new Scanner(Options.class.getResourceAsStream("aide.txt"), "UTF-8")) {
+            return texte.useDelimiter("\\n\\z").next();
+        }
+    }
+
+    /** Le texte de {@code --version}. */
+    public static String getVersion() {
+        String version = Options.class.getPackage().getImplementationVersion();
+        return "lancer " + (version != null ? version : "(non empaqueté)");
+    }
+
     /** Vrai si ce qui est demandé, un fichier, un pixel, une comparaison, se fait sans fenêtre. */
     public boolean sansFenetre() {
         return versFichier() || pixel || comparer != null;
@@ -127,61 +149,87 @@ public final class Options {
             int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             String valeur = egal < 0 ? "" : argument.substring(egal + 1);
-            if (A_VALEUR.contains(nom)) {
+            if (aValeur(nom) != null) {
                 // « --image --fils 2 » : un oubli, pas un fichier nommé « --fils »
                 if (egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
                     valeur = arguments[++k];
                 }
             } else if (!SANS_VALEUR.contains(nom)) {
-                throw Echec.demande("option inconnue : " + Texte.cite(nom)
-                        + " ; attendu : une de celles que montre --aide");
+                throw demande("option inconnue : " + Texte.cite(nom), "une de celles que montre --aide");
             } else if (egal >= 0) {
                 throw Echec.demande("option qui ne prend pas de valeur : " + nom + " ; reçu : " + Texte.cite(valeur));
             }
             if (donnees.put(nom, valeur) != null) {
-                throw Echec.demande("option donnée deux fois : " + nom + " ; attendu : une seule fois chaque option");
+                throw demande("option donnée deux fois : " + nom, "une seule fois chaque option");
             }
             aide = nom.equals("--aide") || nom.equals("--help") || nom.equals("-h");
             version = nom.equals("--version");
         }
     }
 
+    private static String[] aValeur(String nom) {
+        for (String[] option : A_VALEUR) {
+            if (option[0].equals(nom)) {
+                return option;
+            }
+        }
+        return null;
+    }
+
     private void nommerLaScene(String nom) {
         if (scene != null) {
-            throw Echec.demande("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(nom)
-                    + " ; attendu : une seule");
+            throw demande("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(nom), "une seule");
         }
         if (nom.isEmpty()) {
-            throw Echec.demande("nom de scène vide ; attendu : un fichier, par exemple scenes/scene1.ini");
+            throw demande("nom de scène vide", "un fichier, par exemple scenes/scene1.ini");
         }
         scene = nom;
     }
 
     private void comprendre() {
-        image = fichier("--image", ".png");
-        lineaire = fichier("--lineaire", ".pfm");
-        taille();
+        image = valeur("--image");
+        exiger(image == null || finit(image, ".png"), "--image");
+        lineaire = valeur("--lineaire");
+        exiger(lineaire == null || finit(lineaire, ".pfm"), "--lineaire");
+        String taille = valeur("--taille");
+        if (taille != null) {
+            double[] cotes = deuxEntiers(taille, 'x');
+            exiger(Math.min(cotes[0], cotes[1]) >= 1 && Math.max(cotes[0], cotes[1]) <= COTE_MAX
+                    && cotes[0] * cotes[1] <= PIXELS_MAX, "--taille");
+            largeur = (int) cotes[0];
+            hauteur = (int) cotes[1];
+        }
         reflets = entier("--reflets", reflets, 0, 1000);
         refletsDonnes = donnees.containsKey("--reflets");
-        seuil = positif("--seuil", seuil, "un nombre positif ou nul", "0.001");
+        seuil = positif("--seuil", seuil);
         seuilDonne = donnees.containsKey("--seuil");
-        String variantes = valeur("--sans", "une variante, par exemple Brume");
+        String variantes = valeur("--sans");
         sans = variantes == null ? sans : Arrays.asList(variantes.split(",", -1));
-        if (sans.contains("")) {
-            throw impossible("--sans", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn");
-        }
+        exiger(!sans.contains(""), "--sans");
         fils = entier("--fils", fils, 1, FILS_MAX);
         repeter = entier("--repeter", repeter, 1, 100_000);
         statistiques = donnees.containsKey("--statistiques");
         simple = donnees.containsKey("--simple");
-        pixel();
-        souhait();
-        comparer = valeur("--comparer", "une image PNG ou PFM");
-        if (comparer != null && !estImage(comparer)) {
-            throw impossible("--comparer", "une image PNG ou PFM");
+        String xy = valeur("--pixel");
+        pixel = xy != null;
+        if (pixel) {
+            double[] lus = deuxEntiers(xy, ',');
+            exiger(Math.min(lus[0], lus[1]) >= 0, "--pixel");
+            pixelX = (int) lus[0];
+            pixelY = (int) lus[1];
         }
-        tolerance = positif("--tolerance", tolerance, "un nombre de niveaux positif ou nul", "1");
-        part();
+        String souhait = valeur("--auto");
+        auto = souhait != null;
+        if (auto) {
+            erreurVoulue = souhait.startsWith("erreur=") ? Nombre.lire(souhait.substring("erreur=".length())) : 0;
+            exiger(erreurVoulue >= 0.01 && erreurVoulue <= 255, "--auto");
+        }
+        comparer = valeur("--comparer");
+        exiger(comparer == null || estImage(comparer), "--comparer");
+        tolerance = positif("--tolerance", tolerance);
+        String partLue = valeur("--part");
+        part = partLue == null ? 0 : part(partLue);
+        exiger(part >= 0 && part <= 1, "--part");
     }
 
     /** Refuse les options qui ne vont pas ensemble, ou pas seules. */
@@ -194,67 +242,53 @@ public final class Options {
         }
         if (comparer != null) {
             if (scene == null) {
-                throw Echec.demande("rien à comparer à " + Texte.cite(comparer)
-                        + " ; attendu : une scène, ou une image PNG ou PFM");
+                throw demande("rien à comparer à " + Texte.cite(comparer), "une scène, ou une image PNG ou PFM");
             }
             refuser(SANS_COMPARER, "%s ne va pas avec --comparer");
         }
         for (String nom : new String[] {"--tolerance", "--part"}) {
             if (comparer == null && donnees.containsKey(nom)) {
-                throw Echec.demande(nom + " ne sert pas seule ; attendu : avec elle, --comparer REFERENCE.png");
+                throw demande(nom + " ne sert pas seule", "avec elle, --comparer REFERENCE.png");
             }
         }
         if ((versFichier() || pixel) && scene == null) {
-            throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
+            throw demande("aucune scène à dessiner", "un fichier, par exemple scenes/scene1.ini");
         }
         if (auto && !versFichier()) {
-            throw Echec.demande("--auto ne sert pas dans la fenêtre ; attendu : avec elle, "
-                    + "--image FICHIER.png ou --lineaire FICHIER.pfm");
+            throw demande("--auto ne sert pas dans la fenêtre",
+                    "avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm");
         }
     }
 
     private void refuser(String[] autres, String faute) {
         for (String autre : autres) {
             if (donnees.containsKey(autre)) {
-                throw Echec.demande(String.format(faute, autre) + " ; attendu : l'une ou l'autre");
+                throw demande(String.format(faute, autre), "l'une ou l'autre");
             }
         }
     }
 
     /** La valeur donnée à cette option, {@code null} si elle n'est pas demandée. */
-    private String valeur(String nom, String attendu) {
+    private String valeur(String nom) {
         String valeur = donnees.get(nom);
         if (valeur != null && valeur.isEmpty()) {
-            throw Echec.demande("option sans sa valeur : " + nom + " ; attendu : " + attendu);
+            throw demande("option sans sa valeur : " + nom, aValeur(nom)[1]);
         }
         return valeur;
-    }
-
-    private String fichier(String nom, String fin) {
-        String fichier = valeur(nom, "un fichier " + fin);
-        if (fichier != null && !finit(fichier, fin)) {
-            throw impossible(nom, "un fichier dont le nom finit par " + fin);
-        }
-        return fichier;
     }
 
     private int entier(String nom, int defaut, int min, int max) {
-        String attendu = "un entier de " + min + " à " + max;
-        String texte = valeur(nom, attendu);
+        String texte = valeur(nom);
         double n = texte == null ? defaut : chiffres(texte);
-        if (!(n >= min && n <= max)) {
-            throw impossible(nom, attendu);
-        }
+        exiger(n >= min && n <= max, nom);
         return (int) n;
     }
 
-    private double positif(String nom, double defaut, String attendu, String exemple) {
-        String texte = valeur(nom, attendu);
-        double valeur = texte == null ? defaut : Nombre.lire(texte);
-        if (!(valeur >= 0 && valeur <= Double.MAX_VALUE)) {
-            throw impossible(nom, attendu + ", par exemple " + exemple);
-        }
-        return valeur;
+    private double positif(String nom, double defaut) {
+        String texte = valeur(nom);
+        double n = texte == null ? defaut : Nombre.lire(texte);
+        exiger(n >= 0 && n <= Double.MAX_VALUE, nom);
+        return n;
     }
 
     /** L'entier écrit, aussi grand soit-il ; ni positif ni nul si ce n'en est pas un. */
@@ -275,62 +309,26 @@ public final class Options {
                 : new double[] {chiffres(texte.substring(0, k)), chiffres(texte.substring(k + 1))};
     }
 
-    private void taille() {
-        String texte = valeur("--taille", "une taille, par exemple 800x600");
-        if (texte != null) {
-            double[] cotes = deuxEntiers(texte, 'x');
-            if (!(Math.min(cotes[0], cotes[1]) >= 1 && Math.max(cotes[0], cotes[1]) <= COTE_MAX
-                    && cotes[0] * cotes[1] <= PIXELS_MAX)) {
-                throw impossible("--taille", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
-                        + " chacune, et au plus " + PIXELS_MAX + " pixels");
-            }
-            largeur = (int) cotes[0];
-            hauteur = (int) cotes[1];
-        }
+    private static double part(String texte) {
+        boolean pourCent = texte.endsWith("%");
+        String nombre = pourCent ? texte.substring(0, texte.length() - 1) : texte;
+        double part = Nombre.lire(nombre);
+        // 0.7 % est 0.007 même : une division l'arrondirait autrement
+        return pourCent && part >= 0 && part <= 100 ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
     }
 
-    private void pixel() {
-        String texte = valeur("--pixel", PIXEL);
-        pixel = texte != null;
-        if (pixel) {
-            double[] xy = deuxEntiers(texte, ',');
-            if (!(Math.min(xy[0], xy[1]) >= 0)) {
-                throw impossible("--pixel", PIXEL);
-            }
-            pixelX = (int) xy[0];
-            pixelY = (int) xy[1];
-        }
-    }
-
-    private void part() {
-        String texte = valeur("--part", PART);
-        if (texte != null) {
-            boolean pourCent = texte.endsWith("%");
-            String nombre = pourCent ? texte.substring(0, texte.length() - 1) : texte;
-            part = Nombre.lire(nombre);
-            if (pourCent && part >= 0 && part <= 100) {
-                // 0.7 % est 0.007 même : une division l'arrondirait autrement
-                part = new BigDecimal(nombre).movePointLeft(2).doubleValue();
-            }
-            if (!(part >= 0 && part <= 1)) {
-                throw impossible("--part", PART);
-            }
-        }
-    }
-
-    private void souhait() {
-        String texte = valeur("--auto", AUTO);
-        auto = texte != null;
-        if (auto) {
-            erreurVoulue = texte.startsWith("erreur=") ? Nombre.lire(texte.substring("erreur=".length())) : 0;
-            if (!(erreurVoulue >= 0.01 && erreurVoulue <= 255)) {
-                throw impossible("--auto", AUTO);
-            }
+    private void exiger(boolean juste, String nom) {
+        if (!juste) {
+            String[] option = aValeur(nom);
+            throw impossible(nom, option[option.length - 1]);
         }
     }
 
     private Echec impossible(String nom, String attendu) {
-        return Echec.demande("valeur impossible pour " + nom + " : " + Texte.cite(donnees.get(nom)) + " ; attendu : "
-                + attendu);
+        return demande("valeur impossible pour " + nom + " : " + Texte.cite(donnees.get(nom)), attendu);
+    }
+
+    private static Echec demande(String faute, String attendu) {
+        return Echec.demande(faute + " ; attendu : " + attendu);
     }
 }

@@ -19,7 +19,7 @@ public final class Pannes {
     /** Dit cette panne en une ligne. @return le statut de sortie */
     public static int dire(Throwable panne, PrintStream erreur) {
         avertir(Collections.singletonList(message(panne)), erreur);
-        return panne instanceof Echec ? ((Echec) panne).getCode()
+        return panne instanceof Echec ? ((Echec) panne).code
                 : panne instanceof SceneFautive ? Echec.DEMANDE : Echec.PANNE;
     }
 

@@ -31,7 +31,7 @@ class OptionsTest {
 
     private static void verifierRefus(String ligne, String message) {
         Echec e = assertThrows(Echec.class, () -> Options.lire(arguments(ligne)), ligne);
-        assertEquals(Echec.DEMANDE, e.getCode());
+        assertEquals(Echec.DEMANDE, e.code);
         assertEquals(message, e.getMessage());
     }
 

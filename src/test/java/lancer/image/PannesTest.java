@@ -158,12 +158,12 @@ class PannesTest extends EssaiProcessus {
         ImageMemoire image = new ImageMemoire(3, 2, false);
         Echec e = assertThrows(Echec.class, () -> ecriture.ecrire(image, new FichierPng()));
         assertEquals(sous.resolve("a.png") + " : écriture impossible, le dossier n'existe pas", e.getMessage());
-        assertEquals(1, e.getCode());
+        assertEquals(1, e.code);
 
         Files.createDirectories(sous.resolve("a.png/plein"));
         e = assertThrows(Echec.class, () -> ecriture.ecrire(image, new FichierPng()));
         assertTrue(e.getMessage().startsWith(sous.resolve("a.png") + " : écriture impossible, "), e.getMessage());
-        assertEquals(1, e.getCode());
+        assertEquals(1, e.code);
         assertArrayEquals(new String[] {"a.png"}, sous.toFile().list());
     }
 

@@ -131,7 +131,7 @@ class SortiesTest extends EssaiCommande {
             for (Path sortie : new Path[] {png, pfm}) {
                 Echec e = assertThrows(Echec.class, () -> new Ecriture(sortie.toString()).ecrire(image, panne.getValue()));
                 assertEquals(sortie + " : écriture impossible, " + panne.getKey(), e.getMessage());
-                assertEquals(1, e.getCode());
+                assertEquals(1, e.code);
             }
         }
         assertThrows(OutOfMemoryError.class, () -> new Ecriture(png.toString()).ecrire(image, (i, sortie) -> {
