@@ -78,12 +78,7 @@ public final class Ecriture {
         return cible;
     }
 
-    /**
-     * Refuse d'écraser un fichier qui sert à autre chose.
-     *
-     * @param faute comment le dire
-     * @throws Echec si c'est cet autre fichier que l'on écrirait, sous ce nom ou un autre
-     */
+    /** @throws Echec, qui dit cette faute, si c'est cet autre fichier que l'on écrirait, sous ce nom ou un autre */
     public void epargner(Path autre, String faute) {
         try {
             if (Files.isSameFile(cible, autre)) {
@@ -94,11 +89,7 @@ public final class Ecriture {
         }
     }
 
-    /**
-     * Écrit l'image dans ce fichier.
-     *
-     * @throws Echec si l'écriture échoue ; le fichier est alors comme avant
-     */
+    /** Écrit l'image dans ce fichier. @throws Echec si l'écriture échoue ; le fichier est alors comme avant */
     public void ecrire(ImageMemoire image, Format format) {
         ecrire(image, Collections.singletonMap(this, format));
     }
@@ -109,48 +100,43 @@ public final class Ecriture {
      * @throws Echec si une écriture échoue ; les fichiers sont alors comme avant, sauf ceux qu'il nomme
      */
     public static void ecrire(ImageMemoire image, Map<Ecriture, Format> fichiers) {
+        String ecrits = "";
+        Ecriture enCours = null;
         try {
-            fichiers.forEach((fichier, format) -> fichier.preparer(image, format));
-            String ecrits = "";
+            for (Map.Entry<Ecriture, Format> fichier : fichiers.entrySet()) {
+                enCours = fichier.getKey();
+                try (OutputStream sortie = enCours.ouvrir()) {
+                    fichier.getValue().ecrire(image, sortie);
+                }
+            }
             for (Ecriture fichier : fichiers.keySet()) {
-                fichier.mettreEnPlace(ecrits);
+                enCours = fichier;
+                if (fichier.provisoire != null) {
+                    // REPLACE_EXISTING effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent
+                    Files.move(fichier.provisoire, fichier.cible, StandardCopyOption.ATOMIC_MOVE);
+                }
                 ecrits += " ; " + Texte.echappe(fichier.nom) + " est écrit";
             }
+        } catch (IOException e) {
+            throw enCours.impossible(raison(e) + ecrits);
         } finally {
-            fichiers.keySet().forEach(Ecriture::nettoyer);
-        }
-    }
-
-    private void preparer(ImageMemoire image, Format format) {
-        if (!estSpecial()) {
-            provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
-            // Ctrl+C pendant l'écriture ne laisse rien derrière lui
-            provisoire.toFile().deleteOnExit();
-        }
-        try (OutputStream sortie = provisoire == null ? Files.newOutputStream(cible)
-                : Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW)) {
-            format.ecrire(image, sortie);
-        } catch (IOException e) {
-            throw impossible(raison(e));
-        }
-    }
-
-    private void mettreEnPlace(String ecrits) {
-        try {
-            if (provisoire != null) {
-                // REPLACE_EXISTING effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent
-                Files.move(provisoire, cible, StandardCopyOption.ATOMIC_MOVE);
+            for (Ecriture fichier : fichiers.keySet()) {
+                if (fichier.provisoire != null) {
+                    fichier.provisoire.toFile().delete();
+                }
             }
-        } catch (IOException e) {
-            throw impossible(raison(e) + ecrits);
         }
     }
 
-    private void nettoyer() {
-        if (provisoire != null) {
-            provisoire.toFile().delete();
+    private OutputStream ouvrir() throws IOException {
+        if (estSpecial()) {
             provisoire = null;
+            return Files.newOutputStream(cible);
         }
+        provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
+        // Ctrl+C pendant l'écriture ne laisse rien derrière lui
+        provisoire.toFile().deleteOnExit();
+        return Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW);
     }
 
     private static String raison(IOException e) {

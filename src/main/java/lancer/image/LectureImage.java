@@ -48,16 +48,14 @@ public final class LectureImage {
      * @throws Echec si le fichier n'est pas une image PNG ou PFM que l'on sache lire
      */
     public static ImageMemoire lire(String nom) {
-        String faute;
         try {
             byte[] octets = Files.readAllBytes(Paths.get(nom));
             return nom.toLowerCase(Locale.ROOT).endsWith(".png") ? lirePng(octets) : lirePfm(octets);
-        } catch (InvalidPathException e) {
-            faute = "nom de fichier impossible" + Texte.horsLangue(nom);
-        } catch (IOException e) {
-            faute = Texte.panne(e);
+        } catch (IOException | InvalidPathException e) {
+            throw Echec.demande(Texte.echappe(nom) + " : image illisible : " + (e instanceof IOException
+                    ? Texte.panne((IOException) e) : "nom de fichier impossible" + Texte.horsLangue(nom))
+                    + " ; attendu : un PNG ou un PFM");
         }
-        throw Echec.demande(Texte.echappe(nom) + " : image illisible : " + faute + " ; attendu : un PNG ou un PFM");
     }
 
     private static ImageMemoire lirePng(byte[] octets) throws IOException {

@@ -29,19 +29,10 @@ public final class Eclairage {
         this.devant = devant;
     }
 
-    /** Ce qu'il advient d'une lampe. */
-    enum Sort {
-        ECLAIRE("éclairées"), DOS("dans le dos"), SANS_EFFET("sans effet sur cette matière"), CACHEE("cachées");
-
-        final String nom;
-
-        Sort(String nom) {
-            this.nom = nom;
-        }
-    }
-
-    Sort sort() {
-        return eclaire() ? Sort.ECLAIRE : diffus == null ? Sort.DOS : L == null ? Sort.SANS_EFFET : Sort.CACHEE;
+    /** Ce qu'il advient d'elle et de ses pareilles. */
+    String sort() {
+        return eclaire() ? "éclairées" : diffus == null ? "dans le dos"
+                : L == null ? "sans effet sur cette matière" : "cachées";
     }
 
     /** Dit si elle compte dans la somme. */

@@ -171,8 +171,8 @@ public final class Recit {
     }
 
     private void dire(Etape etape, Eclairage e) {
-        long pareilles = etape.lampes.stream().filter(autre -> autre.sort() == e.sort()).count();
-        String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + e.sort().nom;
+        long pareilles = etape.lampes.stream().filter(autre -> autre.sort().equals(e.sort())).count();
+        String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + e.sort();
         if (e.diffus == null) {
             replier(repli, "     %s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", pixel.nom(e.lampe),
                     e.devant);

@@ -86,7 +86,8 @@ final class Cases {
         for (int y = Math.max(0, voulus.j0 - pave.j0 - 1); y < Math.min(hauteur, voulus.j1 - pave.j0 + 1); y++) {
             for (int x = Math.max(0, voulus.i0 - pave.i0 - 1); x < Math.min(largeur, voulus.i1 - pave.i0 + 1); x++) {
                 commencer(x, y);
-                for (int k = 0; k < 9 && depasse(0, 0, finX, finY); k++) {
+                boolean suspect = depasse(0, 0, finX, finY);
+                for (int k = 0; k < 9 && suspect; k++) {
                     suspects[y + k / 3][x + k % 3] = true;
                 }
             }
