@@ -40,7 +40,7 @@ public final class Equipe {
         fils.clear();
         try {
             for (IntConsumer ouvrier : ouvriers) {
-                Thread fil = new Fil(nom + "-" + (fils.size() + 1), nombre, ouvrier);
+                Thread fil = new Fil(nombre, ouvrier);
                 fil.start();
                 fils.add(fil);
                 if (arretee) {
@@ -109,8 +109,8 @@ public final class Equipe {
         private final int nombre;
         private final IntConsumer ouvrier;
 
-        Fil(String nomDuFil, int nombre, IntConsumer ouvrier) {
-            super(null, null, nomDuFil, PILE);
+        Fil(int nombre, IntConsumer ouvrier) {
+            super(null, null, nom + "-" + (fils.size() + 1), PILE);
             this.nombre = nombre;
             this.ouvrier = ouvrier;
             setDaemon(true);

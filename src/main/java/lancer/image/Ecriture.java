@@ -78,7 +78,7 @@ public final class Ecriture {
         return cible;
     }
 
-    /** @throws Echec, qui dit cette faute, si c'est cet autre fichier que l'on écrirait, sous ce nom ou un autre */
+    /** @throws Echec de cette faute, si c'est cet autre fichier que l'on écrirait, sous ce nom ou un autre */
     public void epargner(Path autre, String faute) {
         try {
             if (Files.isSameFile(cible, autre)) {
