@@ -27,7 +27,7 @@ import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 
 /**
- * Les pixels témoins, dessinés par les boucles du cours puis par la recherche d'une scène : leurs deux couleurs sont
+ * Les pixels témoins, dessinés par les boucles du cours et par la recherche d'une scène : leurs deux couleurs sont
  * comparées au bit près. Ils jugent ce à quoi elle répond autrement que par les méthodes du cours. Une faute qui change
  * une part p des pixels est vue avec une probabilité d'au moins 1 − (1 − p)^N, N étant tirés au hasard, un dans chacune
  * de N parts égales de l'image ; le tirage suit la scène, la taille, la profondeur et les classes du cours, pour que ce
@@ -50,6 +50,7 @@ public final class Temoins implements IntConsumer {
     /** Du plus petit de ces nombres, la part qui va aux sondes ; à un témoin, au plus, celle de ce qui reste. */
     private static final long PART_DES_SONDES = 4;
     private static final int PART_D_UN_TEMOIN = 4;
+    private static final long INFINIMENT = Long.MAX_VALUE / 2;
 
     /** Objets et lampes dont se tire le hasard, au plus. */
     private static final int CONTENU = 500;
@@ -57,6 +58,7 @@ public final class Temoins implements IntConsumer {
     private static final Class<?>[] COURS = {Camera.class, Constantes.class, Couleur.class, Lampe.class, Lancer.class,
         Objet3D.class, Point.class, PointContact.class, Rayon.class, Scene.class, Sphere.class, Tuple.class,
         Vecteur.class};
+    private static final long CLASSES = classes();
 
     private final Scene scene;
     private final Camera camera;
@@ -104,52 +106,32 @@ public final class Temoins implements IntConsumer {
     public void accept(int rang) {
         Random hasard = new Random(graine());
         int sondes = (int) Math.min(NOMBRE, pixels);
-        // ce que coûte un pixel : à la recherche jugée, puis aux boucles, au plus
-        long rayons = 0;
-        long examens = 0;
+        long[] tires = new long[sondes];
+        Couleur[] reponses = new Couleur[sondes];
+        Bornee rapide = new Bornee(scene.getModele().getRecherche());
         for (int k = 0; k < sondes; k++) {
-            Bornee sonde = new Bornee(false, EXAMENS / PART_DES_SONDES / sondes, Long.MAX_VALUE);
-            voir(sonde, tirer(hasard, k, sondes));
-            rayons += sonde.questions;
-            examens += sonde.examens();
+            long debut = k * pixels / sondes;
+            tires[k] = debut + hasard.nextInt((int) ((k + 1) * pixels / sondes - debut));
+            Couleur vue = rapide.voir(tires[k], EXAMENS / PART_DES_SONDES / sondes, INFINIMENT);
+            reponses[k] = rapide.coupee ? null : vue;
         }
-        long reste = Math.max(EXAMENS, pixels * examens / sondes / PART_DU_DESSIN) - examens;
-        long prix = Math.max(1, (rayons * scene.getObjets().size() + examens) / sondes);
-        int voulus = (int) Math.max(1, Math.min(sondes, reste / prix));
+        long permis = Math.max(EXAMENS, pixels * rapide.examens() / sondes / PART_DU_DESSIN);
+        // ce que coûte un témoin aux boucles, au plus
+        long prix = Math.max(1, rapide.questions * scene.getObjets().size() / sondes);
+        int voulus = (int) Math.max(1, Math.min(sondes, (permis - rapide.examens()) / prix));
+        Bornee boucles = new Bornee(new RechercheSimple(scene.getObjets(), new Compteurs()));
         for (int k = 0; k < voulus && ecart == null; k++) {
-            long pixel = tirer(hasard, k, voulus);
-            Bornee boucles = new Bornee(true, reste / Math.min(PART_D_UN_TEMOIN, voulus - k), Long.MAX_VALUE);
-            Couleur attendue = voir(boucles, pixel);
-            Bornee rapide = new Bornee(false, Long.MAX_VALUE, boucles.questions);
-            if (!Objects.equals(voir(rapide, pixel), attendue)) {
-                ecart = "au pixel " + x(pixel) + ", " + y(pixel) + ", la recherche rapide ne répond pas comme les "
-                        + "classes du cours : ce sont leurs boucles qui dessinent";
+            int debut = k * sondes / voulus;
+            int s = debut + hasard.nextInt((k + 1) * sondes / voulus - debut);
+            long reste = permis - rapide.examens() - boucles.examens();
+            Couleur attendue = boucles.voir(tires[s], reste / Math.min(PART_D_UN_TEMOIN, voulus - k), INFINIMENT);
+            Couleur reponse = boucles.coupee || reponses[s] == null
+                    ? rapide.voir(tires[s], INFINIMENT, boucles.posees) : reponses[s];
+            if (!Objects.equals(reponse, attendue)) {
+                ecart = "au pixel " + x(tires[s]) + ", " + y(tires[s]) + ", la recherche rapide ne répond pas comme "
+                        + "les classes du cours : ce sont leurs boucles qui dessinent";
             }
             nombre += boucles.coupee ? 0 : 1;
-            reste -= boucles.examens() + rapide.examens();
-        }
-    }
-
-    /** Un pixel de la k-ième des n parts de l'image, dans l'ordre de la lecture. */
-    private long tirer(Random hasard, int k, int n) {
-        long debut = k * pixels / n;
-        return debut + hasard.nextInt((int) ((k + 1) * pixels / n - debut));
-    }
-
-    /** La couleur de ce pixel, {@code null} s'il échoue et que le dessin le tolère. */
-    private Couleur voir(Bornee recherche, long pixel) {
-        try {
-            Couleur vue = new Regard(equipe, new Lancer(recherche.vue, camera), profondeur, null)
-                    .couleur(x(pixel) + 0.5, y(pixel) + 0.5);
-            if (fautes != null) {
-                fautes.reussir();
-            }
-            return vue;
-        } catch (PixelFautif e) {
-            if (fautes == null) {
-                throw e;
-            }
-            return null;
         }
     }
 
@@ -163,8 +145,7 @@ public final class Temoins implements IntConsumer {
 
     /** D'où se tirent les pixels : la scène, la taille, la profondeur, et les classes du cours. */
     private long graine() {
-        long graine = Objects.hash(camera.getLargeur(), camera.getHauteur(), profondeur, scene.getObjets().size(),
-                scene.getLampes().size());
+        long graine = CLASSES << Integer.SIZE ^ Objects.hash(camera.getLargeur(), camera.getHauteur(), profondeur);
         List<Objet3D> objets = scene.getObjets();
         for (int k = 0; k < objets.size(); k += 1 + objets.size() / CONTENU) {
             Objet3D o = objets.get(k);
@@ -177,18 +158,23 @@ public final class Temoins implements IntConsumer {
         for (int k = 0; k < lampes.size(); k += 1 + lampes.size() / CONTENU) {
             graine = 31 * graine + Objects.hash(lampes.get(k).getPosition(), lampes.get(k).getCouleur());
         }
-        CRC32 classes = new CRC32();
+        return graine;
+    }
+
+    /** La somme des octets des classes du cours : une retouche la change. */
+    private static long classes() {
+        CRC32 somme = new CRC32();
         byte[] octets = new byte[1 << 14];
         for (Class<?> classe : COURS) {
             try (InputStream lue = classe.getResourceAsStream(classe.getSimpleName() + ".class")) {
                 for (int n = 0; lue != null && n >= 0; n = lue.read(octets)) {
-                    classes.update(octets, 0, n);
+                    somme.update(octets, 0, n);
                 }
             } catch (IOException e) {
                 // une classe qui ne se relit pas : le reste suffit à tirer
             }
         }
-        return graine ^ classes.getValue() << Integer.SIZE;
+        return somme.getValue();
     }
 
     /**
@@ -197,28 +183,51 @@ public final class Temoins implements IntConsumer {
      */
     private final class Bornee implements Recherche {
 
-        final Scene vue = scene.avec(scene.getModele());
         private final Compteurs compteurs = new Compteurs();
         private final Recherche recherche;
-        private final long permis;
-        private final long questionsPermises;
+        private final Regard regard;
+        private long examensPermis;
+        private long questionsPermises;
+        /** Questions de tous les pixels, et du dernier. */
         long questions;
+        long posees;
         boolean coupee;
 
-        Bornee(boolean boucles, long permis, long questionsPermises) {
-            this.permis = permis;
-            this.questionsPermises = questionsPermises;
-            recherche = boucles ? new RechercheSimple(scene.getObjets(), compteurs)
-                    : scene.getModele().getRecherche().pourUnFil(compteurs);
+        Bornee(Recherche bornee) {
+            recherche = bornee.pourUnFil(compteurs);
+            Scene vue = scene.avec(scene.getModele());
             vue.getModele().setRecherche(this);
+            regard = new Regard(equipe, new Lancer(vue, camera), profondeur, null);
         }
 
         long examens() {
             return questions + compteurs.examens();
         }
 
+        /** La couleur de ce pixel, {@code null} s'il échoue et que le dessin le tolère. */
+        Couleur voir(long pixel, long examensDePlus, long questionsDePlus) {
+            long avant = questions;
+            examensPermis = examens() + examensDePlus;
+            questionsPermises = avant + questionsDePlus;
+            coupee = false;
+            try {
+                Couleur vue = regard.couleur(x(pixel) + 0.5, y(pixel) + 0.5);
+                if (fautes != null) {
+                    fautes.reussir();
+                }
+                return vue;
+            } catch (PixelFautif e) {
+                if (fautes == null) {
+                    throw e;
+                }
+                return null;
+            } finally {
+                posees = questions - avant;
+            }
+        }
+
         private boolean repond() {
-            coupee |= questions >= questionsPermises || examens() >= permis;
+            coupee |= questions >= questionsPermises || examens() >= examensPermis;
             questions += coupee ? 0 : 1;
             return !coupee;
         }

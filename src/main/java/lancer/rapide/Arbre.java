@@ -124,23 +124,6 @@ final class Arbre implements Intersections, Occultations {
         return trouvee >= 0;
     }
 
-    /** Répond à la place d'une structure dont le compte est vide, qui s'emplit d'autant que ceci examine. */
-    int relayer(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf) {
-        long avant = parcours.compteurs.examens();
-        int trouvee = plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
-        parcours.credit += parcours.compteurs.examens() - avant;
-        return trouvee;
-    }
-
-    /** Répond de même pour une ombre. */
-    boolean relayer(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
-            double distance, int sauf) {
-        long avant = parcours.compteurs.examens();
-        boolean cachee = cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
-        parcours.credit += parcours.compteurs.examens() - avant;
-        return cachee;
-    }
-
     /** À visiter, s'il y a une sphère : la racine. */
     private void commencer(Parcours parcours) {
         parcours.trouvee = -1;
@@ -239,10 +222,7 @@ final class Arbre implements Intersections, Occultations {
                     return true;
                 }
             } else {
-                parcours.compteurs.testsSpheres++;
-                int i = Spheres.PAS * k;
-                double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
-                parcours.retenir(spheres, k, d, px, py, pz, vx, vy, vz);
+                parcours.examiner(spheres, k, px, py, pz, vx, vy, vz);
             }
         }
         return false;

@@ -2,7 +2,6 @@ package lancer.rapide;
 
 import lancer.Constantes;
 import lancer.contrat.Recherche;
-import lancer.precision.Intersection;
 
 /**
  * Les boucles du cours, sur les sphères recopiées : pour si peu de rayons que rien ne vaut d'être construit, ou si peu
@@ -32,16 +31,12 @@ final class Boucles implements Intersections, Occultations {
         parcours.credit -= n;
         parcours.distance = Constantes.INFINI;
         parcours.trouvee = -1;
-        double[] g = spheres.geometrie;
         for (int k = 0; k < n; k++) {
             if (k % PAS == 0) {
                 Recherche.obeir();
             }
             if (k != sauf) {
-                parcours.compteurs.testsSpheres++;
-                int s = Spheres.PAS * k;
-                double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                parcours.retenir(spheres, k, d, px, py, pz, vx, vy, vz);
+                parcours.examiner(spheres, k, px, py, pz, vx, vy, vz);
             }
         }
         return parcours.trouvee;

@@ -24,9 +24,6 @@ final class Carte implements Intersections {
     /** Cases examinées, par place permise, au-delà desquelles la carte coûte plus qu'elle ne rendra. */
     private static final long TRAVAIL = 16;
 
-    /** Sphères dans la case d'une sphère, en moyenne, au-delà desquelles un arbre répond mieux qu'une carte. */
-    private static final int ENCOMBREE = 20;
-
     /** Marge des distances de coupe : les distances calculées sous une coupe sont justes à 1e-10 près. */
     private static final double MARGE_COUPE = 1e-7;
 
@@ -52,7 +49,7 @@ final class Carte implements Intersections {
      * La carte d'une lampe.
      *
      * @param places au plus, dans les cases
-     * @return {@code null} si elles débordent, ou en ont trop chacune : les sphères sont trop serrées, vues de ce point
+     * @return {@code null} si elles débordent : les sphères sont trop serrées, vues de ce point
      */
     static Carte deLaLampe(Spheres spheres, Point lampe, Face[] faces, long places) {
         Carte carte = new Carte(spheres, faces, null);
@@ -126,7 +123,7 @@ final class Carte implements Intersections {
             return false;
         }
         garder(liste);
-        return !estEncombree(n);
+        return true;
     }
 
     /**
@@ -174,27 +171,6 @@ final class Carte implements Intersections {
             }
         }
         debut[cases] = e;
-    }
-
-    /** Vrai si une sphère prise au hasard a trop de voisines dans ses cases. */
-    private boolean estEncombree(int n) {
-        long[] voisines = new long[n];
-        int[] places = new int[n];
-        for (int c = 0; c < coupe.length; c++) {
-            for (int e = debut[c]; e < debut[c + 1]; e++) {
-                voisines[entrees[e]] += debut[c + 1] - debut[c];
-                places[entrees[e]]++;
-            }
-        }
-        double somme = 0;
-        int vues = 0;
-        for (int k = 0; k < n; k++) {
-            if (places[k] > 0) {
-                somme += (double) voisines[k] / places[k];
-                vues++;
-            }
-        }
-        return somme > ENCOMBREE * (double) vues;
     }
 
     /**
@@ -257,7 +233,7 @@ final class Carte implements Intersections {
         parcours.compteurs.testsSpheres += e - premiere;
         parcours.credit -= e - premiere;
         if (e >= fin && e < derniere && pres[e] - avance <= distance) {
-            return secours.relayer(parcours, px, py, pz, vx, vy, vz, sauf);
+            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }
         parcours.distance = distance;
         return trouvee;

@@ -67,6 +67,6 @@ final class CarteLampe implements Occultations {
         parcours.compteurs.testsSpheres += tests;
         parcours.credit -= e - premiere;
         return cachee || e >= fin && e < derniere && q.pres[e] < distance
-                && secours.relayer(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+                && secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
     }
 }

@@ -24,9 +24,6 @@ public final class RechercheRapide implements Recherche {
      */
     private static final int PREMIERS = 8;
 
-    /** Questions entre deux regards à l'interruption du fil, moins une. */
-    private static final int PAS = 255;
-
     final Structures structures;
     private final List<Objet3D> objets;
     private final Objet3D[] dAbord;
@@ -49,8 +46,6 @@ public final class RechercheRapide implements Recherche {
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
 
-    private int questions;
-
     /** @param objets ceux de la scène, dans son ordre */
     RechercheRapide(Structures structures, List<Objet3D> objets, Compteurs compteurs) {
         this.structures = structures;
@@ -72,22 +67,15 @@ public final class RechercheRapide implements Recherche {
         enfin = Arrays.copyOfRange(spheres.autres, dejaVus, spheres.autres.length);
     }
 
-    /** Permet à cette question les examens d'un rayon de plus. */
-    private void commencer() {
-        parcours.credit += Comptes.PAR_RAYON;
-        if ((++questions & PAS) == 0) {
-            Recherche.obeir();
-        }
-    }
-
     @Override
     public void plusProche(Rayon incident, Objet3D saufLui) {
         Point P = incident.getP();
         Vecteur V = incident.getV();
+        Recherche.obeir();
         if (saufLui == null) {
             comptes.ouvrir(P);
         }
-        commencer();
+        parcours.credit += Comptes.PAR_RAYON;
         int k = saufLui == null ? premiers.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, -1)
                 : suivants.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
         derniere = k;
@@ -104,7 +92,7 @@ public final class RechercheRapide implements Recherche {
 
     @Override
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-        commencer();
+        parcours.credit += Comptes.PAR_RAYON;
         // une copie de V, qui n'a sinon pas à exister hors des registres
         return dAbord.length > 0 && unCache(dAbord, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet)
                 || ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
