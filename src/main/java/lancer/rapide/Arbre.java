@@ -80,6 +80,7 @@ final class Arbre implements Intersections, Occultations {
     @Override
     public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {
+        long avant = parcours.compteurs.examens();
         parcours.distance = Constantes.INFINI;
         commencer(parcours);
         int trouvee;
@@ -87,6 +88,7 @@ final class Arbre implements Intersections, Occultations {
             Recherche.obeir();
             trouvee = descendre(parcours, px, py, pz, vx, vy, vz, sauf, false, PAS);
         } while (trouvee == SUSPENDUE);
+        parcours.credit += parcours.compteurs.examens() - avant;
         return trouvee;
     }
 

@@ -25,10 +25,11 @@ final class Boucles implements Intersections, Occultations {
     public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {
         int n = spheres.nombre;
-        if (n > parcours.credit && secours != null) {
+        long credit = parcours.credit + Comptes.PAR_RAYON;
+        if (n > credit && secours != null) {
             return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }
-        parcours.credit -= n;
+        parcours.credit = credit - n;
         parcours.distance = Constantes.INFINI;
         parcours.trouvee = -1;
         for (int k = 0; k < n; k++) {
@@ -46,7 +47,8 @@ final class Boucles implements Intersections, Occultations {
     public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
         int n = spheres.nombre;
-        if (n > parcours.credit && secours != null) {
+        long credit = parcours.credit + Comptes.PAR_RAYON;
+        if (n > credit && secours != null) {
             return secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
         int r = 0;
@@ -58,7 +60,7 @@ final class Boucles implements Intersections, Occultations {
             int k = spheres.deRang[r];
             cachee = k != sauf && parcours.touche(spheres, k, px, py, pz, vx, vy, vz, distance);
         }
-        parcours.credit -= r;
+        parcours.credit = credit - r;
         return cachee;
     }
 }

@@ -24,6 +24,9 @@ final class Carte implements Intersections {
     /** Cases examinées, par place permise, au-delà desquelles la carte coûte plus qu'elle ne rendra. */
     private static final long TRAVAIL = 16;
 
+    /** Sphères dans la case d'une sphère, en moyenne, au-delà desquelles un arbre répond mieux qu'une carte. */
+    private static final int ENCOMBREE = 20;
+
     /** Marge des distances de coupe : les distances calculées sous une coupe sont justes à 1e-10 près. */
     private static final double MARGE_COUPE = 1e-7;
 
@@ -49,7 +52,7 @@ final class Carte implements Intersections {
      * La carte d'une lampe.
      *
      * @param places au plus, dans les cases
-     * @return {@code null} si elles débordent : les sphères sont trop serrées, vues de ce point
+     * @return {@code null} si elles débordent, ou en ont trop chacune : les sphères sont trop serrées, vues de ce point
      */
     static Carte deLaLampe(Spheres spheres, Point lampe, Face[] faces, long places) {
         Carte carte = new Carte(spheres, faces, null);
@@ -123,7 +126,7 @@ final class Carte implements Intersections {
             return false;
         }
         garder(liste);
-        return true;
+        return !estEncombree(n);
     }
 
     /**
@@ -173,6 +176,27 @@ final class Carte implements Intersections {
         debut[cases] = e;
     }
 
+    /** Vrai si une sphère prise au hasard a trop de voisines dans ses cases. */
+    private boolean estEncombree(int n) {
+        long[] voisines = new long[n];
+        int[] places = new int[n];
+        for (int c = 0; c < coupe.length; c++) {
+            for (int e = debut[c]; e < debut[c + 1]; e++) {
+                voisines[entrees[e]] += debut[c + 1] - debut[c];
+                places[entrees[e]]++;
+            }
+        }
+        double somme = 0;
+        int vues = 0;
+        for (int k = 0; k < n; k++) {
+            if (places[k] > 0) {
+                somme += (double) voisines[k] / places[k];
+                vues++;
+            }
+        }
+        return somme > ENCOMBREE * (double) vues;
+    }
+
     /**
      * Les numéros des sphères dans la moitié basse, par distance croissante ; celle-ci, arrondie vers 0, dans la haute.
      */
@@ -215,7 +239,8 @@ final class Carte implements Intersections {
         double[] g = spheres.geometrie;
         double distance = Constantes.INFINI;
         int trouvee = -1;
-        int fin = (int) Math.min(derniere, premiere + parcours.credit);
+        long credit = parcours.credit + Comptes.PAR_RAYON;
+        int fin = derniere - premiere <= credit ? derniere : premiere + (int) credit;
         int e = premiere;
         for (; e < fin && pres[e] - avance <= distance; e++) {
             int k = entrees[e];
@@ -231,7 +256,7 @@ final class Carte implements Intersections {
             }
         }
         parcours.compteurs.testsSpheres += e - premiere;
-        parcours.credit -= e - premiere;
+        parcours.credit = credit - (e - premiere);
         if (e >= fin && e < derniere && pres[e] - avance <= distance) {
             return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }

@@ -50,7 +50,8 @@ final class CarteLampe implements Occultations {
         double[] g = spheres.geometrie;
         int premiere = q.debut[c];
         int derniere = q.debut[c + 1];
-        int fin = (int) Math.min(derniere, premiere + parcours.credit);
+        long credit = parcours.credit + Comptes.PAR_RAYON;
+        int fin = derniere - premiere <= credit ? derniere : premiere + (int) credit;
         int tests = 0;
         int e = premiere;
         boolean cachee = false;
@@ -65,7 +66,7 @@ final class CarteLampe implements Occultations {
             }
         }
         parcours.compteurs.testsSpheres += tests;
-        parcours.credit -= e - premiere;
+        parcours.credit = credit - (e - premiere);
         return cachee || e >= fin && e < derniere && q.pres[e] < distance
                 && secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
     }

@@ -30,8 +30,8 @@ final class Grille implements Intersections {
     private static final double MARGE = 0x1.0p-34;
     private static final double DEPART_MAX = 64;
 
-    /** Réponse d'une marche dont le compte est vide, ou la pile pleine : à l'arbre de répondre. */
-    private static final int INACHEVEE = -1;
+    /** Réponse d'une marche dont le compte est vide : à l'arbre de répondre. */
+    private static final int COMPTE_VIDE = -2;
 
     private final Spheres spheres;
     private final int[] grosses;
@@ -190,18 +190,19 @@ final class Grille implements Intersections {
         }
         parcours.distance = Double.MAX_VALUE;
         parcours.trouvee = -1;
-        parcours.credit -= grosses.length;
-        for (int k : grosses) {
-            if (k != sauf) {
-                parcours.examiner(spheres, k, px, py, pz, vx, vy, vz);
+        parcours.credit += Comptes.PAR_RAYON - grosses.length;
+        for (int grosse : grosses) {
+            if (grosse != sauf) {
+                parcours.examiner(spheres, grosse, px, py, pz, vx, vy, vz);
             }
         }
-        int douteuses = marcher(parcours, px, py, pz, vx, vy, vz, sauf);
-        if (douteuses < 0) {
-            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
+        int k = marcher(parcours, px, py, pz, vx, vy, vz, sauf, false);
+        while (k >= 0) {
+            parcours.retenir(spheres, k, parcours.doute, px, py, pz, vx, vy, vz);
+            k = marcher(parcours, px, py, pz, vx, vy, vz, sauf, true);
         }
-        for (int q = 0; q < douteuses; q++) {
-            parcours.retenir(spheres, parcours.pile[q], parcours.entrees[q], px, py, pz, vx, vy, vz);
+        if (k == COMPTE_VIDE) {
+            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }
         if (parcours.trouvee < 0) {
             parcours.distance = Constantes.INFINI;
@@ -210,38 +211,62 @@ final class Grille implements Intersections {
     }
 
     /**
-     * Traverse les cases, en retenant dans le parcours la sphère la plus proche, et dans sa pile celles en doute,
-     * jusqu'à la dernière case utile, ou jusqu'à une case que le compte ne permet plus. Elle ne contient aucun appel : à
+     * Traverse les cases, en retenant dans le parcours la sphère la plus proche, jusqu'à la dernière case utile,
+     * jusqu'à une sphère en doute, ou jusqu'à une case que le compte ne permet plus. Elle ne contient aucun appel : à
      * cause de lui, même jamais fait, tout ce que la boucle tient en registres irait en mémoire.
      *
-     * @return le nombre de sphères en doute, à trancher ; {@link #INACHEVEE} si c'est à l'arbre de répondre
+     * @param reprise vrai pour repartir d'où la marche précédente s'est arrêtée
+     * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini, ou {@link #COMPTE_VIDE}
      */
-    private int marcher(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
-            int sauf) {
+    private int marcher(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf,
+            boolean reprise) {
         double[] g = spheres.geometrie;
         double distance = parcours.distance;
         int trouvee = parcours.trouvee;
         double ix = Arbre.inverse(vx);
         double iy = Arbre.inverse(vy);
         double iz = Arbre.inverse(vz);
-        double entree = Math.max(Math.max(((ix < 0 ? x1 : x0) - px) * ix, ((iy < 0 ? y1 : y0) - py) * iy),
-                Math.max(((iz < 0 ? z1 : z0) - pz) * iz, 0));
-        double sortie = Math.min(Math.min(((ix < 0 ? x0 : x1) - px) * ix, ((iy < 0 ? y0 : y1) - py) * iy),
-                Math.min(((iz < 0 ? z0 : z1) - pz) * iz, distance));
-        if (!(entree <= sortie)) {
-            return 0;
+        double tx;
+        double ty;
+        double tz;
+        int resteX;
+        int resteY;
+        int resteZ;
+        int c;
+        int e;
+        int tests = 0;
+        int cases = 0;
+        long credit = parcours.credit;
+        // d'où repartir, ou entrer : la case, et les distances où le rayon en sort par chaque axe
+        if (reprise) {
+            tx = parcours.tx;
+            ty = parcours.ty;
+            tz = parcours.tz;
+            resteX = parcours.resteX;
+            resteY = parcours.resteY;
+            resteZ = parcours.resteZ;
+            c = parcours.arretCase;
+            e = parcours.arretEntree;
+        } else {
+            double entree = Math.max(Math.max(((ix < 0 ? x1 : x0) - px) * ix, ((iy < 0 ? y1 : y0) - py) * iy),
+                    Math.max(((iz < 0 ? z1 : z0) - pz) * iz, 0));
+            double sortie = Math.min(Math.min(((ix < 0 ? x0 : x1) - px) * ix, ((iy < 0 ? y0 : y1) - py) * iy),
+                    Math.min(((iz < 0 ? z0 : z1) - pz) * iz, distance));
+            if (!(entree <= sortie)) {
+                return -1;
+            }
+            int i = rang((px + entree * vx - x0) * parCote, nx);
+            int j = rang((py + entree * vy - y0) * parCote, ny);
+            int k3 = rang((pz + entree * vz - z0) * parCote, nz);
+            tx = (x0 + (ix < 0 ? i : i + 1) * cote - px) * ix;
+            ty = (y0 + (iy < 0 ? j : j + 1) * cote - py) * iy;
+            tz = (z0 + (iz < 0 ? k3 : k3 + 1) * cote - pz) * iz;
+            resteX = ix < 0 ? i : nx - 1 - i;
+            resteY = iy < 0 ? j : ny - 1 - j;
+            resteZ = iz < 0 ? k3 : nz - 1 - k3;
+            c = (k3 * ny + j) * nx + i;
+            e = debut[c];
         }
-        // la case où entrer, et les distances où le rayon en sort par chaque axe
-        int i = rang((px + entree * vx - x0) * parCote, nx);
-        int j = rang((py + entree * vy - y0) * parCote, ny);
-        int k3 = rang((pz + entree * vz - z0) * parCote, nz);
-        double tx = (x0 + (ix < 0 ? i : i + 1) * cote - px) * ix;
-        double ty = (y0 + (iy < 0 ? j : j + 1) * cote - py) * iy;
-        double tz = (z0 + (iz < 0 ? k3 : k3 + 1) * cote - pz) * iz;
-        int resteX = ix < 0 ? i : nx - 1 - i;
-        int resteY = iy < 0 ? j : ny - 1 - j;
-        int resteZ = iz < 0 ? k3 : nz - 1 - k3;
-        int c = (k3 * ny + j) * nx + i;
         // d'une case à la suivante, par chaque axe
         int pasX = ix < 0 ? -1 : 1;
         int pasY = iy < 0 ? -nx : nx;
@@ -249,16 +274,13 @@ final class Grille implements Intersections {
         double sautX = cote * Math.abs(ix);
         double sautY = cote * Math.abs(iy);
         double sautZ = cote * Math.abs(iz);
-        long credit = parcours.credit;
-        int tests = 0;
-        int cases = 0;
-        int douteuses = 0;
+        int douteuse = -1;
+        marche:
         while (true) {
             // les sphères de la case
-            int e = debut[c];
             int fin = debut[c + 1];
-            if (credit <= fin - e || douteuses + fin - e > Noeuds.PROFONDEUR_MAX) {
-                douteuses = INACHEVEE;
+            if (credit <= fin - e) {
+                douteuse = COMPTE_VIDE;
                 break;
             }
             credit -= 1 + fin - e;
@@ -271,43 +293,60 @@ final class Grille implements Intersections {
                 tests++;
                 int s = Spheres.PAS * k;
                 double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                if (d < 0) {
-                    if (Intersection.auMoins(d) > distance) {
-                        continue;
+                if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
+                    if (d < 0) {
+                        if (Intersection.auMoins(d) > distance) {
+                            continue;
+                        }
+                        douteuse = k;
+                        parcours.doute = d;
+                        parcours.tx = tx;
+                        parcours.ty = ty;
+                        parcours.tz = tz;
+                        parcours.resteX = resteX;
+                        parcours.resteY = resteY;
+                        parcours.resteZ = resteZ;
+                        parcours.arretCase = c;
+                        parcours.arretEntree = e + 1;
+                        credit += fin - e;
+                        break marche;
                     }
-                    parcours.pile[douteuses] = k;
-                    parcours.entrees[douteuses++] = d;
-                } else if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
                     distance = d;
                     trouvee = k;
                 }
             }
             // la case suivante : par l'axe où le rayon sort d'abord
-            if (tx < ty && tx < tz) {
-                if (tx > distance || --resteX < 0) {
-                    break;
+            if (tx < ty) {
+                if (tx < tz) {
+                    if (tx > distance || --resteX < 0) {
+                        break;
+                    }
+                    tx += sautX;
+                    c += pasX;
+                    e = debut[c];
+                    continue;
                 }
-                tx += sautX;
-                c += pasX;
             } else if (ty < tz) {
                 if (ty > distance || --resteY < 0) {
                     break;
                 }
                 ty += sautY;
                 c += pasY;
-            } else {
-                if (tz > distance || --resteZ < 0) {
-                    break;
-                }
-                tz += sautZ;
-                c += pasZ;
+                e = debut[c];
+                continue;
             }
+            if (tz > distance || --resteZ < 0) {
+                break;
+            }
+            tz += sautZ;
+            c += pasZ;
+            e = debut[c];
         }
         parcours.credit = credit;
         parcours.compteurs.testsSpheres += tests;
         parcours.compteurs.noeudsVisites += cases;
         parcours.distance = distance;
         parcours.trouvee = trouvee;
-        return douteuses;
+        return douteuse;
     }
 }

@@ -18,13 +18,21 @@ final class Parcours {
     double distance;
     int trouvee;
 
-    /**
-     * De quoi descendre un arbre : ce qui reste à visiter, d'où le rayon y entre, et leur nombre. Une marche dans une
-     * {@link Grille} y note les sphères en doute.
-     */
+    /** De quoi descendre un arbre : ce qui reste à visiter, et d'où le rayon y entre ; le nombre de ces restes. */
     final int[] pile = new int[Noeuds.PROFONDEUR_MAX];
     final double[] entrees = new double[Noeuds.PROFONDEUR_MAX];
     int haut;
+
+    /** Où une marche dans une {@link Grille} s'est arrêtée sur une sphère en doute, et ce doute. */
+    double doute;
+    int arretCase;
+    int arretEntree;
+    int resteX;
+    int resteY;
+    int resteZ;
+    double tx;
+    double ty;
+    double tz;
 
     final Compteurs compteurs;
 
@@ -41,7 +49,11 @@ final class Parcours {
                 px, py, pz, vx, vy, vz);
     }
 
-    /** Retient la sphère k, où {@link Intersection#distanceOuDoute} a répondu d, si elle passe avant la retenue. */
+    /**
+     * Retient la sphère k si elle passe avant celle que le parcours retient.
+     *
+     * @param d réponse de {@link Intersection#distanceOuDoute} pour elle
+     */
     void retenir(Spheres spheres, int k, double d, double px, double py, double pz, double vx, double vy, double vz) {
         if (d < 0) {
             if (Intersection.auMoins(d) > distance) {

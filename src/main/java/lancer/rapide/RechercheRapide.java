@@ -24,6 +24,9 @@ public final class RechercheRapide implements Recherche {
      */
     private static final int PREMIERS = 8;
 
+    /** Rayons entre deux regards à l'interruption du fil, moins un. */
+    private static final int PAS = 7;
+
     final Structures structures;
     private final List<Objet3D> objets;
     private final Objet3D[] dAbord;
@@ -45,6 +48,8 @@ public final class RechercheRapide implements Recherche {
 
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
+
+    private int questions;
 
     /** @param objets ceux de la scène, dans son ordre */
     RechercheRapide(Structures structures, List<Objet3D> objets, Compteurs compteurs) {
@@ -71,11 +76,12 @@ public final class RechercheRapide implements Recherche {
     public void plusProche(Rayon incident, Objet3D saufLui) {
         Point P = incident.getP();
         Vecteur V = incident.getV();
-        Recherche.obeir();
+        if ((++questions & PAS) == 0) {
+            Recherche.obeir();
+        }
         if (saufLui == null) {
             comptes.ouvrir(P);
         }
-        parcours.credit += Comptes.PAR_RAYON;
         int k = saufLui == null ? premiers.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, -1)
                 : suivants.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
         derniere = k;
@@ -92,10 +98,14 @@ public final class RechercheRapide implements Recherche {
 
     @Override
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-        parcours.credit += Comptes.PAR_RAYON;
+        Occultations ombre = ombresDe(lampe);
+        if (ombre == structures.arbre) {
+            // une autre structure ajoute elle-même ce qu'un rayon permet, là où elle examine
+            parcours.credit += Comptes.PAR_RAYON;
+        }
         // une copie de V, qui n'a sinon pas à exister hors des registres
         return dAbord.length > 0 && unCache(dAbord, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet)
-                || ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
+                || ombre.cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
                 || enfin.length > 0
                 && unCache(enfin, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet);
     }
