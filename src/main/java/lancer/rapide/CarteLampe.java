@@ -10,9 +10,6 @@ import lancer.precision.Intersection;
  */
 final class CarteLampe implements Occultations {
 
-    /** Ce dont le carré d'une longueur peut s'écarter de 1. */
-    private static final double UNITE = 1e-10;
-
     private final Spheres spheres;
     private final double x;
     private final double y;
@@ -34,8 +31,7 @@ final class CarteLampe implements Occultations {
     public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
         Carte q = carte;
-        // les distances de la carte sont celles de la lampe, dans une direction de longueur 1
-        if (!(px == x && py == y && pz == z && Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITE)) {
+        if (!(px == x && py == y && pz == z)) {
             return secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
         int c = q.caseDe(vx, vy, vz);

@@ -134,7 +134,7 @@ final class Masques implements Intersections {
             double x = px - g[s];
             double y = py - g[s + 1];
             double z = pz - g[s + 2];
-            if (!(x * x + y * y + z * z <= limites[sauf] && Math.abs(vx * vx + vy * vy + vz * vz - 1) < MARGE / 4)) {
+            if (!(x * x + y * y + z * z <= limites[sauf])) {
                 return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
             }
             int i = Math.min(COTE - 1, (int) ((vx + 1) * (COTE / 2)));
@@ -230,8 +230,7 @@ final class Masques implements Intersections {
                 double x = px + distance * vx - g[s];
                 double y = py + distance * vy - g[s + 1];
                 double z = pz + distance * vz - g[s + 2];
-                if (x * x + y * y + z * z <= limitesIci[sauf]
-                        && Math.abs(vx * vx + vy * vy + vz * vz - 1) < MARGE / 4) {
+                if (x * x + y * y + z * z <= limitesIci[sauf]) {
                     parcours.compteurs.noeudsVisites++;
                     int tests = 0;
                     long masque = parSphere[sauf];

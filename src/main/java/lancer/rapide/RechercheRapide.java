@@ -14,8 +14,8 @@ import lancer.contrat.RechercheSimple;
 
 /**
  * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et
- * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a
- * son {@link Parcours}.
+ * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Une direction dont la longueur n'est pas 1 est
+ * pour les boucles du cours. Les structures sont partagées ; chaque fil a son {@link Parcours}.
  */
 public final class RechercheRapide implements Recherche {
 
@@ -23,6 +23,9 @@ public final class RechercheRapide implements Recherche {
      * Objets, les premiers de la scène, examinés d'abord pour une ombre si l'un d'eux n'est pas une sphère.
      */
     private static final int PREMIERS = 8;
+
+    /** Ce dont le carré de la longueur d'une direction peut s'écarter de 1 : au-delà, les boucles du cours. */
+    private static final double UNITE = 1e-10;
 
     /** Rayons entre deux regards à l'interruption du fil, moins un. */
     private static final int PAS = 7;
@@ -39,6 +42,7 @@ public final class RechercheRapide implements Recherche {
     private final Occultations[] ombres;
     private final Parcours parcours;
     private final Comptes comptes;
+    private final RechercheSimple boucles;
 
     /**
      * Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon
@@ -62,6 +66,7 @@ public final class RechercheRapide implements Recherche {
         ombres = structures.ombres;
         parcours = new Parcours(compteurs);
         comptes = new Comptes(parcours, spheres.nombre, structures.camera);
+        boucles = new RechercheSimple(objets, compteurs);
         boolean melees = spheres.autres.length > 0 && spheres.rangAutres[0] < PREMIERS;
         dAbord = melees ? objets.subList(0, Math.min(PREMIERS, objets.size())).toArray(new Objet3D[0])
                 : new Objet3D[0];
@@ -79,6 +84,10 @@ public final class RechercheRapide implements Recherche {
         if ((++questions & PAS) == 0) {
             Recherche.obeir();
         }
+        if (!estUnitaire(V)) {
+            boucles.plusProche(incident, saufLui);
+            return;
+        }
         if (saufLui == null) {
             comptes.ouvrir(P);
         }
@@ -92,12 +101,19 @@ public final class RechercheRapide implements Recherche {
         }
     }
 
+    private static boolean estUnitaire(Vecteur V) {
+        return Math.abs(V.x * V.x + V.y * V.y + V.z * V.z - 1) < UNITE;
+    }
+
     private int numero(Objet3D objet) {
         return derniere >= 0 && objet == spheres.objets[derniere] ? derniere : spheres.numero(objet);
     }
 
     @Override
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+        if (!estUnitaire(V)) {
+            return boucles.estCachee(lampe, P, new Vecteur(V.x, V.y, V.z), distance, objet);
+        }
         Occultations ombre = ombresDe(lampe);
         if (ombre == structures.arbre) {
             // une autre structure ajoute elle-même ce qu'un rayon permet, là où elle examine
