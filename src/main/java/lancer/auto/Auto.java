@@ -46,12 +46,17 @@ public final class Auto {
     private final Limite[] limites;
     private final Tirage tirage;
     private final Map<Barreau, Echantillonnage> echelle = new LinkedHashMap<>();
-    private final List<Candidat> essayes = new ArrayList<>();
-    private Candidat choisi;
-    private Traceur traceur;
+
+    /** Les candidats essayés, avec ce qui en est attendu, du moins cher au plus juste à peu près. */
+    public final List<Candidat> essayes = new ArrayList<>();
+
+    /** Le candidat choisi, et de quoi dessiner la scène comme lui, à la profondeur qu'il dit. */
+    public final Candidat choisi;
+    public final Traceur traceur;
     private Tirage controle;
 
-    private Auto(Traceur prepare, double voulue, Limite[] limites, int fils, List<Variante> variantes) {
+    private Auto(Traceur prepare, double voulue, Limite[] limites, int fils, List<Variante> variantes,
+            Consumer<Auto> suivi) {
         this.voulue = voulue;
         this.limites = limites;
         essais = new Essais(prepare, fils);
@@ -73,6 +78,8 @@ public final class Auto {
             limite.essayer(essais, semis, reste(LIMITER, semis.prix) / limites.length);
         }
         tirage = new Tirage(essais, semis, 0, voulue, reste(TIRER, semis.prix));
+        choisi = monter(suivi);
+        traceur = prepare.avec(choisi.echantillonnage, choisi.seuil);
     }
 
     /**
@@ -88,10 +95,7 @@ public final class Auto {
      */
     public static Auto choisir(Traceur prepare, double voulue, Integer reflets, Double seuil, int fils,
             List<Variante> variantes, Consumer<Auto> suivi) {
-        Auto auto = new Auto(prepare, voulue, Limite.permises(reflets, seuil), fils, variantes);
-        auto.monter(suivi);
-        auto.traceur = prepare.avec(auto.choisi.echantillonnage, auto.choisi.seuil);
-        return auto;
+        return new Auto(prepare, voulue, Limite.permises(reflets, seuil), fils, variantes, suivi);
     }
 
     /** Les rayons qui restent à cette part des essais, si le dessin est à ce prix par pixel. */
@@ -102,7 +106,7 @@ public final class Auto {
     }
 
     /** Du moins cher au plus juste, jusqu'au premier qui devrait tenir ; ceux qui n'y arriveront pas sont passés. */
-    private void monter(Consumer<Auto> suivi) {
+    private Candidat monter(Consumer<Auto> suivi) {
         Barreau avant = echelle.keySet().iterator().next();
         double carre = avant.erreur * avant.erreur;
         Estimation ici = new Estimation(carre, DIVERSITE * DIVERSITE * carre * carre);
@@ -117,18 +121,18 @@ public final class Auto {
                 }
             }
             double visee = voulue > 0 ? voulue : ici.plus(0);
-            choisi = essayer(barreau, echelle.get(barreau), ici, Limite.pour(visee, limites));
-            ici = choisi.estimation;
-            essayes.add(choisi);
+            Candidat essaye = essayer(barreau, echelle.get(barreau), ici, Limite.pour(visee, limites));
+            ici = essaye.estimation;
+            essayes.add(essaye);
             suivi.accept(this);
-            if (choisi.auPlus <= voulue) {
-                return;
+            if (essaye.auPlus <= voulue) {
+                return essaye;
             }
         }
-        choisi = essayes.stream().min(Comparator.comparingDouble(reglage -> reglage.erreur)).get();
+        return essayes.stream().min(Comparator.comparingDouble(essaye -> essaye.erreur)).get();
     }
 
-    /** Ce qu'on attend de ce barreau ; là où les rayons permis n'y suffisent pas, ce que promet l'échelle. */
+    /** Candidat de ce barreau ; là où les rayons permis ne suffisent pas à l'essayer, ce que promet l'échelle. */
     private Candidat essayer(Barreau barreau, Echantillonnage echantillonnage, Estimation attendue, Limite limite) {
         double promis = barreau.prix * limite.rayons;
         boolean dessine = tirage.dessiner(echantillonnage, limite, reste(CHOISIR, promis));
@@ -136,26 +140,11 @@ public final class Auto {
                 dessine ? attendue.corrigee(tirage.erreur()) : attendue, dessine ? tirage.prix() : promis);
     }
 
-    /** Ce qui est attendu de la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */
+    /** Candidat que fait la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */
     public Candidat evaluer(int reflets, double seuil) {
         Limite presente = Limite.permises(reflets, seuil)[0];
         presente.essayer(essais, semis, Double.MAX_VALUE);
         return essayer(ORDINAIRE, deLaScene, INCONNUE, presente);
-    }
-
-    /** Ce qui est choisi. */
-    public Candidat getChoisi() {
-        return choisi;
-    }
-
-    /** De quoi dessiner la scène comme il est choisi, à la profondeur que dit {@link #getChoisi()}. */
-    public Traceur getTraceur() {
-        return traceur;
-    }
-
-    /** Les réglages essayés, avec ce qui en est attendu, du moins cher au plus juste à peu près. */
-    public List<Candidat> getEssayes() {
-        return essayes;
     }
 
     /** Les rayons des essais, contrôle compris. */

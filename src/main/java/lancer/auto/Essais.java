@@ -74,25 +74,19 @@ final class Essais {
         return faits;
     }
 
-    /** Ce que voit un fil, qui arrête l'équipe s'il passe la borne. */
+    /** Vue d'un fil, qui arrête l'équipe s'il passe la borne. */
     private Vue vue(Equipe equipe, int reflets, double seuil) {
         Lancer sien = new Lancer(prepare.getScene().avec(prepare.getScene().getModele()), prepare.getCamera());
         sien.getScene().getModele().setSeuil(seuil);
-        Regard regard = new Regard(equipe, sien, reflets, null);
-        return new Vue() {
+        return new Regard(equipe, sien, reflets, null) {
             @Override
             public Couleur couleur(double xe, double ye) {
                 long avant = rayons();
-                Couleur couleur = regard.couleur(xe, ye);
+                Couleur couleur = super.couleur(xe, ye);
                 if (rayons.addAndGet(rayons() - avant) > borne) {
                     equipe.arreter();
                 }
                 return couleur;
-            }
-
-            @Override
-            public long rayons() {
-                return regard.rayons();
             }
         };
     }

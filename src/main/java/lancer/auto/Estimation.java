@@ -16,13 +16,13 @@ final class Estimation {
         return Math.sqrt(Math.max(0, carre + ecartsTypes * Math.sqrt(variance)));
     }
 
-    /** Celle d'un réglage dont l'erreur est d'ordinaire tant de fois celle-ci. @param dispersion de ce carré */
+    /** Estimation d'un candidat dont l'erreur est d'ordinaire tant de fois celle-ci. @param dispersion de ce carré */
     Estimation prolongee(double rapport, double dispersion) {
         double fois = rapport * rapport;
         return new Estimation(fois * carre, fois * fois * (variance + dispersion * dispersion * carre * carre));
     }
 
-    /** Celle-ci et une mesure, chacune d'autant plus écoutée qu'elle est sûre (filtre de Kalman, 1960). */
+    /** Moyenne avec une mesure, chacune d'autant plus écoutée qu'elle est sûre (filtre de Kalman, 1960). */
     Estimation corrigee(Estimation mesure) {
         double gain = variance == 0 ? 0 : variance / (variance + mesure.variance);
         return new Estimation(carre + gain * (mesure.carre - carre), gain * mesure.variance);

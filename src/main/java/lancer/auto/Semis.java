@@ -30,7 +30,7 @@ final class Semis {
     /** D'un rayon de l'écran sans limite, en rayons de toutes sortes. */
     final double prix;
 
-    /** Ceux des objets si petits à l'écran qu'un rayon par pixel peut les manquer : la scène le sait. */
+    /** Pixels des objets si petits à l'écran qu'un rayon par pixel peut les manquer : la scène le sait. */
     final BitSet petits = new BitSet();
 
     /** Sème autant de carreaux que le permettent ces rayons. */

@@ -25,7 +25,7 @@ final class Tirage {
     private static final int PETITS = 120;
     private static final int TIRES_MIN = 12;
 
-    /** Ce que tout pixel promet d'erreur, rapporté à la moyenne des contrastes ; et, en niveaux, d'une image unie. */
+    /** Erreur que promet tout pixel, rapporté à la moyenne des contrastes ; et, en niveaux, d'une image unie. */
     private static final double PLANCHER = 0.3;
 
     /** Chacune des deux références a un point au hasard dans chacune des cases de la grille de tant de côté. */

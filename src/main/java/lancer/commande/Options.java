@@ -39,7 +39,7 @@ public final class Options {
     private static final List<String> SANS_VALEUR =
             Arrays.asList("--statistiques", "--simple", "--aide", "--help", "-h", "--version");
 
-    /** Ce que l'image d'un seul pixel ne peut ni écrire, ni choisir, ni répéter. */
+    /** Options sans effet sur l'image d'un seul pixel, qui ne s'écrit, ne se choisit ni ne se répète. */
     private static final String[] SANS_PIXEL = {"--image", "--lineaire", "--auto", "--repeter", "--comparer"};
 
     /** Une comparaison se fait à la taille de la référence, et n'écrit que l'image des différences. */

@@ -10,7 +10,7 @@ import lancer.SceneFautive;
 import lancer.contrat.PixelFautif;
 import lancer.texte.Texte;
 
-/** Ce que le programme dit et rend quand il n'a pas pu, et comment il parle : une ligne, quoi qu'elle contienne. */
+/** Messages et statuts du programme qui n'a pas pu, et sa façon de parler : une ligne, quoi qu'elle contienne. */
 public final class Pannes {
 
     private Pannes() {
@@ -23,7 +23,7 @@ public final class Pannes {
                 : panne instanceof SceneFautive ? Echec.DEMANDE : Echec.PANNE;
     }
 
-    /** Ce qu'il faut dire d'une panne. */
+    /** Message d'une panne. */
     public static String message(Throwable panne) {
         if (panne instanceof Echec || panne instanceof SceneFautive) {
             return panne.getMessage();
@@ -50,7 +50,7 @@ public final class Pannes {
         verifier(sortie);
     }
 
-    /** De même, des lignes en UTF-8, que la console en soit ou non. */
+    /** Répond par des lignes en UTF-8, que la console en soit ou non. @throws Echec comme {@link #repondre} */
     public static void repondreEnUtf8(List<String> lignes, PrintStream sortie) {
         String fin = System.lineSeparator();
         byte[] octets = (String.join(fin, lignes) + fin).getBytes(StandardCharsets.UTF_8);

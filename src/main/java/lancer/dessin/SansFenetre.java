@@ -66,16 +66,16 @@ public final class SansFenetre {
         Auto auto = options.auto ? Auto.choisir(prepare, options.erreurVoulue,
                 options.refletsDonnes ? options.reflets : null, options.seuilDonne ? options.seuil : null,
                 options.fils, dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
-        Traceur traceur = auto == null ? prepare : auto.getTraceur();
+        Traceur traceur = auto == null ? prepare : auto.traceur;
         Toile toile = auto == null ? dessinateur.programme : auto.surveiller(dessinateur.programme);
         double essais = (System.nanoTime() - debut) / NS_PAR_S;
-        long[] traces = tracer(traceur, toile, auto == null ? options.reflets : auto.getChoisi().reflets);
+        long[] traces = tracer(traceur, toile, auto == null ? options.reflets : auto.choisi.reflets);
         Ecriture.ecrire(dessinateur.getImage(), fichiers);
         if (options.statistiques) {
             String nombres = dessinateur.statistiques(traceur, traces);
             Pannes.repondre(auto == null ? nombres : nombres + System.lineSeparator() + texte("auto.erreur.attendue: "
                     + "%.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%nauto.essais.ms: %.3f",
-                    auto.getChoisi().erreur, auto.getErreurMesuree(), auto.getRayonsDesEssais(), 1e3 * essais),
+                    auto.choisi.erreur, auto.getErreurMesuree(), auto.getRayonsDesEssais(), 1e3 * essais),
                     dessinateur.sortie);
         }
         if (auto != null) {
@@ -137,15 +137,15 @@ public final class SansFenetre {
 
     /** Trois lignes : ce que {@code --auto} a choisi, ce qui en était attendu, et ce qu'il en est. */
     private List<String> rapport(Auto auto, double essais) {
-        Candidat choisi = auto.getChoisi();
-        int nombre = auto.getEssayes().size();
+        Candidat choisi = auto.choisi;
+        int nombre = auto.essayes.size();
         return Arrays.asList("auto, choisi : " + choisi,
                 texte("auto, attendu : erreur de %.2f, au plus %.2f ; %.2f rayons de toutes sortes par pixel ; "
                         + "%d réglage%s, %s une erreur de %.2f", choisi.erreur, choisi.auPlus, choisi.prix, nombre,
                         nombre > 1 ? "s essayés" : " essayé", choisi.auPlus <= options.erreurVoulue
                         ? "le moins cher qui promette" : "aucun ne promet", options.erreurVoulue),
                 texte("auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s",
-                        auto.getErreurMesuree(), auto.getIncertitude(), auto.getTraceur().getDureeNs() / NS_PAR_S,
+                        auto.getErreurMesuree(), auto.getIncertitude(), auto.traceur.getDureeNs() / NS_PAR_S,
                         essais, auto.getVerdict()));
     }
 

@@ -165,7 +165,7 @@ final class PanneauVitesse extends JDialog {
 
     /** Du fil des essais : ce qu'ils disent, si personne n'a changé de scène entre-temps. */
     private void montrer(List<Object> scene, Auto enCours, String texte, Candidat present) {
-        List<Candidat> essayes = new ArrayList<>(enCours.getEssayes());
+        List<Candidat> essayes = new ArrayList<>(enCours.essayes);
         EventQueue.invokeLater(() -> {
             if (scene == essayee) {
                 etat.setText(texte);

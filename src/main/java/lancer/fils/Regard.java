@@ -7,7 +7,7 @@ import lancer.contrat.PixelFautif;
 import lancer.contrat.Vue;
 
 /** Vue d'un fil d'une équipe à travers l'écran : la couleur, ou un échec qui dit de quel pixel. */
-public final class Regard implements Vue {
+public class Regard implements Vue {
 
     private final Equipe equipe;
     private final Lancer lancer;

@@ -21,7 +21,7 @@ import lancer.texte.Texte;
  */
 public final class Ecriture {
 
-    /** Ce qui sait écrire une image dans un flux. */
+    /** Écriture d'une image dans un flux, sous un format. */
     public interface Format {
         void ecrire(ImageMemoire image, OutputStream sortie) throws IOException;
     }

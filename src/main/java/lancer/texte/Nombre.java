@@ -7,10 +7,9 @@ package lancer.texte;
  */
 public final class Nombre {
 
-    /** 10^k se représente exactement jusqu'à k = 22, et un entier jusqu'à 2^53. */
-    private static final double[] DIX = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14,
-        1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    private static final int CHIFFRES_EXACTS = 15;
+    /** Puissances de dix : chacune se représente exactement, comme un entier de quinze chiffres. */
+    private static final double[] DIX =
+            {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
     private Nombre() {
     }
@@ -43,7 +42,7 @@ public final class Nombre {
         if (chiffres == 0) {
             return Double.NaN;
         }
-        if (i == fin && chiffres <= CHIFFRES_EXACTS) {
+        if (i == fin && chiffres < DIX.length) {
             double valeur = mantisse / DIX[decimales];
             return negatif ? -valeur : valeur;
         }

@@ -16,21 +16,14 @@ public final class Texte {
     public static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
 
     /** Les mots du système ou de Java, et leur traduction ; en français, le système se fait comprendre seul. */
-    private static final String[][] PANNES = {
-        {"No space left on device", "disque plein"},
+    private static final String[][] PANNES = {{"No space left on device", "disque plein"},
         {"Aucun espace disponible sur le périphérique", "disque plein"},
-        {"There is not enough space on the disk", "disque plein"},
-        {"Espace insuffisant sur le disque", "disque plein"},
-        {"Disk quota exceeded", "quota de disque dépassé"},
-        {"File too large", "fichier trop grand"},
-        {"File name too long", "nom de fichier trop long"},
-        {"Read-only file system", "système de fichiers en lecture seule"},
-        {"Not a directory", "le dossier n'existe pas"},
-        {"Is a directory", "c'est un dossier"},
-        {"Too many levels of symbolic links", "trop de liens symboliques"},
-        {"Broken pipe", "plus personne ne lit"},
-        {"NoSuchFileException", "fichier introuvable"},
-        {"AccessDeniedException", "accès interdit"}};
+        {"There is not enough space on the disk", "disque plein"}, {"Espace insuffisant sur le disque", "disque plein"},
+        {"Disk quota exceeded", "quota de disque dépassé"}, {"File too large", "fichier trop grand"},
+        {"File name too long", "nom de fichier trop long"}, {"Not a directory", "le dossier n'existe pas"},
+        {"Read-only file system", "système de fichiers en lecture seule"}, {"Is a directory", "c'est un dossier"},
+        {"Too many levels of symbolic links", "trop de liens symboliques"}, {"Broken pipe", "plus personne ne lit"},
+        {"NoSuchFileException", "fichier introuvable"}, {"AccessDeniedException", "accès interdit"}};
 
     private Texte() {
     }

@@ -50,9 +50,9 @@ class AutoTest {
 
     /** Dessine, et contrôle. @return les couleurs de l'image, ligne par ligne */
     private static Couleur[] dessiner(Auto auto) {
-        int largeur = auto.getTraceur().getCamera().getLargeur();
-        Couleur[] image = new Couleur[largeur * auto.getTraceur().getCamera().getHauteur()];
-        auto.getTraceur().TracerPixels(auto.surveiller((couleur, i, j) -> image[j * largeur + i] = couleur), auto.getChoisi().reflets, 2);
+        int largeur = auto.traceur.getCamera().getLargeur();
+        Couleur[] image = new Couleur[largeur * auto.traceur.getCamera().getHauteur()];
+        auto.traceur.TracerPixels(auto.surveiller((couleur, i, j) -> image[j * largeur + i] = couleur), auto.choisi.reflets, 2);
         return image;
     }
 
@@ -122,12 +122,12 @@ class AutoTest {
     @CsvSource({"0.5, 20, 0.0625", "0.5, 8, 0.015625", "0.5, 3, 0.00390625", "0.2, 4, 0.00390625", "0.8, 50, 0.0625"})
     void entreDeuxMiroirsLeSeuilEstCeluiDeLaSerie(double ks, double erreur, double seuil) {
         Auto auto = auto(entreDeuxMurs(ks), 16, 12, SANS, erreur);
-        assertEquals(seuil, auto.getChoisi().seuil);
-        assertTrue(auto.getChoisi().auPlus <= erreur);
+        assertEquals(seuil, auto.choisi.seuil);
+        assertTrue(auto.choisi.auPlus <= erreur);
         double manque = 255 * 0.9 * Math.pow(ks, suivis(ks, seuil) + 1);
-        assertEquals(manque, auto.getChoisi().erreur, 0.02 * manque);
+        assertEquals(manque, auto.choisi.erreur, 0.02 * manque);
         // l'écran, et autant de reflets : les murs n'ont pas d'ombre
-        assertEquals(1 + suivis(ks, seuil), auto.getChoisi().prix, 1e-9);
+        assertEquals(1 + suivis(ks, seuil), auto.choisi.prix, 1e-9);
         dessiner(auto);
         assertEquals(manque, auto.getErreurMesuree(), 0.02 * manque);
         assertEquals("erreur voulue tenue", auto.getVerdict());
@@ -137,18 +137,18 @@ class AutoTest {
     void ceQuiEstFixeResteEtLeResteSeChoisit() {
         Traceur prepare = Dessinateur.traceur(entreDeuxMurs(0.5), 16, 12, false);
         Auto auto = Auto.choisir(prepare, 8, 7, null, 2, SANS, enCours -> { });
-        assertEquals("un rayon par pixel, --reflets 7 --seuil 0.015625", auto.getChoisi().toString());
+        assertEquals("un rayon par pixel, --reflets 7 --seuil 0.015625", auto.choisi.toString());
         auto = Auto.choisir(prepare, 1, 3, 0.25, 2, SANS, enCours -> { });
-        assertEquals("un rayon par pixel, --reflets 3 --seuil 0.25", auto.getChoisi().toString());
-        assertTrue(auto.getChoisi().auPlus > 1);
+        assertEquals("un rayon par pixel, --reflets 3 --seuil 0.25", auto.choisi.toString());
+        assertTrue(auto.choisi.auPlus > 1);
     }
 
     @Test
     void leCielNeDemandeQuUnRayonParPixel() {
         Scene ciel = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
         Auto auto = auto(ciel, LARGEUR, HAUTEUR, GRILLES, 0.1);
-        assertEquals("[Grille] n=1", auto.getChoisi().section.toString());
-        assertEquals(1, auto.getChoisi().prix);
+        assertEquals("[Grille] n=1", auto.choisi.section.toString());
+        assertEquals(1, auto.choisi.prix);
         dessiner(auto);
         assertTrue(auto.getIncertitude() >= 0.01, "jamais ± 0,00");
     }
@@ -156,15 +156,15 @@ class AutoTest {
     @Test
     void desBoulesPlusPetitesQuUnPixelDemandentPlusieursRayons() {
         Auto auto = auto(damier(), LARGEUR, HAUTEUR, GRILLES, 4);
-        assertTrue(auto.getChoisi().auPlus <= 4 && auto.getChoisi().prix >= 4, auto.getChoisi().toString());
-        assertEquals("[Grille] n=1", auto(damier(), LARGEUR, HAUTEUR, GRILLES, 100).getChoisi().section.toString());
+        assertTrue(auto.choisi.auPlus <= 4 && auto.choisi.prix >= 4, auto.choisi.toString());
+        assertEquals("[Grille] n=1", auto(damier(), LARGEUR, HAUTEUR, GRILLES, 100).choisi.section.toString());
     }
 
     /** Là où la base est seule, ce qui manque est nommé. */
     @Test
     void ceQuiNEstPasTenuEstDitAvecCeQuiAiderait() {
         Auto auto = auto(damier(), LARGEUR, HAUTEUR, SANS, 4);
-        assertTrue(auto.getChoisi().auPlus > 4);
+        assertTrue(auto.choisi.auPlus > 4);
         dessiner(auto);
         assertTrue(auto.getErreurMesuree() > 4);
         assertTrue(auto.getVerdict().matches("erreur voulue dépassée : .*antialias/target/antialias\\.jar.*"), auto.getVerdict());
@@ -201,8 +201,8 @@ class AutoTest {
 
     /** L'erreur vraie, par la boucle la plus simple : chaque pixel contre deux fois 32 rayons au hasard, sans limite ; sans biais. */
     private static double vraie(Auto auto, Couleur[] image) {
-        auto.getTraceur().getScene().getModele().setSeuil(0);
-        int largeur = auto.getTraceur().getCamera().getLargeur();
+        auto.traceur.getScene().getModele().setSeuil(0);
+        int largeur = auto.traceur.getCamera().getLargeur();
         SplittableRandom hasard = new SplittableRandom(9);
         double somme = 0;
         for (int p = 0; p < image.length; p++) {
@@ -210,7 +210,7 @@ class AutoTest {
             for (int r = 0; r < 2; r++) {
                 Couleur moyenne = new Couleur();
                 for (int k = 0; k < 32; k++) {
-                    moyenne = moyenne.add(auto.getTraceur().getLancer().getCouleurPixel(p % largeur + hasard.nextDouble(),
+                    moyenne = moyenne.add(auto.traceur.getLancer().getCouleurPixel(p % largeur + hasard.nextDouble(),
                             p / largeur + hasard.nextDouble(), 60));
                 }
                 justes[r] = Semis.niveaux(moyenne.div(32));
@@ -232,7 +232,7 @@ class AutoTest {
         assertTrue(auto.getVerdict().startsWith("erreur voulue dépassée"), auto.getVerdict());
         Auto grilles = auto(petites(20, 0.5, 0, graine, 60), 60, 45, GRILLES, 1);
         image = dessiner(grilles);
-        assertTrue(vraie(grilles, image) <= 1, grilles.getChoisi().toString());
+        assertTrue(vraie(grilles, image) <= 1, grilles.choisi.toString());
     }
 
     /** Quarante petites boules qui se reflètent les unes les autres. */
@@ -243,7 +243,7 @@ class AutoTest {
             Auto auto = auto(petites(40, rayon, 0.8, 11, 60), 60, 45, GRILLES, voulue);
             Couleur[] image = dessiner(auto);
             double vraie = vraie(auto, image);
-            String dit = vraie + ", " + auto.getChoisi() + ", " + auto.getVerdict();
+            String dit = vraie + ", " + auto.choisi + ", " + auto.getVerdict();
             assertTrue(vraie <= 1.5 * voulue || auto.getVerdict().startsWith("erreur voulue dépassée"), dit);
             assertTrue(vraie <= 1.1 * voulue || !auto.getVerdict().equals("erreur voulue tenue"), dit);
             assertTrue(auto.getVerdict().startsWith("erreur voulue dépassée")
@@ -258,7 +258,7 @@ class AutoTest {
             for (int fils : new int[] {1, 2, 7}) {
                 Auto auto = Auto.choisir(Dessinateur.traceur(quelquesBoules(), 80, 70, false), erreur, null, null, fils, GRILLES,
                         enCours -> { });
-                Candidat r = auto.getChoisi();
+                Candidat r = auto.choisi;
                 String choix = r + " " + r.erreur + " " + r.auPlus + " " + r.prix + " " + auto.getRayonsDesEssais();
                 attendu = attendu == null ? choix : attendu;
                 assertEquals(attendu, choix, fils + " fils");
@@ -271,13 +271,13 @@ class AutoTest {
     void touteTailleDImageConvient(int largeur, int hauteur) {
         Auto auto = auto(scene(boule(0, 0, 8, 2, 0.5)), largeur, hauteur, GRILLES, 1);
         dessiner(auto);
-        assertTrue(auto.getErreurMesuree() < 10, auto.getChoisi() + " " + auto.getVerdict());
+        assertTrue(auto.getErreurMesuree() < 10, auto.choisi + " " + auto.getVerdict());
     }
 
     @Test
     void sansRienDeVouluTouteLEchelleEstEssayee() {
         Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0)), LARGEUR, HAUTEUR, GRILLES, 0);
-        List<Candidat> front = auto.getEssayes();
+        List<Candidat> front = auto.essayes;
         assertEquals(4, front.size());
         for (int k = 1; k < 4; k++) {
             assertTrue(front.get(k).prix > front.get(k - 1).prix && front.get(k).erreur < front.get(k - 1).erreur, "" + front);
@@ -295,8 +295,8 @@ class AutoTest {
             Auto auto = auto(new Scene(quelquesBoules().getObjets(), toutes), largeur, hauteur,
                     GrilleDEssai.seule("1", "2"), voulue);
             dessiner(auto);
-            double permis = Math.max(600_000, auto.getTraceur().getCompteurs().rayons() / 2.0);
-            assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis + ", " + auto.getChoisi());
+            double permis = Math.max(600_000, auto.traceur.getCompteurs().rayons() / 2.0);
+            assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis + ", " + auto.choisi);
         }
     }
 

@@ -56,9 +56,9 @@ class AutoAntialiasTest {
     void ceQuiEstAttenduDeLEchelleEstCeQuOnEnDessine() {
         Traceur prepare = Dessinateur.traceur(new Scene(scene.toString()), 80, 60, false);
         Auto auto = Auto.choisir(prepare, 0, null, null, 2, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
-        assertEquals(new Antialias().getEchelle().size(), auto.getEssayes().size());
+        assertEquals(new Antialias().getEchelle().size(), auto.essayes.size());
         double[][] juste = image(prepare.avec(Antialias.coins(16, 0), 0), 1000);
-        for (Candidat reglage : auto.getEssayes()) {
+        for (Candidat reglage : auto.essayes) {
             Traceur lancer = prepare.avec(reglage.echantillonnage, reglage.seuil);
             double[][] image = image(lancer, reglage.reflets);
             assertEquals(1, reglage.prix * 80 * 60 / lancer.getCompteurs().rayons(), 0.25, reglage.toString());

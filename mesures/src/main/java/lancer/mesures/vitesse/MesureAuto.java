@@ -141,10 +141,10 @@ public final class MesureAuto {
             Auto auto = Auto.choisir(Dessinateur.traceur(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
                     taille.fils, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-            Traceur lancer = auto.getTraceur();
-            lancer.TracerPixels(auto.surveiller(image), auto.getChoisi().reflets, taille.fils);
+            Traceur lancer = auto.traceur;
+            lancer.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
             Oracle.Essai mieux = oracle.leMoinsCher(voulue);
-            lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.getChoisi(), nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur),
+            lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.choisi, nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur),
                     auto.getVerdict().replaceAll(" ;.*", ""), nombre((double) lancer.getCompteurs().rayons() / taille.pixels()),
                     mieux == null ? "" : mieux, mieux == null ? "" : nombre(mieux.prix),
                     nombre((double) auto.getRayonsDesEssais() / taille.pixels())));
