@@ -101,7 +101,7 @@ public final class Dessinateur {
         private ReglagesDessin reglages;
 
         @Override
-        public void avancer(double part) {
+        public void accept(double part) {
             avancement = part;
         }
 

@@ -24,7 +24,7 @@ public final class FichierScene {
     private FichierScene() {
     }
 
-    /** Ouvre un fichier par {@code java.io}, qui lit un tube ; si cela échoue, par {@code java.nio}, qui dit pourquoi. */
+    /** Ouvre un fichier par {@code java.io}, qui lit un tube ; en cas d'échec, {@code java.nio} dit pourquoi. */
     static InputStream ouvrir(Path chemin) throws IOException {
         try {
             return new FileInputStream(chemin.toFile());

@@ -33,7 +33,7 @@ import org.ini4j.spi.IniParser;
  * Lecture d'un fichier INI : objets, lampes, sections des variantes. ini4j ne sert ici qu'à découper les lignes
  * ({@code IniParser}) ; ses substitutions, par où passe la CVE-2022-41404, ne sont jamais appelées.
  */
-public class LecteurScene {
+public class LecteurScene implements DoubleConsumer {
 
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
@@ -79,13 +79,7 @@ public class LecteurScene {
             fichier = chemin.toString();
         }
         try (InputStream entree = FichierScene.ouvrir(chemin)) {
-            // une classe, car la première lambda d'un programme coûte cher à son démarrage
-            lignes = new Lignes(entree, chemin.toFile().length(), new DoubleConsumer() {
-                @Override
-                public void accept(double part) {
-                    avancer(part);
-                }
-            });
+            lignes = new Lignes(entree, chemin.toFile().length(), this);
             Sections sections = new Sections();
             sections.parse(lignes, sections);
         } catch (InvalidFileFormatException e) {
@@ -112,7 +106,8 @@ public class LecteurScene {
     }
 
     /** Appelé à mesure de la lecture, avec la part lue du fichier, de 0 à 1. */
-    public void avancer(double part) {
+    @Override
+    public void accept(double part) {
     }
 
     /**

@@ -195,7 +195,7 @@ class FenetreDessinTest extends EssaiFenetre {
             public void lireScene(String fichier, LecteurScene lecteur) {
                 if (getDessinateur().getImage() != null) {
                     lecteurs[0] = lecteur;
-                    lecteur.avancer(0.42);
+                    lecteur.accept(0.42);
                     attendreSansEtreInterrompu(lecture);
                 }
                 super.lireScene(fichier, lecteur);
@@ -204,7 +204,7 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F5);
         attendre("la part lue", () -> banc.avancement.getString().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
-        lecteurs[0].avancer(0.73);
+        lecteurs[0].accept(0.73);
         attendre("elle avance", () -> banc.avancement.getString().startsWith("lecture 73 % — "));
         lecture.countDown();
         banc.imageAchevee();
@@ -215,7 +215,7 @@ class FenetreDessinTest extends EssaiFenetre {
         return new MainLent(args()) {
             @Override
             public void lireScene(String fichier, LecteurScene lecteur) {
-                lecteur.avancer(0.42);
+                lecteur.accept(0.42);
                 try {
                     composant("avancement", JProgressBar.class);
                     attendre("elle dit où en est la lecture", () -> composantIci("lecture 42 % — "));

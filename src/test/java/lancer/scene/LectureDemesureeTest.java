@@ -119,7 +119,7 @@ class LectureDemesureeTest {
         List<Double> parts = new ArrayList<>();
         new LecteurScene() {
             @Override
-            public void avancer(double part) {
+            public void accept(double part) {
                 parts.add(part);
             }
         }.lire(fichier.toString());
