@@ -47,6 +47,7 @@ public final class Dessinateur {
     /** La scène lue et ses réglages ; puis, une fois préparée, son image et ce qui la dessine. */
     private volatile Dessin dessin = new Dessin(null, null, null, null, null);
     private volatile double avancement;
+    private Runnable entracte;
     private long lectureNs;
     private long preparationNs;
 
@@ -166,7 +167,16 @@ public final class Dessinateur {
 
     /** Prépare la scène lue pour une image de cette taille, que garde la fenêtre. */
     public Traceur preparer(int largeur, int hauteur) {
-        return preparer(new ImageMemoire(largeur, hauteur, (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE));
+        Traceur nouveau = preparer(
+                new ImageMemoire(largeur, hauteur, (long) largeur * hauteur <= PIXELS_AVEC_LINEAIRE));
+        nouveau.setEntracte(entracte);
+        entracte = null;
+        return nouveau;
+    }
+
+    /** Fait faire ceci, une fois, entre le brouillon du prochain dessin et son image ; à demander avant lui. */
+    public void setEntracte(Runnable entracte) {
+        this.entracte = entracte;
     }
 
     /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */

@@ -270,6 +270,9 @@ final class Atelier {
     /** Regarde où en est le dessin en cours, et le montre ; à appeler souvent. */
     void observer() {
         boolean fini = courant.isDone();
+        if (panneau.estPeinte()) {
+            courant.continuer();
+        }
         lu = courant.avertissements != null ? courant.fichier : lu;
         Dessin dessin = courant.getDessin();
         if (dessin != null && panneau.montrer(dessin.image, dessin.traceur.isBrouillonFait(),

@@ -8,7 +8,12 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
+import java.io.BufferedReader;
 import java.io.File;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -35,62 +40,6 @@ import lancer.texte.Texte;
 /** Les dialogues, en français même là où Java ne l'est pas, la place des fenêtres d'à côté, l'apparence du système. */
 final class Dialogues {
 
-    /** Un texte, et les clés, de {@code FileChooser} à défaut, qui le montrent : selon Java, il en manque. */
-    private static final String[][] TEXTES = {
-        {"Dossier :", "lookInLabelText", "saveInLabelText"},
-        {"Nom du fichier :", "fileNameLabelText"},
-        {"Nom du dossier :", "folderNameLabelText"},
-        {"Type de fichiers :", "filesOfTypeLabelText"},
-        {"Dossier parent", "upFolderToolTipText", "upFolderAccessibleName"},
-        {"Dossier personnel", "homeFolderToolTipText", "homeFolderAccessibleName"},
-        {"Nouveau dossier", "newFolderToolTipText", "newFolderAccessibleName", "newFolderActionLabelText"},
-        {"Liste", "listViewButtonToolTipText", "listViewButtonAccessibleName", "listViewActionLabelText"},
-        {"Détails", "detailsViewButtonToolTipText", "detailsViewButtonAccessibleName", "detailsViewActionLabelText"},
-        {"Affichage", "viewMenuLabelText"},
-        {"Actualiser", "refreshActionLabelText"},
-        {"Nom", "fileNameHeaderText"},
-        {"Taille", "fileSizeHeaderText"},
-        {"Type", "fileTypeHeaderText"},
-        {"Modifié", "fileDateHeaderText"},
-        {"Tous les fichiers", "acceptAllFileFilterText"},
-        {"Ouvrir", "openButtonText", "directoryOpenButtonText"},
-        {"Ouvrir le fichier choisi", "openButtonToolTipText"},
-        {"Ouvrir le dossier choisi", "directoryOpenButtonToolTipText"},
-        {"Enregistrer", "saveButtonText"},
-        {"Enregistrer sous ce nom", "saveButtonToolTipText"},
-        {"Annuler", "cancelButtonText", "ColorChooser.cancelText"},
-        {"Choisir", "ColorChooser.okText"},
-        {"Revenir", "ColorChooser.resetText"},
-        {"Rouge", "ColorChooser.rgbRedText"},
-        {"Vert", "ColorChooser.rgbGreenText"},
-        {"Bleu", "ColorChooser.rgbBlueText"},
-        {"Aperçu", "ColorChooser.previewText"},
-        {"Fermer sans rien choisir", "cancelButtonToolTipText"},
-    };
-
-    private static final String[][] TOUCHES = {
-        {"Ctrl+O", "ouvrir une scène ; ou déposer son fichier sur la fenêtre"},
-        {"Page suivante, précédente", "les autres scènes du dossier"},
-        {"Ctrl+S, Ctrl+C", "enregistrer l'image, la copier"},
-        {"+, −", "plus ou moins de réflexions"},
-        {"F2", "les paramètres des variantes"},
-        {"F3", "vitesse ou précision : les réglages possibles, à dessiner d'un clic"},
-        {"Espace, tenue", "l'image d'avant"},
-        {"Ctrl+Maj+C", "copier les réglages"},
-        {"Ctrl+1, Ctrl+0, F11", "taille demandée, remplir la fenêtre, plein écran"},
-        {"molette, Ctrl+Haut, Ctrl+Bas", "loupe ; la tirer la déplace"},
-        {"un clic, Entrée", "les rayons du pixel"},
-        {"flèches", "le pixel voisin ; avec Maj, de dix en dix"},
-        {"1 à 9, 0", "un rebond seul dans les figures, tous ; ou un clic sur son numéro"},
-        {"D", "déplier ou replier le détail du pixel"},
-        {"Ctrl+Page suivante, précédente", "un autre échantillon du pixel"},
-        {"F5", "relire la scène et redessiner ; l'enregistrer dans un éditeur le fait aussi"},
-        {"Échap", "arrêter le dessin ; sinon, fermer ce qui est à côté, ou le plein écran"},
-        {"F10", "les menus"},
-        {"Ctrl+Q", "quitter"},
-        {"F1", "ces touches"},
-    };
-
     private static final String TITRE_IMAGE = "Enregistrer l'image";
 
     /** Ce qu'un dialogue laisse d'un petit écran à son propre cadre. */
@@ -116,10 +65,19 @@ final class Dialogues {
             // celle de Java, déjà en place
         }
         JComponent.setDefaultLocale(Locale.FRANCE);
-        for (String[] texte : TEXTES) {
-            for (int k = 1; k < texte.length; k++) {
-                UIManager.put(texte[k].indexOf('.') < 0 ? "FileChooser." + texte[k] : texte[k], texte[0]);
-            }
+        // selon Java, il en manque
+        for (String[] texte : lire("dialogues.txt")) {
+            UIManager.put(texte[0], texte[1]);
+        }
+    }
+
+    /** Les lignes d'un fichier de textes, chacune deux colonnes que sépare une tabulation. */
+    private static String[][] lire(String fichier) {
+        try (BufferedReader texte = new BufferedReader(new InputStreamReader(
+                Dialogues.class.getResourceAsStream(fichier), StandardCharsets.UTF_8))) {
+            return texte.lines().map(ligne -> ligne.split("\t")).toArray(String[][]::new);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
@@ -130,7 +88,8 @@ final class Dialogues {
 
     /** Le tableau des touches, qui reste ouvert à côté pendant qu'on les essaie. */
     static Window touches(JFrame cadre) {
-        JTable table = new JTable(TOUCHES, new String[] {"touche", "effet"});
+        String[][] lignes = lire("touches.txt");
+        JTable table = new JTable(lignes, new String[] {"touche", "effet"});
         table.setName("table");
         // les touches essayées d'ici vont au cadre
         table.setFocusable(false);
@@ -139,7 +98,7 @@ final class Dialogues {
         table.setRowHeight(m.getHeight() + 4);
         for (int colonne = 0; colonne < 2; colonne++) {
             int ici = colonne;
-            int large = Arrays.stream(TOUCHES).mapToInt(ligne -> m.stringWidth(ligne[ici])).max().getAsInt();
+            int large = Arrays.stream(lignes).mapToInt(ligne -> m.stringWidth(ligne[ici])).max().getAsInt();
             table.getColumnModel().getColumn(colonne).setPreferredWidth(large + MARGE);
         }
         table.setPreferredScrollableViewportSize(table.getPreferredSize());

@@ -58,6 +58,9 @@ final class MenuScenes {
         montree = tracage;
         String fichier = tracage == null ? null : tracage.fichier;
         Thread liste = new Thread(() -> {
+            if (tracage != null) {
+                tracage.attendreDEtreVu();
+            }
             Map<File, String> scenes = fichier == null ? new LinkedHashMap<>() : voisines(fichier);
             List<String> recentes = recentes(fichier);
             EventQueue.invokeLater(() -> {

@@ -47,6 +47,7 @@ public final class Ouverture {
                 : new Tracage(dessinateur, options.scene, new Dimension(options.largeur, options.hauteur), null);
         if (premier != null) {
             // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
+            dessinateur.setEntracte(premier::attendreDEtreVu);
             dessins.execute(premier);
             premier.attendreLecture(PATIENCE_MS);
         }

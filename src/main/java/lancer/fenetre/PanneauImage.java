@@ -56,6 +56,8 @@ final class PanneauImage extends JPanel {
     private float opacite;
     private final Timer fondu = new Timer(FONDU_MS, e -> estomper());
 
+    private boolean peinte;
+
     /** Ce que la loupe agrandit, 0 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
     private int loupe;
     private double centreX = 0.5;
@@ -175,6 +177,11 @@ final class PanneauImage extends JPanel {
     /** L'image montrée, {@code null} avant la première. */
     ImageMemoire getImage() {
         return montree;
+    }
+
+    /** Vrai dès qu'une image s'est vue. */
+    boolean estPeinte() {
+        return peinte;
     }
 
     /** Montre cette image à la place des autres, qui peuvent changer pendant ce temps ; {@code null} : plus aucune. */
@@ -316,6 +323,7 @@ final class PanneauImage extends JPanel {
                 Math.round(t.getTranslateY())));
         g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, loupe > 0
                 ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        peinte |= montree != null;
         peindre(g2, tenue != null ? tenue : montree);
         if (tenue == null) {
             peindre(g2, naissante);

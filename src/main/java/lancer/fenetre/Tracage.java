@@ -3,6 +3,7 @@ package lancer.fenetre;
 import java.awt.Dimension;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.SwingWorker;
@@ -15,6 +16,9 @@ import lancer.fils.Traceur;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
+
+    /** Temps après lequel un brouillon que rien ne montre n'arrête plus l'image : une fenêtre peut être réduite. */
+    private static final long PATIENCE_MS = 2000;
 
     /** Le fichier de la scène à lire, {@code null} s'il n'y en a pas. */
     final String fichier;
@@ -33,6 +37,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     private volatile Dessin dessin;
     private volatile Throwable panne;
     private final CountDownLatch lue = new CountDownLatch(1);
+    private final CountDownLatch vue = new CountDownLatch(1);
 
     /**
      * @param fichier {@code null} pour redessiner la scène qui est déjà lue
@@ -61,6 +66,20 @@ final class Tracage extends SwingWorker<Void, Void> {
         }
         if (avertissements == null && panne != null) {
             throw (RuntimeException) panne;
+        }
+    }
+
+    /** Le brouillon se voit : la suite peut se dessiner. */
+    void continuer() {
+        vue.countDown();
+    }
+
+    /** Attend que le brouillon se voie : la fenêtre qui s'ouvre a d'abord besoin de la machine. */
+    void attendreDEtreVu() {
+        try {
+            vue.await(PATIENCE_MS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+            throw new CancellationException("arrêté");
         }
     }
 

@@ -34,6 +34,7 @@ public final class Traceur implements Boucle {
     private volatile Temoins temoins;
     private int profondeurJugee;
     private long jugementNs;
+    private Runnable entracte;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
@@ -80,6 +81,14 @@ public final class Traceur implements Boucle {
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
         parcourir(Echantillonnage.BROUILLON, toile, profondeur, fils);
         brouillonFait = true;
+        if (entracte != null) {
+            entracte.run();
+        }
+    }
+
+    /** Fait faire ceci entre le brouillon et l'image. */
+    public void setEntracte(Runnable entracte) {
+        this.entracte = entracte;
     }
 
     /** {@inheritDoc} Si personne ne regarde encore l'image, ses témoins viennent après elle. */
