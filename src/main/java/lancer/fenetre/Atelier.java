@@ -63,11 +63,7 @@ final class Atelier {
     /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
     private boolean enAttente;
 
-    /**
-     * @param dessins le fil où l'on dessine, une image à la fois
-     * @param panneau où montrer l'image, et dire ce qu'il en est
-     * @param taille celle où la dessiner, en pixels
-     */
+    /** @param dessins le fil où l'on dessine, une image à la fois @param taille celle où la dessiner, en pixels */
     Atelier(Dessinateur dessinateur, ExecutorService dessins, int fils, PanneauImage panneau,
             Supplier<Dimension> taille) {
         this.dessinateur = dessinateur;
@@ -91,11 +87,7 @@ final class Atelier {
         return seul;
     }
 
-    /**
-     * Donne une tâche à ce fil.
-     *
-     * @param siPanne reçoit, dans le fil des événements, ce qui l'a empêchée ; rien si c'est qu'elle a été arrêtée
-     */
+    /** Donne une tâche à ce fil ; si elle échoue sans qu'on l'ait arrêtée, {@code siPanne} l'apprend, sur le sien. */
     static Future<?> confier(ExecutorService fil, Runnable tache, Consumer<String> siPanne) {
         return fil.submit(() -> {
             try {
@@ -190,11 +182,7 @@ final class Atelier {
         }
     }
 
-    /**
-     * Dessine la scène montrée avec ces réglages ; ce qui se dessinait est abandonné.
-     *
-     * @param suite vrai si ce n'est que la suite d'un même geste : l'image « d'avant » reste alors celle d'avant lui
-     */
+    /** Dessine la scène montrée avec ces réglages. @param suite si ce geste continue : « avant » reste avant lui */
     void dessiner(ReglagesDessin voulus, boolean suite) {
         reglages = voulus;
         if (!suite) {
@@ -304,6 +292,7 @@ final class Atelier {
     /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
     private void finir() {
         enCours = false;
+        courant.continuer();
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
             complete = montre.image;

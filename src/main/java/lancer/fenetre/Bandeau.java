@@ -14,6 +14,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import javax.swing.UIManager;
 import lancer.texte.Texte;
 
 /**
@@ -68,8 +69,18 @@ final class Bandeau extends JTextArea {
         setComponentPopupMenu(menu);
     }
 
+    /** Une étiquette de plusieurs lignes. */
+    static JTextArea etiquette(String nom) {
+        JTextArea etiquette = new JTextArea(" ");
+        etiquette.setName(nom);
+        etiquette.setOpaque(false);
+        etiquette.setFont(UIManager.getFont("Label.font"));
+        donnerALire(etiquette);
+        return etiquette;
+    }
+
     /** Fait de ce texte une étiquette de plusieurs lignes. */
-    static void donnerALire(JTextArea texte) {
+    private static void donnerALire(JTextArea texte) {
         texte.setEditable(false);
         texte.setFocusable(false);
         texte.setLineWrap(true);

@@ -29,7 +29,7 @@ final class BarreEtat extends JPanel {
 
     /** Ce qu'il y a de plus long à y lire d'un pixel achevé fait la moindre largeur de la fenêtre. */
     private final JLabel pixel = new JLabel("pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000");
-    private final JTextArea resume = new JTextArea(" ");
+    private final JTextArea resume = Bandeau.etiquette("resume");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
     private final JButton bouton = new JButton("Redessiner");
     /** Un carré de la couleur du pixel. */
@@ -39,19 +39,11 @@ final class BarreEtat extends JPanel {
     private int largeur;
     private int hauteur;
 
-    /**
-     * @param siPresse ce que fait le bouton
-     * @param image la largeur de l'image
-     * @param variantes combien de variantes le résumé peut avoir à dire
-     */
+    /** @param image sa largeur @param variantes combien le résumé peut avoir à en dire */
     BarreEtat(Runnable siPresse, int image, int variantes) {
         super(new BorderLayout(MARGE, INTERLIGNE));
         setBorder(BorderFactory.createEmptyBorder(INTERLIGNE, MARGE, INTERLIGNE, MARGE));
         pixel.setName("pixel");
-        resume.setName("resume");
-        resume.setOpaque(false);
-        resume.setFont(pixel.getFont());
-        Bandeau.donnerALire(resume);
         avancement.setName("avancement");
         bouton.setName("bouton");
         avancement.setStringPainted(true);
@@ -104,12 +96,7 @@ final class BarreEtat extends JPanel {
         return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", lancer.getDureeNs() / 1e9);
     }
 
-    /**
-     * @param image l'image montrée, {@code null} si elle n'est pas achevée
-     * @param reduction le rapport de la taille à laquelle elle est montrée à la sienne
-     * @param cout avec quoi elle a été dessinée, et ce qu'elle a coûté
-     * @return ce qui s'en lit
-     */
+    /** Ce qui se lit de l'image montrée, {@code null} si elle n'est pas achevée, et de ce qu'elle a coûté. */
     String resumer(ImageMemoire image, double reduction, String cout) {
         String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
@@ -119,10 +106,7 @@ final class BarreEtat extends JPanel {
         return resume.getText();
     }
 
-    /**
-     * @param ou le pixel sous la souris, ou {@code null}
-     * @param brouillon vrai si sa couleur n'est peut-être pas la dernière
-     */
+    /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si ce n'est peut-être pas sa couleur */
     void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
         pastille.setOpaque(ou != null);
         pastille.repaint();
@@ -133,9 +117,8 @@ final class BarreEtat extends JPanel {
         int k = ou.y * image.getLargeur() + ou.x;
         int code = image.getCodes()[k];
         pastille.setBackground(new Color(code));
-        String texte = "pixel " + ou.x + ", " + ou.y + (brouillon ? " (brouillon)" : "")
-                + String.format(" : #%06X", code & 0xFFFFFF)
-                + " = " + (code >> 16 & 0xFF) + " " + (code >> 8 & 0xFF) + " " + (code & 0xFF);
+        String texte = String.format("pixel %d, %d%s : #%06X = %d %d %d", ou.x, ou.y, brouillon ? " (brouillon)" : "",
+                code & 0xFFFFFF, code >> 16 & 0xFF, code >> 8 & 0xFF, code & 0xFF);
         float[] lineaire = image.getLineaire();
         if (lineaire != null) {
             // avec un point, comme dans les fichiers de scène

@@ -37,7 +37,7 @@ import lancer.Couleur;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
-/** Les dialogues, en français même là où Java ne l'est pas, la place des fenêtres d'à côté, l'apparence du système. */
+/** Les dialogues, en français même là où Java ne l'est pas, les fenêtres d'à côté, et l'apparence du système. */
 final class Dialogues {
 
     private static final String TITRE_IMAGE = "Enregistrer l'image";

@@ -47,7 +47,11 @@ final class MenuDessin {
         reflexions.setMnemonic('x');
         reflexions.setToolTipText("touches + et −");
         for (String nom : variantes) {
-            cases.put(nom, Menus.siScene(atelier, Menus.coche(menu, nom, null, () -> basculer(nom))));
+            cases.put(nom, Menus.siScene(atelier, Menus.coche(menu, nom, null, () -> {
+                ReglagesDessin reglages = atelier.getReglages();
+                Variante variante = reglages.getVariante(nom);
+                atelier.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);
+            })));
         }
         if (!variantes.isEmpty()) {
             article("Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), () -> {
@@ -89,12 +93,6 @@ final class MenuDessin {
         if (n != reglages.getReflets()) {
             atelier.dessiner(reglages.avec(n, reglages.getSeuil()), false);
         }
-    }
-
-    private void basculer(String nom) {
-        ReglagesDessin reglages = atelier.getReglages();
-        Variante variante = reglages.getVariante(nom);
-        atelier.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);
     }
 
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */

@@ -3,10 +3,7 @@ package lancer.fenetre;
 import java.awt.EventQueue;
 import java.awt.event.KeyEvent;
 import java.io.File;
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
+import java.io.FileNotFoundException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -15,7 +12,9 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Scanner;
 import java.util.Set;
+import java.util.concurrent.ExecutorService;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.prefs.Preferences;
@@ -37,6 +36,8 @@ final class MenuScenes {
 
     final JMenu menu = Menus.menu("Scènes");
     private final Atelier atelier;
+    /** L'un après l'autre : la dernière ouverte est la plus récente. */
+    private final ExecutorService fil = Atelier.unFil("lancer-scenes");
     /** Le dessin qui a lu la scène montrée, {@code null} s'il n'y en a pas encore. */
     private volatile Tracage montree;
     /** Retenu pour le rester : muet, car qu'un dossier personnel se refuse n'est pas l'affaire de qui dessine. */
@@ -57,7 +58,7 @@ final class MenuScenes {
     void montrer(Tracage tracage) {
         montree = tracage;
         String fichier = tracage == null ? null : tracage.fichier;
-        Thread liste = new Thread(() -> {
+        fil.execute(() -> {
             if (tracage != null) {
                 tracage.attendreDEtreVu();
             }
@@ -68,9 +69,7 @@ final class MenuScenes {
                     remplir(scenes, recentes);
                 }
             });
-        }, "lancer-scenes");
-        liste.setDaemon(true);
-        liste.start();
+        });
     }
 
     /** Les scènes du même dossier, et ce qui se lit de chacune. */
@@ -80,7 +79,7 @@ final class MenuScenes {
             Path scene = FichierScene.trouver(fichier);
             String[] noms = scene.toAbsolutePath().getParent().toFile().list();
             Arrays.stream(noms == null ? new String[0] : noms).sorted().map(nom -> scene.resolveSibling(nom).toFile())
-                    .filter(f -> f.getName().toLowerCase(Locale.ROOT).endsWith(".ini") && !f.isDirectory())
+                    .filter(f -> f.getName().toLowerCase(Locale.ROOT).endsWith(".ini") && f.isFile())
                     .forEach(f -> voisines.put(f, Texte.echappe(f.getName()) + commentaire(f)));
         } catch (SceneFautive e) {
             // effacée depuis qu'elle a été lue
@@ -90,22 +89,19 @@ final class MenuScenes {
 
     /** Le commentaire par lequel commence ce fichier, vide s'il commence autrement ou ne peut être lu. */
     private static String commentaire(File scene) {
-        byte[] octets = new byte[OCTETS_LUS];
-        int lus = 0;
-        if (scene.isFile()) {
-            try (InputStream entree = Files.newInputStream(scene.toPath())) {
-                lus = Math.max(0, entree.read(octets));
-            } catch (IOException e) {
-                // elle se dira illisible quand on l'ouvrira
-            }
+        try (Scanner texte = new Scanner(scene, "UTF-8")) {
+            String debut = texte.findWithinHorizon("\\A\uFEFF?\\s*[;#].*", OCTETS_LUS);
+            String dit = debut == null ? "" : debut.replaceFirst("^\uFEFF?\\s*[;#]+\\s*", "").trim();
+            return dit.isEmpty() ? "" : " — " + Texte.echappe(dit.length() <= COMMENTAIRE_MAX ? dit
+                    : dit.substring(0, COMMENTAIRE_MAX) + "…");
+        } catch (FileNotFoundException e) {
+            // elle se dira illisible quand on l'ouvrira
+            return "";
         }
-        String ligne = new String(octets, 0, lus, StandardCharsets.UTF_8).replace("\uFEFF", "").trim().split("\\R")[0];
-        String texte = ligne.matches("[;#].*") ? Texte.echappe(ligne.replaceFirst("[;#]+\\s*", "")) : "";
-        return texte.isEmpty() ? "" : " — " + texte.replaceFirst("(.{" + COMMENTAIRE_MAX + "}).+", "$1…");
     }
 
     /** Les dernières ouvertes, la scène montrée d'abord. */
-    private synchronized List<String> recentes(String fichier) {
+    private List<String> recentes(String fichier) {
         journal = Logger.getLogger("java.util.prefs");
         journal.setLevel(Level.OFF);
         Preferences preferences = Preferences.userRoot().node("lancer");

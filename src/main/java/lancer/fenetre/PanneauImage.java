@@ -63,11 +63,7 @@ final class PanneauImage extends JPanel {
     private double centreX = 0.5;
     private double centreY = 0.5;
 
-    /**
-     * @param image la taille de l'image à montrer, en pixels
-     * @param siBouge appelé quand la souris ou la loupe bouge
-     * @param siClique appelé quand on clique sur l'image montrée
-     */
+    /** @param siBouge appelé quand la souris ou la loupe bouge @param siClique quand on clique sur l'image montrée */
     PanneauImage(Dimension image, Runnable siBouge, Runnable siClique) {
         this.siBouge = siBouge;
         setName("image");
@@ -302,11 +298,7 @@ final class PanneauImage extends JPanel {
         return image == montree || image == naissante;
     }
 
-    /**
-     * Peint ceci par-dessus l'image, à l'écran seulement ; {@code null} : plus rien.
-     *
-     * @param siChoisi reçoit le numéro du rebond sur lequel on clique
-     */
+    /** Peint ceci par-dessus l'image, à l'écran seulement ; un clic sur un numéro va à {@code siChoisi}. */
     void superposer(Figure figure, IntConsumer siChoisi) {
         dessus = figure;
         siNumero = siChoisi;

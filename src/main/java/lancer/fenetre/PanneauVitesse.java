@@ -41,7 +41,7 @@ final class PanneauVitesse extends JDialog {
     private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, this::atteindre, this::estPresent);
     private final JLabel etat = new JLabel(" ");
     /** Le point où mènent la souris et les flèches, en mots. */
-    private final JTextArea point = new JTextArea(2, 40);
+    private final JTextArea point = Bandeau.etiquette("vitesse.point");
     private final transient ExecutorService fil = Atelier.unFil("lancer-vitesse");
     private transient Future<?> essais;
 
@@ -61,10 +61,7 @@ final class PanneauVitesse extends JDialog {
         JPanel bas = new JPanel(new BorderLayout());
         bas.setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE, MARGE));
         etat.setName("vitesse.etat");
-        point.setName("vitesse.point");
-        point.setFont(etat.getFont());
-        point.setOpaque(false);
-        Bandeau.donnerALire(point);
+        point.setRows(2);
         bas.add(point, BorderLayout.CENTER);
         bas.add(etat, BorderLayout.PAGE_END);
         graphique.setPreferredSize(new Dimension(560, 400));

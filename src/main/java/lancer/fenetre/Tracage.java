@@ -50,11 +50,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         this.voulus = voulus;
     }
 
-    /**
-     * Attend que la scène soit lue, ou sa lecture abandonnée, tant de millisecondes au plus.
-     *
-     * @throws SceneFautive si elle ne peut être utilisée
-     */
+    /** Attend que la scène soit lue, ou sa lecture abandonnée, tant de millisecondes au plus ; lance son refus. */
     void attendreLecture(long ms) {
         try {
             lue.await(ms, TimeUnit.MILLISECONDS);

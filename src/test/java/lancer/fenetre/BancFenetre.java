@@ -228,7 +228,8 @@ final class BancFenetre {
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
         attendre(quoi, () -> atelier.getImageComplete() != null && Arrays.equals(atelier.getImageComplete().getCodes(), codes));
-        attendre(quoi + ", à l'écran", () -> trouver(codes, atelier.getImageComplete().getLargeur()) != null);
+        attendre(quoi + ", à l'écran", () -> atelier.getImageComplete() != null
+                && trouver(codes, atelier.getImageComplete().getLargeur()) != null);
     }
 
     static int[] codes(BufferedImage image) {
