@@ -21,12 +21,21 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextPane;
+import lancer.Objet3D;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
 import lancer.essai.Essai;
 import lancer.image.ImageMemoire;
+import lancer.scene.LecteurScene;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image et par-dessus elle. */
@@ -296,16 +305,108 @@ class FenetreInspecteurTest extends EssaiFenetre {
         assertFalse(composant("recit", JTextPane.class).isEditable());
     }
 
+    /** Clique, de la vraie souris, sur la ligne du texte qui commence ainsi. */
+    private void cliquerSur(JTextPane recit, String debut) throws Exception {
+        Point ou = surFilEvenements(() -> {
+            Rectangle place = recit.modelToView(recit.getDocument().getText(0, recit.getDocument().getLength())
+                    .indexOf("\n" + debut) + 1);
+            Point coin = recit.getLocationOnScreen();
+            return new Point(coin.x + place.x + 3, coin.y + place.y + place.height / 2);
+        });
+        banc.robot.mouseMove(ou.x, ou.y);
+        banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    private static BufferedImage vueDeCote() throws Exception {
+        JComponent cote = composant("cote", JComponent.class);
+        return surFilEvenements(() -> peindre(cote));
+    }
+
+    private static BufferedImage peindre(JComponent composant) {
+        BufferedImage vue = new BufferedImage(composant.getWidth(), composant.getHeight(), BufferedImage.TYPE_INT_RGB);
+        composant.paint(vue.createGraphics());
+        return vue;
+    }
+
+    @Test
+    void unClicDeSourisSurLeNumeroDUnRebondLeMontreSeulEtUnAutreLesRendTous() throws Exception {
+        ouvrir();
+        cliquer(150, 110);
+        attendreVerdict("Au bit près");
+        JTextPane recit = composant("recit", JTextPane.class);
+        JComponent cote = composant("cote", JComponent.class);
+        int[] tous = BancFenetre.codes(vueDeCote());
+        presser();
+        cliquerSur(recit, "1  [Sphere 1]");
+        attendre("la vue de côté ne montre que lui, de près", () -> !Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
+        attendreVerdict("Au bit près");
+        cliquerSur(recit, "1  [Sphere 1]");
+        attendre("elle les montre tous de nouveau", () -> Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
+    }
+
+    @Test
+    void pendantUnLongPixelLeTexteDAvantResteEnGrisEtCalculSeDit() throws Exception {
+        AtomicReference<CountDownLatch> lenteur = new AtomicReference<>(new CountDownLatch(0));
+        banc = new BancFenetre(new MainLent(args()) {
+            private Scene avecMur;
+
+            @Override
+            public void lireScene(String fichier, LecteurScene lecteur) {
+                super.lireScene(fichier, lecteur);
+                List<Objet3D> objets = new ArrayList<>(super.getScene().getObjets());
+                objets.add(new Lent(lenteur));
+                avecMur = new Scene(objets, super.getScene().getLampes()).avec(super.getScene().getModele());
+            }
+
+            @Override
+            public Scene getScene() {
+                return avecMur;
+            }
+        });
+        banc.imageAchevee();
+        cliquer(150, 100);
+        attendreVerdict("Au bit près");
+        JTextPane recit = composant("recit", JTextPane.class);
+        String avant = surFilEvenements(recit::getText);
+        lenteur.set(new CountDownLatch(1));
+        presser(KeyEvent.VK_RIGHT);
+        attendreVerdict("calcul…");
+        assertEquals(avant + Color.GRAY, surFilEvenements(() -> recit.getText() + recit.getForeground()));
+        lenteur.get().countDown();
+        attendreVerdict("Au bit près");
+        assertFalse(surFilEvenements(recit::getText).equals(avant));
+    }
+
+    /** Un objet que rien ne touche, et dont l'intersection attend ce qu'on veut. */
+    private static final class Lent extends Objet3D {
+
+        private final AtomicReference<CountDownLatch> lenteur;
+
+        Lent(AtomicReference<CountDownLatch> lenteur) {
+            this.lenteur = lenteur;
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            attendreSansEtreInterrompu(lenteur.get());
+            incident.setContact(this, Double.POSITIVE_INFINITY);
+            return Double.POSITIVE_INFINITY;
+        }
+
+        @Override
+        public Vecteur getNormale(lancer.Point contact) {
+            return new Vecteur(0, 0, -1);
+        }
+    }
+
     @Test
     void laVueDeCoteMontreLOeilLEcranEtLesRayons() throws Exception {
         ouvrir();
         assertNull(chercher("cote", JComponent.class));
         cliquer(150, 100);
         attendreVerdict("Au bit près");
-        JComponent cote = composant("cote", JComponent.class);
-        BufferedImage vue = new BufferedImage(cote.getWidth(), cote.getHeight(), BufferedImage.TYPE_INT_RGB);
-        faire(() -> cote.paint(vue.createGraphics()));
-        long noirs = Arrays.stream(BancFenetre.codes(vue)).filter(c -> c == 0xFF000000).count();
+        long noirs = Arrays.stream(BancFenetre.codes(vueDeCote())).filter(c -> c == 0xFF000000).count();
         assertTrue(noirs > 30, noirs + " points noirs : l'œil et l'écran");
         Rectangle place = inspecteur().getBounds();
         assertTrue(new Rectangle(Toolkit.getDefaultToolkit().getScreenSize()).contains(place), place.toString());

@@ -19,6 +19,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
@@ -98,6 +99,28 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendreEtat("Mesuré");
         assertEquals(1000, banc.atelier.getReglages().getReflets());
         assertArrayEquals(moinsCherSansFenetre(), banc.imageAchevee().getCodes());
+    }
+
+    @Test
+    void unPointAtteintParUneFlecheSeDitEnMotsAvecSonPrixEtCeQuOnYGagne() throws Exception {
+        ouvrirLePanneau();
+        attendreEtat("Un clic");
+        JTextArea point = composant("vitesse.point", JTextArea.class);
+        frapper(KeyEvent.VK_RIGHT);
+        attendre("il se dit", () -> point.getText().matches("un rayon par pixel, reflets : 1000 — \\d+,\\d rayons par pixel, "
+                + "erreur (de|d'au plus) \\d+,\\d\\d.* niveaux? ; au lieu du présent, .* de rayons et .* d'erreur"));
+        assertEquals(point.getText(), surFilEvenements(() -> graphique.getAccessibleContext().getAccessibleDescription()));
+    }
+
+    @Test
+    void laOuLErreurPeutEtreNulleElleEstDiteAuPlus() throws Exception {
+        // rien que du ciel : aucune erreur à attendre
+        ecrire("[Sphere loin]\ncentre=0 50 6\nrayon=1\nKd=1 1 1\n[Lampe 1]\nposition=-4 6 -3\ncouleur=1 1 1\n");
+        ouvrirLePanneau();
+        attendreEtat("Un clic");
+        JTextArea point = composant("vitesse.point", JTextArea.class);
+        frapper(KeyEvent.VK_RIGHT);
+        attendre("il se dit", () -> point.getText().contains(", erreur d'au plus "));
     }
 
     @Test

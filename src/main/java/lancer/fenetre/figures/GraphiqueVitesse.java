@@ -156,7 +156,7 @@ public final class GraphiqueVitesse extends JPanel {
     /** Le réglage en mots, son prix, et ce qu'on y gagne sur le présent. */
     private String legende(Candidat p) {
         String gain = points.stream().filter(estPresent).findFirst().filter(autre -> autre != p)
-                .map(autre -> String.format(Locale.FRANCE, " ; au lieu du présent, %s rayons et %s erreur",
+                .map(autre -> String.format(Locale.FRANCE, " ; au lieu du présent, %s de rayons et %s d'erreur",
                         fois(p.prix / autre.prix), fois(p.erreur / autre.erreur))).orElse("");
         String erreur = auPlus(p) ? String.format(Locale.FRANCE, "d'au plus %.2f", p.auPlus)
                 : String.format(Locale.FRANCE, "de %.2f à %.2f", p.auMoins, p.auPlus);
@@ -179,8 +179,8 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     private static String fois(double rapport) {
-        return String.format(Locale.FRANCE, rapport < 1 ? "%.1f fois moins de" : "%.1f fois plus de",
-                rapport < 1 ? 1 / rapport : rapport);
+        return Math.abs(Math.log(rapport)) < 0.05 ? "autant" : String.format(Locale.FRANCE,
+                rapport < 1 ? "%.1f fois moins" : "%.1f fois plus", Math.max(rapport, 1 / rapport));
     }
 
     @Override
