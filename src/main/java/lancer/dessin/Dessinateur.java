@@ -45,7 +45,7 @@ public final class Dessinateur {
     final PrintStream sortie;
     final PrintStream erreur;
     /** La scène lue et ses réglages ; puis, une fois préparée, son image et ce qui la dessine. */
-    private volatile Dessin dessin = new Dessin(null, null, null, null, null);
+    volatile Dessin dessin = new Dessin(null, null, null, null, null);
     private volatile double avancement;
     private Runnable entracte;
     private long lectureNs;
@@ -132,11 +132,6 @@ public final class Dessinateur {
     public void regler(ReglagesDessin voulus) {
         programme.regler(voulus.getModele());
         remplacer(dessin.fichier, dessin.origines, voulus);
-    }
-
-    /** De quelles sections viennent les objets et les lampes de la scène lue. */
-    public Origines getOrigines() {
-        return dessin.origines;
     }
 
     /** Réglages de la scène lue, tant que {@link #regler} n'en dit pas plus. */

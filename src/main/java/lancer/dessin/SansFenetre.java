@@ -149,14 +149,14 @@ public final class SansFenetre {
                         essais, auto.getVerdict()));
     }
 
-    /** Toujours avec un point, quelle que soit la langue. */
+    /** Des nombres toujours avec un point, quelle que soit la langue. */
     private static String texte(String format, Object... valeurs) {
         return String.format(Locale.ROOT, format, valeurs);
     }
 
     private void dessinerUnPixel() {
         List<String> avertissements = dessinateur.lireScene(options.scene);
-        Inspection pixel = new Inspection(dessinateur.programme.getScene(), dessinateur.getOrigines(),
+        Inspection pixel = new Inspection(dessinateur.programme.getScene(), dessinateur.dessin.origines,
                 new Camera(options.largeur, options.hauteur), options.reflets, options.pixelX, options.pixelY);
         pixel.faire();
         Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), dessinateur.sortie);

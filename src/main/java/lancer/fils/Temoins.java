@@ -62,7 +62,7 @@ public final class Temoins implements IntConsumer {
 
     private final Scene scene;
     private final Camera camera;
-    private final int profondeur;
+    final int profondeur;
     private final long pixels;
     private final Equipe equipe = new Equipe("temoins");
     private int nombre;

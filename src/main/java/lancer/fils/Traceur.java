@@ -32,7 +32,6 @@ public final class Traceur implements Boucle {
     private volatile boolean brouillonFait;
     private volatile Fautes fautes;
     private volatile Temoins temoins;
-    private int profondeurJugee;
     private long jugementNs;
     private Runnable entracte;
     private Compteurs compteurs = new Compteurs();
@@ -109,14 +108,13 @@ public final class Traceur implements Boucle {
     private boolean juger(int profondeur) {
         Scene scene = getScene();
         if (scene.getModele().getRecherche() instanceof RechercheSimple
-                || temoins != null && profondeur == profondeurJugee) {
+                || temoins != null && temoins.profondeur == profondeur) {
             return false;
         }
         long debut = System.nanoTime();
         Temoins nouveaux = new Temoins(scene, getCamera(), profondeur, fautes);
         nouveaux.juger();
         temoins = nouveaux;
-        profondeurJugee = profondeur;
         if (getEcart() != null) {
             scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
         }

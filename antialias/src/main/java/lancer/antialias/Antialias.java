@@ -27,22 +27,12 @@ public final class Antialias implements Variante {
         "4 partage 0.15 1.2 2.9", "6 partage 0.12 0.85 3.8", "8 partage 0.1 0.65 4.5", "8 partage 0.08 0.55 5.2",
         "12 partage 0.06 0.38 7.8", "16 partage 0.06 0.35 8.3", "16 partage 0.04 0.26 13", "16 partage 0.026 0.19 21"};
 
-    /**
-     * La méthode du cours : quatre coins d'abord, tous les sous-pixels s'ils diffèrent.
-     *
-     * @param n nombre de sous-pixels sur un côté, de 1 à 64
-     * @param seuil 0 : tous les sous-pixels, toujours
-     */
+    /** La méthode du cours, sur n × n sous-pixels, n de 1 à 64 ; à ce seuil de contraste, de 0 (tous, toujours) à 1. */
     public static Echantillonnage coins(int n, double seuil) {
         return new Coins(n, seuil);
     }
 
-    /**
-     * La méthode qui partage les sous-pixels entre voisins, et interpole là où tout se ressemble.
-     *
-     * @param n nombre de sous-pixels sur un côté, de 1 à 64
-     * @param seuil 0 : tous les sous-pixels, toujours
-     */
+    /** La méthode qui partage ces sous-pixels entre voisins, et interpole là où tout se ressemble. */
     public static Echantillonnage partage(int n, double seuil) {
         return new Partage(n, seuil);
     }
