@@ -35,18 +35,15 @@ public final class Fautes {
      * @throws PixelFautif la première, s'il y en a mille et que rien n'a réussi
      */
     synchronized Couleur noter(PixelFautif faute) {
-        pixels.set(faute.y * largeur + faute.x);
-        if (premiere == null || rang(faute) < rang(premiere)) {
+        int rang = faute.y * largeur + faute.x;
+        if (premiere == null || rang < pixels.nextSetBit(0)) {
             premiere = faute;
         }
+        pixels.set(rang);
         if (!reussi && pixels.cardinality() >= TROP) {
             throw premiere;
         }
         return damier(faute.x, faute.y);
-    }
-
-    private int rang(PixelFautif faute) {
-        return faute.y * largeur + faute.x;
     }
 
     private static Couleur damier(int x, int y) {

@@ -18,8 +18,7 @@ public class Regard implements Vue {
 
     /**
      * @param equipe celle dont l'arrêt est observé avant chaque rayon de l'écran
-     * @param lancer celui de ce fil seul
-     * @param profondeur nombre de réflexions permises
+     * @param lancer celui de ce fil seul, qui suit {@code profondeur} réflexions au plus
      * @param fautes où noter les pixels qui échouent ; {@code null} s'ils sont refusés
      */
     public Regard(Equipe equipe, Lancer lancer, int profondeur, Fautes fautes) {
