@@ -67,12 +67,9 @@ public final class Pannes {
 
     /**
      * Une ligne : le pixel et la scène, la cause la plus profonde et l'endroit du code, et la commande qui dessine ce
-     * pixel de nouveau.
+     * pixel de nouveau, avec ces options et cette taille, en pixels.
      *
      * @param classes celles de la scène et des variantes, où situer l'échec : voir {@link Texte#cause}
-     * @param options celles que disent les réglages du dessin
-     * @param scene le fichier dessiné
-     * @param largeur la taille de l'image, en pixels
      */
     public static String duPixel(PixelFautif panne, String classes, String options, String scene, int largeur,
             int hauteur) {

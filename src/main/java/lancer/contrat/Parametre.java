@@ -39,11 +39,7 @@ public final class Parametre {
         this.autre = autre;
     }
 
-    /**
-     * Un nombre, de {@code min} à {@code max}, de {@code pas} en {@code pas}.
-     *
-     * @param defaut sa valeur là où la section ne le donne pas ; {@code null} s'il n'y en a alors pas
-     */
+    /** Un nombre, de {@code min} à {@code max} par {@code pas} ; {@code defaut} est {@code null} s'il n'en a pas. */
     public static Parametre nombre(String cle, Double defaut, double min, double max, double pas) {
         return new Parametre(cle, defaut == null ? null : ecrire(BigDecimal.valueOf(defaut)), BigDecimal.valueOf(min),
                 BigDecimal.valueOf(pas), (int) Math.round((max - min) / pas), Collections.emptyList(), null);

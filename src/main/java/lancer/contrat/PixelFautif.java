@@ -26,11 +26,7 @@ public final class PixelFautif extends RuntimeException {
         y = (int) ye;
     }
 
-    /**
-     * Cette couleur même : aucun nombre qui ne soit fini n'arrive à une image.
-     *
-     * @throws PixelFautif si elle est nulle, ou si une composante n'est pas un nombre fini
-     */
+    /** @throws PixelFautif si cette couleur, qui est rendue, est nulle ou a une composante qui n'est pas finie */
     public static Couleur verifier(Couleur couleur, double xe, double ye) {
         if (couleur == null || !couleur.estFinie()) {
             throw new PixelFautif(xe, ye,

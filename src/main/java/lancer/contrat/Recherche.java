@@ -15,9 +15,8 @@ public interface Recherche {
 
     /**
      * Cherche quel objet ce rayon rencontre d'abord. Note le contact dans le rayon (+∞ si rien), sans égard à ce qui y
-     * était. De deux contacts à la même distance, celui de l'objet qui vient d'abord dans la scène.
-     *
-     * @param saufLui objet à ignorer, ou {@code null}
+     * était. De deux contacts à la même distance, celui de l'objet qui vient d'abord dans la scène ; {@code saufLui},
+     * ou {@code null}, n'en est pas.
      */
     void plusProche(Rayon incident, Objet3D saufLui);
 
@@ -38,12 +37,7 @@ public interface Recherche {
         return 0;
     }
 
-    /**
-     * Abandonne la question en cours si ce fil est interrompu : une recherche l'appelle au moins une fois par
-     * milliseconde.
-     *
-     * @throws CancellationException dans ce cas ; le fil reste interrompu
-     */
+    /** À appeler une fois par milliseconde. @throws CancellationException si ce fil est interrompu, et il le reste */
     static void obeir() {
         if (Thread.currentThread().isInterrupted()) {
             throw new CancellationException("travail interrompu");

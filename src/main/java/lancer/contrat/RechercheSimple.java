@@ -29,8 +29,7 @@ public class RechercheSimple implements Recherche {
         Recherche.obeir();
         for (Objet3D objet : objets) {
             if (objet != saufLui) {
-                compter();
-                double d = verifier(objet.getIntersectionDistance(incident), objet);
+                double d = distance(objet, incident);
                 if (d < distance) {
                     plusProche = objet;
                     distance = d;
@@ -44,27 +43,21 @@ public class RechercheSimple implements Recherche {
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
         Rayon ombre = Rayon.dOmbre(P, V);
         for (Objet3D autre : objets) {
-            if (autre != objet) {
-                compter();
-                if (verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
-                    return true;
-                }
+            if (autre != objet && distance(autre, ombre) < distance) {
+                return true;
             }
         }
         return false;
     }
 
-    private void compter() {
+    private double distance(Objet3D objet, Rayon rayon) {
         if ((++compteurs.testsSpheres & PAS) == 0) {
             Recherche.obeir();
         }
+        return verifier(objet.getIntersectionDistance(rayon), objet);
     }
 
-    /**
-     * La distance qu'a rendue cet objet.
-     *
-     * @throws ArithmeticException si elle n'est pas un nombre
-     */
+    /** @throws ArithmeticException si cette distance, qu'a rendue cet objet, n'est pas un nombre */
     public static double verifier(double d, Objet3D objet) {
         if (Double.isNaN(d)) {
             throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");

@@ -63,12 +63,7 @@ public final class Section {
         ouverte = connues.length == 0;
     }
 
-    /**
-     * Une section qui n'est dans aucun fichier, pour {@link Variante#getEchelle}.
-     *
-     * @param type celui de la section, par exemple {@code Antialias}
-     * @param clesEtValeurs une clé, sa valeur, une autre clé, sa valeur…
-     */
+    /** Une section de ce type, qui n'est dans aucun fichier : une clé, sa valeur, une autre clé, sa valeur… */
     public static Section sansFichier(String type, String... clesEtValeurs) {
         Section section = new Section(REGLAGE, type, 0);
         for (int k = 0; k + 1 < clesEtValeurs.length; k += 2) {
@@ -92,8 +87,7 @@ public final class Section {
     }
 
     private SceneFautive inconnue(int ligneCle, String cle) {
-        return fautive(ligneCle, cle, "clé inconnue",
-                connues.isEmpty() ? "aucune clé" : String.join(", ", connues));
+        return fautive(ligneCle, cle, "clé inconnue", connues.isEmpty() ? "aucune clé" : String.join(", ", connues));
     }
 
     private Entree entree(String cle) {
@@ -135,13 +129,7 @@ public final class Section {
         return entree(cle);
     }
 
-    /**
-     * Le nombre de cette clé.
-     *
-     * @param defaut sa valeur si elle n'est pas donnée
-     * @param min plus petite valeur permise
-     * @param max plus grande valeur permise
-     */
+    /** Le nombre de cette clé, de {@code min} à {@code max} ; {@code defaut} si elle n'est pas donnée. */
     public double reel(String cle, double defaut, double min, double max) {
         return contient(cle) ? nombres(cle, 1, min, max)[0] : defaut;
     }
@@ -257,13 +245,7 @@ public final class Section {
         }
     }
 
-    /**
-     * Refus de la valeur d'une clé, pour une raison que cette classe ne connaît pas.
-     *
-     * @param cle présente ou non
-     * @param faute ce qui ne va pas
-     * @param attendu ce qu'il faudrait
-     */
+    /** Refus de la valeur d'une clé, présente ou non : ce qui ne va pas, et ce qu'il faudrait. */
     public SceneFautive fautive(String cle, String faute, String attendu) {
         Entree entree = entree(cle);
         return fautive(entree == null ? ligne : entree.ligne, cle, faute, attendu);
@@ -299,11 +281,7 @@ public final class Section {
         return entree == null ? null : entree.valeur;
     }
 
-    /**
-     * Section identique, où cette clé a cette valeur.
-     *
-     * @param sans une clé à ôter, ou {@code null}
-     */
+    /** Section identique, où cette clé a cette valeur, et d'où la clé {@code sans}, ou {@code null}, est ôtée. */
     public Section avec(String cle, String valeur, String sans) {
         Section autre = sansFichier(nom);
         for (Entree entree : entrees) {

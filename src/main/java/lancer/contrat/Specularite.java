@@ -28,10 +28,8 @@ public interface Specularite {
 
     /**
      * Puissance max(0, cosinus)^exposant, le cosinus ne comptant jamais pour plus de 1 (deux vecteurs de longueur 1 à
-     * un arrondi près ont un produit qui peut dépasser 1) ; 0^0 = 1. Un petit exposant entier se fait par carrés
-     * successifs, à quelques unités du dernier chiffre.
-     *
-     * @param exposant positif ou nul
+     * un arrondi près ont un produit qui peut dépasser 1) ; 0^0 = 1. L'exposant est positif ou nul ; petit et entier,
+     * il se fait par carrés successifs, à quelques unités du dernier chiffre.
      */
     static double puissance(double cosinus, double exposant) {
         if (exposant == 0) {

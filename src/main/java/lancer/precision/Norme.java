@@ -56,11 +56,7 @@ public final class Norme {
         return max <= Double.MAX_VALUE && echelle * rayon >= POUSSIERE ? echelle : 1;
     }
 
-    /**
-     * De quelle part d'elle-même la longueur √carre dépasse r : 1 − r/√carre.
-     *
-     * @param carre ordinaire ({@link #CARRE_MIN}, {@link #CARRE_MAX})
-     */
+    /** Part d'elle-même dont la longueur √carre, ordinaire ({@link #CARRE_MIN}), dépasse r : 1 − r/√carre. */
     public static double ecart(double carre, double r) {
         double r2 = r * r;
         double e = (carre - r2) * (0.5 / r2);

@@ -88,10 +88,8 @@ public final class Texte {
     }
 
     /**
-     * La cause première d'un échec, et où elle est née.
-     *
-     * @param classes de qui dire la ligne : la première de la pile dont la classe a un tel nom, à défaut un des noms
-     *     suivants
+     * La cause première d'un échec, et où elle est née : la première ligne de la pile dont la classe a le premier de
+     * ces noms, qui sont des expressions régulières, à défaut un des suivants.
      */
     public static String cause(Throwable echec, String... classes) {
         Throwable cause = echec;
