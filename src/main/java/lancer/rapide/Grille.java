@@ -30,7 +30,8 @@ final class Grille implements Intersections {
     private static final double MARGE = 0x1.0p-34;
     private static final double DEPART_MAX = 64;
 
-    /** Réponse d'une marche dont le compte est vide : à l'arbre de répondre. */
+    /** Réponses d'une marche : elle est finie ; ou le compte est vide, et c'est à l'arbre de répondre. */
+    private static final int TERMINEE = -1;
     private static final int COMPTE_VIDE = -2;
 
     private final Spheres spheres;
@@ -196,12 +197,14 @@ final class Grille implements Intersections {
                 parcours.examiner(spheres, grosse, px, py, pz, vx, vy, vz);
             }
         }
-        int k = marcher(parcours, px, py, pz, vx, vy, vz, sauf, false);
-        while (k >= 0) {
+        parcours.haut = 0;
+        int k = marcher(parcours, px, py, pz, vx, vy, vz, sauf);
+        while (k >= 0 && parcours.haut < parcours.pile.length) {
+            parcours.pile[parcours.haut++] = k;
             parcours.retenir(spheres, k, parcours.doute, px, py, pz, vx, vy, vz);
-            k = marcher(parcours, px, py, pz, vx, vy, vz, sauf, true);
+            k = marcher(parcours, px, py, pz, vx, vy, vz, sauf);
         }
-        if (k == COMPTE_VIDE) {
+        if (k != TERMINEE) {
             return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }
         if (parcours.trouvee < 0) {
@@ -215,58 +218,35 @@ final class Grille implements Intersections {
      * jusqu'à une sphère en doute, ou jusqu'à une case que le compte ne permet plus. Elle ne contient aucun appel : à
      * cause de lui, même jamais fait, tout ce que la boucle tient en registres irait en mémoire.
      *
-     * @param reprise vrai pour repartir d'où la marche précédente s'est arrêtée
-     * @return la sphère en doute, à trancher avant de reprendre ; -1 quand c'est fini, ou {@link #COMPTE_VIDE}
+     * @return la sphère en doute, à trancher et à noter dans la pile avant de recommencer ; {@link #TERMINEE}, ou
+     *     {@link #COMPTE_VIDE}
      */
-    private int marcher(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf,
-            boolean reprise) {
+    private int marcher(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            int sauf) {
         double[] g = spheres.geometrie;
         double distance = parcours.distance;
         int trouvee = parcours.trouvee;
         double ix = Arbre.inverse(vx);
         double iy = Arbre.inverse(vy);
         double iz = Arbre.inverse(vz);
-        double tx;
-        double ty;
-        double tz;
-        int resteX;
-        int resteY;
-        int resteZ;
-        int c;
-        int e;
-        int tests = 0;
-        int cases = 0;
-        long credit = parcours.credit;
-        // d'où repartir, ou entrer : la case, et les distances où le rayon en sort par chaque axe
-        if (reprise) {
-            tx = parcours.tx;
-            ty = parcours.ty;
-            tz = parcours.tz;
-            resteX = parcours.resteX;
-            resteY = parcours.resteY;
-            resteZ = parcours.resteZ;
-            c = parcours.arretCase;
-            e = parcours.arretEntree;
-        } else {
-            double entree = Math.max(Math.max(((ix < 0 ? x1 : x0) - px) * ix, ((iy < 0 ? y1 : y0) - py) * iy),
-                    Math.max(((iz < 0 ? z1 : z0) - pz) * iz, 0));
-            double sortie = Math.min(Math.min(((ix < 0 ? x0 : x1) - px) * ix, ((iy < 0 ? y0 : y1) - py) * iy),
-                    Math.min(((iz < 0 ? z0 : z1) - pz) * iz, distance));
-            if (!(entree <= sortie)) {
-                return -1;
-            }
-            int i = rang((px + entree * vx - x0) * parCote, nx);
-            int j = rang((py + entree * vy - y0) * parCote, ny);
-            int k3 = rang((pz + entree * vz - z0) * parCote, nz);
-            tx = (x0 + (ix < 0 ? i : i + 1) * cote - px) * ix;
-            ty = (y0 + (iy < 0 ? j : j + 1) * cote - py) * iy;
-            tz = (z0 + (iz < 0 ? k3 : k3 + 1) * cote - pz) * iz;
-            resteX = ix < 0 ? i : nx - 1 - i;
-            resteY = iy < 0 ? j : ny - 1 - j;
-            resteZ = iz < 0 ? k3 : nz - 1 - k3;
-            c = (k3 * ny + j) * nx + i;
-            e = debut[c];
+        double entree = Math.max(Math.max(((ix < 0 ? x1 : x0) - px) * ix, ((iy < 0 ? y1 : y0) - py) * iy),
+                Math.max(((iz < 0 ? z1 : z0) - pz) * iz, 0));
+        double sortie = Math.min(Math.min(((ix < 0 ? x0 : x1) - px) * ix, ((iy < 0 ? y0 : y1) - py) * iy),
+                Math.min(((iz < 0 ? z0 : z1) - pz) * iz, distance));
+        if (!(entree <= sortie)) {
+            return TERMINEE;
         }
+        // la case où entrer, et les distances où le rayon en sort par chaque axe
+        int i = rang((px + entree * vx - x0) * parCote, nx);
+        int j = rang((py + entree * vy - y0) * parCote, ny);
+        int k3 = rang((pz + entree * vz - z0) * parCote, nz);
+        double tx = (x0 + (ix < 0 ? i : i + 1) * cote - px) * ix;
+        double ty = (y0 + (iy < 0 ? j : j + 1) * cote - py) * iy;
+        double tz = (z0 + (iz < 0 ? k3 : k3 + 1) * cote - pz) * iz;
+        int resteX = ix < 0 ? i : nx - 1 - i;
+        int resteY = iy < 0 ? j : ny - 1 - j;
+        int resteZ = iz < 0 ? k3 : nz - 1 - k3;
+        int c = (k3 * ny + j) * nx + i;
         // d'une case à la suivante, par chaque axe
         int pasX = ix < 0 ? -1 : 1;
         int pasY = iy < 0 ? -nx : nx;
@@ -274,13 +254,17 @@ final class Grille implements Intersections {
         double sautX = cote * Math.abs(ix);
         double sautY = cote * Math.abs(iy);
         double sautZ = cote * Math.abs(iz);
-        int douteuse = -1;
+        long credit = parcours.credit;
+        int tests = 0;
+        int cases = 0;
+        int reponse = TERMINEE;
         marche:
         while (true) {
             // les sphères de la case
+            int e = debut[c];
             int fin = debut[c + 1];
             if (credit <= fin - e) {
-                douteuse = COMPTE_VIDE;
+                reponse = COMPTE_VIDE;
                 break;
             }
             credit -= 1 + fin - e;
@@ -295,20 +279,15 @@ final class Grille implements Intersections {
                 double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
                 if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
                     if (d < 0) {
-                        if (Intersection.auMoins(d) > distance) {
+                        int t = parcours.haut - 1;
+                        while (t >= 0 && parcours.pile[t] != k) {
+                            t--;
+                        }
+                        if (t >= 0 || Intersection.auMoins(d) > distance) {
                             continue;
                         }
-                        douteuse = k;
                         parcours.doute = d;
-                        parcours.tx = tx;
-                        parcours.ty = ty;
-                        parcours.tz = tz;
-                        parcours.resteX = resteX;
-                        parcours.resteY = resteY;
-                        parcours.resteZ = resteZ;
-                        parcours.arretCase = c;
-                        parcours.arretEntree = e + 1;
-                        credit += fin - e;
+                        reponse = k;
                         break marche;
                     }
                     distance = d;
@@ -316,37 +295,31 @@ final class Grille implements Intersections {
                 }
             }
             // la case suivante : par l'axe où le rayon sort d'abord
-            if (tx < ty) {
-                if (tx < tz) {
-                    if (tx > distance || --resteX < 0) {
-                        break;
-                    }
-                    tx += sautX;
-                    c += pasX;
-                    e = debut[c];
-                    continue;
+            if (tx < ty && tx < tz) {
+                if (tx > distance || --resteX < 0) {
+                    break;
                 }
+                tx += sautX;
+                c += pasX;
             } else if (ty < tz) {
                 if (ty > distance || --resteY < 0) {
                     break;
                 }
                 ty += sautY;
                 c += pasY;
-                e = debut[c];
-                continue;
+            } else {
+                if (tz > distance || --resteZ < 0) {
+                    break;
+                }
+                tz += sautZ;
+                c += pasZ;
             }
-            if (tz > distance || --resteZ < 0) {
-                break;
-            }
-            tz += sautZ;
-            c += pasZ;
-            e = debut[c];
         }
         parcours.credit = credit;
         parcours.compteurs.testsSpheres += tests;
         parcours.compteurs.noeudsVisites += cases;
         parcours.distance = distance;
         parcours.trouvee = trouvee;
-        return douteuse;
+        return reponse;
     }
 }

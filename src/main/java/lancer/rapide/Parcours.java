@@ -18,21 +18,16 @@ final class Parcours {
     double distance;
     int trouvee;
 
-    /** De quoi descendre un arbre : ce qui reste à visiter, et d'où le rayon y entre ; le nombre de ces restes. */
+    /**
+     * De quoi descendre un arbre : ce qui reste à visiter, d'où le rayon y entre, et leur nombre. Une {@link Grille} y
+     * note les sphères qu'elle a tranchées.
+     */
     final int[] pile = new int[Noeuds.PROFONDEUR_MAX];
     final double[] entrees = new double[Noeuds.PROFONDEUR_MAX];
     int haut;
 
-    /** Où une marche dans une {@link Grille} s'est arrêtée sur une sphère en doute, et ce doute. */
+    /** Doute de la sphère sur laquelle une marche dans une {@link Grille} s'est arrêtée. */
     double doute;
-    int arretCase;
-    int arretEntree;
-    int resteX;
-    int resteY;
-    int resteZ;
-    double tx;
-    double ty;
-    double tz;
 
     final Compteurs compteurs;
 
