@@ -15,7 +15,6 @@ final class Boucles implements Intersections, Occultations {
     private final Spheres spheres;
     private final Arbre secours;
 
-    /** @param secours {@code null} pour tout examiner, quel que soit le compte */
     Boucles(Spheres spheres, Arbre secours) {
         this.spheres = spheres;
         this.secours = secours;
@@ -26,7 +25,7 @@ final class Boucles implements Intersections, Occultations {
             int sauf) {
         int n = spheres.nombre;
         long credit = parcours.credit + Comptes.PAR_RAYON;
-        if (n > credit && secours != null) {
+        if (n > credit) {
             return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }
         parcours.credit = credit - n;
@@ -48,7 +47,7 @@ final class Boucles implements Intersections, Occultations {
             double distance, int sauf) {
         int n = spheres.nombre;
         long credit = parcours.credit + Comptes.PAR_RAYON;
-        if (n > credit && secours != null) {
+        if (n > credit) {
             return secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
         int r = 0;

@@ -122,11 +122,12 @@ public final class Preparation {
         double portee = Math.max(boite.portee(), Camera.FOCALE);
         boolean ordinaire = n > 0 && portee < LONGUEUR_MAX && boite.portee() > LONGUEUR_MIN;
         Genre genre = impose == null ? choisir() : impose;
-        structures.repondrePar(new Boucles(spheres, n <= PEU ? null : structures.arbre));
+        Boucles boucles = new Boucles(spheres, structures.arbre);
+        structures.repondrePar(boucles);
         if (genre == Genre.ARBRE) {
             structures.repondrePar(structures.arbre);
         } else if (genre == Genre.MASQUES && n <= Masques.MAX && ordinaire) {
-            masquer(portee);
+            masquer(boucles, portee);
         } else if (genre == Genre.CARTES && ordinaire) {
             structures.repondrePar(structures.arbre);
             spheres.ranger(Morton.ordre(spheres, boite));
@@ -135,8 +136,7 @@ public final class Preparation {
         }
     }
 
-    private void masquer(double portee) {
-        Boucles boucles = new Boucles(spheres, null);
+    private void masquer(Boucles boucles, double portee) {
         Masques parBits = new Masques(spheres, boucles, portee, camera);
         structures.premiers = parBits;
         structures.suivants = parBits;
@@ -188,14 +188,15 @@ public final class Preparation {
         }
         Point p = lampe.getPosition();
         int cases = (int) Math.min(Math.min(sienne, (long) CASES_PAR_LAMPE * spheres.nombre), CASES_MAX);
-        Carte carte = Carte.deLaLampe(spheres, p, Faces.pour(spheres, p.x, p.y, p.z, Math.max(CASES_MIN, cases)),
-                places());
-        return carte == null ? structures.arbre : new CarteLampe(spheres, p, carte, structures.arbre);
+        Carte carte = Carte.de(spheres, p, false, Faces.pour(spheres, p.x, p.y, p.z, Math.max(CASES_MIN, cases)),
+                structures.arbre, places());
+        return carte == null ? structures.arbre : carte;
     }
 
     private Intersections deLOeil() {
         double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / (double) Math.min(CASES_MAX, spheres.nombre)));
-        Carte carte = Carte.deLOeil(spheres, Face.deLImage(camera, cote), structures.arbre, places());
+        Carte carte = Carte.de(spheres, new Point(0, 0, -Camera.FOCALE), true, new Face[] {Face.deLImage(camera, cote)},
+                structures.arbre, places());
         return carte == null ? structures.arbre : carte;
     }
 

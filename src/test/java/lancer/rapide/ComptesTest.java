@@ -202,8 +202,7 @@ class ComptesTest {
             List<Object> toutes = new ArrayList<>(Arrays.<Object>asList((Object[]) s.ombres));
             toutes.addAll(Arrays.<Object>asList(s.premiers, s.suivants, s.arbre.noeuds()));
             for (Object structure : toutes) {
-                Carte carte = structure instanceof CarteLampe ? ((CarteLampe) structure).carte
-                        : structure instanceof Carte ? (Carte) structure : null;
+                Carte carte = structure instanceof Carte ? (Carte) structure : null;
                 references += carte != null ? carte.entrees.length : structure instanceof Grille ? ((Grille) structure).entrees.length
                         : structure instanceof Noeuds ? ((Noeuds) structure).feuilles.length : 0;
                 cases += carte != null ? carte.coupe.length : 0;
