@@ -29,7 +29,8 @@ public class RechercheSimple implements Recherche {
         Recherche.obeir();
         for (Objet3D objet : objets) {
             if (objet != saufLui) {
-                double d = distance(objet, incident);
+                compter();
+                double d = verifier(objet.getIntersectionDistance(incident), objet);
                 if (d < distance) {
                     plusProche = objet;
                     distance = d;
@@ -43,18 +44,20 @@ public class RechercheSimple implements Recherche {
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
         Rayon ombre = Rayon.dOmbre(P, V);
         for (Objet3D autre : objets) {
-            if (autre != objet && distance(autre, ombre) < distance) {
-                return true;
+            if (autre != objet) {
+                compter();
+                if (verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
+                    return true;
+                }
             }
         }
         return false;
     }
 
-    private double distance(Objet3D objet, Rayon rayon) {
+    private void compter() {
         if ((++compteurs.testsSpheres & PAS) == 0) {
             Recherche.obeir();
         }
-        return verifier(objet.getIntersectionDistance(rayon), objet);
     }
 
     /** @throws ArithmeticException si cette distance, qu'a rendue cet objet, n'est pas un nombre */
