@@ -258,8 +258,8 @@ final class Atelier {
     /** Regarde où en est le dessin en cours, et le montre ; à appeler souvent. */
     void observer() {
         boolean fini = courant.isDone();
-        if (panneau.estPeinte()) {
-            courant.continuer();
+        if (panneau.peinte) {
+            courant.vue.countDown();
         }
         lu = courant.avertissements != null ? courant.fichier : lu;
         Dessin dessin = courant.getDessin();
@@ -292,7 +292,7 @@ final class Atelier {
     /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
     private void finir() {
         enCours = false;
-        courant.continuer();
+        courant.vue.countDown();
         Throwable panne = courant.getPanne();
         if (courant.isAcheve()) {
             complete = montre.image;

@@ -34,8 +34,6 @@ final class Bandeau extends JTextArea {
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> avis(""));
     /** De quoi copier ce qui se lit. */
     final Action copie = new AbstractAction("Copier le message") {
-        private static final long serialVersionUID = 1;
-
         @Override
         public void actionPerformed(ActionEvent e) {
             getToolkit().getSystemClipboard().setContents(new StringSelection(getText()), null);

@@ -105,10 +105,8 @@ public final class Fenetre {
     private JMenu menuFichier() {
         JMenu menu = Menus.menu("Fichier");
         Menus.article(menu, "Ouvrir une scène…", Menus.ctrl(KeyEvent.VK_O), this::choisirScene);
-        Menus.siScene(atelier, Menus.article(menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S),
-                enregistrement::enregistrer));
-        Menus.siScene(atelier, Menus.article(menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C),
-                enregistrement::copier));
+        Menus.siScene(atelier, menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S), enregistrement::enregistrer);
+        Menus.siScene(atelier, menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C), enregistrement::copier);
         menu.add(panneau.bandeau.copie);
         menu.addSeparator();
         Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
@@ -127,7 +125,7 @@ public final class Fenetre {
         menu.addSeparator();
         Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
         Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
-        Menus.siScene(atelier, Menus.article(menu, "Rayons d'un pixel (Entrée)", null, this::inspecter));
+        Menus.siScene(atelier, menu, "Rayons d'un pixel (Entrée)", null, this::inspecter);
         // Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique
         Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_AMPERSAND), demander::doClick);
         Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_NUMPAD1), demander::doClick);

@@ -54,7 +54,6 @@ final class Inspecteur extends JDialog {
     private static final int SAUT = 10;
     private static final Color CHANGE = new Color(0xFFE9A8);
     private static final Color LIEN = new Color(0x0050A0);
-    private static final String INACHEVEE = "L'image n'est pas achevée : rien encore à quoi comparer.";
     private static final String ARRONDI = "(nombres arrondis à cinq chiffres ; --pixel les écrit en entier)";
 
     private final transient Atelier atelier;
@@ -99,11 +98,11 @@ final class Inspecteur extends JDialog {
             public void mouseClicked(MouseEvent e) {
                 int ou = texte.viewToModel(e.getPoint());
                 // la deuxième ligne n'est pas du récit
-                int rang = Math.max(0, texte.getDocument().getDefaultRootElement().getElementIndex(ou) - 1);
-                if (vues.get(rang).repli != null) {
-                    deplier(vues.get(rang).repli);
-                } else if (vues.get(rang).rebond() > 0) {
-                    isoler(vues.get(rang).rebond());
+                int ligne = Math.max(0, texte.getDocument().getDefaultRootElement().getElementIndex(ou) - 1);
+                if (vues.get(ligne).repli != null) {
+                    deplier(vues.get(ligne).repli);
+                } else if (vues.get(ligne).rebond() > 0) {
+                    isoler(vues.get(ligne).rebond());
                 }
             }
         });
@@ -113,7 +112,13 @@ final class Inspecteur extends JDialog {
             KeyStroke touche = Menus.ctrl(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN);
             texte.registerKeyboardAction(e -> choisir(grille.voisin(sens)), touche, JComponent.WHEN_FOCUSED);
         }
-        texte.registerKeyboardAction(e -> copier(), Menus.ctrl(KeyEvent.VK_C), JComponent.WHEN_FOCUSED);
+        texte.registerKeyboardAction(e -> {
+            if (texte.getSelectedText() == null) {
+                texte.selectAll();
+            }
+            texte.copy();
+            texte.select(0, 0);
+        }, Menus.ctrl(KeyEvent.VK_C), JComponent.WHEN_FOCUSED);
         atelier.prevenir(this::calculer);
     }
 
@@ -124,8 +129,11 @@ final class Inspecteur extends JDialog {
                 int d = k % 2 == 0 ? -pas : pas;
                 int dx = k < 2 ? d : 0;
                 int dy = k < 2 ? 0 : d;
-                ou.registerKeyboardAction(e -> deplacer(dx, dy),
-                        KeyStroke.getKeyStroke(touches[k], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
+                ou.registerKeyboardAction(e -> {
+                    if (isVisible()) {
+                        montrer(new Point(pixel.x + dx, pixel.y + dy));
+                    }
+                }, KeyStroke.getKeyStroke(touches[k], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
             }
         }
         for (char chiffre = '0'; chiffre <= '9'; chiffre++) {
@@ -133,21 +141,6 @@ final class Inspecteur extends JDialog {
             ou.registerKeyboardAction(e -> isoler(numero), KeyStroke.getKeyStroke(chiffre), quand);
         }
         ou.registerKeyboardAction(e -> deplier(null), KeyStroke.getKeyStroke('d'), quand);
-    }
-
-    private void deplacer(int dx, int dy) {
-        if (isVisible()) {
-            montrer(new Point(pixel.x + dx, pixel.y + dy));
-        }
-    }
-
-    /** Copie ce qui est choisi dans le texte, ou le texte entier. */
-    private void copier() {
-        if (texte.getSelectedText() == null) {
-            texte.selectAll();
-        }
-        texte.copy();
-        texte.select(0, 0);
     }
 
     /** Ouvre la fenêtre sur ce pixel, ou l'y mène. */
@@ -284,7 +277,7 @@ final class Inspecteur extends JDialog {
     private String comparer(Couleur couleur) {
         ImageMemoire image = atelier.getImageComplete();
         if (image == null) {
-            return INACHEVEE;
+            return "L'image n'est pas achevée : rien encore à quoi comparer.";
         }
         int k = pixel.y * image.getLargeur() + pixel.x;
         float[] vu = image.getLineaire();

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
@@ -15,7 +16,6 @@ import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
-import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
 
@@ -36,7 +36,7 @@ final class MenuDessin {
     /** @param variantes les noms de celles qui sont présentes */
     MenuDessin(JFrame cadre, Atelier atelier, List<String> variantes) {
         this.atelier = atelier;
-        article("Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5), atelier::relire);
+        Menus.siScene(atelier, menu, "Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5), atelier::relire);
         // la touche est liée ailleurs : Java l'afficherait « Escape »
         arreter = Menus.article(menu, "Arrêter (Échap)", null, atelier::arreter);
         menu.addSeparator();
@@ -54,29 +54,25 @@ final class MenuDessin {
             })));
         }
         if (!variantes.isEmpty()) {
-            article("Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), () -> {
+            Menus.siScene(atelier, menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), () -> {
                 parametres = parametres == null ? new PanneauVariantes(cadre, atelier) : parametres;
                 Dialogues.aCote(parametres);
             });
         }
-        article("Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3), () -> {
+        Menus.siScene(atelier, menu, "Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3), () -> {
             vitesse = vitesse == null ? new PanneauVitesse(cadre, atelier) : vitesse;
             Dialogues.aCote(vitesse);
         });
         menu.addSeparator();
-        article("Revenir aux réglages de la scène", null,
+        Menus.siScene(atelier, menu, "Revenir aux réglages de la scène", null,
                 () -> atelier.dessiner(atelier.getReglages().initiaux(), false));
-        article("Copier ces réglages",
+        Menus.siScene(atelier, menu, "Copier ces réglages",
                 KeyStroke.getKeyStroke(KeyEvent.VK_C, Menus.ctrl(0).getModifiers() | InputEvent.SHIFT_DOWN_MASK),
                 this::copier);
         Menus.lier(cadre, KeyStroke.getKeyStroke('+'), () -> changer(true));
         Menus.lier(cadre, KeyStroke.getKeyStroke('-'), () -> changer(false));
         atelier.prevenir(this::montrer);
         montrer();
-    }
-
-    private void article(String nom, KeyStroke touche, Runnable action) {
-        Menus.siScene(atelier, Menus.article(menu, nom, touche, action));
     }
 
     /** Passe à plus ou moins de réflexions, parmi celles du menu. */
@@ -97,12 +93,10 @@ final class MenuDessin {
 
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */
     private void copier() {
-        StringBuilder s = new StringBuilder();
-        for (Section section : atelier.getReglages().getSectionsChangees()) {
-            s.append(section.ecrire("\n")).append("\n\n");
-        }
-        s.append("; ").append(atelier.getCommande()).append('\n');
-        menu.getToolkit().getSystemClipboard().setContents(new StringSelection(s.toString()), null);
+        String sections = atelier.getReglages().getSectionsChangees().stream()
+                .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining());
+        menu.getToolkit().getSystemClipboard().setContents(
+                new StringSelection(sections + "; " + atelier.getCommande() + "\n"), null);
     }
 
     private void montrer() {

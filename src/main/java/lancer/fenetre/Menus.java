@@ -54,6 +54,11 @@ final class Menus {
         contenu.registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
     }
 
+    /** Un article grisé tant qu'aucune scène n'est montrée. */
+    static void siScene(Atelier atelier, JMenu menu, String nom, KeyStroke touche, Runnable action) {
+        siScene(atelier, article(menu, nom, touche, action));
+    }
+
     /** Grise cet article tant qu'aucune scène n'est montrée. */
     static <T extends JMenuItem> T siScene(Atelier atelier, T article) {
         article.setEnabled(false);

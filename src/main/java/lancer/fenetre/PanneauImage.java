@@ -49,14 +49,16 @@ final class PanneauImage extends JPanel {
     private transient Figure dessus;
     private transient IntConsumer siNumero;
     private final transient Runnable siBouge;
+    private final transient Runnable siClique;
     private Point souris;
     private Point suivi;
     /** Ce qui se lit sur le haut de l'image, et combien c'est opaque, de 0 à 1. */
-    private String ligne = "";
+    String ligne = "";
     private float opacite;
     private final Timer fondu = new Timer(FONDU_MS, e -> estomper());
 
-    private boolean peinte;
+    /** Vrai dès qu'une image s'est vue. */
+    boolean peinte;
 
     /** Ce que la loupe agrandit, 0 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
     private int loupe;
@@ -66,6 +68,7 @@ final class PanneauImage extends JPanel {
     /** @param siBouge appelé quand la souris ou la loupe bouge @param siClique quand on clique sur l'image montrée */
     PanneauImage(Dimension image, Runnable siBouge, Runnable siClique) {
         this.siBouge = siBouge;
+        this.siClique = siClique;
         setName("image");
         setBackground(GRIS);
         setFocusable(true);
@@ -74,7 +77,7 @@ final class PanneauImage extends JPanel {
         AffineTransform ecran = getEchelle();
         setPreferredSize(new Dimension((int) Math.ceil(image.width / ecran.getScaleX()),
                 (int) Math.ceil(image.height / ecran.getScaleY())));
-        Suiveur suiveur = new Suiveur(siClique);
+        Suiveur suiveur = new Suiveur();
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
         addMouseWheelListener(suiveur);
@@ -82,12 +85,6 @@ final class PanneauImage extends JPanel {
 
     /** Suit la souris ; la molette, et un bouton tenu, mènent la loupe. */
     private final class Suiveur extends MouseAdapter {
-
-        private final Runnable siClique;
-
-        Suiveur(Runnable siClique) {
-            this.siClique = siClique;
-        }
 
         private void placer(MouseEvent e) {
             AffineTransform ecran = getEchelle();
@@ -166,18 +163,9 @@ final class PanneauImage extends JPanel {
         repaint();
     }
 
-    String getLigne() {
-        return ligne;
-    }
-
     /** L'image montrée, {@code null} avant la première. */
     ImageMemoire getImage() {
         return montree;
-    }
-
-    /** Vrai dès qu'une image s'est vue. */
-    boolean estPeinte() {
-        return peinte;
     }
 
     /** Montre cette image à la place des autres, qui peuvent changer pendant ce temps ; {@code null} : plus aucune. */

@@ -139,8 +139,6 @@ final class PanneauVariantes extends JDialog {
         Glissiere(Parametre parametre) {
             super(0, parametre.crans, 0);
             accessibleContext = new AccessibleJSlider() {
-                private static final long serialVersionUID = 1;
-
                 @Override
                 public Number getCurrentAccessibleValue() {
                     return Double.valueOf(parametre.getValeur(getValue()));

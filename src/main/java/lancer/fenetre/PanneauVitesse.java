@@ -38,19 +38,16 @@ final class PanneauVitesse extends JDialog {
     private static final int MARGE = 8;
 
     private final transient Atelier atelier;
-    private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, this::atteindre, this::estPresent);
     private final JLabel etat = new JLabel(" ");
     /** Le point où mènent la souris et les flèches, en mots. */
     private final JTextArea point = Bandeau.etiquette("vitesse.point");
+    private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, point::setText, this::estPresent);
     private final transient ExecutorService fil = Atelier.unFil("lancer-vitesse");
     private transient Future<?> essais;
-
     /** La scène essayée, telle que rien de ce panneau ne la change ; {@code null} s'il n'y en a pas. */
     private transient List<Object> essayee;
-
     /** Ses essais, une fois finis. */
     private transient Auto auto;
-
     /** Le point dessiné, s'il n'est pas encore mesuré. */
     private transient Candidat voulu;
 
@@ -80,11 +77,6 @@ final class PanneauVitesse extends JDialog {
         } else {
             abandonner();
         }
-    }
-
-    private void atteindre(String texte) {
-        point.setText(texte);
-        graphique.getAccessibleContext().setAccessibleDescription(texte);
     }
 
     private void abandonner() {

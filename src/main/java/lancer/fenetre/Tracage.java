@@ -12,7 +12,6 @@ import lancer.commande.Echec;
 import lancer.dessin.Dessin;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
-import lancer.fils.Traceur;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
@@ -37,7 +36,8 @@ final class Tracage extends SwingWorker<Void, Void> {
     private volatile Dessin dessin;
     private volatile Throwable panne;
     private final CountDownLatch lue = new CountDownLatch(1);
-    private final CountDownLatch vue = new CountDownLatch(1);
+    /** Ouvert quand le brouillon se voit : la suite peut se dessiner. */
+    final CountDownLatch vue = new CountDownLatch(1);
 
     /**
      * @param fichier {@code null} pour redessiner la scène qui est déjà lue
@@ -63,11 +63,6 @@ final class Tracage extends SwingWorker<Void, Void> {
         if (avertissements == null && panne != null) {
             throw (RuntimeException) panne;
         }
-    }
-
-    /** Le brouillon se voit : la suite peut se dessiner. */
-    void continuer() {
-        vue.countDown();
     }
 
     /** Attend que le brouillon se voie : la fenêtre qui s'ouvre a d'abord besoin de la machine. */
@@ -153,20 +148,17 @@ final class Tracage extends SwingWorker<Void, Void> {
         if (getPanne() instanceof SceneFautive) {
             return fichier == null ? "réglage impossible" : "scène fautive";
         }
-        return getEtape() + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9);
+        return (getPanne() != null ? "échec" : getEtape())
+                + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9);
     }
 
     private String getEtape() {
-        if (getPanne() != null) {
-            return "échec";
-        }
         Dessin sien = getDessin();
         if (sien == null) {
             return (fichier != null && avertissements == null ? "lecture" : "préparation")
                     + (isCancelled() ? " arrêtée" : " " + (int) (100 * dessinateur.getAvancement()) + " %");
         }
-        Traceur lancer = sien.traceur;
-        return (!lancer.isBrouillonFait() ? "brouillon " : isCancelled() ? "" : "dessin ")
-                + (isCancelled() ? "arrêté à " : "") + (int) (100 * lancer.getAvancement()) + " %";
+        return (!isBrouillonFait() ? "brouillon " : isCancelled() ? "" : "dessin ")
+                + (isCancelled() ? "arrêté à " : "") + (int) (100 * sien.traceur.getAvancement()) + " %";
     }
 }

@@ -70,9 +70,9 @@ class FenetreAffichageTest extends EssaiFenetre {
         banc = new BancFenetre(lente().lent());
         attendre("le brouillon se voit", () -> banc.panneau.getImage() != null);
         banc.frapper(KeyEvent.VK_F11);
-        attendre("elle dit le fichier et où il en est", () -> banc.panneau.getLigne().matches("lancer — boule.ini — dessin \\d+ % — .*"));
+        attendre("elle dit le fichier et où il en est", () -> banc.panneau.ligne.matches("lancer — boule.ini — dessin \\d+ % — .*"));
         banc.main.lent = false;
-        attendre("elle s'efface", () -> !banc.atelier.enCours() && banc.panneau.getLigne().isEmpty());
+        attendre("elle s'efface", () -> !banc.atelier.enCours() && banc.panneau.ligne.isEmpty());
     }
 
     @Test

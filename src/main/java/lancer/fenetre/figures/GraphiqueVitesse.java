@@ -13,6 +13,7 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
@@ -21,6 +22,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import lancer.auto.Candidat;
 
@@ -45,7 +47,7 @@ public final class GraphiqueVitesse extends JPanel {
     private static final Color FRONT = new Color(0x1F5FA8);
     private static final Color MESURE = new Color(0xC0392B);
 
-    private final transient Consumer<String> dire;
+    private final transient Consumer<String> siAtteint;
     private final transient Predicate<Candidat> estPresent;
     private transient List<Candidat> points = Collections.emptyList();
     /** Ceux que rien ne domine, du moins cher au plus cher. */
@@ -62,7 +64,7 @@ public final class GraphiqueVitesse extends JPanel {
      * @param estPresent dit si l'image montrée est dessinée avec ce réglage
      */
     public GraphiqueVitesse(Consumer<Candidat> clic, Consumer<String> siAtteint, Predicate<Candidat> estPresent) {
-        dire = siAtteint;
+        this.siAtteint = siAtteint;
         this.estPresent = estPresent;
         setName("vitesse.graphique");
         setFocusable(true);
@@ -71,7 +73,7 @@ public final class GraphiqueVitesse extends JPanel {
             @Override
             public void mouseMoved(MouseEvent e) {
                 if (sous(e) != null) {
-                    dire.accept(legende(sous(e)));
+                    dire(sous(e));
                 }
             }
 
@@ -143,9 +145,14 @@ public final class GraphiqueVitesse extends JPanel {
     private void avancer(int pas) {
         if (!front.isEmpty()) {
             choisi = Math.max(0, Math.min(front.size() - 1, choisi + pas));
-            dire.accept(legende(front.get(choisi)));
+            dire(front.get(choisi));
             repaint();
         }
+    }
+
+    private void dire(Candidat p) {
+        siAtteint.accept(legende(p));
+        getAccessibleContext().setAccessibleDescription(legende(p));
     }
 
     private Candidat sous(MouseEvent e) {
@@ -268,16 +275,9 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes ; d'autres aussi si elles sont proches. */
     private static List<Double> graduations(double min, double max) {
-        List<Double> graduations = new ArrayList<>();
         double[] fois = max < 10 * min ? new double[] {1, 2, 3, 4, 5, 7} : new double[] {1, 2, 5};
-        for (double dix = Math.pow(10, Math.floor(Math.log10(min))); dix <= max; dix *= 10) {
-            for (double n : fois) {
-                if (n * dix >= min && n * dix <= max) {
-                    graduations.add(n * dix);
-                }
-            }
-        }
-        return graduations;
+        return IntStream.range(-3, 10).boxed().flatMap(k -> Arrays.stream(fois).mapToObj(n -> n * Math.pow(10, k)))
+                .filter(t -> t >= min && t <= max).collect(Collectors.toList());
     }
 
     private static String nombre(double t) {
