@@ -50,10 +50,7 @@ final class Faces {
      */
     private static Face ajustee(Spheres spheres, double ox, double oy, double oz, int cases) {
         double[] g = spheres.geometrie;
-        Boite boite = new Boite();
-        for (int s = 0; s < g.length; s += Spheres.PAS) {
-            boite.ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
-        }
+        Boite boite = Boite.de(spheres, spheres.toutes());
         double[] e = repere((boite.xMin + boite.xMax) / 2 - ox, (boite.yMin + boite.yMax) / 2 - oy,
                 (boite.zMin + boite.zMax) / 2 - oz);
         if (e == null) {

@@ -168,17 +168,8 @@ public final class Preparation {
                 suivi.accept(PART_RANGEMENT + (1 - PART_RANGEMENT) * (1 + equipe.getFaites()) / nombre);
             }
         };
-        if (spheres.nombre < SPHERES_PAR_FIL) {
-            for (int k = 0; k < nombre; k++) {
-                construction.accept(k);
-            }
-        } else {
-            int fils = Math.min(nombre, Runtime.getRuntime().availableProcessors());
-            equipe.faire(nombre, Collections.nCopies(fils, construction));
-        }
-        if (structures.demandentLArbre()) {
-            structures.arbre.noeuds();
-        }
+        int fils = spheres.nombre < SPHERES_PAR_FIL ? 1 : Math.min(nombre, Runtime.getRuntime().availableProcessors());
+        equipe.faire(nombre, Collections.nCopies(fils, construction));
     }
 
     private Occultations deLaLampe(Lampe lampe) {

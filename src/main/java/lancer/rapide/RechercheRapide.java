@@ -1,6 +1,5 @@
 package lancer.rapide;
 
-import java.util.Arrays;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Lampe;
@@ -19,9 +18,7 @@ import lancer.contrat.RechercheSimple;
  */
 public final class RechercheRapide implements Recherche {
 
-    /**
-     * Objets, les premiers de la scène, examinés d'abord pour une ombre si l'un d'eux n'est pas une sphère.
-     */
+    /** Une ombre se demande d'abord aux objets qui ne sont pas des sphères, parmi les premiers de la scène. */
     private static final int PREMIERS = 8;
 
     /** Ce dont le carré de la longueur d'une direction peut s'écarter de 1 : au-delà, les boucles du cours. */
@@ -32,9 +29,8 @@ public final class RechercheRapide implements Recherche {
 
     final Structures structures;
     private final List<Objet3D> objets;
-    private final Objet3D[] dAbord;
-    /** Objets qui ne sont ni des sphères, ni parmi {@link #dAbord}. */
-    private final Objet3D[] enfin;
+    /** Nombre d'objets qui ne sont pas des sphères, parmi les {@link #PREMIERS}. */
+    private final int dAbord;
     private final Spheres spheres;
     private final Intersections premiers;
     private final Intersections suivants;
@@ -67,14 +63,11 @@ public final class RechercheRapide implements Recherche {
         parcours = new Parcours(compteurs);
         comptes = new Comptes(parcours, spheres.nombre, structures.camera);
         boucles = new RechercheSimple(objets, compteurs);
-        boolean melees = spheres.autres.length > 0 && spheres.rangAutres[0] < PREMIERS;
-        dAbord = melees ? objets.subList(0, Math.min(PREMIERS, objets.size())).toArray(new Objet3D[0])
-                : new Objet3D[0];
-        int dejaVus = 0;
-        while (dejaVus < spheres.autres.length && spheres.rangAutres[dejaVus] < PREMIERS) {
-            dejaVus++;
+        int n = 0;
+        while (n < spheres.autres.length && spheres.rangAutres[n] < PREMIERS) {
+            n++;
         }
-        enfin = Arrays.copyOfRange(spheres.autres, dejaVus, spheres.autres.length);
+        dAbord = n;
     }
 
     @Override
@@ -119,11 +112,9 @@ public final class RechercheRapide implements Recherche {
             // une autre structure ajoute elle-même ce qu'un rayon permet, là où elle examine
             parcours.credit += Comptes.PAR_RAYON;
         }
-        // une copie de V, qui n'a sinon pas à exister hors des registres
-        return dAbord.length > 0 && unCache(dAbord, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet)
+        return unAutreCache(0, dAbord, P, V, distance, objet)
                 || ombre.cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
-                || enfin.length > 0
-                && unCache(enfin, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet);
+                || unAutreCache(dAbord, spheres.autres.length, P, V, distance, objet);
     }
 
     /** Ce qui cache cette lampe ; si elle n'est pas de la scène, ce qui les cache toutes. */
@@ -161,8 +152,15 @@ public final class RechercheRapide implements Recherche {
         incident.setContact(plusProche, distance);
     }
 
-    private boolean unCache(Objet3D[] lesquels, Rayon ombre, double distance, Objet3D objet) {
-        for (Objet3D autre : lesquels) {
+    /** Vrai si cache la lampe un des objets qui ne sont pas des sphères, de {@code debut} à {@code fin} exclu. */
+    private boolean unAutreCache(int debut, int fin, Point P, Vecteur V, double distance, Objet3D objet) {
+        if (debut == fin) {
+            return false;
+        }
+        // une copie de V, qui n'a sinon pas à exister hors des registres
+        Rayon ombre = Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z));
+        for (int a = debut; a < fin; a++) {
+            Objet3D autre = spheres.autres[a];
             if (autre != objet) {
                 parcours.compteurs.testsSpheres++;
                 if (RechercheSimple.verifier(autre.getIntersectionDistance(ombre), autre) < distance) {

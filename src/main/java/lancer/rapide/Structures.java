@@ -38,11 +38,6 @@ final class Structures {
         Arrays.fill(ombres, toutes);
     }
 
-    /** Vrai si une sorte de rayon n'a que l'arbre. */
-    boolean demandentLArbre() {
-        return premiers == arbre || suivants == arbre || Arrays.asList(ombres).contains(arbre);
-    }
-
     /** Leurs noms : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */
     @Override
     public String toString() {
