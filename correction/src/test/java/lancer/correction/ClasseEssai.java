@@ -17,7 +17,6 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
@@ -53,34 +52,12 @@ public abstract class ClasseEssai {
         return essai;
     }
 
-    /** Ce que le jury apprend du corrigé et du projet à compléter : le même pour toutes les classes d'essai. */
-    private static final Map<String, byte[]> REFERENCES = new ConcurrentHashMap<>();
-
-    public static void prendreReference(Path travail) throws IOException {
-        Path souvenirs = Files.createDirectories(travail.resolve("souvenirs"));
-        for (Map.Entry<String, byte[]> reference : REFERENCES.entrySet()) {
-            if (!Files.exists(souvenirs.resolve(reference.getKey()))) {
-                Files.write(souvenirs.resolve(reference.getKey()), reference.getValue());
-            }
-        }
-    }
-
-    public static void garderReference(Path travail) throws IOException {
-        try (Stream<Path> flux = Files.list(travail.resolve("souvenirs"))) {
-            for (Path f : flux.filter(f -> f.getFileName().toString().startsWith("reference-")).collect(Collectors.toList())) {
-                REFERENCES.put(f.getFileName().toString(), Files.readAllBytes(f));
-            }
-        }
-    }
-
     /** Les lignes de classe.csv, par identifiant. */
     static Map<String, Map<String, String>> noter(Path rendus, Path dossier, Object... options) throws IOException {
         List<Object> arguments = new ArrayList<>(List.of("--sortie", dossier, "--sans-confinement"));
         arguments.addAll(List.of(options));
         arguments.add(rendus);
-        prendreReference(dossier.resolve(".travail"));
         Essai essai = executer(arguments.toArray());
-        garderReference(dossier.resolve(".travail"));
         assertEquals(0, essai.code, essai.erreur);
         return classe(dossier);
     }

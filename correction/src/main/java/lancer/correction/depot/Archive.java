@@ -1,6 +1,5 @@
 package lancer.correction.depot;
 
-import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
@@ -9,7 +8,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
@@ -17,21 +15,17 @@ import java.util.zip.ZipFile;
 /** Une archive zip, lue sans rien écrire : ses entrées dans l'ordre, dont on sait si ce sont des liens. */
 final class Archive implements AutoCloseable {
 
-    /** Ce qu'un rendu peut peser au plus, une fois déplié. */
-    static final long OCTETS_MAX = 50L << 20;
-
     private static final int LIEN = 0xA000;
     private static final int SORTE = 0xF000;
 
     private final ZipFile zip;
-    private final List<? extends ZipEntry> entrees;
-    private final List<Boolean> liens;
+    private final List<Entree> entrees = new ArrayList<>();
 
     /** @throws IOException si ce n'est pas une archive zip lisible */
     Archive(Path fichier) throws IOException {
         zip = ouvrir(fichier.toFile());
-        entrees = zip.stream().collect(Collectors.toList());
-        liens = liens(fichier);
+        List<Boolean> liens = liens(fichier);
+        zip.stream().forEach(e -> entrees.add(entree(e, entrees.size() < liens.size() && liens.get(entrees.size()))));
     }
 
     private static ZipFile ouvrir(File fichier) throws IOException {
@@ -43,36 +37,18 @@ final class Archive implements AutoCloseable {
         }
     }
 
-    int taille() {
-        return entrees.size();
-    }
-
-    /** Le chemin, avec des « / » même si l'archive vient de Windows. */
-    String chemin(int k) {
-        return entrees.get(k).getName().replace('\\', '/');
-    }
-
-    boolean estDossier(int k) {
-        return chemin(k).endsWith("/");
-    }
-
-    boolean estLien(int k) {
-        return k < liens.size() && liens.get(k);
-    }
-
-    /** @return {@code null} si l'entrée, dépliée, dépasse {@code max} octets */
-    byte[] lire(int k, long max) throws IOException {
-        try (InputStream flux = zip.getInputStream(entrees.get(k))) {
-            ByteArrayOutputStream contenu = new ByteArrayOutputStream();
-            byte[] tampon = new byte[1 << 16];
-            for (int n = flux.read(tampon); n >= 0; n = flux.read(tampon)) {
-                contenu.write(tampon, 0, n);
-                if (contenu.size() > max) {
-                    return null;
-                }
+    private Entree entree(ZipEntry e, boolean lien) {
+        // des « / » même si l'archive vient de Windows
+        return new Entree(e.getName().replace('\\', '/'), lien, e.getSize()) {
+            @Override
+            InputStream ouvrir() throws IOException {
+                return zip.getInputStream(e);
             }
-            return contenu.toByteArray();
-        }
+        };
+    }
+
+    List<Entree> entrees() {
+        return entrees;
     }
 
     /** Ce que java.util.zip ne dit pas : les droits Unix, dans le répertoire central (PKWARE, APPNOTE, § 4.3.12). */
@@ -88,12 +64,8 @@ final class Archive implements AutoCloseable {
             while (fiche >= 0 && entier(queue, fiche, 4) != 0x06054b50L) {
                 fiche--;
             }
-            if (fiche < 0) {
-                return liens;
-            }
-            long debut = fin - portee + fiche - entier(queue, fiche + 12, 4);
             byte[] tete = new byte[46];
-            for (long p = Math.max(0, debut); p + tete.length <= fin;) {
+            for (long p = fiche < 0 ? fin : Math.max(0, fin - portee + fiche - entier(queue, fiche + 12, 4)); p + tete.length <= fin;) {
                 f.seek(p);
                 f.readFully(tete);
                 if (entier(tete, 0, 4) != 0x02014b50L) {

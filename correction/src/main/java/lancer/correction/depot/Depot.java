@@ -1,6 +1,7 @@
 package lancer.correction.depot;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,17 +9,14 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.correction.Panne;
 
 /**
@@ -30,9 +28,8 @@ public final class Depot {
     private static final int SOURCE_MAX = 1 << 20;
     private static final int CHEMIN_MAX = 1000;
     private static final int EMBOITEMENT_MAX = 3;
-    private static final int ENTREES_MAX = 20_000;
     private static final Pattern AUTRE_ARCHIVE =
-            Pattern.compile(".*\\.(rar|7z|tar|tgz|tar\\.(gz|xz|bz2)|gz|xz|bz2|zipx)");
+            Pattern.compile("(?is).*\\.(rar|7z|tar|tgz|tar\\.(gz|xz|bz2)|gz|xz|bz2|zipx)");
     /** Ce que les systèmes et les outils ajoutent, et qui n'est le travail de personne. */
     private static final Pattern DEBRIS = Pattern.compile(
             "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|"
@@ -42,9 +39,13 @@ public final class Depot {
             + "|\\.classpath|\\.project|[^/]*\\.iml|[^/]*\\.class)(?:/.*)?");
     private static final Pattern UN_SEUL_RENDU =
             Pattern.compile("(?i)src|pom\\.xml|.*\\.java|lancer|lancer-?(java|base).*|brume|antialias|blinn");
+    /**
+     * Le nom que Moodle donne à un rendu : {@code <nom>_<numéro>_assignsubmission_file}, suivi ou non de « _ », puis en
+     * mode plat du nom du fichier (moodle, {@code mod/assign/classes/downloader.php}).
+     */
+    private static final Pattern MOODLE = Pattern.compile("([^/]*?)_(\\d+)_assignsubmission_([a-z]+)(?:_(.*))?");
 
     private final Map<String, Rendu> rendus = new LinkedHashMap<>();
-    private final Map<String, Set<String>> outils = new HashMap<>();
     private final Path temporaire;
 
     private Depot(Path temporaire) {
@@ -57,13 +58,18 @@ public final class Depot {
      */
     public static List<Rendu> lire(Path rendus, Path temporaire) {
         Depot depot = new Depot(temporaire);
+        String nom = rendus.toAbsolutePath().normalize().getFileName().toString();
         try {
             if (Files.isDirectory(rendus)) {
-                depot.lireDossier(rendus);
-            } else if (Files.isRegularFile(rendus)) {
-                depot.lireFichier(rendus);
-            } else {
+                depot.repartir(nom, duDossier(rendus.toRealPath()));
+            } else if (!Files.isRegularFile(rendus)) {
                 throw new Panne(2, "aucun rendu à cet endroit : " + rendus + " ; attendu : un dossier, ou un .zip");
+            } else if (AUTRE_ARCHIVE.matcher(nom).matches()) {
+                depot.seul(nom).getRefus().add(refusDuFormat(nom));
+            } else {
+                try (Archive archive = new Archive(rendus)) {
+                    depot.repartir(nom, archive.entrees());
+                }
             }
         } catch (IOException e) {
             throw new Panne(2, "rendus illisibles : " + rendus + " (" + e.getMessage() + ")");
@@ -71,106 +77,90 @@ public final class Depot {
         if (depot.rendus.isEmpty()) {
             throw new Panne(2, "aucun rendu dans " + rendus);
         }
-        depot.rendus.values().forEach(Depot::conclure);
-        depot.rendus.forEach((id, rendu) -> rendu.getOutils().addAll(depot.outils.getOrDefault(id, Set.of())));
         List<Rendu> liste = new ArrayList<>(depot.rendus.values());
+        liste.forEach(Rendu::conclure);
         liste.sort(Comparator.comparing((Rendu r) -> naturel(r.getNom())).thenComparing(r -> naturel(r.getId())));
         return liste;
     }
 
-    /** Ce qui est refusé n'empêche pas de juger le reste, si c'en est assez pour qu'il y ait quelque chose à juger. */
-    private static void conclure(Rendu rendu) {
-        rendu.abreger();
-        if (!rendu.compter(0)) {
-            rendu.oublierSources();
-        } else if (!rendu.getSources().isEmpty()) {
-            rendu.getRemarques().addAll(rendu.getRefus());
-            rendu.getRefus().clear();
-        } else if (rendu.getRefus().isEmpty()) {
-            rendu.getRefus().add("aucun fichier .java dans ce rendu");
-        }
-    }
-
-    private void lireDossier(Path dossier) throws IOException {
-        List<Path> contenu;
-        try (Stream<Path> flux = Files.list(dossier)) {
-            contenu = flux.filter(f -> !DEBRIS.matcher(f.getFileName() + (Files.isDirectory(f) ? "/" : "")).matches())
-                    .sorted().collect(Collectors.toList());
-        }
-        List<String> noms = contenu.stream().map(f -> f.getFileName().toString()).collect(Collectors.toList());
-        NomMoodle lui = NomMoodle.lire(dossier.toAbsolutePath().normalize().getFileName().toString());
-        if (estUnSeul(noms)) {
-            String nom = dossier.toAbsolutePath().normalize().getFileName().toString();
-            prendre(lui != null ? rendu(lui.id, lui.nom) : rendu(nom, nom), "", dossier);
-            return;
-        }
-        for (Path fichier : contenu) {
-            String nom = fichier.getFileName().toString();
-            NomMoodle moodle = NomMoodle.lire(nom);
-            if (moodle != null) {
-                Rendu rendu = rendu(moodle.id, moodle.nom);
-                if (moodle.fichier) {
-                    prendre(rendu, moodle.reste, fichier);
-                }
-            } else if (Files.isDirectory(fichier) || estArchive(nom)) {
-                String sansFin = nom.replaceFirst("(?i)\\.zip$", "");
-                // « dupont » et « dupont.zip » : deux rendus, deux lignes
-                String id = rendus.containsKey(sansFin) ? nom : sansFin;
-                prendre(rendu(id, id), Files.isDirectory(fichier) ? "" : nom, fichier);
-            }
-        }
-    }
-
-    private void lireFichier(Path fichier) throws IOException {
-        String nom = fichier.getFileName().toString();
-        NomMoodle lui = NomMoodle.lire(nom);
-        if (AUTRE_ARCHIVE.matcher(nom.toLowerCase(Locale.ROOT)).matches()) {
-            refuserFormat(lui != null ? rendu(lui.id, lui.nom) : rendu(nom, nom), nom);
-            return;
-        }
-        try (Archive archive = new Archive(fichier)) {
-            List<String> noms = new ArrayList<>();
-            for (int k = 0; k < archive.taille(); k++) {
-                String chemin = archive.chemin(k);
-                if (!DEBRIS.matcher(chemin).matches()) {
-                    noms.add(chemin.replaceFirst("/.*", ""));
-                }
-            }
-            if (lui != null || estUnSeul(noms)) {
-                String sansFin = nom.replaceFirst("(?i)\\.zip$", "");
-                deplier(lui != null ? rendu(lui.id, lui.nom) : rendu(sansFin, sansFin), "", archive, 0);
-                return;
-            }
-            for (int k = 0; k < archive.taille(); k++) {
-                String chemin = archive.chemin(k);
-                int barre = chemin.indexOf('/');
-                String premier = barre < 0 ? chemin : chemin.substring(0, barre);
-                String suite = barre < 0 ? "" : chemin.substring(barre + 1);
-                NomMoodle moodle = NomMoodle.lire(premier);
-                noterOutil(moodle != null ? moodle.id : premier, suite);
-                if (DEBRIS.matcher(chemin).matches()) {
-                    continue;
-                }
-                if (moodle != null) {
-                    Rendu rendu = rendu(moodle.id, moodle.nom);
-                    if (moodle.fichier) {
-                        entree(rendu, joindre(moodle.reste, suite), archive, k, 0);
+    /** Tout ce que contient un dossier, dans l'ordre ; un lien n'est pas suivi. */
+    private static List<Entree> duDossier(Path dossier) throws IOException {
+        List<Entree> entrees = new ArrayList<>();
+        Files.walkFileTree(dossier, new SimpleFileVisitor<Path>() {
+            private void ajouter(Path f, String fin, boolean lien, long taille) {
+                String chemin = dossier.relativize(f).toString().replace('\\', '/') + fin;
+                entrees.add(new Entree(chemin, lien, taille) {
+                    @Override
+                    InputStream ouvrir() throws IOException {
+                        return Files.newInputStream(f);
                     }
-                } else if (barre > 0 || estArchive(premier)) {
-                    String sansFin = premier.replaceFirst("(?i)\\.zip$", "");
-                    entree(rendu(sansFin, sansFin), barre < 0 ? premier : suite, archive, k, 0);
+                });
+            }
+
+            @Override
+            public FileVisitResult preVisitDirectory(Path d, BasicFileAttributes attributs) {
+                if (!d.equals(dossier)) {
+                    ajouter(d, "/", false, 0);
                 }
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult visitFile(Path f, BasicFileAttributes attributs) {
+                ajouter(f, "", !attributs.isRegularFile(), attributs.size());
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult visitFileFailed(Path f, IOException e) {
+                // ce qui s'y lit mal ne coûte qu'à lui, à sa lecture
+                ajouter(f, "", false, 0);
+                return FileVisitResult.CONTINUE;
+            }
+        });
+        entrees.sort(Comparator.comparing(e -> e.chemin));
+        return entrees;
+    }
+
+    /** Donne chaque entrée à l'étudiant que dit le premier nom de son chemin, ou toutes au même. */
+    private void repartir(String nom, List<Entree> entrees) {
+        Set<String> noms = entrees.stream().filter(e -> !DEBRIS.matcher(e.chemin).matches()).map(Entree::premier)
+                .collect(Collectors.toSet());
+        boolean unSeul = MOODLE.matcher(nom).matches() || noms.stream().noneMatch(n -> MOODLE.matcher(n).matches())
+                && noms.stream().anyMatch(n -> !estArchive(n) && UN_SEUL_RENDU.matcher(n).matches());
+        for (Entree entree : entrees) {
+            String premier = entree.premier();
+            boolean fichier = premier.equals(entree.chemin);
+            String suite = fichier ? "" : entree.chemin.substring(premier.length() + 1);
+            Matcher moodle = MOODLE.matcher(premier);
+            if (unSeul) {
+                prendre(seul(nom), entree.chemin, entree, 0);
+            } else if (moodle.matches()) {
+                Rendu rendu = seul(premier);
+                // un texte en ligne, ou ce qu'un autre greffon a remis, n'est pas un fichier
+                if (moodle.group(3).equals("file")) {
+                    String reste = moodle.group(4) == null ? "" : moodle.group(4);
+                    prendre(rendu, joindre(reste, suite), entree, 0);
+                }
+            } else if (!DEBRIS.matcher(fichier ? premier : premier + "/").matches() && (!fichier || estArchive(premier))) {
+                // « dupont » et « dupont.zip » : deux rendus, deux lignes
+                String id = fichier && !noms.contains(sansFin(premier)) ? sansFin(premier) : premier;
+                prendre(rendu(id, id), fichier ? premier : suite, entree, 0);
             }
         }
     }
 
-    /**
-     * Vrai si ces noms, les premiers d'un dossier ou d'une archive, sont ceux d'un projet, et non ceux de plusieurs
-     * étudiants.
-     */
-    private static boolean estUnSeul(List<String> noms) {
-        return noms.stream().noneMatch(n -> NomMoodle.lire(n) != null) && noms.stream()
-                .anyMatch(n -> !estArchive(n) && UN_SEUL_RENDU.matcher(n).matches());
+    private Rendu seul(String nom) {
+        Matcher moodle = MOODLE.matcher(nom);
+        return moodle.matches() ? rendu(moodle.group(2), moodle.group(1).trim()) : rendu(sansFin(nom), sansFin(nom));
+    }
+
+    private Rendu rendu(String id, String nom) {
+        return rendus.computeIfAbsent(id, i -> new Rendu(i, nom.isEmpty() ? i : nom));
+    }
+
+    private static String sansFin(String nom) {
+        return nom.replaceFirst("(?i)\\.zip$", "");
     }
 
     /** De quoi ranger « Étudiant 2 » avant « Étudiant 10 ». */
@@ -180,148 +170,71 @@ public final class Depot {
     }
 
     private static boolean estArchive(String nom) {
-        String bas = nom.toLowerCase(Locale.ROOT);
-        return bas.endsWith(".zip") || AUTRE_ARCHIVE.matcher(bas).matches();
+        return nom.toLowerCase(Locale.ROOT).endsWith(".zip") || AUTRE_ARCHIVE.matcher(nom).matches();
     }
 
     private static String joindre(String a, String b) {
         return a.isEmpty() ? b : b.isEmpty() ? a : a + "/" + b;
     }
 
-    private Rendu rendu(String id, String nom) {
-        return rendus.computeIfAbsent(id, i -> new Rendu(i, nom.isEmpty() ? i : nom));
+    private static String refusDuFormat(String nom) {
+        return nom + " : format non pris en charge ; attendu : un dossier, ou un .zip";
     }
 
-    private void noterOutil(String id, String chemin) {
+    /** Prend une entrée, si c'est une source ou une archive ; ce qui s'y lit mal ne coûte qu'à elle. */
+    private void prendre(Rendu rendu, String chemin, Entree entree, int niveau) {
         Matcher outil = OUTIL.matcher(chemin);
         if (outil.matches()) {
-            outils.computeIfAbsent(id, i -> new TreeSet<>()).add(outil.group(1));
+            rendu.getOutils().add(outil.group(1));
         }
-    }
-
-    private static void refuserFormat(Rendu rendu, String nom) {
-        rendu.getRefus().add(nom + " : format non pris en charge ; attendu : un dossier, ou un .zip");
-    }
-
-    /** Prend un fichier, ou tout un dossier, du disque ; ce qui s'y lit mal ne coûte qu'à lui. */
-    private void prendre(Rendu rendu, String nom, Path fichier) {
-        try {
-            parcourir(rendu, nom, fichier);
-        } catch (IOException | RuntimeException e) {
-            rendu.getRefus().add(fichier.getFileName() + " : illisible (" + e + ")");
-        }
-    }
-
-    private void parcourir(Rendu rendu, String nom, Path fichier) throws IOException {
-        if (Files.isSymbolicLink(fichier)) {
-            rendu.getRefus().add("lien refusé : " + fichier.getFileName());
-        } else if (Files.isDirectory(fichier)) {
-            Files.walkFileTree(fichier, new SimpleFileVisitor<Path>() {
-                @Override
-                public FileVisitResult visitFile(Path f, BasicFileAttributes attributs) throws IOException {
-                    String chemin = joindre(nom, fichier.relativize(f).toString().replace('\\', '/'));
-                    noterOutil(rendu.getId(), chemin);
-                    if (DEBRIS.matcher(chemin).matches()) {
-                        return FileVisitResult.CONTINUE;
-                    }
-                    if (attributs.isSymbolicLink()) {
-                        rendu.getRefus().add("lien refusé : " + chemin);
-                    } else if (!rendu.compter(attributs.size())) {
-                        trop(rendu);
-                        return FileVisitResult.TERMINATE;
-                    } else if (attributs.isRegularFile()) {
-                        contenu(rendu, chemin, f, 0);
-                    }
-                    return FileVisitResult.CONTINUE;
-                }
-
-                @Override
-                public FileVisitResult visitFileFailed(Path f, IOException e) {
-                    rendu.getRefus().add(joindre(nom, fichier.relativize(f).toString()) + " : illisible (" + e + ")");
-                    return FileVisitResult.CONTINUE;
-                }
-            });
-        } else if (Files.isRegularFile(fichier)) {
-            contenu(rendu, nom.isEmpty() ? fichier.getFileName().toString() : nom, fichier, 0);
-        }
-    }
-
-    private void contenu(Rendu rendu, String chemin, Path fichier, int niveau) throws IOException {
-        String bas = chemin.toLowerCase(Locale.ROOT);
-        if (bas.endsWith(".java")) {
-            source(rendu, chemin, Files.size(fichier) > SOURCE_MAX ? null : Files.readAllBytes(fichier));
-        } else if (bas.endsWith(".zip")) {
-            if (niveau >= EMBOITEMENT_MAX) {
-                rendu.getRefus().add(chemin + " : trop d'archives l'une dans l'autre");
-                return;
-            }
-            try (Archive archive = new Archive(fichier)) {
-                deplier(rendu, chemin.substring(0, chemin.length() - 4), archive, niveau + 1);
-            } catch (IOException | RuntimeException e) {
-                rendu.getRefus().add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe ("
-                        + e.getMessage() + ")");
-            }
-        } else if (AUTRE_ARCHIVE.matcher(bas).matches()) {
-            refuserFormat(rendu, chemin);
-        }
-    }
-
-    private void deplier(Rendu rendu, String prefixe, Archive archive, int niveau) throws IOException {
-        if (archive.taille() > ENTREES_MAX) {
-            rendu.getRefus().add("plus de " + ENTREES_MAX + " fichiers dans une archive");
+        boolean source = chemin.toLowerCase(Locale.ROOT).endsWith(".java");
+        // ce qu'on lit pèse ce qu'on en lit, quoi qu'il annonce
+        if (DEBRIS.matcher(chemin).matches() || entree.estDossier()
+                || !rendu.compter(source || estArchive(chemin) ? 0 : Math.max(0, entree.taille))) {
             return;
         }
-        for (int k = 0; k < archive.taille() && rendu.compter(0); k++) {
-            noterOutil(rendu.getId(), archive.chemin(k));
-            if (!DEBRIS.matcher(archive.chemin(k)).matches()) {
-                entree(rendu, joindre(prefixe, archive.chemin(k)), archive, k, niveau);
-            }
-        }
-    }
-
-    private void entree(Rendu rendu, String chemin, Archive archive, int k, int niveau) throws IOException {
-        String brut = archive.chemin(k);
-        if (brut.startsWith("/") || brut.matches("[A-Za-z]:.*") || List.of(brut.split("/")).contains("..")) {
+        String brut = entree.chemin;
+        if (brut.startsWith("/") || brut.matches("(?s)[A-Za-z]:.*") || List.of(brut.split("/")).contains("..")) {
             rendu.getRefus().add("entrée refusée, qui sort de son archive : " + brut);
-        } else if (archive.estLien(k)) {
-            rendu.getRefus().add("lien refusé : " + brut);
-        } else if (!archive.estDossier(k) && rendu.compter(0)) {
-            byte[] octets;
-            try {
-                octets = archive.lire(k, Archive.OCTETS_MAX);
-            } catch (IOException | RuntimeException e) {
-                rendu.getRefus().add(brut + " : illisible dans l'archive (" + e.getMessage() + ")");
-                return;
-            }
-            if (octets == null || !rendu.compter(octets.length)) {
-                rendu.compter(Archive.OCTETS_MAX);
-                trop(rendu);
-            } else if (chemin.toLowerCase(Locale.ROOT).endsWith(".java")) {
-                source(rendu, chemin, octets);
-            } else if (estArchive(chemin)) {
-                Path copie = Files.createTempFile(temporaire, "emboitee", null);
-                try {
-                    Files.write(copie, octets);
-                    contenu(rendu, chemin, copie, niveau);
-                } finally {
-                    Files.delete(copie);
+        } else if (entree.lien) {
+            rendu.getRefus().add("lien refusé : " + brut.replaceFirst("(?s).*/", ""));
+        } else if (AUTRE_ARCHIVE.matcher(chemin).matches()) {
+            rendu.getRefus().add(refusDuFormat(chemin));
+        } else if (source) {
+            try (InputStream flux = entree.ouvrir()) {
+                byte[] octets = flux.readNBytes(SOURCE_MAX + 1);
+                rendu.peser(octets.length);
+                if (octets.length > SOURCE_MAX) {
+                    rendu.getRemarques().add(chemin + " : plus d'un mégaoctet de source, laissé de côté");
+                } else if (chemin.length() > CHEMIN_MAX || !rendu.ajouter(chemin, octets)) {
+                    rendu.getRemarques().add(chemin + " : laissé de côté, trop de sources ou un nom trop long");
                 }
+            } catch (IOException | RuntimeException e) {
+                rendu.getRefus().add(chemin + " : illisible (" + e.getMessage() + ")");
             }
+        } else if (estArchive(chemin)) {
+            deplier(rendu, chemin, entree, niveau);
         }
     }
 
-    private static void source(Rendu rendu, String chemin, byte[] octets) {
-        if (octets == null || octets.length > SOURCE_MAX) {
-            rendu.getRemarques().add(chemin + " : plus d'un mégaoctet de source, laissé de côté");
-        } else if (chemin.length() > CHEMIN_MAX || !rendu.ajouter(chemin, octets)) {
-            rendu.getRemarques().add(chemin + " : laissé de côté, trop de sources ou un nom trop long");
+    private void deplier(Rendu rendu, String chemin, Entree entree, int niveau) {
+        if (niveau >= EMBOITEMENT_MAX) {
+            rendu.getRefus().add(chemin + " : trop d'archives l'une dans l'autre");
+            return;
         }
-    }
-
-    private static void trop(Rendu rendu) {
-        String refus = "plus de " + (Archive.OCTETS_MAX >> 20) + " Mo une fois déplié";
-        if (!rendu.getRefus().contains(refus)) {
-            rendu.getRefus().add(refus);
+        try {
+            Path copie = Files.createTempFile(temporaire, "emboitee", null);
+            try (InputStream flux = entree.ouvrir()) {
+                Files.write(copie, flux.readNBytes((int) Rendu.OCTETS_MAX));
+                rendu.peser(Files.size(copie));
+                try (Archive archive = new Archive(copie)) {
+                    archive.entrees().forEach(e -> prendre(rendu, joindre(sansFin(chemin), e.chemin), e, niveau + 1));
+                }
+            } finally {
+                Files.delete(copie);
+            }
+        } catch (IOException | RuntimeException e) {
+            rendu.getRefus().add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe (" + e.getMessage() + ")");
         }
     }
 }

@@ -49,9 +49,9 @@ public final class Projet {
     public Projet(Map<String, String> base, Map<String, Map<String, String>> variantes, List<String> remarques) {
         this.base = base;
         this.variantes = variantes;
-        this.remarques = remarques;
+        this.remarques = new ArrayList<>(remarques);
         noms = new Renommage(base);
-        remarques.addAll(noms.getChanges());
+        this.remarques.addAll(noms.getChanges());
         aRegarder.addAll(noms.getChanges());
         noms.getChanges().forEach(c -> ecarts.merge(NOMS, c, (a, b) -> a + " ; " + b));
     }
@@ -97,7 +97,7 @@ public final class Projet {
                 : quoi + " (" + ou.size() + " fichiers)")));
         List<Projet> copies = new ArrayList<>();
         bases.forEach((racine, base) -> {
-            Projet projet = new Projet(base, variantes, new ArrayList<>(remarques));
+            Projet projet = new Projet(base, variantes, remarques);
             projet.consignes(rendu, dites);
             remarques.stream().filter(r -> r.contains(DE_COTE)).forEach(r -> projet.aRegarder.add("arrêté : " + r));
             if (bases.size() > 1) {

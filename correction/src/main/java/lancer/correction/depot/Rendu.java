@@ -12,6 +12,9 @@ import lancer.correction.enfant.Echange;
 /** Ce qu'un étudiant a rendu : ses sources, ou pourquoi on ne peut les lire. */
 public final class Rendu {
 
+    /** Ce qu'un rendu peut peser au plus, une fois déplié, et combien de fichiers il peut avoir. */
+    static final long OCTETS_MAX = 50L << 20;
+    private static final int FICHIERS_MAX = 20_000;
     private static final int SOURCES_MAX = 500;
     private static final int PESEE_MAX = 6 << 20;
     private static final int DITS_MAX = 30;
@@ -23,6 +26,7 @@ public final class Rendu {
     private final List<String> remarques = new ArrayList<>();
     private final Set<String> outils = new TreeSet<>();
     private long octets;
+    private int fichiers;
     private long pesee;
 
     /** @param id ce qui le distingue des autres : le numéro de Moodle, ou à défaut le nom du dossier */
@@ -68,8 +72,21 @@ public final class Rendu {
         return true;
     }
 
-    /** Ce qu'on en dit tient en peu de lignes, quoi qu'il contienne. */
-    void abreger() {
+    /**
+     * Ce qui est refusé n'empêche pas de juger le reste, si c'en est assez pour qu'il y ait quelque chose à juger ; et ce qu'on
+     * en dit tient en peu de lignes, quoi qu'il contienne.
+     */
+    void conclure() {
+        if (octets > OCTETS_MAX || fichiers > FICHIERS_MAX) {
+            refus.add(octets > OCTETS_MAX ? "plus de " + (OCTETS_MAX >> 20) + " Mo une fois déplié"
+                    : "plus de " + FICHIERS_MAX + " fichiers");
+            sources.clear();
+        } else if (!sources.isEmpty()) {
+            remarques.addAll(refus);
+            refus.clear();
+        } else if (refus.isEmpty()) {
+            refus.add("aucun fichier .java dans ce rendu");
+        }
         for (List<String> liste : List.of(refus, remarques)) {
             liste.replaceAll(Echange::protege);
             if (liste.size() > DITS_MAX) {
@@ -79,13 +96,14 @@ public final class Rendu {
         }
     }
 
-    void oublierSources() {
-        sources.clear();
+    /** Compte un fichier de plus. @return faux si c'en est un de trop, ou si tout ce qui est rendu, une fois déplié, est trop gros */
+    boolean compter(long deplus) {
+        peser(deplus);
+        fichiers++;
+        return octets <= OCTETS_MAX && fichiers <= FICHIERS_MAX;
     }
 
-    /** @return faux si tout ce qui est rendu, une fois déplié, dépasse la limite */
-    boolean compter(long deplus) {
+    void peser(long deplus) {
         octets += deplus;
-        return octets <= Archive.OCTETS_MAX;
     }
 }

@@ -2,7 +2,6 @@ package lancer.correction.enfant;
 
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
-import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -44,7 +43,9 @@ public final class Compilateur {
     public static void main(String[] args) throws IOException {
         PrintStream sortie = System.out;
         System.setOut(System.err);
-        JavaCompiler compilateur = eclipse();
+        // celui d'Eclipse, et non celui du JDK, qui est un service lui aussi
+        JavaCompiler compilateur = ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::get)
+                .filter(c -> c.getClass().getName().startsWith("org.eclipse.")).findFirst().get();
         // un seul pour tous : il garde ouvertes les archives où il trouve les classes
         StandardJavaFileManager gestion = compilateur.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8);
         DataInputStream demandes = new DataInputStream(System.in);
@@ -65,16 +66,6 @@ public final class Compilateur {
         }
     }
 
-    /** Le compilateur d'Eclipse, et non celui du JDK, qui est un service lui aussi. */
-    private static JavaCompiler eclipse() {
-        for (JavaCompiler compilateur : ServiceLoader.load(JavaCompiler.class)) {
-            if (compilateur.getClass().getName().startsWith("org.eclipse.")) {
-                return compilateur;
-            }
-        }
-        throw new IllegalStateException("le compilateur d'Eclipse n'est pas là");
-    }
-
     private static byte[] compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Path dossier,
             Map<String, byte[]> textes) throws IOException {
         Path sources = Files.createDirectory(dossier.resolve("sources"));
@@ -86,7 +77,7 @@ public final class Compilateur {
             fichiers.add(Files.write(fichier, texte.getValue()));
         }
         // nos propres classes d'abord : de deux classes de même nom, la première est la bonne
-        fichiers.sort(Comparator.comparing((Path f) -> !f.getFileName().toString().matches("(Appels|Sonde\\w+)\\.java"))
+        fichiers.sort(Comparator.comparing((Path f) -> !f.getFileName().toString().matches("(Appels|Sonde)\\.java"))
                 .thenComparing(f -> f));
         String niveau = String.valueOf(Math.min(NIVEAU_MAX, Runtime.version().feature()));
         List<String> options = List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8", "-g", "-nowarn",
@@ -114,18 +105,13 @@ public final class Compilateur {
             reponse.writeBoolean(true);
             reponse.writeInt(fautes.size());
             for (Diagnostic<? extends JavaFileObject> faute : fautes) {
-                ecrire(reponse, faute, sources);
+                Echange.ecrireTexte(reponse, faute.getSource() == null ? "?" : sources.relativize(Paths.get(faute.getSource()
+                        .toUri())).toString().replace('\\', '/'));
+                reponse.writeInt((int) faute.getLineNumber());
+                Echange.ecrireTexte(reponse, Echange.protege(faute.getMessage(Locale.ROOT)));
             }
             Echange.ecrireTout(reponse, ecrites);
         });
-    }
-
-    private static void ecrire(DataOutputStream reponse, Diagnostic<? extends JavaFileObject> faute, Path sources)
-            throws IOException {
-        Echange.ecrireTexte(reponse, faute.getSource() == null ? "?" : sources.relativize(Paths.get(faute.getSource()
-                .toUri())).toString().replace('\\', '/'));
-        reponse.writeInt((int) faute.getLineNumber());
-        Echange.ecrireTexte(reponse, Echange.protege(faute.getMessage(Locale.ROOT)));
     }
 
     /**
@@ -133,7 +119,7 @@ public final class Compilateur {
      *
      * @throws IllegalArgumentException s'il n'est pas dans ce dossier
      */
-    public static Path sous(Path dossier, String nom) {
+    private static Path sous(Path dossier, String nom) {
         Path fichier = dossier.resolve(nom).normalize();
         if (!fichier.startsWith(dossier) || fichier.equals(dossier)) {
             throw new IllegalArgumentException("hors de son dossier : " + nom);
@@ -141,13 +127,11 @@ public final class Compilateur {
         return fichier;
     }
 
-    /** Efface un dossier, s'il existe, et tout ce qu'il contient. */
-    public static void effacer(Path dossier) throws IOException {
-        if (Files.exists(dossier)) {
-            List<Path> contenu = contenu(dossier);
-            for (int k = contenu.size() - 1; k >= 0; k--) {
-                Files.delete(contenu.get(k));
-            }
+    /** Efface un dossier et tout ce qu'il contient. */
+    private static void effacer(Path dossier) throws IOException {
+        List<Path> contenu = contenu(dossier);
+        for (int k = contenu.size() - 1; k >= 0; k--) {
+            Files.delete(contenu.get(k));
         }
     }
 

@@ -7,8 +7,11 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 
 /**
  * Ce que le correcteur et une machine virtuelle à part se disent : des messages numérotés, dont la longueur est dite
@@ -85,6 +88,74 @@ public final class Echange {
             tout.put(nom, lireOctets(message));
         }
         return tout;
+    }
+
+    /** Un objet du rendu, tel qu'on se le dit : son numéro, et sa classe. */
+    public static class Objet {
+
+        public final int numero;
+        public final String classe;
+
+        public Objet(int numero, String classe) {
+            this.numero = numero;
+            this.classe = classe;
+        }
+    }
+
+    /** Un argument, ou ce qu'une méthode rend. @param nommer ce qui dit de tout autre objet lequel c'est */
+    public static void ecrireValeur(DataOutputStream message, Object valeur, Function<Object, Objet> nommer) throws IOException {
+        if (valeur == null) {
+            message.writeChar('n');
+        } else if (valeur instanceof Boolean) {
+            message.writeChar('b');
+            message.writeBoolean((Boolean) valeur);
+        } else if (valeur instanceof Integer) {
+            message.writeChar('i');
+            message.writeInt((Integer) valeur);
+        } else if (valeur instanceof Number) {
+            message.writeChar('d');
+            message.writeDouble(((Number) valeur).doubleValue());
+        } else if (valeur instanceof CharSequence) {
+            message.writeChar('s');
+            ecrireTexte(message, protege(valeur.toString()));
+        } else if (valeur instanceof List) {
+            message.writeChar('l');
+            message.writeInt(((List<?>) valeur).size());
+            for (Object element : (List<?>) valeur) {
+                ecrireValeur(message, element, nommer);
+            }
+        } else {
+            Objet objet = nommer.apply(valeur);
+            message.writeChar('o');
+            message.writeInt(objet.numero);
+            ecrireTexte(message, objet.classe);
+        }
+    }
+
+    /** @param trouver l'objet que celui-ci désigne */
+    public static Object lireValeur(DataInputStream message, Function<Objet, Object> trouver) throws IOException {
+        switch (message.readChar()) {
+            case 'n':
+                return null;
+            case 'b':
+                return message.readBoolean();
+            case 'i':
+                return message.readInt();
+            case 'd':
+                return message.readDouble();
+            case 's':
+                return protege(lireTexte(message));
+            case 'l':
+                List<Object> liste = new ArrayList<>();
+                for (int reste = message.readInt(); reste > 0; reste--) {
+                    liste.add(lireValeur(message, trouver));
+                }
+                return liste;
+            case 'o':
+                return trouver.apply(new Objet(message.readInt(), protege(lireTexte(message))));
+            default:
+                throw new IOException();
+        }
     }
 
     /** Un texte en une ligne, et pas trop long. */

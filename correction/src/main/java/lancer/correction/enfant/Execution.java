@@ -13,11 +13,11 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Method;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,7 +28,7 @@ import java.util.Map;
  * falsifier n'est jamais que sa propre réponse.
  *
  * <p>Une demande commence par sa sorte : {@link #CLASSES}, celles du rendu, une fois pour toutes ; {@link #APPEL}, d'une
- * méthode, par son numéro dans {@code lancer.Appels} ; {@link #SONDE}, une méthode d'une sonde, et la scène qu'elle lit ;
+ * méthode, par son numéro dans {@code lancer.Appels} ; {@link #SONDE}, une méthode de la sonde, et la scène qu'elle lit ;
  * {@link #OUBLI} des objets déjà rendus, et la réponse dit combien de fils le rendu a laissés.
  */
 public final class Execution {
@@ -142,94 +142,54 @@ public final class Execution {
         return octets.toByteArray();
     }
 
-    private void appeler(DataInputStream demande, DataOutputStream reponse) throws Throwable {
+    private void appeler(DataInputStream demande, DataOutputStream reponse) throws IOException {
         int methode = demande.readInt();
+        List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> objets.get(o.numero));
         Object rendu = invoquer("lancer.Appels", "appeler", new Class<?>[] {int.class, Object[].class}, methode,
-                lire(demande).toArray());
-        coder(rendu, reponse);
+                arguments.toArray());
+        Echange.ecrireValeur(reponse, rendu, this::nommer);
         if (numeros.containsKey(rendu)) {
             Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", new Class<?>[] {Object.class}, rendu);
-            reponse.writeInt(champs.length);
-            for (Object champ : champs) {
-                coder(champ, reponse);
-            }
+            Echange.ecrireValeur(reponse, Arrays.asList(champs), this::nommer);
         }
     }
 
+    private Echange.Objet nommer(Object objet) {
+        numeros.computeIfAbsent(objet, o -> {
+            objets.add(o);
+            return objets.size() - 1;
+        });
+        return new Echange.Objet(numeros.get(objet), (String) invoquer("lancer.Appels", "nom", new Class<?>[] {Object.class}, objet));
+    }
+
     /** Le premier argument d'une sonde est une scène, qu'elle lit dans un fichier : le voici. */
-    private void sonder(DataInputStream demande, DataOutputStream reponse) throws Throwable {
-        String sonde = Echange.lireTexte(demande);
-        String methode = Echange.lireTexte(demande);
+    private void sonder(DataInputStream demande, DataOutputStream reponse) throws IOException {
         Path scene = Paths.get(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
         Files.write(scene, Echange.lireOctets(demande));
-        String[] arguments = new String[demande.readInt() + 1];
-        arguments[0] = scene.toString();
-        for (int k = 1; k < arguments.length; k++) {
-            arguments[k] = Echange.lireTexte(demande);
-        }
+        String methode = Echange.lireTexte(demande);
+        List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> null);
         try {
-            Echange.ecrireTexte(reponse, (String) invoquer("lancer." + sonde, methode, new Class<?>[] {String[].class},
-                    (Object) arguments));
+            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Sonde", methode, new Class<?>[] {String.class, String[].class},
+                    scene.toString(), arguments.toArray(new String[0])));
         } finally {
             Files.deleteIfExists(scene);
         }
     }
 
-    private Object invoquer(String classe, String methode, Class<?>[] types, Object... arguments) throws Throwable {
+    private Object invoquer(String classe, String methode, Class<?>[] types, Object... arguments) {
         try {
-            Method appel = Class.forName(classe, true, classes).getMethod(methode, types);
-            return appel.invoke(null, arguments);
+            return Class.forName(classe, true, classes).getMethod(methode, types).invoke(null, arguments);
         } catch (InvocationTargetException e) {
-            throw e.getCause();
+            throw Execution.<RuntimeException>tel(e.getCause());
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
         }
     }
 
-    private List<Object> lire(DataInputStream demande) throws IOException {
-        List<Object> valeurs = new ArrayList<>();
-        for (int reste = demande.readInt(); reste > 0; reste--) {
-            switch (demande.readChar()) {
-                case 'd':
-                    valeurs.add(demande.readDouble());
-                    break;
-                case 'i':
-                    valeurs.add(demande.readInt());
-                    break;
-                case 'o':
-                    valeurs.add(objets.get(demande.readInt()));
-                    break;
-                case 'l':
-                    valeurs.add(lire(demande));
-                    break;
-                default:
-                    valeurs.add(null);
-            }
-        }
-        return valeurs;
-    }
-
-    private void coder(Object valeur, DataOutputStream reponse) throws Throwable {
-        if (valeur == null) {
-            reponse.writeChar('n');
-        } else if (valeur instanceof Boolean) {
-            reponse.writeChar('b');
-            reponse.writeBoolean((Boolean) valeur);
-        } else if (valeur instanceof Number) {
-            reponse.writeChar('d');
-            reponse.writeDouble(((Number) valeur).doubleValue());
-        } else if (valeur instanceof CharSequence) {
-            reponse.writeChar('s');
-            Echange.ecrireTexte(reponse, Echange.protege(valeur.toString()));
-        } else {
-            Integer numero = numeros.get(valeur);
-            if (numero == null) {
-                numero = objets.size();
-                numeros.put(valeur, numero);
-                objets.add(valeur);
-            }
-            reponse.writeChar('o');
-            reponse.writeInt(numero);
-            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Appels", "nom", new Class<?>[] {Object.class}, valeur));
-        }
+    /** Lance une exception telle quelle, même de celles qu'il faudrait déclarer. */
+    @SuppressWarnings("unchecked")
+    private static <E extends Throwable> E tel(Throwable e) throws E {
+        throw (E) e;
     }
 
     /** Une exception du rendu : son nom, la première ligne de son code ; une faute de compilation, ce qu'elle est. */
@@ -257,7 +217,7 @@ public final class Execution {
     private static String ou(Throwable e) {
         for (StackTraceElement ou : e.getStackTrace()) {
             if (ou.getClassName().startsWith("lancer.") && !ou.getClassName().startsWith("lancer.correction.")) {
-                return ou.getClassName().matches("lancer\\.(Appels|Sonde).*") ? ", appelé par la vérification"
+                return ou.getClassName().matches("lancer\\.(Appels|Sonde)") ? ", appelé par la vérification"
                         : ", " + ou.getFileName() + ":" + ou.getLineNumber() + " (" + ou.getMethodName() + ")";
             }
         }

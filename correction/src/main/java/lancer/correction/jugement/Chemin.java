@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /**
  * Ce que répondent en chemin, pour un pixel, les méthodes du corrigé et celles de l'étudiant, et la première réponse
@@ -31,12 +32,16 @@ public final class Chemin {
 
     public final int x;
     public final int y;
+    /** Ce que répond la sonde par le corrigé, et par l'étudiant. */
+    final String reference;
+    final String etudiant;
     private final List<Pas> pas = new ArrayList<>();
 
-    /** @param reference ce que répond {@code SondeChemin} par le corrigé ; @param etudiant par l'étudiant */
     Chemin(int x, int y, String reference, String etudiant) {
         this.x = x;
         this.y = y;
+        this.reference = reference;
+        this.etudiant = etudiant;
         Map<String, String> siens = decouper(etudiant);
         Map<String, String> attendus = decouper(reference);
         for (Map.Entry<String, String> attendu : attendus.entrySet()) {
@@ -74,18 +79,12 @@ public final class Chemin {
     private static boolean pareil(String a, String b) {
         String[] x = a.split(" ");
         String[] y = b.split(" ");
-        if (x.length != y.length) {
-            return false;
-        }
         try {
-            for (int k = 0; k < x.length; k++) {
+            return x.length == y.length && IntStream.range(0, x.length).allMatch(k -> {
                 double u = Double.parseDouble(x[k]);
                 double v = Double.parseDouble(y[k]);
-                if (u != v && !(Math.abs(u - v) <= PRES * (1 + Math.abs(u)))) {
-                    return false;
-                }
-            }
-            return true;
+                return u == v || Math.abs(u - v) <= PRES * (1 + Math.abs(u));
+            });
         } catch (NumberFormatException e) {
             return a.equals(b);
         }

@@ -1,10 +1,8 @@
 package lancer.correction.jugement;
 
 import java.io.DataInputStream;
-import java.io.DataOutputStream;
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -88,16 +86,13 @@ public final class Dialogue {
         }
     }
 
-    /** Un objet du rendu, tel qu'il s'est décrit : son numéro, sa classe, ses champs publics. */
-    public static final class Recu {
+    /** Un objet du rendu, tel qu'il s'est décrit, avec ses champs publics. */
+    public static final class Recu extends Echange.Objet {
 
-        private final int numero;
-        private final String classe;
-        private final List<Object> champs = new ArrayList<>();
+        private List<?> champs = List.of();
 
-        private Recu(int numero, String classe) {
-            this.numero = numero;
-            this.classe = classe;
+        private Recu(Echange.Objet objet) {
+            super(objet.numero, objet.classe);
         }
 
         /** Un champ public, par son rang. */
@@ -142,7 +137,8 @@ public final class Dialogue {
             return rendre(rend, ici.machine.demander(m -> {
                 m.writeChar(Execution.APPEL);
                 m.writeInt(methode);
-                ecrire(Arrays.asList(arguments), m);
+                Echange.ecrireValeur(m, Arrays.asList(arguments), o -> new Echange.Objet(o instanceof Recu ? ((Recu) o).numero
+                        : ((Doublure) o).numero, ""));
             }, Echange.REPONSE_MAX, r -> reponse(r, Dialogue::lireObjet)));
         } catch (Arret e) {
             ici.refus = e.getMessage();
@@ -150,60 +146,20 @@ public final class Dialogue {
         }
     }
 
-    private static void ecrire(List<?> valeurs, DataOutputStream demande) throws IOException {
-        demande.writeInt(valeurs.size());
-        for (Object valeur : valeurs) {
-            if (valeur instanceof Double) {
-                demande.writeChar('d');
-                demande.writeDouble((Double) valeur);
-            } else if (valeur instanceof Integer) {
-                demande.writeChar('i');
-                demande.writeInt((Integer) valeur);
-            } else if (valeur instanceof Doublure || valeur instanceof Recu) {
-                demande.writeChar('o');
-                demande.writeInt(valeur instanceof Recu ? ((Recu) valeur).numero : ((Doublure) valeur).numero);
-            } else if (valeur instanceof List) {
-                demande.writeChar('l');
-                ecrire((List<?>) valeur, demande);
-            } else if (valeur == null) {
-                demande.writeChar('n');
-            } else {
-                throw new IllegalArgumentException("une vérification passe un " + valeur.getClass());
-            }
-        }
-    }
-
     /** Ce qu'une méthode rend : si c'est un objet, ses champs le suivent. */
     private static Object lireObjet(DataInputStream reponse) throws IOException {
-        Object valeur = lire(reponse);
+        Object valeur = Echange.lireValeur(reponse, Recu::new);
         if (valeur instanceof Recu) {
-            for (int reste = reponse.readInt(); reste > 0; reste--) {
-                ((Recu) valeur).champs.add(lire(reponse));
-            }
+            Object champs = Echange.lireValeur(reponse, Recu::new);
+            ((Recu) valeur).champs = champs instanceof List ? (List<?>) champs : List.of();
         }
         return valeur;
     }
 
-    private static Object lire(DataInputStream reponse) throws IOException {
-        switch (reponse.readChar()) {
-            case 'n':
-                return null;
-            case 'd':
-                return reponse.readDouble();
-            case 'b':
-                return reponse.readBoolean();
-            case 's':
-                return Echange.protege(Echange.lireTexte(reponse));
-            case 'o':
-                return new Recu(reponse.readInt(), Echange.protege(Echange.lireTexte(reponse)));
-            default:
-                throw new IOException();
-        }
-    }
-
     private static <T> T rendre(Class<T> rend, Object brut) {
         Object valeur = brut instanceof Recu ? objet(rend, (Recu) brut)
-                : brut instanceof Double && rend == Integer.class ? Integer.valueOf(((Double) brut).intValue()) : brut;
+                : brut instanceof Number && rend == Integer.class ? Integer.valueOf(((Number) brut).intValue())
+                : brut instanceof Number ? Double.valueOf(((Number) brut).doubleValue()) : brut;
         if (valeur == null && (rend == Double.class || rend == Integer.class || rend == Boolean.class)) {
             throw new Echec("rend null au lieu d'un nombre");
         } else if (valeur != null && !rend.isInstance(valeur)) {

@@ -43,6 +43,7 @@ final class Doublures {
     Doublures(Map<String, byte[]> classes) {
         try {
             ClassLoader chargeur = Verifications.chargeur(classes, ClassLoader.getPlatformClassLoader());
+            sources.put("lancer/Tests", Modele.tests());
             for (String nom : CLASSES) {
                 doubler(nom, chargeur.loadClass("lancer." + nom));
             }
@@ -51,7 +52,7 @@ final class Doublures {
         }
     }
 
-    /** Les doublures, par nom de classe, et ce qu'il leur faut. */
+    /** Les vérifications, les doublures et ce qu'il leur faut, par nom complet. */
     Map<String, String> getSources() {
         return sources;
     }
@@ -82,8 +83,8 @@ final class Doublures {
         if (nom.equals("Couleur")) {
             int constructeur = numeroter("new Couleur(" + passes(new Class<?>[] {double.class, double.class,
                 double.class}, 0) + ")", false);
-            sources.put(nom, Modele.corrige(nom));
-            sources.put("Passage", ENTETE + "final class Passage {\n"
+            sources.put("lancer/" + nom, Modele.corrige(nom));
+            sources.put("lancer/Passage", ENTETE + "final class Passage {\n"
                     + "static " + RECU + " vers(Couleur c) { return c == null ? null : Dialogue.appeler(" + RECU
                     + ".class, " + constructeur + ", c.r, c.v, c.b); }\n"
                     + "static Couleur de(" + RECU + " r) { return r == null ? null"
@@ -122,7 +123,7 @@ final class Doublures {
                 source.append(methode(nom, m, rend));
             }
         }
-        sources.put(nom, source + "}\n");
+        sources.put("lancer/" + nom, source + "}\n");
     }
 
     private String methode(String nom, Method m, Class<?> rend) {

@@ -70,7 +70,7 @@ public final class Grille {
             ajouter(IMAGE, "L'image entière", IMAGE + "." + scene,
                     "la scène « " + scene + " », par toutes les classes du rendu, est celle du corrigé", true);
         }
-        Variantes.TITRES.forEach((nom, titre) -> ajouter(nom, "Extension : " + titre[0], nom + ".image", titre[1], true));
+        Variante.TITRES.forEach((nom, titre) -> ajouter(nom, "Extension : " + titre[0], nom + ".image", titre[1], true));
         ajouter(CONSIGNES, "Consignes de rendu", consigne(Projet.NOMS), "le paquet et les noms sont ceux du cours", true);
         ajouter(CONSIGNES, "", consigne(Projet.OUTILS), "aucun des fichiers que les outils ajoutent", true);
         ajouter(CONSIGNES, "", consigne(Projet.TEXTE), "UTF-8, et des espaces au lieu de tabulations", true);

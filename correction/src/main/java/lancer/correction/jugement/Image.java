@@ -50,63 +50,36 @@ public final class Image {
         return n;
     }
 
-    /** La racine de la somme des carrés des écarts, en couleurs limitées à [0, 1]. */
-    double distance(Image autre) {
-        double carres = 0;
-        for (int p = 0; p < pixels(); p++) {
-            for (int c = 0; c < 3; c++) {
-                carres += Math.pow(niveau(p, c) - autre.niveau(p, c), 2);
-            }
-        }
-        return Math.sqrt(carres);
-    }
-
-    Image plus(Image autre) {
-        float[] somme = rvb.clone();
-        for (int k = 0; k < somme.length; k++) {
-            somme[k] += autre.rvb[k];
-        }
-        return new Image(largeur, hauteur, somme);
-    }
-
-    /** L'image, n fois plus petite, dont chaque pixel est la moyenne de n x n, à partir de {@code debut}. */
-    Image moyenne(int n, int debut) {
-        Image petite = new Image(largeur / n, hauteur / n, new float[rvb.length / (n * n)]);
-        for (int k = 0; k < petite.rvb.length; k++) {
-            int x = k / 3 % petite.largeur * n + debut;
-            int y = k / 3 / petite.largeur * n + debut;
-            for (int s = 0; s < n * n; s++) {
-                int pixel = Math.max(0, y + s / n) * largeur + Math.max(0, x + s % n);
-                petite.rvb[k] += rvb[3 * pixel + k % 3] / (n * n);
-            }
-        }
-        return petite;
-    }
-
     /**
-     * Dans un carré, les droites de même pente qui donnent au mieux les trois composantes de l'autre image d'après celles
-     * de celle-ci : leurs ordonnées à l'origine, puis leur pente.
+     * La ressemblance de ce qui distingue une image de {@code sans} à ce qui en distingue {@code attendue}, ailleurs que là où
+     * l'on voyait {@code ciel} : 1 si l'un est proportionnel à l'autre, 0 s'ils n'ont rien de commun.
      */
-    double[] regression(Image autre, int x, int y, int cote) {
-        double[] moyennes = new double[6];
+    static double accord(Image image, Image attendue, Image sans, Image ciel) {
         double produits = 0;
         double carres = 0;
-        for (int passe = 0; passe < 2; passe++) {
-            for (int k = 0; k < 3 * cote * cote; k++) {
-                int pixel = (y + k / 3 / cote) * largeur + x + k / 3 % cote;
-                int c = k % 3;
-                if (passe == 0) {
-                    moyennes[c] += brut(pixel, c) / (cote * cote);
-                    moyennes[3 + c] += autre.brut(pixel, c) / (cote * cote);
-                } else {
-                    produits += (brut(pixel, c) - moyennes[c]) * (autre.brut(pixel, c) - moyennes[3 + c]);
-                    carres += Math.pow(brut(pixel, c) - moyennes[c], 2);
-                }
+        double attendus = 0;
+        for (int k = 0; k < 3 * sans.pixels(); k++) {
+            if (Ecart.ecart(sans, ciel, k / 3) > 0) {
+                double effet = image.niveau(k / 3, k % 3) - sans.niveau(k / 3, k % 3);
+                double attendu = attendue.niveau(k / 3, k % 3) - sans.niveau(k / 3, k % 3);
+                produits += effet * attendu;
+                carres += effet * effet;
+                attendus += attendu * attendu;
             }
         }
-        double pente = carres > 0 ? produits / carres : 1;
-        return new double[] {moyennes[3] - pente * moyennes[0], moyennes[4] - pente * moyennes[1],
-            moyennes[5] - pente * moyennes[2], pente};
+        return carres > 0 && attendus > 0 ? produits / Math.sqrt(carres * attendus) : 0;
+    }
+
+    /** De quoi la relire. */
+    String texte() {
+        ByteBuffer octets = ByteBuffer.allocate(4 * rvb.length);
+        octets.asFloatBuffer().put(rvb);
+        return largeur + " " + hauteur + " " + Base64.getEncoder().encodeToString(octets.array());
+    }
+
+    static Image relire(String texte) {
+        String[] mots = texte.split(" ");
+        return lire(Integer.parseInt(mots[0]), Integer.parseInt(mots[1]), mots[2]);
     }
 
     int pixels() {

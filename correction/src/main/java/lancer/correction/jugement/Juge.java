@@ -12,10 +12,12 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Source;
+import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Arret;
-import lancer.correction.jugement.Chantier.Assemblage;
+import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.Modele;
 
@@ -31,8 +33,11 @@ final class Juge implements AutoCloseable {
     /** Le début de ce que dit une méthode qui ne se compile pas. */
     static final String NE_SE_COMPILE_PAS = "ne se compile pas";
 
+    /** Ce qui s'ajoute à une méthode déjà écrite pour une étape d'avant. */
+    private static final Set<String> DANS_LA_MEME_METHODE = Set.of("phong", "ombres", "reflets");
+
     private final Reference reference;
-    private final Chantier chantier;
+    private final Machines.Compilation compilation;
     private final Machines machines;
     private final Projet projet;
     /** La machine d'un seul assemblage : un rendu n'y a ni le corrigé de ce qu'on y juge, ni ses autres essais. */
@@ -48,11 +53,27 @@ final class Juge implements AutoCloseable {
     /** De quoi dépend une classe qui ne se compile pas seule dans le corrigé. */
     private final Map<String, String> dependances = new HashMap<>();
 
-    Juge(Reference reference, Chantier chantier, Machines machines, Projet projet) {
+    Juge(Reference reference, Machines.Compilation compilation, Machines machines, Projet projet) {
         this.reference = reference;
-        this.chantier = chantier;
+        this.compilation = compilation;
         this.machines = machines;
         this.projet = projet;
+    }
+
+    /** Compile des classes, avec ce qui les appelle et les sonde, où nos noms sont les siens. */
+    Assemblage assembler(Map<String, String> classes) throws Arret {
+        Map<String, String> sources = new TreeMap<>(classes);
+        sources.put("lancer/" + Modele.APPELS, projet.getNoms().dans(reference.getAppels()));
+        sources.put("lancer/" + Modele.SONDE, projet.getNoms().dans(Modele.sonde()));
+        return compilation.compiler(sources);
+    }
+
+    /** Ce qu'il a rendu de la base, et pour le reste le projet à compléter, puis ces classes-ci. */
+    private Map<String, String> base(Map<String, String> enPlus) {
+        Map<String, String> sources = projet.getNoms().dans(Modele.tout(Modele::squelette));
+        sources.putAll(projet.getBase());
+        sources.putAll(enPlus);
+        return sources;
     }
 
     private Machines.Rendue machine(Assemblage assemblage) {
@@ -76,17 +97,15 @@ final class Juge implements AutoCloseable {
     Resultat juger() throws Arret {
         resultat.remarques.addAll(projet.getRemarques());
         resultat.aRegarder.addAll(projet.getARegarder());
-        Map<String, String> sources = projet.getNoms().dans(Chantier.squelette());
-        sources.putAll(projet.getBase());
         for (String classe : Modele.A_COMPLETER) {
             if (projet.texte(classe) == null) {
                 resultat.remarques.add("la classe " + classe + " manque : celle du projet à compléter en tient lieu");
             }
         }
-        ensemble = chantier.assembler(sources);
+        ensemble = assembler(base(Map.of()));
         for (Faute faute : ensemble.fautes) {
             if (projet.getBase().containsKey(faute.fichier.replaceFirst("\\.java$", ""))) {
-                resultat.fautes.add(faute);
+                resultat.fautes.add(faute.toString());
             }
         }
         Map<String, Verdict> parEnsemble = lancer(ensemble, reference.getVerifications());
@@ -220,26 +239,24 @@ final class Juge implements AutoCloseable {
         for (Map.Entry<String, Map<String, String>> variante : projet.getVariantes().entrySet()) {
             String nom = variante.getKey();
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
-            Map<String, String> sources = projet.getNoms().dans(Chantier.squelette());
-            sources.putAll(projet.getBase());
-            sources.putAll(variante.getValue());
-            Assemblage assemblage = chantier.assembler(sources);
-            Variantes juge = new Variantes(this, ensemble);
-            Verdict verdict = juge.juger(nom, assemblage);
-            try {
-                resultat.variantes.put(nom, juge.montrer(assemblage));
-            } catch (Arret | Dialogue.Echec e) {
-                resultat.remarques.add("l'extension « " + nom + " » n'a pas pu dessiner la scène du cours : " + e.getMessage());
-            }
+            Map<String, String> sources = base(variante.getValue());
+            Map<String, String> duCours = projet.getNoms().dans(Modele.ajoutees(nom));
+            Variante juge = new Variante(this, nom);
+            Assemblage assemblage = assembler(sources);
+            Verdict verdict = juge.juger(ensemble, assemblage, assembler(base(duCours)));
+            resultat.variantes.putAll(juge.getImage());
             // ce que la variante change, parmi les classes du corrigé : une faute de la base ne la cache pas
             Map<String, String> change = new TreeMap<>(sources);
             change.entrySet().removeIf(c -> Modele.classes().contains(c.getKey().replace("lancer/", ""))
                     && (projet.getBase().get(c.getKey()) == null ? !variante.getValue().containsKey(c.getKey())
                     : Source.memeCode(c.getValue(), projet.getBase().get(c.getKey()))));
-            if (!change.isEmpty() && !verdict.compte() && resultat.verdicts.get(Grille.IMAGE + ".scene1").etat == Etat.RATE) {
-                Map<String, String> parmi = projet.getNoms().dans(Chantier.corrige());
-                parmi.putAll(change);
-                Verdict seule = new Variantes(this, reference.getCorrige()).juger(nom, chantier.assembler(parmi));
+            if (!change.isEmpty() && !verdict.compte()) {
+                Map<String, String> corrige = projet.getNoms().dans(Modele.tout(Modele::corrige));
+                Map<String, String> lui = new TreeMap<>(corrige);
+                lui.putAll(change);
+                Map<String, String> attendu = new TreeMap<>(corrige);
+                attendu.putAll(duCours);
+                Verdict seule = new Variante(this, nom).juger(assembler(corrige), assembler(lui), assembler(attendu));
                 verdict = seule.part() > verdict.part() ? seule : verdict;
             }
             resultat.verdicts.put(nom + ".image", verdict);
@@ -260,7 +277,7 @@ final class Juge implements AutoCloseable {
             return seules.get(classe);
         }
         Map<String, String> sources = corrigeAvec(List.of(classe));
-        Assemblage seule = chantier.assembler(sources);
+        Assemblage seule = assembler(sources);
         if (fautesNouvelles(seule, classe)) {
             List<String> nommees = new ArrayList<>();
             for (String autre : Modele.classes()) {
@@ -273,7 +290,7 @@ final class Juge implements AutoCloseable {
                     sources.put("lancer/" + sien, texte);
                 }
             }
-            seule = chantier.assembler(sources);
+            seule = assembler(sources);
             if (fautesNouvelles(seule, classe)) {
                 TreeSet<String> cassees = new TreeSet<>();
                 seule.fautes.stream().map(Faute::classe).filter(nommees::contains).forEach(cassees::add);
@@ -357,16 +374,13 @@ final class Juge implements AutoCloseable {
 
     /** Vrai si la méthode qui, dit ce message, ne rend encore rien, est une des siennes, et qu'il l'a écrite. */
     private boolean ecrite(Verification v, String message) {
-        return reference.besoin(v.etape).isEmpty() && methodes(v.classe).entrySet().stream()
+        return !DANS_LA_MEME_METHODE.contains(v.etape) && methodes(v.classe).entrySet().stream()
                 .anyMatch(m -> m.getValue() && projet.getNoms().dans(message).contains(m.getKey()));
     }
 
     private String causes(String classe) {
-        List<Faute> fautes = new ArrayList<>(ensemble.fautesDe(projet.getNoms().classe(classe)));
-        if (fautes.isEmpty()) {
-            fautes.addAll(resultat.fautes);
-        }
-        return fautes.isEmpty() ? "" : " ; " + fautes.get(0);
+        return Stream.concat(ensemble.fautesDe(projet.getNoms().classe(classe)).stream().map(Faute::toString),
+                resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("");
     }
 
     /** Toutes les classes de l'étudiant. */
@@ -376,7 +390,7 @@ final class Juge implements AutoCloseable {
 
     /** Plusieurs classes de l'étudiant parmi celles du corrigé. */
     Assemblage parmiLeCorrige(List<String> classes) throws Arret {
-        return chantier.assembler(corrigeAvec(classes));
+        return assembler(corrigeAvec(classes));
     }
 
     /** Vrai si une vérification n'y a pas fini : on n'y dessine pas. */
@@ -386,7 +400,7 @@ final class Juge implements AutoCloseable {
 
     /** Le corrigé, avec ces classes de l'étudiant, et celles qu'il a ajoutées ; celle qu'il n'a pas rendue, à compléter. */
     private Map<String, String> corrigeAvec(List<String> classes) {
-        Map<String, String> sources = projet.getNoms().dans(Chantier.corrige());
+        Map<String, String> sources = projet.getNoms().dans(Modele.tout(Modele::corrige));
         classes.forEach(c -> sources.put("lancer/" + projet.getNoms().classe(c), projet.texte(c) != null ? projet.texte(c)
                 : projet.getNoms().dans(Modele.squelette(c))));
         projet.getBase().forEach((nom, texte) -> {
@@ -401,29 +415,26 @@ final class Juge implements AutoCloseable {
     Image image(Assemblage assemblage, String scene, double decalage) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
         // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
-        return Image.lire(taille[0], taille[1], sonde(assemblage, taille[2] > 5 ? 1 : TEMPS_IMAGE, "SondeImage", "dessiner",
-                Modele.scene(scene), "" + taille[0],
-                "" + taille[1], "" + taille[2], "" + decalage));
+        return Image.lire(taille[0], taille[1], sonder(assemblage, taille[2] > 5 ? 1 : TEMPS_IMAGE, "dessiner",
+                Modele.scene(scene), taille[0], taille[1], taille[2], decalage));
+    }
+
+    /** Une scène, par la méthode {@code TracerImage} de ces classes. */
+    Image tracer(Assemblage assemblage, String texteDeScene, int largeur, int hauteur) throws Arret {
+        return Image.lire(largeur, hauteur, sonder(assemblage, TEMPS_IMAGE, "tracer", texteDeScene, largeur, hauteur, 1));
     }
 
     /** Ce que répondent, en chemin, les méthodes de ces classes. */
     String chemin(Assemblage assemblage, String scene, double x, double y) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
-        return sonde(assemblage, "SondeChemin", "decrire", Modele.scene(scene), "" + taille[0], "" + taille[1], "" + x, "" + y,
-                "" + Math.min(5, taille[2]));
+        return sonder(assemblage, TEMPS_IMAGE, "decrire", Modele.scene(scene), taille[0], taille[1], x, y, Math.min(5, taille[2]));
     }
 
-    /** @param scene le texte de la scène, premier argument de la sonde */
-    String sonde(Assemblage assemblage, String sonde, String methode, String scene, String... arguments) throws Arret {
-        return sonde(assemblage, TEMPS_IMAGE, sonde, methode, scene, arguments);
-    }
-
-    private String sonde(Assemblage assemblage, double temps, String sonde, String methode, String scene, String... arguments)
-            throws Arret {
+    private String sonder(Assemblage assemblage, double temps, String methode, String scene, Object... arguments) throws Arret {
         Machines.Rendue ici = machine(assemblage);
         ici.commencer(temps * ici.calcul());
         try {
-            return ici.sonder(sonde, methode, scene, arguments);
+            return ici.sonder(methode.equals("decrire") ? Echange.REPONSE_MAX : Echange.GROSSE_REPONSE_MAX, methode, scene, arguments);
         } catch (StackOverflowError e) {
             throw new Dialogue.Echec(e.getMessage());
         }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lancer.correction.depot.Projet;
 import lancer.correction.isolement.Arret;
-import lancer.correction.jugement.Chantier.Assemblage;
+import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.Modele;
 
@@ -82,11 +82,7 @@ final class JugeImage {
         for (int p = pas / 2; p < image.pixels(); p += pas) {
             if (Ecart.ecart(attendue, image, p) > 1) {
                 Chemin autre = chemin(scene, p % image.largeur, p / image.largeur);
-                if (autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart()
-                        && (resultat.cheminPlusTot == null
-                        || autre.rangDuPremierEcart() < resultat.cheminPlusTot.rangDuPremierEcart())) {
-                    resultat.cheminPlusTot = autre;
-                }
+                resultat.chemin = autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart() ? autre : resultat.chemin;
             }
         }
         List<String> suspectes = new ArrayList<>(Modele.A_COMPLETER);

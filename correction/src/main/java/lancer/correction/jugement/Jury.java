@@ -1,13 +1,13 @@
 package lancer.correction.jugement;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayDeque;
@@ -16,12 +16,10 @@ import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import lancer.correction.Panne;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
@@ -48,6 +46,7 @@ public final class Jury implements AutoCloseable {
     /** Ce qui compile, et qu'aucun rendu n'occupe. */
     private final Deque<Machines.Compilation> compilations = new ArrayDeque<>();
     private final Set<Integer> abandonnes = new HashSet<>();
+    /** Ce qui juge : changé, il juge de nouveau. */
     private final String regles;
     private final Reference reference;
 
@@ -61,29 +60,14 @@ public final class Jury implements AutoCloseable {
         try {
             Files.createDirectories(souvenirs);
             machines = new Machines(confinement, limites, travail.resolve("machines"));
-            String ici = confinement.estConfine() + " " + Runtime.version() + " " + duProgramme();
-            regles = ici + " " + limites;
-            String nom = "reference-" + hexa(sha256().digest(ici.getBytes(StandardCharsets.UTF_8)));
-            reference = new Reference(machines, souvenirs.resolve(nom));
+            regles = confinement.estConfine() + " " + Runtime.version() + " " + limites + " "
+                    + Files.getLastModifiedTime(Paths.get(Machines.lieu(Machines.class)));
+            reference = new Reference(machines);
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
         } catch (Arret e) {
             throw new Panne(1, "le corrigé n'a pu être jugé : " + e.getMessage());
         }
-    }
-
-    /** L'empreinte de ce qui juge : un programme changé juge de nouveau. */
-    private static String duProgramme() {
-        Path lieu = Machines.lieu();
-        MessageDigest calcul = sha256();
-        try (Stream<Path> flux = Files.walk(lieu)) {
-            for (Path fichier : flux.filter(Files::isRegularFile).sorted().collect(Collectors.toList())) {
-                calcul.update(Files.readAllBytes(fichier));
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return hexa(calcul.digest());
     }
 
     public Reference getReference() {
@@ -182,16 +166,14 @@ public final class Jury implements AutoCloseable {
             return refuse(rendu, rendu.getRefus());
         }
         Path souvenir = souvenirs.resolve(empreinte(rendu));
-        Object connu = Souvenirs.relire(souvenir);
-        if (connu instanceof Resultat) {
-            return (Resultat) connu;
+        if (Files.exists(souvenir)) {
+            return Resultat.lire(souvenir);
         }
         Resultat resultat = null;
         try {
             // de plusieurs copies, celle qui réussit le plus
             for (Projet copie : Projet.copies(rendu)) {
-                try (Juge juge = new Juge(reference, new Chantier(compilation, copie.getNoms(), reference.getAppels()), machines,
-                        copie)) {
+                try (Juge juge = new Juge(reference, compilation, machines, copie)) {
                     Resultat sien = juge.juger();
                     resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;
                 }
@@ -200,7 +182,7 @@ public final class Jury implements AutoCloseable {
             return refuse(rendu, List.of(e.getMessage() + " (à la compilation)"));
         }
         resultat.abreger();
-        Souvenirs.ecrire(souvenir, resultat);
+        resultat.ecrire(souvenir);
         return resultat;
     }
 
@@ -218,26 +200,15 @@ public final class Jury implements AutoCloseable {
     }
 
     private String empreinte(Rendu rendu) {
-        MessageDigest calcul = sha256();
-        calcul.update(regles.getBytes(StandardCharsets.UTF_8));
-        rendu.getRemarques().forEach(r -> calcul.update(r.getBytes(StandardCharsets.UTF_8)));
-        for (Map.Entry<String, byte[]> source : rendu.getSources().entrySet()) {
-            calcul.update((source.getKey() + "\0" + source.getValue().length + "\0").getBytes(StandardCharsets.UTF_8));
-            calcul.update(source.getValue());
-        }
-        return hexa(calcul.digest());
-    }
-
-    private static MessageDigest sha256() {
+        StringBuilder tout = new StringBuilder(regles + rendu.getRemarques() + rendu.getOutils());
+        rendu.getSources().forEach((nom, texte) -> tout.append("\0").append(nom).append("\0")
+                .append(new String(texte, StandardCharsets.ISO_8859_1)));
         try {
-            return MessageDigest.getInstance("SHA-256");
+            byte[] calcul = MessageDigest.getInstance("SHA-256").digest(tout.toString().getBytes(StandardCharsets.UTF_8));
+            return String.format("%064x", new BigInteger(1, calcul));
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException(e);
         }
-    }
-
-    private static String hexa(byte[] octets) {
-        return String.format("%064x", new BigInteger(1, octets));
     }
 
     @Override

@@ -32,7 +32,6 @@ import lancer.correction.isolement.Limites;
 import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.platform.commons.JUnitException;
-import org.junit.platform.engine.TestEngine;
 import org.opentest4j.AssertionFailedError;
 
 /** Les machines virtuelles à part : celle qui compile, et celle, relancée à chaque mort, où tourne un rendu. */
@@ -46,11 +45,9 @@ final class Machines {
     /** L'archive des seules classes que voit un rendu avec les siennes. */
     private final Path outillage;
 
-    /** @param dossier ce qui y est s'efface */
     Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
         this.confinement = confinement;
         this.limites = limites;
-        Compilateur.effacer(dossier);
         outillage = Files.createDirectories(dossier).resolve("outillage.jar");
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(outillage))) {
             for (Class<?> une : List.of(Execution.class, Ini.class)) {
@@ -78,11 +75,8 @@ final class Machines {
      */
     private static String chemin() {
         Set<String> lieux = new LinkedHashSet<>();
-        for (Class<?> classe : List.of(Execution.class, TestEngine.class, Test.class, JUnitException.class,
-                AssertionFailedError.class, Ini.class)) {
-            lieux.add(lieu(classe));
-        }
-        for (String nom : List.of("org.junit.jupiter.engine.JupiterTestEngine",
+        for (String nom : List.of(Execution.class.getName(), Ini.class.getName(), Test.class.getName(),
+                AssertionFailedError.class.getName(), JUnitException.class.getName(),
                 "org.eclipse.jdt.internal.compiler.tool.EclipseCompiler")) {
             try {
                 lieux.add(lieu(Class.forName(nom, false, Machines.class.getClassLoader())));
@@ -93,12 +87,8 @@ final class Machines {
         return String.join(File.pathSeparator, lieux);
     }
 
-    /** Là d'où nous venons : une archive, ou un dossier de classes. */
-    static Path lieu() {
-        return Paths.get(lieu(Machines.class));
-    }
-
-    private static String lieu(Class<?> classe) {
+    /** Là d'où vient une classe : une archive, ou un dossier. */
+    static String lieu(Class<?> classe) {
         try {
             return Paths.get(classe.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
         } catch (URISyntaxException e) {
@@ -129,6 +119,22 @@ final class Machines {
         }
     }
 
+    /** Un assemblage de classes compilé : les octets de chacune, par son nom, et les fautes. */
+    static final class Assemblage {
+
+        final Map<String, byte[]> classes;
+        final List<Faute> fautes;
+
+        Assemblage(Map<String, byte[]> classes, List<Faute> fautes) {
+            this.classes = classes;
+            this.fautes = fautes;
+        }
+
+        List<Faute> fautesDe(String classe) {
+            return fautes.stream().filter(f -> f.classe().equals(classe)).collect(Collectors.toList());
+        }
+    }
+
     /** Compile des sources, puis d'autres, dans la même machine virtuelle tant qu'elle répond comme il faut. */
     final class Compilation implements AutoCloseable {
 
@@ -138,7 +144,7 @@ final class Machines {
          * @param sources le texte de chaque fichier, par son nom : {@code lancer/Vecteur}
          * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles
          */
-        Chantier.Assemblage compiler(Map<String, String> sources) throws Arret {
+        Assemblage compiler(Map<String, String> sources) throws Arret {
             Map<String, byte[]> textes = new LinkedHashMap<>();
             sources.forEach((nom, texte) -> textes.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
             Limites larges = Limites.deCompilation();
@@ -147,7 +153,7 @@ final class Machines {
             }
             try {
                 enfant.commencer(larges.calcul);
-                Chantier.Assemblage assemblage = demander(enfant, m -> Echange.ecrireTout(m, textes),
+                Assemblage assemblage = demander(enfant, m -> Echange.ecrireTout(m, textes),
                         Echange.GROSSE_REPONSE_MAX, reponse -> {
                     if (!reponse.readBoolean()) {
                         return null;
@@ -158,7 +164,7 @@ final class Machines {
                         int ligne = reponse.readInt();
                         fautes.add(new Faute(fichier, ligne, Echange.protege(Echange.lireTexte(reponse))));
                     }
-                    return new Chantier.Assemblage(Echange.lireTout(reponse), fautes);
+                    return new Assemblage(Echange.lireTout(reponse), fautes);
                 });
                 if (assemblage == null) {
                     throw enfant.arreter("arrêté : ces sources font échouer le compilateur");
@@ -242,19 +248,14 @@ final class Machines {
             }
         }
 
-        /** Ce que répond une sonde. @param scene son premier argument : le texte de la scène */
-        String sonder(String sonde, String methode, String scene, String... arguments) throws Arret {
+        /** Ce que répond la sonde sur cette scène. @param max ce que la réponse peut peser, en octets */
+        String sonder(int max, String methode, String scene, Object... arguments) throws Arret {
             return demander(m -> {
                 m.writeChar(Execution.SONDE);
-                Echange.ecrireTexte(m, sonde);
-                Echange.ecrireTexte(m, methode);
                 Echange.ecrireTexte(m, scene);
-                m.writeInt(arguments.length);
-                for (String argument : arguments) {
-                    Echange.ecrireTexte(m, argument);
-                }
-            }, sonde.equals("SondeChemin") ? Echange.REPONSE_MAX : Echange.GROSSE_REPONSE_MAX,
-                    reponse -> Dialogue.reponse(reponse, Echange::lireTexte));
+                Echange.ecrireTexte(m, methode);
+                Echange.ecrireValeur(m, Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()), o -> null);
+            }, max, reponse -> Dialogue.reponse(reponse, Echange::lireTexte));
         }
 
         @Override

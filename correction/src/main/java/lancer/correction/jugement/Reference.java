@@ -1,8 +1,5 @@
 package lancer.correction.jugement;
 
-import java.io.IOException;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -10,9 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Projet;
-import lancer.correction.depot.Renommage;
 import lancer.correction.isolement.Arret;
-import lancer.correction.jugement.Chantier.Assemblage;
+import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.Modele;
 
@@ -21,9 +17,6 @@ import lancer.correction.modele.Modele;
  * rien faire. Une vérification ne compte que si le corrigé la passe et que le projet à compléter ne la passe pas.
  */
 public final class Reference implements AutoCloseable {
-
-    private static final Map<String, String> BESOINS = Map.of("phong", "lambert", "ombres", "lambert", "reflets",
-            "lambert");
 
     /** Les scènes dont on juge l'image : largeur, hauteur, profondeur. */
     public static final Map<String, int[]> SCENES = new LinkedHashMap<>();
@@ -34,143 +27,82 @@ public final class Reference implements AutoCloseable {
         SCENES.put("miroirs", new int[] {80, 60, 40});
     }
 
-    /** Ce qu'on en garde d'une fois à l'autre. */
-    private static final class Memoire {
+    private final Verifications junit;
+    private final List<Verification> verifications;
+    private final String appels;
+    private final Map<String, Verdict> duSquelette;
+    private final Map<String, Image> coins = new HashMap<>();
+    private final Map<String, Image> centres = new HashMap<>();
+    /** Le corrigé, compilé, et qui l'interroge. */
+    private final Assemblage assemblage;
+    private final Juge corrige;
 
-        private List<Verification> verifications;
-        /** Les vérifications et les doublures, compilées, et ce qui leur répond, à compiler avec chaque rendu. */
-        private final HashMap<String, byte[]> classes = new HashMap<>();
-        private String appels;
-        private final HashMap<String, Verdict> duSquelette = new HashMap<>();
-        private final HashMap<String, Image> coins = new HashMap<>();
-        private final HashMap<String, Image> centres = new HashMap<>();
-    }
-
-    private final Machines machines;
-    private final Map<String, String> titres = new HashMap<>();
-    private final Memoire memoire;
-    private Verifications junit;
-
-    /** Le corrigé, compilé, et qui l'interroge : quand on en a besoin. */
-    private Juge corrige;
-    private Assemblage assemblage;
-
-    /** @param souvenir fichier où se trouve, ou sera mis, ce qui n'est pas à refaire */
-    Reference(Machines machines, Path souvenir) throws Arret, IOException {
-        this.machines = machines;
-        Object connue = Souvenirs.relire(souvenir);
-        if (connue instanceof Memoire) {
-            memoire = (Memoire) connue;
-            junit = new Verifications(memoire.classes);
-        } else {
-            memoire = new Memoire();
-            apprendre();
-            Souvenirs.ecrire(souvenir, memoire);
-        }
-        memoire.verifications.forEach(v -> titres.put(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", "")));
-    }
-
-    private void apprendre() throws Arret {
-        Projet projet = new Projet(Chantier.squelette(), Collections.emptyMap(), new ArrayList<>());
+    Reference(Machines machines) throws Arret {
+        Projet projet = new Projet(Modele.tout(Modele::squelette), Map.of(), List.of());
         try (Machines.Compilation compilation = machines.new Compilation()) {
-            compilerVerifications(new Chantier(compilation, projet.getNoms(), ""));
-            memoire.verifications = junit.lister();
-            preparer();
+            // les vérifications sont compilées contre les doublures des classes du projet à compléter
+            Doublures doublures = new Doublures(compilation.compiler(projet.getBase()).classes);
+            appels = doublures.getAppels();
+            junit = new Verifications(juste(compilation.compiler(doublures.getSources())).classes);
+            verifications = junit.lister();
+            corrige = new Juge(this, compilation, machines, projet);
+            assemblage = juste(corrige.assembler(Modele.tout(Modele::corrige)));
             for (String scene : SCENES.keySet()) {
-                memoire.coins.put(scene, corrige.image(assemblage, scene, 0));
-                memoire.centres.put(scene, corrige.image(assemblage, scene, 0.5));
+                coins.put(scene, corrige.image(assemblage, scene, 0));
+                centres.put(scene, corrige.image(assemblage, scene, 0.5));
             }
-            Chantier sien = new Chantier(compilation, projet.getNoms(), memoire.appels);
-            try (Juge juge = new Juge(this, sien, machines, projet)) {
-                memoire.duSquelette.putAll(juge.lancer(sien.assembler(projet.getBase()),
-                        memoire.verifications));
+            try (Juge juge = new Juge(this, compilation, machines, projet)) {
+                duSquelette = juge.lancer(juge.assembler(projet.getBase()), verifications);
                 for (String classe : Modele.A_COMPLETER) {
-                    List<Verification> siennes = memoire.verifications.stream().filter(v -> v.classe.equals(classe)
-                            && memoire.duSquelette.get(v.id()).etat != Etat.REUSSI).collect(Collectors.toList());
-                    memoire.duSquelette.putAll(juge.lancer(juge.seule(classe), siennes));
+                    List<Verification> siennes = verifications.stream().filter(v -> v.classe.equals(classe) && compte(v))
+                            .collect(Collectors.toList());
+                    duSquelette.putAll(juge.lancer(juge.seule(classe), siennes));
                 }
             }
         }
     }
 
-    /** Compile les vérifications contre les doublures des classes du projet à compléter. */
-    private void compilerVerifications(Chantier sien) throws Arret {
-        Doublures doublures = new Doublures(sien.compiler(Chantier.squelette()).classes);
-        memoire.appels = doublures.getAppels();
-        Map<String, String> sources = new HashMap<>();
-        doublures.getSources().forEach((nom, texte) -> sources.put("lancer/" + nom, texte));
-        sources.put("lancer/Tests", Modele.tests());
-        Assemblage tests = sien.compiler(sources);
-        if (!tests.fautes.isEmpty()) {
-            throw new IllegalStateException("les vérifications ne se compilent pas : " + tests.fautes.get(0));
-        }
-        memoire.classes.putAll(tests.classes);
-        junit = new Verifications(memoire.classes);
-    }
-
-    private void preparer() throws Arret {
-        if (assemblage != null) {
-            return;
-        }
-        Chantier chantier;
-        try (Machines.Compilation compilation = machines.new Compilation()) {
-            chantier = new Chantier(compilation, new Renommage(Map.of()), memoire.appels);
-            assemblage = chantier.assembler(Chantier.corrige());
-        }
+    private static Assemblage juste(Assemblage assemblage) {
         if (!assemblage.fautes.isEmpty()) {
-            throw new IllegalStateException("le corrigé ne se compile pas : " + assemblage.fautes.get(0));
+            throw new IllegalStateException("le corrigé ou les vérifications ne se compilent pas : " + assemblage.fautes.get(0));
         }
-        corrige = new Juge(this, chantier, machines, null);
+        return assemblage;
     }
 
     Verifications getJUnit() {
         return junit;
     }
 
-    /** Le corrigé, compilé. */
-    synchronized Assemblage getCorrige() throws Arret {
-        preparer();
-        return assemblage;
-    }
-
     /** La source de {@code lancer.Appels}. */
     String getAppels() {
-        return memoire.appels;
+        return appels;
     }
 
     public List<Verification> getVerifications() {
-        return Collections.unmodifiableList(memoire.verifications);
+        return Collections.unmodifiableList(verifications);
     }
 
     /** Vrai si le projet à compléter ne la passe pas : elle compte. */
     public boolean compte(Verification v) {
-        return memoire.duSquelette.get(v.id()).etat != Etat.REUSSI;
+        return duSquelette.get(v.id()).etat != Etat.REUSSI;
     }
 
     String messageDuSquelette(Verification v) {
-        return memoire.duSquelette.get(v.id()).message;
-    }
-
-    /** Le titre de l'étape dont celle-ci dépend, vide si elle ne dépend que des classes des étudiants. */
-    String besoin(String etape) {
-        return BESOINS.containsKey(etape) ? titres.get(BESOINS.get(etape)) : "";
+        return duSquelette.get(v.id()).message;
     }
 
     /** L'image du corrigé, aux coordonnées entières ou au centre des pixels. */
     public Image getImage(String scene, boolean auCentre) {
-        return (auCentre ? memoire.centres : memoire.coins).get(scene);
+        return (auCentre ? centres : coins).get(scene);
     }
 
     /** Ce que répondent, en chemin, les méthodes du corrigé. */
     synchronized String chemin(String scene, double x, double y) throws Arret {
-        preparer();
         return corrige.chemin(assemblage, scene, x, y);
     }
 
     @Override
     public void close() {
-        if (corrige != null) {
-            corrige.close();
-        }
+        corrige.close();
     }
 }

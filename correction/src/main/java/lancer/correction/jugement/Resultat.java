@@ -1,5 +1,10 @@
 package lancer.correction.jugement;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,6 +15,7 @@ import lancer.correction.enfant.Echange;
 public final class Resultat {
 
     private static final int REMARQUES_MAX = 30;
+    private static final char FIN_DE_LIGNE = '\u2028';
 
     /** Pourquoi rien n'a pu être jugé ; vide sinon. */
     public final List<String> refus = new ArrayList<>();
@@ -17,7 +23,9 @@ public final class Resultat {
 
     /** Vrai si c'est la machine, et non le rendu, qui en est la cause : ce n'est pas une note, et rien n'en est retenu. */
     public boolean nonCorrige;
-    public final List<Faute> fautes = new ArrayList<>();
+
+    /** Les fautes de compilation. */
+    public final List<String> fautes = new ArrayList<>();
 
     /** Par {@link Verification#id()}, et pour les variantes par leur nom. */
     public final Map<String, Verdict> verdicts = new LinkedHashMap<>();
@@ -40,11 +48,8 @@ public final class Resultat {
     /** Vrai si ses rayons passent au centre des pixels, plutôt qu'à leurs coordonnées entières. */
     public boolean centre;
 
-    /** Au pixel le plus faux, ce que répondent les méthodes, {@code null} si rien n'est faux. */
+    /** À un pixel très faux, ce que répondent les méthodes, {@code null} si rien n'est faux. */
     public Chemin chemin;
-
-    /** Un autre pixel, où une réponse s'écarte plus tôt ; {@code null} s'il n'y en a pas. */
-    public Chemin cheminPlusTot;
 
     /** Les classes qui, seules parmi celles du corrigé, changent l'image. */
     public final List<String> classesFautives = new ArrayList<>();
@@ -69,5 +74,57 @@ public final class Resultat {
     /** Combien de critères sont réussis. */
     double reussis() {
         return verdicts.values().stream().mapToDouble(Verdict::part).sum();
+    }
+
+    private Map<String, List<String>> listes() {
+        return Map.of("remarque", remarques, "faute", fautes, "regarder", aRegarder, "fautive", classesFautives);
+    }
+
+    /** Le garde dans un fichier : une chose par ligne, sa sorte, son nom et sa valeur. */
+    void ecrire(Path fichier) throws IOException {
+        List<String> lignes = new ArrayList<>();
+        listes().forEach((sorte, liste) -> liste.forEach(texte -> ligne(lignes, sorte, "", texte)));
+        verdicts.forEach((id, v) -> ligne(lignes, "verdict", id, v.etat + " " + v.part() + " " + v.message));
+        empreintes.forEach((classe, texte) -> ligne(lignes, "empreinte", classe, texte));
+        methodes.forEach((id, texte) -> ligne(lignes, "methode", id, texte));
+        images.forEach((scene, image) -> ligne(lignes, "image", scene, image.texte()));
+        variantes.forEach((nom, image) -> ligne(lignes, "variante", nom, image.texte()));
+        ligne(lignes, "centre", "", "" + centre);
+        if (chemin != null) {
+            ligne(lignes, "chemin", chemin.x + " " + chemin.y, chemin.reference + FIN_DE_LIGNE + chemin.etudiant);
+        }
+        // deux rendus identiques peuvent s'écrire en même temps
+        Path neuf = Files.createTempFile(fichier.getParent(), "neuf", null);
+        Files.write(neuf, String.join("\n", lignes).getBytes(StandardCharsets.UTF_8));
+        Files.move(neuf, fichier, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    private static void ligne(List<String> lignes, String sorte, String nom, String valeur) {
+        lignes.add(sorte + "\t" + nom + "\t" + valeur.replace('\n', FIN_DE_LIGNE).replace('\r', ' '));
+    }
+
+    static Resultat lire(Path fichier) throws IOException {
+        Resultat resultat = new Resultat();
+        for (String ligne : Files.readAllLines(fichier)) {
+            String[] mots = ligne.split("\t", 3);
+            String valeur = mots[2].replace(FIN_DE_LIGNE, '\n');
+            if (resultat.listes().containsKey(mots[0])) {
+                resultat.listes().get(mots[0]).add(valeur);
+            } else if (mots[0].equals("verdict")) {
+                String[] trois = valeur.split(" ", 3);
+                resultat.verdicts.put(mots[1], new Verdict(Verdict.Etat.valueOf(trois[0]), trois[2], Double.parseDouble(trois[1])));
+            } else if (mots[0].equals("image") || mots[0].equals("variante")) {
+                (mots[0].equals("image") ? resultat.images : resultat.variantes).put(mots[1], Image.relire(valeur));
+            } else if (mots[0].equals("centre")) {
+                resultat.centre = Boolean.parseBoolean(valeur);
+            } else if (mots[0].equals("chemin")) {
+                String[] point = mots[1].split(" ");
+                String[] deux = valeur.split("\n", 2);
+                resultat.chemin = new Chemin(Integer.parseInt(point[0]), Integer.parseInt(point[1]), deux[0], deux[1]);
+            } else {
+                (mots[0].equals("methode") ? resultat.methodes : resultat.empreintes).put(mots[1], valeur);
+            }
+        }
+        return resultat;
     }
 }

@@ -29,7 +29,7 @@ public final class Verdict {
         this(etat, message, etat == Etat.REUSSI || etat == Etat.CACHE ? 1 : 0);
     }
 
-    private Verdict(Etat etat, String message, double part) {
+    Verdict(Etat etat, String message, double part) {
         this.etat = etat;
         this.message = message;
         this.part = part;

@@ -7,6 +7,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 
 /**
  * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même
@@ -29,7 +31,7 @@ public final class Modele {
             Map.of("brume", List.of("Brume"), "antialias", List.of(), "blinn", List.of());
 
     /** Ce qui interroge les classes d'un étudiant, compilé contre elles. */
-    public static final List<String> SONDES = List.of("SondeImage", "SondeChemin");
+    public static final String SONDE = "Sonde";
 
     /** Ce qui appelle ses méthodes, écrit au moment de noter. */
     public static final String APPELS = "Appels";
@@ -84,8 +86,21 @@ public final class Modele {
         return ressource("modele/lancer/Tests.java");
     }
 
-    public static String sonde(String classe) {
-        return ressource("sondes/lancer/" + classe + ".java");
+    public static String sonde() {
+        return ressource("sondes/lancer/" + SONDE + ".java");
+    }
+
+    /** Toutes les classes du projet, par nom complet : {@code lancer/Vecteur} et son texte. */
+    public static Map<String, String> tout(UnaryOperator<String> texte) {
+        return classes().stream().collect(Collectors.toMap(c -> "lancer/" + c, texte));
+    }
+
+    /** Les classes complétées que cette extension ajoute, ou change. */
+    public static Map<String, String> ajoutees(String variante) {
+        Map<String, String> siennes = tout(c -> corrige(c, variante));
+        siennes.values().removeAll(tout(Modele::corrige).values());
+        VARIANTES.get(variante).forEach(c -> siennes.put("lancer/" + c, corrige(c, variante)));
+        return siennes;
     }
 
     public static String scene(String nom) {

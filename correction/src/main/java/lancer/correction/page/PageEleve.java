@@ -6,7 +6,6 @@ import java.util.stream.Collectors;
 import lancer.correction.Eleve;
 import lancer.correction.jugement.Chemin;
 import lancer.correction.jugement.Ecart;
-import lancer.correction.jugement.Faute;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
@@ -52,7 +51,7 @@ final class PageEleve {
         fautes();
         etapes();
         images();
-        chemins();
+        chemin();
         return html.page(eleve.rendu.getNom());
     }
 
@@ -80,13 +79,13 @@ final class PageEleve {
     }
 
     private void fautes() {
-        List<Faute> fautes = eleve.resultat.fautes;
+        List<String> fautes = eleve.resultat.fautes;
         if (!fautes.isEmpty()) {
             html.brut("<h2>").dire(fautes.size() == 1 ? "Une faute de compilation" : fautes.size()
                     + " fautes de compilation").brut("</h2>\n")
                     .element("p class=\"petit gris\"",
                     "Une faute ne coûte que la méthode où elle est, ou sa classe si elle n'est dans aucune.").brut("<ul>");
-            for (Faute faute : fautes.stream().limit(FAUTES_MONTREES).collect(Collectors.toList())) {
+            for (String faute : fautes.stream().limit(FAUTES_MONTREES).collect(Collectors.toList())) {
                 html.brut("<li>").element("code", faute).brut("</li>");
             }
             html.brut(fautes.size() > FAUTES_MONTREES ? "<li>…</li></ul>\n" : "</ul>\n");
@@ -200,18 +199,13 @@ final class PageEleve {
         return d;
     }
 
-    private void chemins() {
-        if (eleve.resultat.chemin != null) {
-            chemin("Le pixel le plus faux", eleve.resultat.chemin);
+    private void chemin() {
+        Chemin chemin = eleve.resultat.chemin;
+        if (chemin == null) {
+            return;
         }
-        if (eleve.resultat.cheminPlusTot != null) {
-            chemin("Un pixel où l'on voit mieux d'où vient la faute", eleve.resultat.cheminPlusTot);
-        }
-    }
-
-    private void chemin(String titre, Chemin chemin) {
         Chemin.Pas premier = chemin.getPremierEcart();
-        html.element("h2", titre + " : (" + chemin.x + ", " + chemin.y + ")").brut("<p>")
+        html.element("h2", "Un pixel faux, où l'on voit d'où vient la faute : (" + chemin.x + ", " + chemin.y + ")").brut("<p>")
                 .dire("Ce que répondent, en chemin, les méthodes du cours. ");
         if (premier == null) {
             html.dire("Aucune ne s'écarte : la faute est dans ce qui les appelle (getCouleurPixel).");

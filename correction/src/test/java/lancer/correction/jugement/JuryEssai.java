@@ -26,7 +26,7 @@ abstract class JuryEssai extends ClasseEssai {
 
     /** Juge tous les rendus de ce dossier ; les résultats par nom. */
     static Map<String, Resultat> juger(Path rendus, Path travail, Confinement confinement, Limites limites) throws IOException {
-        prendreReference(travail);
+        Files.createDirectories(travail);
         List<Rendu> liste = Depot.lire(rendus, travail);
         Map<String, Resultat> resultats = new LinkedHashMap<>();
         try (Jury jury = new Jury(travail.toRealPath(), confinement, limites)) {
@@ -35,7 +35,6 @@ abstract class JuryEssai extends ClasseEssai {
                 resultats.put(liste.get(k).getNom(), tous.get(k));
             }
         }
-        garderReference(travail);
         return resultats;
     }
 

@@ -54,7 +54,6 @@ class ReferenceTest extends JuryEssai {
     @Test
     void leProjetACompleterNePasseQueCeQuiNeComptePas() throws IOException {
         Path travail = Files.createDirectories(dossier.resolve("autre"));
-        prendreReference(travail);
         try (Jury jury = new Jury(travail, Confinement.essayer(), PATIENTES)) {
             assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
                     jury.getReference().getVerifications().stream().filter(v -> !jury.getReference().compte(v)).map(Verification::id)

@@ -1,0 +1,95 @@
+package lancer.correction.jugement;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Pattern;
+import lancer.correction.isolement.Arret;
+import lancer.correction.jugement.Machines.Assemblage;
+import lancer.correction.modele.Modele;
+
+/**
+ * Ce que vaut une extension : ce qu'elle change à l'image de la base du même étudiant, comparé à ce qu'y change celle du
+ * corrigé. La ressemblance propose une note ; l'enseignant en décide.
+ */
+final class Variante {
+
+    /** Par extension, son titre, ce qu'on y regarde, et sur quelle scène. */
+    static final Map<String, String[]> TITRES = new LinkedHashMap<>();
+
+    static {
+        TITRES.put("brume", new String[] {"brume",
+            "la couleur de la base, mêlée à celle d'une brume, d'autant plus que c'est loin", "brume"});
+        TITRES.put("antialias", new String[] {"anticrénelage",
+            "les bords approchent la moyenne de plusieurs rayons par pixel, et le reste ne change pas", "scene1"});
+        TITRES.put("blinn", new String[] {"reflet de Blinn", "le reflet est (N.H) à la puissance ns, 2 ns ou 4 ns", "bowling"});
+    }
+
+    /** À partir de quelle ressemblance proposer tous les points, et jusqu'à laquelle aucun. */
+    private static final double TOUT = 0.6;
+    private static final double RIEN = 0.2;
+
+    private static final int LARGEUR = 80;
+    private static final int HAUTEUR = 60;
+    private static final String[] TEINTES = {"0.1", "0.5", "0.9"};
+
+    private final Juge juge;
+    private final String nom;
+    private final String scene;
+    private final Map<String, Image> image = new HashMap<>();
+
+    Variante(Juge juge, String nom) {
+        this.juge = juge;
+        this.nom = nom;
+        scene = Modele.scene(TITRES.get(nom)[2]).replaceFirst("(?s)\\[Brume\\].*?(?=\\n\\[)", "");
+    }
+
+    /** La scène qu'on regarde, telle que cette extension la dessine ; aucune si elle ne l'a pas pu. */
+    Map<String, Image> getImage() {
+        return image;
+    }
+
+    /** @param attendu la base, et l'extension du corrigé */
+    Verdict juger(Assemblage base, Assemblage lui, Assemblage attendu) {
+        double accord = 0;
+        try {
+            image.put(nom, dessin(lui, scene));
+            Image sans = dessin(base, scene);
+            Image ciel = dessin(base, "");
+            for (String texte : attendues()) {
+                accord = Math.max(accord, Image.accord(image.get(nom), dessin(attendu, texte), sans, ciel));
+            }
+        } catch (Arret | Dialogue.Echec e) {
+            return new Verdict(Verdict.Etat.RATE, e.getMessage());
+        }
+        double part = accord >= TOUT ? 1 : accord > RIEN ? Math.round(4 * (accord - RIEN) / (TOUT - RIEN)) / 4.0 : 0;
+        return Verdict.mesure(part, String.format(Locale.FRANCE, "mesuré sur « %s » : ce que votre extension change à votre base "
+                + "ressemble à %.0f %% à ce qu'on attend ; tous les points à partir de %.0f %%, aucun jusqu'à %.0f %%, sauf avis de "
+                + "l'enseignant", TITRES.get(nom)[2], 100 * accord, 100 * TOUT, 100 * RIEN));
+    }
+
+    /** La scène, avec ce que l'énoncé laisse choisir : la couleur de la brume, la puissance de Blinn. */
+    private List<String> attendues() {
+        List<String> scenes = new ArrayList<>(List.of(scene));
+        if (nom.equals("blinn")) {
+            for (int facteur = 2; facteur <= 4; facteur += 2) {
+                int f = facteur;
+                scenes.add(Pattern.compile("(?m)^ns=(\\S+)").matcher(scene)
+                        .replaceAll(m -> "ns=" + f * Double.parseDouble(m.group(1))));
+            }
+        } else if (nom.equals("brume")) {
+            for (int k = 0; k < 27; k++) {
+                scenes.add(scene + "\n[Brume]\ndensite=0.05\ncouleur=" + TEINTES[k / 9] + " " + TEINTES[k / 3 % 3] + " " + TEINTES[k % 3]
+                        + "\n");
+            }
+        }
+        return scenes;
+    }
+
+    private Image dessin(Assemblage assemblage, String texte) throws Arret {
+        return juge.tracer(assemblage, texte, LARGEUR, HAUTEUR);
+    }
+}

@@ -1,0 +1,136 @@
+package lancer;
+
+import java.nio.ByteBuffer;
+import java.util.Base64;
+import java.util.Collections;
+import java.util.List;
+
+/** Interroge les méthodes publiques des classes d'un étudiant : ce qu'elles dessinent, et ce qu'elles répondent en chemin. */
+public final class Sonde {
+
+    private final StringBuilder texte = new StringBuilder();
+
+    private Sonde() {
+    }
+
+    /** Les couleurs non limitées, en flottants, en base 64. */
+    private static String coder(Couleur[] couleurs) {
+        ByteBuffer octets = ByteBuffer.allocate(couleurs.length * 12);
+        for (Couleur c : couleurs) {
+            octets.putFloat((float) c.r).putFloat((float) c.v).putFloat((float) c.b);
+        }
+        return Base64.getEncoder().encodeToString(octets.array());
+    }
+
+    /** @param a largeur, hauteur, profondeur, décalage en x et en y */
+    public static String dessiner(String fichier, String... a) {
+        Scene scene = new Scene(fichier);
+        int largeur = Integer.parseInt(a[0]);
+        int hauteur = Integer.parseInt(a[1]);
+        int profondeur = Integer.parseInt(a[2]);
+        double decalage = Double.parseDouble(a[3]);
+        Camera camera = new Camera(largeur, hauteur);
+        // par getCouleurPixel ; s'il n'existe pas sous cette forme, par les méthodes qu'il appelle
+        boolean parLancer = true;
+        try {
+            parLancer(scene, camera, 0, 0, profondeur, decalage);
+        } catch (Error e) {
+            parLancer = false;
+        }
+        Couleur[] pixels = new Couleur[largeur * hauteur];
+        for (int p = 0; p < pixels.length; p++) {
+            int xe = p % largeur;
+            int ye = p / largeur;
+            pixels[p] = parLancer ? parLancer(scene, camera, xe, ye, profondeur, decalage)
+                    : parRayon(scene, camera.getRayon(xe + decalage, ye + decalage), profondeur);
+        }
+        return coder(pixels);
+    }
+
+    private static Couleur parLancer(Scene scene, Camera camera, int xe, int ye, int profondeur, double decalage) {
+        return decalage == 0 ? parEntiers(scene, camera, xe, ye, profondeur)
+                : new Lancer(scene, camera).getCouleurPixel(xe + decalage, ye + decalage, profondeur);
+    }
+
+    /** Des entiers : {@code getCouleurPixel} peut les vouloir. */
+    private static Couleur parEntiers(Scene scene, Camera camera, int xe, int ye, int profondeur) {
+        return new Lancer(scene, camera).getCouleurPixel(xe, ye, profondeur);
+    }
+
+    private static Couleur parRayon(Scene scene, Rayon rayon, int profondeur) {
+        PointContact contact = scene.getClosestIntersection(rayon, null);
+        return contact == null ? rayon.getSkyColor() : contact.objet.getColor(scene, rayon, contact, profondeur);
+    }
+
+    /** @param a largeur, hauteur, profondeur ; ce que dessine TracerImage, où l'étudiant met l'anticrénelage */
+    public static String tracer(String fichier, String... a) {
+        int largeur = Integer.parseInt(a[0]);
+        int hauteur = Integer.parseInt(a[1]);
+        Couleur[] pixels = new Couleur[largeur * hauteur];
+        Toile toile = new Toile() {
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                pixels[ye * largeur + xe] = coul;
+            }
+
+            @Override
+            public void avancer(double part) {
+                // personne ne regarde
+            }
+        };
+        new Lancer(new Scene(fichier), new Camera(largeur, hauteur)).TracerImage(toile, largeur, hauteur, Integer.parseInt(a[2]));
+        return coder(pixels);
+    }
+
+    /** @param a largeur, hauteur, xe, ye, profondeur ; rend {@code nom=x y z} pour chaque réponse, séparés par des tabulations */
+    public static String decrire(String fichier, String... a) {
+        Sonde chemin = new Sonde();
+        try {
+            chemin.suivre(new Scene(fichier), new Camera(Integer.parseInt(a[0]), Integer.parseInt(a[1])), Double.parseDouble(a[2]),
+                    Double.parseDouble(a[3]), Integer.parseInt(a[4]));
+        } catch (Exception | Error e) {
+            chemin.dire("arrêt", e);
+        }
+        return chemin.texte.toString();
+    }
+
+    private void suivre(Scene scene, Camera camera, double xe, double ye, int profondeur) {
+        Rayon rayon = camera.getRayon(xe, ye);
+        dire("rayon, départ P", rayon.getP());
+        dire("rayon, direction V", rayon.getV());
+        PointContact contact = scene.getClosestIntersection(rayon, null);
+        if (contact == null) {
+            dire("aucun objet rencontré ; couleur du ciel", rayon.getSkyColor());
+            return;
+        }
+        Objet3D objet = contact.objet;
+        dire("objet rencontré, son rang dans la scène", scene.getObjets().indexOf(objet) + 1);
+        dire("distance", contact.distance);
+        dire("point de contact", contact);
+        dire("normale N", objet.getNormale(contact));
+        Couleur Ks = objet.getKs();
+        List<Lampe> lampes = scene.getLampes();
+        for (int k = 0; k < lampes.size(); k++) {
+            Scene seule = new Scene(scene.getObjets(), Collections.singletonList(lampes.get(k)));
+            objet.setKs(new Couleur(0, 0, 0));
+            dire("lampe " + (k + 1) + " seule, sans Ks", parRayon(seule, camera.getRayon(xe, ye), 0));
+            objet.setKs(Ks);
+            dire("lampe " + (k + 1) + " seule, avec Ks", parRayon(seule, camera.getRayon(xe, ye), 0));
+        }
+        for (int p = 0; p <= profondeur; p++) {
+            dire("toutes les lampes, profondeur " + p, parRayon(scene, camera.getRayon(xe, ye), p));
+        }
+    }
+
+    private void dire(String nom, Object valeur) {
+        String nombres = String.valueOf(valeur).replaceAll("[\\p{Cntrl}=]", " ");
+        if (valeur instanceof Tuple) {
+            Tuple t = (Tuple) valeur;
+            nombres = t.x + " " + t.y + " " + t.z;
+        } else if (valeur instanceof Couleur) {
+            Couleur c = (Couleur) valeur;
+            nombres = c.r + " " + c.v + " " + c.b;
+        }
+        texte.append(texte.length() > 0 ? "\t" : "").append(nom).append('=').append(nombres);
+    }
+}
