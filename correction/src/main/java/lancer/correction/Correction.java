@@ -69,7 +69,7 @@ public final class Correction {
     }
 
     private static String qui(Rendu rendu) {
-        return rendu.getNom() + (rendu.getNom().equals(rendu.getId()) ? "" : " (" + rendu.getId() + ")");
+        return rendu.nom + (rendu.nom.equals(rendu.id) ? "" : " (" + rendu.id + ")");
     }
 
     private void corriger() throws IOException {
@@ -79,30 +79,30 @@ public final class Correction {
         FeuilleMoodle feuille = demande.notes == null ? null : new FeuilleMoodle(demande.notes);
         List<Rendu> rendus = Depot.lire(demande.rendus, travail);
         Confinement confinement = Confinement.essayer();
-        if (!confinement.estConfine() && !demande.sansConfinement) {
-            throw new Panne(1, "rien n'a été exécuté : " + confinement.getManque()
+        if (!confinement.confine && !demande.sansConfinement) {
+            throw new Panne(1, "rien n'a été exécuté : " + confinement.manque
                     + " ; pour exécuter quand même le code des étudiants, qui pourra lire et écrire vos fichiers : "
                     + "SANS_CONFINEMENT=1 (--sans-confinement)");
         }
         suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu")
                 + " ; le corrigé d'abord");
         try (Jury jury = new Jury(travail, confinement, Limites.ordinaires())) {
-            Grille grille = new Grille(jury.getReference());
+            Grille grille = new Grille(jury.reference);
             Bareme bareme = new Bareme(demande.bareme == null ? dossier.resolve("bareme.ini") : demande.bareme, grille);
-            List<String> criteres = grille.getEtapes().stream().map(e -> e.nom).collect(Collectors.toList());
-            criteres.addAll(bareme.getLibres());
+            List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
+            criteres.addAll(bareme.libres);
             Ajustements ajustements = new Ajustements(dossier.resolve("ajustements.csv"),
-                    rendus.stream().map(Rendu::getId).collect(Collectors.toList()), criteres);
-            ajustements.getFautes().forEach(f -> suivi.println("correction : " + f));
+                    rendus.stream().map(r -> r.id).collect(Collectors.toList()), criteres);
+            ajustements.fautes.forEach(f -> suivi.println("correction : " + f));
             AtomicInteger finis = new AtomicInteger();
             List<Resultat> resultats = jury.juger(rendus, (rang, resultat) -> suivi.println(String.format(Locale.FRANCE,
                     "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(), qui(rendus.get(rang)),
                     resultat.refus.isEmpty() ? String.format(Locale.FRANCE, "%.2f/%.4g", new Note(grille, resultat, bareme,
-                            ajustements.de(rendus.get(rang).getId())).total(), bareme.total())
+                            ajustements.de(rendus.get(rang).id)).total(), bareme.total())
                             : resultat.refus.get(0))));
             List<Eleve> eleves = new ArrayList<>();
             for (int k = 0; k < rendus.size(); k++) {
-                String id = rendus.get(k).getId();
+                String id = rendus.get(k).id;
                 eleves.add(new Eleve(rendus.get(k), resultats.get(k), new Note(grille, resultats.get(k), bareme,
                         ajustements.de(id)), String.format("%02d-%s.html", k + 1, id.replaceAll("[^A-Za-z0-9-]+", "_"))));
             }
@@ -110,7 +110,7 @@ public final class Correction {
                     .collect(Collectors.joining(", "));
             Ressemblances.dire(eleves);
             Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
-            new Pages(grille, bareme, jury.getReference(), confinement).ecrire(dossier, eleves, ajustements.getFautes());
+            new Pages(grille, bareme, jury.reference, confinement).ecrire(dossier, eleves, ajustements.fautes);
             sortie.println("La classe : " + dossier.resolve("index.html"));
             if (feuille != null) {
                 FeuilleMoodle.ecrireRetours(dossier, eleves);

@@ -24,9 +24,9 @@ public final class Eleve {
         this.note = note;
         this.page = page;
         aRegarder = new ArrayList<>(illisible() ? resultat.refus : resultat.aRegarder);
-        if (note.getPerduSansJuger() > 0) {
+        if (note.perduSansJuger > 0) {
             aRegarder.add(String.format(Locale.FRANCE, "%.2f points perdus par ce qui n'a pu être évalué",
-                    note.getPerduSansJuger()));
+                    note.perduSansJuger));
         }
     }
 

@@ -19,7 +19,7 @@ final class Ressemblances {
                 .collect(Collectors.groupingBy(e -> duTravail(e)));
         pareils.values().stream().filter(p -> p.size() > 1).forEach(p -> p.forEach(e -> e.aRegarder.add(
                 "pareil, aux noms de variables et à la présentation près, à : " + p.stream().filter(a -> a != e)
-                .map(a -> a.rendu.getNom()).collect(Collectors.joining(", ")))));
+                .map(a -> a.rendu.nom).collect(Collectors.joining(", ")))));
         for (String classe : Modele.DONNEES) {
             Map<String, List<Eleve>> textes = eleves.stream().filter(e -> !classe.equals("Main")
                     && e.resultat.empreintes.containsKey(classe))

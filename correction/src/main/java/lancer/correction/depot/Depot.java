@@ -65,7 +65,7 @@ public final class Depot {
             } else if (!Files.isRegularFile(rendus)) {
                 throw new Panne(2, "aucun rendu à cet endroit : " + rendus + " ; attendu : un dossier, ou un .zip");
             } else if (AUTRE_ARCHIVE.matcher(nom).matches()) {
-                depot.seul(nom).getRefus().add(refusDuFormat(nom));
+                depot.seul(nom).refus.add(refusDuFormat(nom));
             } else {
                 try (Archive archive = new Archive(rendus)) {
                     depot.repartir(nom, archive.entrees());
@@ -79,7 +79,7 @@ public final class Depot {
         }
         List<Rendu> liste = new ArrayList<>(depot.rendus.values());
         liste.forEach(Rendu::conclure);
-        liste.sort(Comparator.comparing((Rendu r) -> naturel(r.getNom())).thenComparing(r -> naturel(r.getId())));
+        liste.sort(Comparator.comparing((Rendu r) -> naturel(r.nom)).thenComparing(r -> naturel(r.id)));
         return liste;
     }
 
@@ -185,7 +185,7 @@ public final class Depot {
     private void prendre(Rendu rendu, String chemin, Entree entree, int niveau) {
         Matcher outil = OUTIL.matcher(chemin);
         if (outil.matches()) {
-            rendu.getOutils().add(outil.group(1));
+            rendu.outils.add(outil.group(1));
         }
         boolean source = chemin.toLowerCase(Locale.ROOT).endsWith(".java");
         // ce qu'on lit pèse ce qu'on en lit, quoi qu'il annonce
@@ -195,22 +195,22 @@ public final class Depot {
         }
         String brut = entree.chemin;
         if (brut.startsWith("/") || brut.matches("(?s)[A-Za-z]:.*") || List.of(brut.split("/")).contains("..")) {
-            rendu.getRefus().add("entrée refusée, qui sort de son archive : " + brut);
+            rendu.refus.add("entrée refusée, qui sort de son archive : " + brut);
         } else if (entree.lien) {
-            rendu.getRefus().add("lien refusé : " + brut.replaceFirst("(?s).*/", ""));
+            rendu.refus.add("lien refusé : " + brut.replaceFirst("(?s).*/", ""));
         } else if (AUTRE_ARCHIVE.matcher(chemin).matches()) {
-            rendu.getRefus().add(refusDuFormat(chemin));
+            rendu.refus.add(refusDuFormat(chemin));
         } else if (source) {
             try (InputStream flux = entree.ouvrir()) {
                 byte[] octets = flux.readNBytes(SOURCE_MAX + 1);
                 rendu.peser(octets.length);
                 if (octets.length > SOURCE_MAX) {
-                    rendu.getRemarques().add(chemin + " : plus d'un mégaoctet de source, laissé de côté");
+                    rendu.remarques.add(chemin + " : plus d'un mégaoctet de source, laissé de côté");
                 } else if (chemin.length() > CHEMIN_MAX || !rendu.ajouter(chemin, octets)) {
-                    rendu.getRemarques().add(chemin + " : laissé de côté, trop de sources ou un nom trop long");
+                    rendu.remarques.add(chemin + " : laissé de côté, trop de sources ou un nom trop long");
                 }
             } catch (IOException | RuntimeException e) {
-                rendu.getRefus().add(chemin + " : illisible (" + e.getMessage() + ")");
+                rendu.refus.add(chemin + " : illisible (" + e.getMessage() + ")");
             }
         } else if (estArchive(chemin)) {
             deplier(rendu, chemin, entree, niveau);
@@ -219,7 +219,7 @@ public final class Depot {
 
     private void deplier(Rendu rendu, String chemin, Entree entree, int niveau) {
         if (niveau >= EMBOITEMENT_MAX) {
-            rendu.getRefus().add(chemin + " : trop d'archives l'une dans l'autre");
+            rendu.refus.add(chemin + " : trop d'archives l'une dans l'autre");
             return;
         }
         try {
@@ -234,7 +234,7 @@ public final class Depot {
                 Files.delete(copie);
             }
         } catch (IOException | RuntimeException e) {
-            rendu.getRefus().add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe (" + e.getMessage() + ")");
+            rendu.refus.add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe (" + e.getMessage() + ")");
         }
     }
 }

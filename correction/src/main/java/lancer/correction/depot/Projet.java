@@ -22,11 +22,19 @@ public final class Projet {
 
     public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
-    /** Les consignes ; la dernière dépend de ce qui est juste. */
     public static final String NOMS = "noms";
     public static final String OUTILS = "outils";
     public static final String TEXTE = "texte";
     public static final String FIXME = "fixme";
+    /** Les consignes ; la dernière dépend de ce qui est juste. */
+    public static final Map<String, String> CONSIGNES = new LinkedHashMap<>();
+
+    static {
+        CONSIGNES.put(NOMS, "le paquet et les noms sont ceux du cours");
+        CONSIGNES.put(OUTILS, "aucun des fichiers que les outils ajoutent");
+        CONSIGNES.put(TEXTE, "UTF-8, et des espaces au lieu de tabulations");
+        CONSIGNES.put(FIXME, "chaque FIXME est enlevé quand c'est fait");
+    }
 
     private static final String DE_COTE = " : laissé de côté, ";
 
@@ -37,13 +45,17 @@ public final class Projet {
             Pattern.compile("(?i)(?:^|/)[^/]*?(brume|anti[-_ ]?alias|anti[-_ ]?crenelage|blinn)[^/]*/");
     private static final Pattern DE_TEST = Pattern.compile("(?:^|.*/)src/test/.*");
 
-    private final Map<String, String> base;
-    private final Map<String, Map<String, String>> variantes;
-    private final List<String> remarques;
-    private final Renommage noms;
+    /** Les classes de la base : {@code lancer/Vecteur} et son texte. */
+    public final Map<String, String> base;
+    /** Celles de chaque variante rendue. */
+    public final Map<String, Map<String, String>> variantes;
+    public final List<String> remarques;
+    /** Ce qu'il y a changé des noms du cours. */
+    public final Renommage noms;
     /** Ce qui n'est pas comme l'énoncé le demande : par consigne, ce qu'on en dit. */
-    private final Map<String, String> ecarts = new TreeMap<>();
-    private final List<String> aRegarder = new ArrayList<>();
+    public final Map<String, String> ecarts = new TreeMap<>();
+    /** Pourquoi l'enseignant doit regarder ce rendu lui-même. */
+    public final List<String> aRegarder = new ArrayList<>();
 
     /** @param base texte de chaque fichier, par nom de classe complet : {@code lancer/Vecteur} */
     public Projet(Map<String, String> base, Map<String, Map<String, String>> variantes, List<String> remarques) {
@@ -51,9 +63,9 @@ public final class Projet {
         this.variantes = variantes;
         this.remarques = new ArrayList<>(remarques);
         noms = new Renommage(base);
-        this.remarques.addAll(noms.getChanges());
-        aRegarder.addAll(noms.getChanges());
-        noms.getChanges().forEach(c -> ecarts.merge(NOMS, c, (a, b) -> a + " ; " + b));
+        this.remarques.addAll(noms.changes);
+        aRegarder.addAll(noms.changes);
+        noms.changes.forEach(c -> ecarts.merge(NOMS, c, (a, b) -> a + " ; " + b));
     }
 
     /** Le projet d'un rendu ; s'il en a plusieurs copies, celle où il y a le plus de travail. */
@@ -63,10 +75,10 @@ public final class Projet {
 
     /** Chaque copie du projet que contient un rendu, de celle où il y a le plus de travail à celle où il y en a le moins. */
     public static List<Projet> copies(Rendu rendu) {
-        List<String> remarques = new ArrayList<>(rendu.getRemarques());
+        List<String> remarques = new ArrayList<>(rendu.remarques);
         Map<String, Set<String>> dites = new TreeMap<>();
         Map<String, Map<String, List<Source>>> groupes = new TreeMap<>();
-        for (Map.Entry<String, byte[]> fichier : rendu.getSources().entrySet()) {
+        for (Map.Entry<String, byte[]> fichier : rendu.sources.entrySet()) {
             for (Source source : Source.lire(fichier.getKey(), fichier.getValue())) {
                 // Tests, Etapes : ce sont les nôtres qui notent, pas la copie de l'étudiant
                 if (!DE_TEST.matcher(source.chemin).matches()
@@ -115,8 +127,8 @@ public final class Projet {
     private void consignes(Rendu rendu, Map<String, Set<String>> dites) {
         dites.forEach((quoi, ou) -> ecarts.merge(quoi.contains("UTF-8") ? TEXTE : NOMS, quoi, (a, b) -> a
                 + " ; " + b));
-        if (!rendu.getOutils().isEmpty()) {
-            ecarts.put(OUTILS, "rendus aussi : " + String.join(", ", rendu.getOutils()));
+        if (!rendu.outils.isEmpty()) {
+            ecarts.put(OUTILS, "rendus aussi : " + String.join(", ", rendu.outils));
         }
         long tabulations = base.values().stream().filter(t -> t.contains("\n\t")).count();
         if (tabulations > 0) {
@@ -178,35 +190,6 @@ public final class Projet {
 
     private static long duCours(List<Source> sources) {
         return sources.stream().filter(s -> Modele.A_COMPLETER.contains(s.classe)).count();
-    }
-
-    /** Les classes de la base : {@code lancer/Vecteur} et son texte. */
-    public Map<String, String> getBase() {
-        return Collections.unmodifiableMap(base);
-    }
-
-    /** Celles de chaque variante rendue. */
-    public Map<String, Map<String, String>> getVariantes() {
-        return Collections.unmodifiableMap(variantes);
-    }
-
-    public List<String> getRemarques() {
-        return remarques;
-    }
-
-    /** Ce qu'il y a changé des noms du cours. */
-    public Renommage getNoms() {
-        return noms;
-    }
-
-    /** Les consignes qui ne sont pas suivies, et en quoi : {@link #NOMS}, {@link #OUTILS}, {@link #TEXTE}. */
-    public Map<String, String> getEcarts() {
-        return ecarts;
-    }
-
-    /** Pourquoi l'enseignant doit regarder ce rendu lui-même. */
-    public List<String> getARegarder() {
-        return aRegarder;
     }
 
     /** Le texte d'une classe du cours, sous le nom qu'il lui donne ; {@code null} si elle n'est pas rendue. */

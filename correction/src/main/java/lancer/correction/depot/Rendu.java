@@ -1,7 +1,6 @@
 package lancer.correction.depot;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -19,47 +18,23 @@ public final class Rendu {
     private static final int PESEE_MAX = 6 << 20;
     private static final int DITS_MAX = 30;
 
-    private final String id;
-    private final String nom;
-    private final Map<String, byte[]> sources = new TreeMap<>();
-    private final List<String> refus = new ArrayList<>();
-    private final List<String> remarques = new ArrayList<>();
-    private final Set<String> outils = new TreeSet<>();
+    /** Ce qui le distingue des autres : le numéro de Moodle, ou à défaut le nom du dossier. */
+    public final String id;
+    public final String nom;
+    /** Les fichiers .java, par chemin. */
+    public final Map<String, byte[]> sources = new TreeMap<>();
+    /** Pourquoi ce rendu ne peut être jugé ; vide s'il peut l'être. */
+    public final List<String> refus = new ArrayList<>();
+    public final List<String> remarques = new ArrayList<>();
+    /** Les fichiers et les dossiers que les outils ajoutent, et qu'il fallait enlever. */
+    public final Set<String> outils = new TreeSet<>();
     private long octets;
     private int fichiers;
     private long pesee;
 
-    /** @param id ce qui le distingue des autres : le numéro de Moodle, ou à défaut le nom du dossier */
     public Rendu(String id, String nom) {
         this.id = id;
         this.nom = nom;
-    }
-
-    public String getId() {
-        return id;
-    }
-
-    public String getNom() {
-        return nom;
-    }
-
-    /** Les fichiers .java, par chemin. */
-    public Map<String, byte[]> getSources() {
-        return Collections.unmodifiableMap(sources);
-    }
-
-    /** Pourquoi ce rendu ne peut être jugé ; vide s'il peut l'être. */
-    public List<String> getRefus() {
-        return refus;
-    }
-
-    public List<String> getRemarques() {
-        return remarques;
-    }
-
-    /** Les fichiers et les dossiers que les outils ajoutent, et qu'il fallait enlever. */
-    public Set<String> getOutils() {
-        return outils;
     }
 
     /** @return faux si c'en est un de trop, par son nombre ou par son poids */

@@ -41,7 +41,8 @@ public final class Renommage {
 
     private final Map<String, String> siennes;
     private final Map<String, String> noms = new LinkedHashMap<>();
-    private final List<String> changes = new ArrayList<>();
+    /** Ce qui a changé de nom ou de place, une phrase chacun. */
+    public final List<String> changes = new ArrayList<>();
 
     /** @param siennes le texte de chacune de ses classes, par nom complet */
     public Renommage(Map<String, String> siennes) {
@@ -138,8 +139,4 @@ public final class Renommage {
         return autres;
     }
 
-    /** Ce qui a changé de nom ou de place, une phrase chacun. */
-    public List<String> getChanges() {
-        return changes;
-    }
 }

@@ -23,8 +23,9 @@ public final class Confinement {
     private static final int ESSAI_SECONDES = 20;
     private static final String BOITE = "/boite.jar";
 
-    private final boolean confine;
-    private final String manque;
+    public final boolean confine;
+    /** Ce qui manque pour confiner, vide si rien. */
+    public final String manque;
 
     private Confinement(boolean confine, String manque) {
         this.confine = confine;
@@ -56,15 +57,6 @@ public final class Confinement {
     /** Aucun confinement, quoi que la machine permette. */
     public static Confinement aucun() {
         return new Confinement(false, "confinement non demandé");
-    }
-
-    public boolean estConfine() {
-        return confine;
-    }
-
-    /** Ce qui manque pour confiner, vide si rien. */
-    public String getManque() {
-        return manque;
     }
 
     /**

@@ -35,7 +35,7 @@ public final class Chemin {
     /** Ce que répond la sonde par le corrigé, et par l'étudiant. */
     final String reference;
     final String etudiant;
-    private final List<Pas> pas = new ArrayList<>();
+    public final List<Pas> pas = new ArrayList<>();
 
     Chemin(int x, int y, String reference, String etudiant) {
         this.x = x;
@@ -49,10 +49,6 @@ public final class Chemin {
             pas.add(new Pas(attendu.getKey(), attendu.getValue(), obtenu == null ? "(pas de réponse)" : obtenu));
         }
         siens.forEach((nom, obtenu) -> pas.add(new Pas(nom, "(pas de réponse)", obtenu)));
-    }
-
-    public List<Pas> getPas() {
-        return pas;
     }
 
     /** La première réponse qui s'écarte, {@code null} s'il n'y en a pas. */

@@ -32,7 +32,8 @@ final class Doublures {
     private static final String ENTETE = "package lancer;\nimport lancer.correction.jugement.Dialogue;\n";
     private static final String RECU = "Dialogue.Recu";
 
-    private final Map<String, String> sources = new LinkedHashMap<>();
+    /** Les vérifications, les doublures et ce qu'il leur faut, par nom complet. */
+    final Map<String, String> sources = new LinkedHashMap<>();
     private final StringBuilder aiguillage = new StringBuilder();
     private final StringBuilder appels = new StringBuilder();
     private String noms = "";
@@ -50,11 +51,6 @@ final class Doublures {
         } catch (ClassNotFoundException e) {
             throw new IllegalStateException(e);
         }
-    }
-
-    /** Les vérifications, les doublures et ce qu'il leur faut, par nom complet. */
-    Map<String, String> getSources() {
-        return sources;
     }
 
     /** La source de {@code lancer.Appels}. */

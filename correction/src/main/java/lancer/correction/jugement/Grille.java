@@ -1,10 +1,7 @@
 package lancer.correction.jugement;
 
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import lancer.correction.depot.Projet;
 
 /**
@@ -60,36 +57,30 @@ public final class Grille {
     /** Ce que l'énoncé demande de la façon de rendre : enlève des points, au lieu d'en donner. */
     public static final String CONSIGNES = "consignes";
 
-    private final Map<String, Etape> etapes = new LinkedHashMap<>();
+    public final List<Etape> etapes = new ArrayList<>();
 
     public Grille(Reference reference) {
-        for (Verification v : reference.getVerifications()) {
-            ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""), v.id(), v.classe, v.titre, reference.compte(v));
+        for (Verification v : reference.verifications) {
+            etape(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", "")).criteres
+                    .add(new Critere(v.id(), v.classe, v.titre, reference.compte(v)));
         }
-        for (String scene : Reference.SCENES.keySet()) {
-            ajouter(IMAGE, "L'image entière", IMAGE + "." + scene,
-                    "la scène « " + scene + " », par toutes les classes du rendu, est celle du corrigé", true);
-        }
-        Variante.TITRES.forEach((nom, titre) -> ajouter(nom, "Extension : " + titre[0], nom + ".image", titre[1], true));
-        ajouter(CONSIGNES, "Consignes de rendu", consigne(Projet.NOMS), "le paquet et les noms sont ceux du cours", true);
-        ajouter(CONSIGNES, "", consigne(Projet.OUTILS), "aucun des fichiers que les outils ajoutent", true);
-        ajouter(CONSIGNES, "", consigne(Projet.TEXTE), "UTF-8, et des espaces au lieu de tabulations", true);
-        ajouter(CONSIGNES, "", consigne(Projet.FIXME), "chaque FIXME est enlevé quand c'est fait", true);
+        Reference.SCENES.keySet().forEach(scene -> etape(IMAGE, "L'image entière").criteres.add(new Critere(IMAGE + "." + scene, "",
+                "la scène « " + scene + " », par toutes les classes du rendu, est celle du corrigé", true)));
+        Variante.TITRES.forEach((nom, titre) -> etape(nom, "Extension : " + titre[0]).criteres
+                .add(new Critere(nom + ".image", "", titre[1], true)));
+        Projet.CONSIGNES.forEach((nom, titre) -> etape(CONSIGNES, "Consignes de rendu").criteres
+                .add(new Critere(consigne(nom), "", titre, true)));
     }
 
     static String consigne(String nom) {
         return CONSIGNES + "." + nom;
     }
 
-    private void ajouter(String etape, String titreEtape, String id, String titre, boolean compte) {
-        ajouter(etape, titreEtape, id, "", titre, compte);
-    }
-
-    private void ajouter(String etape, String titreEtape, String id, String classe, String titre, boolean compte) {
-        etapes.computeIfAbsent(etape, e -> new Etape(e, titreEtape)).criteres.add(new Critere(id, classe, titre, compte));
-    }
-
-    public List<Etape> getEtapes() {
-        return Collections.unmodifiableList(new ArrayList<>(etapes.values()));
+    /** La dernière étape, si c'est celle-là, sinon une de plus. */
+    private Etape etape(String nom, String titre) {
+        if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(nom)) {
+            etapes.add(new Etape(nom, titre));
+        }
+        return etapes.get(etapes.size() - 1);
     }
 }

@@ -63,15 +63,15 @@ final class Juge implements AutoCloseable {
     /** Compile des classes, avec ce qui les appelle et les sonde, où nos noms sont les siens. */
     Assemblage assembler(Map<String, String> classes) throws Arret {
         Map<String, String> sources = new TreeMap<>(classes);
-        sources.put("lancer/" + Modele.APPELS, projet.getNoms().dans(reference.getAppels()));
-        sources.put("lancer/" + Modele.SONDE, projet.getNoms().dans(Modele.sonde()));
+        sources.put("lancer/" + Modele.APPELS, projet.noms.dans(reference.appels));
+        sources.put("lancer/" + Modele.SONDE, projet.noms.dans(Modele.sonde()));
         return compilation.compiler(sources);
     }
 
     /** Ce qu'il a rendu de la base, et pour le reste le projet à compléter, puis ces classes-ci. */
     private Map<String, String> base(Map<String, String> enPlus) {
-        Map<String, String> sources = projet.getNoms().dans(Modele.tout(Modele::squelette));
-        sources.putAll(projet.getBase());
+        Map<String, String> sources = projet.noms.dans(Modele.tout(Modele::squelette));
+        sources.putAll(projet.base);
         sources.putAll(enPlus);
         return sources;
     }
@@ -95,8 +95,8 @@ final class Juge implements AutoCloseable {
     }
 
     Resultat juger() throws Arret {
-        resultat.remarques.addAll(projet.getRemarques());
-        resultat.aRegarder.addAll(projet.getARegarder());
+        resultat.remarques.addAll(projet.remarques);
+        resultat.aRegarder.addAll(projet.aRegarder);
         for (String classe : Modele.A_COMPLETER) {
             if (projet.texte(classe) == null) {
                 resultat.remarques.add("la classe " + classe + " manque : celle du projet à compléter en tient lieu");
@@ -104,14 +104,14 @@ final class Juge implements AutoCloseable {
         }
         ensemble = assembler(base(Map.of()));
         for (Faute faute : ensemble.fautes) {
-            if (projet.getBase().containsKey(faute.fichier.replaceFirst("\\.java$", ""))) {
+            if (projet.base.containsKey(faute.fichier.replaceFirst("\\.java$", ""))) {
                 resultat.fautes.add(faute.toString());
             }
         }
-        Map<String, Verdict> parEnsemble = lancer(ensemble, reference.getVerifications());
+        Map<String, Verdict> parEnsemble = lancer(ensemble, reference.verifications);
         String sansImage = coupe;
         Map<String, List<Verification>> aReprendre = new LinkedHashMap<>();
-        for (Verification v : reference.getVerifications()) {
+        for (Verification v : reference.verifications) {
             if (parEnsemble.get(v.id()).etat != Etat.REUSSI && projet.texte(v.classe) != null && !intacte(v.classe)) {
                 aReprendre.computeIfAbsent(v.classe, c -> new ArrayList<>()).add(v);
             }
@@ -123,7 +123,7 @@ final class Juge implements AutoCloseable {
                 parSeule.putAll(lancer(seule, reprise.getValue()));
             }
         }
-        for (Verification v : reference.getVerifications()) {
+        for (Verification v : reference.verifications) {
             resultat.verdicts.put(v.id(), conclure(v, parEnsemble.get(v.id()), parSeule.get(v.id())));
         }
         imputer();
@@ -146,7 +146,7 @@ final class Juge implements AutoCloseable {
      * que la vérification coûte ; si aucune n'échoue seule, à celle dont elle parle.
      */
     private void imputer() throws Arret {
-        List<Verification> cachees = reference.getVerifications().stream()
+        List<Verification> cachees = reference.verifications.stream()
                 .filter(v -> resultat.verdicts.get(v.id()).etat == Etat.CACHE).collect(Collectors.toList());
         List<String> suspectes = new ArrayList<>(Modele.A_COMPLETER);
         suspectes.sort(Comparator.comparing(classe -> !aUneFaute(classe)));
@@ -181,7 +181,7 @@ final class Juge implements AutoCloseable {
     }
 
     private boolean aUneFaute(String classe) {
-        return reference.getVerifications().stream().anyMatch(v -> v.classe.equals(classe)
+        return reference.verifications.stream().anyMatch(v -> v.classe.equals(classe)
                 && !resultat.verdicts.get(v.id()).compte());
     }
 
@@ -196,11 +196,11 @@ final class Juge implements AutoCloseable {
     private void consignes() {
         for (String classe : Modele.A_COMPLETER) {
             if (projet.texte(classe) != null && !aUneFaute(classe) && projet.texte(classe).contains("FIXME")) {
-                projet.getEcarts().merge(Projet.FIXME, "reste dans " + classe, (a, b) -> a + ", " + classe);
+                projet.ecarts.merge(Projet.FIXME, "reste dans " + classe, (a, b) -> a + ", " + classe);
             }
         }
-        for (String consigne : List.of(Projet.NOMS, Projet.OUTILS, Projet.TEXTE, Projet.FIXME)) {
-            String ecart = projet.getEcarts().get(consigne);
+        for (String consigne : Projet.CONSIGNES.keySet()) {
+            String ecart = projet.ecarts.get(consigne);
             resultat.verdicts.put(Grille.consigne(consigne), ecart == null ? new Verdict(Etat.REUSSI, "")
                     : new Verdict(Etat.RATE, ecart));
         }
@@ -213,7 +213,7 @@ final class Juge implements AutoCloseable {
 
     /** L'image et les étapes doivent dire la même chose. */
     private void confronter() {
-        List<Verification> perdues = reference.getVerifications().stream().filter(v -> reference.compte(v)
+        List<Verification> perdues = reference.verifications.stream().filter(v -> reference.compte(v)
                 && !resultat.verdicts.get(v.id()).compte()).collect(Collectors.toList());
         List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
                 .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
@@ -236,11 +236,11 @@ final class Juge implements AutoCloseable {
     }
 
     private void variantes() throws Arret {
-        for (Map.Entry<String, Map<String, String>> variante : projet.getVariantes().entrySet()) {
+        for (Map.Entry<String, Map<String, String>> variante : projet.variantes.entrySet()) {
             String nom = variante.getKey();
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
             Map<String, String> sources = base(variante.getValue());
-            Map<String, String> duCours = projet.getNoms().dans(Modele.ajoutees(nom));
+            Map<String, String> duCours = projet.noms.dans(Modele.ajoutees(nom));
             Variante juge = new Variante(this, nom);
             Assemblage assemblage = assembler(sources);
             Verdict verdict = juge.juger(ensemble, assemblage, assembler(base(duCours)));
@@ -248,16 +248,16 @@ final class Juge implements AutoCloseable {
             // ce que la variante change, parmi les classes du corrigé : une faute de la base ne la cache pas
             Map<String, String> change = new TreeMap<>(sources);
             change.entrySet().removeIf(c -> Modele.classes().contains(c.getKey().replace("lancer/", ""))
-                    && (projet.getBase().get(c.getKey()) == null ? !variante.getValue().containsKey(c.getKey())
-                    : Source.memeCode(c.getValue(), projet.getBase().get(c.getKey()))));
+                    && (projet.base.get(c.getKey()) == null ? !variante.getValue().containsKey(c.getKey())
+                    : Source.memeCode(c.getValue(), projet.base.get(c.getKey()))));
             if (!change.isEmpty() && !verdict.compte()) {
-                Map<String, String> corrige = projet.getNoms().dans(Modele.tout(Modele::corrige));
+                Map<String, String> corrige = projet.noms.dans(Modele.tout(Modele::corrige));
                 Map<String, String> lui = new TreeMap<>(corrige);
                 lui.putAll(change);
                 Map<String, String> attendu = new TreeMap<>(corrige);
                 attendu.putAll(duCours);
                 Verdict seule = new Variante(this, nom).juger(assembler(corrige), assembler(lui), assembler(attendu));
-                verdict = seule.part() > verdict.part() ? seule : verdict;
+                verdict = seule.part > verdict.part ? seule : verdict;
             }
             resultat.verdicts.put(nom + ".image", verdict);
         }
@@ -265,7 +265,7 @@ final class Juge implements AutoCloseable {
 
     /** Vrai si la classe de l'étudiant est celle du projet à compléter. */
     boolean intacte(String classe) {
-        return Source.memeCode(projet.texte(classe), projet.getNoms().dans(Modele.squelette(classe)));
+        return Source.memeCode(projet.texte(classe), projet.noms.dans(Modele.squelette(classe)));
     }
 
     /**
@@ -282,7 +282,7 @@ final class Juge implements AutoCloseable {
             List<String> nommees = new ArrayList<>();
             for (String autre : Modele.classes()) {
                 String texte = projet.texte(autre);
-                String sien = projet.getNoms().classe(autre);
+                String sien = projet.noms.classe(autre);
                 if (texte != null && !autre.equals(classe) && !autre.equals("Main")
                         && Pattern.compile("\\b" + sien + "\\b|\\." + autre.toLowerCase() + "\\b")
                         .matcher(projet.texte(classe)).find()) {
@@ -307,14 +307,14 @@ final class Juge implements AutoCloseable {
 
     /** Vrai si là, parmi celles du corrigé, elle ne se compile plus comme avec celles de l'étudiant, ou les en empêche. */
     private boolean fautesNouvelles(Assemblage seule, String classe) {
-        String sienne = projet.getNoms().classe(classe);
+        String sienne = projet.noms.classe(classe);
         return seule.fautesDe(sienne).size() > (ensemble == null ? 0 : ensemble.fautesDe(sienne).size())
                 || seule.fautes.stream().anyMatch(f -> Modele.classes().contains(f.classe()) && !f.classe().equals(sienne)
                 && ensemble != null && ensemble.fautesDe(f.classe()).isEmpty());
     }
 
     Map<String, Verdict> lancer(Assemblage assemblage, List<Verification> verifications) {
-        Verifications.Bilan bilan = reference.getJUnit().lancer(verifications, machine(assemblage));
+        Verifications.Bilan bilan = reference.junit.lancer(verifications, machine(assemblage));
         if (bilan.arrets > 0) {
             arretes.add(assemblage);
             resultat.regarder(bilan.pourquoi);
@@ -356,14 +356,14 @@ final class Juge implements AutoCloseable {
     }
 
     private Map<String, Boolean> methodes(String classe) {
-        return Source.commencees(projet.texte(classe), projet.getNoms().dans(Modele.squelette(classe)));
+        return Source.commencees(projet.texte(classe), projet.noms.dans(Modele.squelette(classe)));
     }
 
     /** Les méthodes à compléter dont parle cette vérification, à défaut toutes celles de sa classe. */
     private Set<String> nommees(Verification v) {
         Set<String> toutes = methodes(v.classe).keySet();
         Set<String> nommees = toutes.stream().filter(m -> Pattern.compile("\\b" + m + "\\b")
-                .matcher(projet.getNoms().dans(v.titre)).find()).collect(Collectors.toCollection(TreeSet::new));
+                .matcher(projet.noms.dans(v.titre)).find()).collect(Collectors.toCollection(TreeSet::new));
         return nommees.isEmpty() ? toutes : nommees;
     }
 
@@ -375,11 +375,11 @@ final class Juge implements AutoCloseable {
     /** Vrai si la méthode qui, dit ce message, ne rend encore rien, est une des siennes, et qu'il l'a écrite. */
     private boolean ecrite(Verification v, String message) {
         return !DANS_LA_MEME_METHODE.contains(v.etape) && methodes(v.classe).entrySet().stream()
-                .anyMatch(m -> m.getValue() && projet.getNoms().dans(message).contains(m.getKey()));
+                .anyMatch(m -> m.getValue() && projet.noms.dans(message).contains(m.getKey()));
     }
 
     private String causes(String classe) {
-        return Stream.concat(ensemble.fautesDe(projet.getNoms().classe(classe)).stream().map(Faute::toString),
+        return Stream.concat(ensemble.fautesDe(projet.noms.classe(classe)).stream().map(Faute::toString),
                 resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("");
     }
 
@@ -400,10 +400,10 @@ final class Juge implements AutoCloseable {
 
     /** Le corrigé, avec ces classes de l'étudiant, et celles qu'il a ajoutées ; celle qu'il n'a pas rendue, à compléter. */
     private Map<String, String> corrigeAvec(List<String> classes) {
-        Map<String, String> sources = projet.getNoms().dans(Modele.tout(Modele::corrige));
-        classes.forEach(c -> sources.put("lancer/" + projet.getNoms().classe(c), projet.texte(c) != null ? projet.texte(c)
-                : projet.getNoms().dans(Modele.squelette(c))));
-        projet.getBase().forEach((nom, texte) -> {
+        Map<String, String> sources = projet.noms.dans(Modele.tout(Modele::corrige));
+        classes.forEach(c -> sources.put("lancer/" + projet.noms.classe(c), projet.texte(c) != null ? projet.texte(c)
+                : projet.noms.dans(Modele.squelette(c))));
+        projet.base.forEach((nom, texte) -> {
             if (!sources.containsKey(nom)) {
                 sources.put(nom, texte);
             }

@@ -88,7 +88,7 @@ final class JugeImage {
         List<String> suspectes = new ArrayList<>(Modele.A_COMPLETER);
         suspectes.removeIf(classe -> projet.texte(classe) == null || juge.intacte(classe));
         List<String> justes = new ArrayList<>(suspectes);
-        justes.removeIf(classe -> reference.getVerifications().stream()
+        justes.removeIf(classe -> reference.verifications.stream()
                 .anyMatch(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()));
         // celles dont tout réussit d'abord, d'un seul coup : elles sont rarement en cause
         if (justes.size() > 1 && !changentLImage(scene, juge.parmiLeCorrige(justes))) {

@@ -48,7 +48,7 @@ public final class Jury implements AutoCloseable {
     private final Set<Integer> abandonnes = new HashSet<>();
     /** Ce qui juge : changé, il juge de nouveau. */
     private final String regles;
-    private final Reference reference;
+    public final Reference reference;
 
     /** @param travail dossier de travail ; @throws Panne si la machine ne peut juger */
     public Jury(Path travail, Confinement confinement, Limites limites) {
@@ -60,7 +60,7 @@ public final class Jury implements AutoCloseable {
         try {
             Files.createDirectories(souvenirs);
             machines = new Machines(confinement, limites, travail.resolve("machines"));
-            regles = confinement.estConfine() + " " + Runtime.version() + " " + limites + " "
+            regles = confinement.confine + " " + Runtime.version() + " " + limites + " "
                     + Files.getLastModifiedTime(Paths.get(Machines.lieu(Machines.class)));
             reference = new Reference(machines);
         } catch (IOException e) {
@@ -68,10 +68,6 @@ public final class Jury implements AutoCloseable {
         } catch (Arret e) {
             throw new Panne(1, "le corrigé n'a pu être jugé : " + e.getMessage());
         }
-    }
-
-    public Reference getReference() {
-        return reference;
     }
 
     /** @param fini appelé pour chaque rendu, dès qu'il est jugé, avec son rang ; dans l'ordre où ils finissent */
@@ -162,8 +158,8 @@ public final class Jury implements AutoCloseable {
     }
 
     private Resultat juger(Rendu rendu, Machines.Compilation compilation) throws IOException {
-        if (!rendu.getRefus().isEmpty()) {
-            return refuse(rendu, rendu.getRefus());
+        if (!rendu.refus.isEmpty()) {
+            return refuse(rendu, rendu.refus);
         }
         Path souvenir = souvenirs.resolve(empreinte(rendu));
         if (Files.exists(souvenir)) {
@@ -195,13 +191,13 @@ public final class Jury implements AutoCloseable {
     private static Resultat refuse(Rendu rendu, List<String> causes) {
         Resultat resultat = new Resultat();
         resultat.refus.addAll(causes);
-        resultat.remarques.addAll(rendu.getRemarques());
+        resultat.remarques.addAll(rendu.remarques);
         return resultat;
     }
 
     private String empreinte(Rendu rendu) {
-        StringBuilder tout = new StringBuilder(regles + rendu.getRemarques() + rendu.getOutils());
-        rendu.getSources().forEach((nom, texte) -> tout.append("\0").append(nom).append("\0")
+        StringBuilder tout = new StringBuilder(regles + rendu.remarques + rendu.outils);
+        rendu.sources.forEach((nom, texte) -> tout.append("\0").append(nom).append("\0")
                 .append(new String(texte, StandardCharsets.ISO_8859_1)));
         try {
             byte[] calcul = MessageDigest.getInstance("SHA-256").digest(tout.toString().getBytes(StandardCharsets.UTF_8));

@@ -1,6 +1,5 @@
 package lancer.correction.jugement;
 
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -27,9 +26,10 @@ public final class Reference implements AutoCloseable {
         SCENES.put("miroirs", new int[] {80, 60, 40});
     }
 
-    private final Verifications junit;
-    private final List<Verification> verifications;
-    private final String appels;
+    final Verifications junit;
+    public final List<Verification> verifications;
+    /** La source de {@code lancer.Appels}. */
+    final String appels;
     private final Map<String, Verdict> duSquelette;
     private final Map<String, Image> coins = new HashMap<>();
     private final Map<String, Image> centres = new HashMap<>();
@@ -41,9 +41,9 @@ public final class Reference implements AutoCloseable {
         Projet projet = new Projet(Modele.tout(Modele::squelette), Map.of(), List.of());
         try (Machines.Compilation compilation = machines.new Compilation()) {
             // les vérifications sont compilées contre les doublures des classes du projet à compléter
-            Doublures doublures = new Doublures(compilation.compiler(projet.getBase()).classes);
+            Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
             appels = doublures.getAppels();
-            junit = new Verifications(juste(compilation.compiler(doublures.getSources())).classes);
+            junit = new Verifications(juste(compilation.compiler(doublures.sources)).classes);
             verifications = junit.lister();
             corrige = new Juge(this, compilation, machines, projet);
             assemblage = juste(corrige.assembler(Modele.tout(Modele::corrige)));
@@ -52,7 +52,7 @@ public final class Reference implements AutoCloseable {
                 centres.put(scene, corrige.image(assemblage, scene, 0.5));
             }
             try (Juge juge = new Juge(this, compilation, machines, projet)) {
-                duSquelette = juge.lancer(juge.assembler(projet.getBase()), verifications);
+                duSquelette = juge.lancer(juge.assembler(projet.base), verifications);
                 for (String classe : Modele.A_COMPLETER) {
                     List<Verification> siennes = verifications.stream().filter(v -> v.classe.equals(classe) && compte(v))
                             .collect(Collectors.toList());
@@ -67,19 +67,6 @@ public final class Reference implements AutoCloseable {
             throw new IllegalStateException("le corrigé ou les vérifications ne se compilent pas : " + assemblage.fautes.get(0));
         }
         return assemblage;
-    }
-
-    Verifications getJUnit() {
-        return junit;
-    }
-
-    /** La source de {@code lancer.Appels}. */
-    String getAppels() {
-        return appels;
-    }
-
-    public List<Verification> getVerifications() {
-        return Collections.unmodifiableList(verifications);
     }
 
     /** Vrai si le projet à compléter ne la passe pas : elle compte. */

@@ -71,9 +71,14 @@ public final class Resultat {
         }
     }
 
+    /** Ce qu'a donné un critère ; « non commencé » s'il n'a pas été essayé. */
+    public Verdict verdict(Grille.Critere critere) {
+        return verdicts.getOrDefault(critere.id, new Verdict(Verdict.Etat.NON_COMMENCE, ""));
+    }
+
     /** Combien de critères sont réussis. */
     double reussis() {
-        return verdicts.values().stream().mapToDouble(Verdict::part).sum();
+        return verdicts.values().stream().mapToDouble(v -> v.part).sum();
     }
 
     private Map<String, List<String>> listes() {
@@ -84,7 +89,7 @@ public final class Resultat {
     void ecrire(Path fichier) throws IOException {
         List<String> lignes = new ArrayList<>();
         listes().forEach((sorte, liste) -> liste.forEach(texte -> ligne(lignes, sorte, "", texte)));
-        verdicts.forEach((id, v) -> ligne(lignes, "verdict", id, v.etat + " " + v.part() + " " + v.message));
+        verdicts.forEach((id, v) -> ligne(lignes, "verdict", id, v.etat + " " + v.part + " " + v.message));
         empreintes.forEach((classe, texte) -> ligne(lignes, "empreinte", classe, texte));
         methodes.forEach((id, texte) -> ligne(lignes, "methode", id, texte));
         images.forEach((scene, image) -> ligne(lignes, "image", scene, image.texte()));

@@ -29,8 +29,8 @@ final class Variante {
     }
 
     /** À partir de quelle ressemblance proposer tous les points, et jusqu'à laquelle aucun. */
-    private static final double TOUT = 0.6;
-    private static final double RIEN = 0.2;
+    private static final double TOUT = 0.7;
+    private static final double RIEN = 0.4;
 
     private static final int LARGEUR = 80;
     private static final int HAUTEUR = 60;

@@ -23,7 +23,8 @@ public final class Verdict {
 
     public final Etat etat;
     public final String message;
-    private final double part;
+    /** Ce que la vérification rapporte de ses points, de 0 à 1. */
+    public final double part;
 
     public Verdict(Etat etat, String message) {
         this(etat, message, etat == Etat.REUSSI || etat == Etat.CACHE ? 1 : 0);
@@ -43,10 +44,5 @@ public final class Verdict {
     /** Vrai si la vérification rapporte ses points. */
     public boolean compte() {
         return part == 1;
-    }
-
-    /** Ce qu'elle rapporte de ses points, de 0 à 1. */
-    public double part() {
-        return part;
     }
 }

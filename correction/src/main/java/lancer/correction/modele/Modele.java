@@ -107,11 +107,6 @@ public final class Modele {
         return ressource("scenes/" + nom + ".ini");
     }
 
-    /** Un fichier qui accompagne les classes : pom.xml, Makefile… */
-    public static String projet(String fichier) {
-        return ressource("projet/" + fichier);
-    }
-
     static String extraire(String texte, boolean reponses) {
         StringBuilder resultat = new StringBuilder();
         boolean dansReponse = false;
@@ -140,11 +135,9 @@ public final class Modele {
         return resultat.toString();
     }
 
-    private static String ressource(String nom) {
+    /** Un texte de l'archive du programme. */
+    public static String ressource(String nom) {
         try (InputStream flux = Modele.class.getResourceAsStream("/" + nom)) {
-            if (flux == null) {
-                throw new IllegalStateException("ressource absente : " + nom);
-            }
             return new String(flux.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
             throw new UncheckedIOException(e);

@@ -30,7 +30,7 @@ public final class Squelette {
     /** @throws Panne si le dossier n'est pas vide, ou ne peut être écrit */
     public static void ecrire(String dossier, PrintStream sortie) {
         Path racine = ecrire(dossier, Modele.classes(), Modele::squelette,
-                Map.of("LISEZMOI.md", Modele.projet("LISEZMOI.md")));
+                Map.of("LISEZMOI.md", Modele.ressource("projet/LISEZMOI.md")));
         sortie.println("Le projet à compléter est dans " + racine);
     }
 
@@ -50,7 +50,7 @@ public final class Squelette {
             classes.addAll(Modele.VARIANTES.get(variante));
         }
         Map<String, String> fichiers = new TreeMap<>();
-        fichiers.put("LISEZMOI.md", Modele.projet("CORRIGE.md"));
+        fichiers.put("LISEZMOI.md", Modele.ressource("projet/CORRIGE.md"));
         if (variante.equals("blinn")) {
             // hors du miroir, les reflets de Blinn ne sont pas ceux de Phong, que Tests demande
             fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
@@ -78,7 +78,7 @@ public final class Squelette {
                 ecrire(racine.resolve("scenes/" + scene + ".ini"), Modele.scene(scene));
             }
             for (String fichier : PROJET) {
-                ecrire(racine.resolve(fichier), Modele.projet(fichier));
+                ecrire(racine.resolve(fichier), Modele.ressource("projet/" + fichier));
             }
             for (Map.Entry<String, String> fichier : fichiers.entrySet()) {
                 ecrire(racine.resolve(fichier.getKey()), fichier.getValue());

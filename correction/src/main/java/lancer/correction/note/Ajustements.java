@@ -36,7 +36,8 @@ public final class Ajustements {
     }
 
     private final Map<String, Map<String, Ligne>> lignes = new HashMap<>();
-    private final List<String> fautes = new ArrayList<>();
+    /** Les lignes qui ne conviennent pas, et pourquoi. */
+    public final List<String> fautes = new ArrayList<>();
 
     /** Lit ce fichier ; s'il n'existe pas, y écrit les titres des colonnes. */
     public Ajustements(Path fichier, Collection<String> ids, Collection<String> criteres) {
@@ -85,8 +86,4 @@ public final class Ajustements {
         return lignes.getOrDefault(id, Map.of());
     }
 
-    /** Les lignes qui ne conviennent pas, et pourquoi. */
-    public List<String> getFautes() {
-        return fautes;
-    }
 }

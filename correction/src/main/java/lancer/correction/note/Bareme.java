@@ -10,7 +10,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -29,7 +28,8 @@ import org.ini4j.Profile;
 public final class Bareme {
 
     private final Map<String, Double> poids = new LinkedHashMap<>();
-    private final List<String> libres = new ArrayList<>();
+    /** Les lignes que l'enseignant a ajoutées, dans leur ordre. */
+    public final List<String> libres = new ArrayList<>();
 
     /**
      * Lit le barème, ou l'écrit d'abord s'il n'existe pas.
@@ -44,7 +44,7 @@ public final class Bareme {
             String texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier)))
                     .toString();
             Ini ini = new Ini(new StringReader(texte.startsWith("\uFEFF") ? texte.substring(1) : texte));
-            lire(fichier, ini, grille.getEtapes().stream().map(e -> e.nom).collect(Collectors.toList()));
+            lire(fichier, ini, grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList()));
         } catch (CharacterCodingException e) {
             throw new Panne(2, fichier + " : n'est pas en UTF-8");
         } catch (InvalidFileFormatException e) {
@@ -97,11 +97,6 @@ public final class Bareme {
 
     public double poids(String etape) {
         return poids.getOrDefault(etape, 0.0);
-    }
-
-    /** Les lignes que l'enseignant a ajoutées, dans leur ordre. */
-    public List<String> getLibres() {
-        return Collections.unmodifiableList(libres);
     }
 
     /** La note maximale ; les consignes, qui enlèvent des points, n'y sont pas. */

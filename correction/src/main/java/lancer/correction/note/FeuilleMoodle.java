@@ -115,7 +115,7 @@ public final class FeuilleMoodle {
     public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
         Map<String, String> deposees = deposees(dossier);
         Map<String, Eleve> parId = new LinkedHashMap<>();
-        eleves.forEach(e -> parId.put(e.rendu.getId(), e));
+        eleves.forEach(e -> parId.put(e.rendu.id, e));
         try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve(DEPOSEES),
                 StandardCharsets.UTF_8)) {
             if (bom) {
@@ -165,7 +165,7 @@ public final class FeuilleMoodle {
             // ce que l'enseignant y a mis reste ; ce que nous y avions mis est refait
             String reste = NOTRE.matcher(dit).replaceFirst("").trim();
             ligne.set(commentaire, (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "
-                    + eleve.note.getAtteinte() + " »" + FIN);
+                    + eleve.note.atteinte + " »" + FIN);
         }
     }
 
@@ -193,9 +193,9 @@ public final class FeuilleMoodle {
         try (OutputStream flux = Files.newOutputStream(dossier.resolve("retours.zip"));
                 ZipOutputStream zip = new ZipOutputStream(flux, StandardCharsets.UTF_8)) {
             for (Eleve eleve : eleves) {
-                if (eleve.rendu.getId().matches("\\d+")) {
-                    String nom = eleve.rendu.getNom().replaceAll("[_/\\\\\\p{Cntrl}]", " ").replaceFirst("^[.~]+", "");
-                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.rendu.getId()
+                if (eleve.rendu.id.matches("\\d+")) {
+                    String nom = eleve.rendu.nom.replaceAll("[_/\\\\\\p{Cntrl}]", " ").replaceFirst("^[.~]+", "");
+                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.rendu.id
                             + "_assignsubmission_file/correction.html"));
                     zip.write(Files.readAllBytes(dossier.resolve("etudiants").resolve(eleve.page)));
                     zip.closeEntry();

@@ -1,7 +1,6 @@
 package lancer.correction.note;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,15 +22,17 @@ public final class Note {
         public final int comptent;
         /** Combien ne sont ni réussis, ni ratés. */
         public final int aFaire;
+        private final int nonEvaluables;
         public final double points;
         public final double poids;
         /** Ce que l'enseignant a donné à la place, {@code null} s'il n'a rien donné. */
         public final Ajustements.Ligne ajustement;
 
-        Part(double reussis, int comptent, int aFaire, double points, double poids, Ajustements.Ligne ajustement) {
+        Part(double reussis, int comptent, int aFaire, int nonEvaluables, double points, double poids, Ajustements.Ligne ajustement) {
             this.reussis = reussis;
             this.comptent = comptent;
             this.aFaire = aFaire;
+            this.nonEvaluables = nonEvaluables;
             this.poids = poids;
             this.ajustement = ajustement;
             this.points = ajustement == null ? points : ajustement.points;
@@ -42,61 +43,64 @@ public final class Note {
         }
     }
 
-    private final Map<String, Part> parts = new LinkedHashMap<>();
-    private final String atteinte;
-    private String arret = "";
-    private double perduSansJuger;
+    /** Tout ce qui fait la note, par étape ou ligne libre du barème. */
+    public final Map<String, Part> parts = new LinkedHashMap<>();
+    /** La dernière étape dont tout réussit, celles d'avant où il manque quelque chose, et les extensions réussies. */
+    public final String atteinte;
+    /** Le nom de l'étape du cours après laquelle aucune n'est finie, vide si la dernière l'est. */
+    public final String arret;
+    /** Les points que coûte ce qui n'a pu être jugé. */
+    public final double perduSansJuger;
 
     /** @param siens ce que l'enseignant a donné à cet étudiant */
     public Note(Grille grille, Resultat resultat, Bareme bareme, Map<String, Ajustements.Ligne> siens) {
         String derniere = "";
-        List<String> avant = new ArrayList<>();
+        List<Grille.Etape> avant = new ArrayList<>();
         List<String> manquent = new ArrayList<>();
         List<String> extensions = new ArrayList<>();
-        for (Grille.Etape etape : grille.getEtapes()) {
-            double poids = bareme.poids(etape.nom);
-            Part part = part(etape, resultat, poids, siens.get(etape.nom));
+        double perdu = 0;
+        for (Grille.Etape etape : grille.etapes) {
+            Part part = part(etape, resultat, bareme.poids(etape.nom), siens.get(etape.nom));
             parts.put(etape.nom, part);
+            perdu += part.ajustement == null && part.comptent > 0 ? part.poids * part.nonEvaluables / part.comptent : 0;
             if (etape.duCours && part.complete()) {
                 derniere = etape.titre;
-                manquent.addAll(avant);
+                avant.forEach(e -> manquent.add(e.titre));
                 avant.clear();
-                arret = "";
             } else if (etape.duCours) {
-                avant.add(etape.titre);
-                arret = arret.isEmpty() ? etape.nom : arret;
+                avant.add(etape);
             } else if (part.complete() && etape.extension) {
                 extensions.add(etape.court());
             }
         }
-        for (String libre : bareme.getLibres()) {
-            parts.put(libre, new Part(0, 0, 0, 0, bareme.poids(libre), siens.get(libre)));
+        for (String libre : bareme.libres) {
+            parts.put(libre, new Part(0, 0, 0, 0, 0, bareme.poids(libre), siens.get(libre)));
         }
+        perduSansJuger = perdu;
+        arret = avant.isEmpty() ? "" : avant.get(0).nom;
         atteinte = (derniere.isEmpty() ? total() > 0 ? "aucune en entier" : "aucune" : derniere)
                 + (manquent.isEmpty() ? "" : ", mais reste à compléter : " + String.join(", ", manquent))
                 + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions));
     }
 
-    private Part part(Grille.Etape etape, Resultat resultat, double poids, Ajustements.Ligne ajustement) {
+    private static Part part(Grille.Etape etape, Resultat resultat, double poids, Ajustements.Ligne ajustement) {
         double reussis = 0;
         int comptent = 0;
         int aFaire = 0;
         int nonEvaluables = 0;
         for (Grille.Critere critere : etape.criteres) {
-            Verdict verdict = resultat.verdicts.get(critere.id);
-            Verdict.Etat etat = verdict == null ? Verdict.Etat.NON_COMMENCE : verdict.etat;
+            Verdict verdict = resultat.verdict(critere);
             // ce que le projet à compléter réussit ne rapporte rien, mais le perdre coûte
-            if (critere.compte || etat == Verdict.Etat.RATE) {
+            if (critere.compte || verdict.etat == Verdict.Etat.RATE) {
                 comptent++;
-                reussis += verdict == null ? 0 : verdict.part();
-                aFaire += etat == Verdict.Etat.NON_COMMENCE || etat == Verdict.Etat.NON_EVALUABLE ? 1 : 0;
-                nonEvaluables += etat == Verdict.Etat.NON_EVALUABLE ? 1 : 0;
+                reussis += verdict.part;
+                aFaire += verdict.etat == Verdict.Etat.NON_COMMENCE ? 1 : 0;
+                nonEvaluables += verdict.etat == Verdict.Etat.NON_EVALUABLE ? 1 : 0;
             }
         }
         double gagnes = comptent == 0 ? 0 : poids * reussis / comptent;
-        perduSansJuger += nonEvaluables == 0 || ajustement != null ? 0 : poids * nonEvaluables / comptent;
-        return new Part(reussis, comptent, aFaire, etape.nom.equals(Grille.CONSIGNES) ? gagnes - poids : gagnes, poids,
-                ajustement);
+        return new Part(reussis, comptent, aFaire + nonEvaluables, nonEvaluables,
+                etape.nom.equals(Grille.CONSIGNES) ? gagnes - poids : gagnes, poids, ajustement);
     }
 
     /** @param critere une étape, ou une ligne libre du barème */
@@ -104,28 +108,9 @@ public final class Note {
         return parts.get(critere);
     }
 
-    /** Tout ce qui fait la note, par étape ou ligne libre du barème. */
-    public Map<String, Part> getParts() {
-        return Collections.unmodifiableMap(parts);
-    }
-
     /** Les points obtenus, sur {@link Bareme#total()} ; jamais moins que zéro. */
     public double total() {
         return Math.max(0, parts.values().stream().mapToDouble(p -> p.points).sum());
     }
 
-    /** Les points que coûte ce qui n'a pu être jugé. */
-    public double getPerduSansJuger() {
-        return perduSansJuger;
-    }
-
-    /** La dernière étape dont tout réussit, celles d'avant où il manque quelque chose, et les extensions réussies. */
-    public String getAtteinte() {
-        return atteinte;
-    }
-
-    /** Le nom de l'étape du cours après laquelle aucune n'est finie, vide si la dernière l'est. */
-    public String getArret() {
-        return arret;
-    }
 }

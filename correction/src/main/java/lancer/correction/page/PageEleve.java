@@ -36,31 +36,31 @@ final class PageEleve {
 
     String ecrire() {
         Resultat resultat = eleve.resultat;
-        html.element("h1", eleve.rendu.getNom());
+        html.element("h1", eleve.rendu.nom);
         if (eleve.illisible()) {
             html.element("p class=\"avis\"", "Ce rendu n'a pas pu être jugé : " + String.join(" ; ", resultat.refus));
             remarques();
-            return html.page(eleve.rendu.getNom());
+            return html.page(eleve.rendu.nom);
         }
         html.brut("<p>").dire(Html.nombre(eleve.note.total()) + " points sur " + Html.nombre(bareme.total()))
-                .dire(eleve.note.getPerduSansJuger() > 0 ? " (dont " + Html.nombre(eleve.note.getPerduSansJuger())
+                .dire(eleve.note.perduSansJuger > 0 ? " (dont " + Html.nombre(eleve.note.perduSansJuger)
                 + " perdus par ce qui n'a pu être évalué, et ne rapporte rien)" : "")
-                .dire(" ; étape atteinte : ").element("strong", eleve.note.getAtteinte()).brut("</p>\n");
+                .dire(" ; étape atteinte : ").element("strong", eleve.note.atteinte).brut("</p>\n");
         aReprendre(grille, bareme, eleve, html, "<p class=\"avis\">À reprendre d'abord : ", "</p>\n");
         remarques();
         fautes();
         etapes();
         images();
         chemin();
-        return html.page(eleve.rendu.getNom());
+        return html.page(eleve.rendu.nom);
     }
 
     /** La première chose à corriger, celle de l'étape la plus tôt. */
     static void aReprendre(Grille grille, Bareme bareme, Eleve eleve, Html html, String debut, String fin) {
-        for (Grille.Etape etape : grille.getEtapes()) {
+        for (Grille.Etape etape : grille.etapes) {
             for (Grille.Critere critere : etape.criteres) {
-                Verdict verdict = eleve.resultat.verdicts.get(critere.id);
-                if (verdict != null && verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
+                Verdict verdict = eleve.resultat.verdict(critere);
+                if (verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
                     html.brut(debut).element("strong", etape.titre)
                             .dire((critere.classe.isEmpty() ? ", " : ", classe " + critere.classe + " : ") + critere.titre).brut("<br>")
                             .element("code", verdict.message).brut(fin);
@@ -95,7 +95,7 @@ final class PageEleve {
     private void etapes() {
         html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
                 + "class=\"n\">points<th>détail</tr>\n");
-        for (Grille.Etape etape : grille.getEtapes()) {
+        for (Grille.Etape etape : grille.etapes) {
             Note.Part part = eleve.note.part(etape.nom);
             part(etape.titre, part, etape.nom.equals(Grille.CONSIGNES) ? 0 : part.poids);
             for (Grille.Critere critere : etape.criteres) {
@@ -103,7 +103,7 @@ final class PageEleve {
             }
             html.brut("</tr>\n");
         }
-        for (String libre : bareme.getLibres()) {
+        for (String libre : bareme.libres) {
             part(libre, eleve.note.part(libre), bareme.poids(libre));
             html.brut("</tr>\n");
         }
@@ -130,11 +130,11 @@ final class PageEleve {
     }
 
     private void critere(Grille.Critere critere) {
-        Verdict verdict = eleve.resultat.verdicts.get(critere.id);
-        Verdict.Etat etat = verdict == null ? Verdict.Etat.NON_COMMENCE : verdict.etat;
+        Verdict verdict = eleve.resultat.verdict(critere);
+        Verdict.Etat etat = verdict.etat;
         String css = etat == Verdict.Etat.REUSSI ? "reussi" : etat == Verdict.Etat.CACHE ? "cache"
                 : etat == Verdict.Etat.PARTIEL ? "partiel" : etat == Verdict.Etat.RATE ? "rate" : "vide";
-        boolean muet = verdict == null || verdict.message.isEmpty();
+        boolean muet = verdict.message.isEmpty();
         boolean ouvert = etat == Verdict.Etat.RATE && !muet && !verdict.message.equals(deplie);
         deplie = ouvert ? verdict.message : deplie;
         html.brut(muet ? "<div>" : "<details" + (ouvert ? " open" : "") + "><summary>")
@@ -213,7 +213,7 @@ final class PageEleve {
             html.dire("La première réponse qui s'écarte : ").element("strong", premier.nom).dire(".");
         }
         html.brut("</p>\n<table><tr><th>réponse<th>corrigé<th>rendu</tr>\n");
-        for (Chemin.Pas pas : chemin.getPas()) {
+        for (Chemin.Pas pas : chemin.pas) {
             html.brut(pas == premier ? "<tr class=\"ecart\"><td>" : "<tr><td>").dire(pas.nom).brut("<td>")
                     .element("code", abrege(pas.attendu)).brut("<td>");
             if (pas.pareil) {

@@ -6,7 +6,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -63,21 +66,21 @@ public final class Pages {
     private void tableau(Path fichier, List<Eleve> eleves) throws IOException {
         List<String> titres = new ArrayList<>(List.of("identifiant", "nom", "note", "sur", "étape atteinte",
                 "image identique", "refus", "à regarder"));
-        grille.getEtapes().forEach(e -> titres.add(e.nom));
-        titres.addAll(bareme.getLibres());
+        grille.etapes.forEach(e -> titres.add(e.nom));
+        titres.addAll(bareme.libres);
         try (BufferedWriter texte = Files.newBufferedWriter(fichier, StandardCharsets.UTF_8);
                 CSVPrinter csv = new CSVPrinter(texte, CSVFormat.DEFAULT)) {
             csv.printRecord(titres);
             for (Eleve e : eleves) {
                 // ce qui n'a pu être jugé n'a pas zéro : rien
                 boolean juge = !e.illisible();
-                List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.rendu.getId()),
-                        sansFormule(e.rendu.getNom()), juge ? nombre(e.note.total()) : "", nombre(bareme.total()),
-                        juge ? e.note.getAtteinte() : "", !juge ? ""
+                List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.rendu.id),
+                        sansFormule(e.rendu.nom), juge ? nombre(e.note.total()) : "", nombre(bareme.total()),
+                        juge ? e.note.atteinte : "", !juge ? ""
                         : e.note.part(Grille.IMAGE).complete() ? "oui" : "non",
                         sansFormule(String.join(" ; ", e.resultat.refus)),
                         sansFormule(String.join(" ; ", e.aRegarder))));
-                e.note.getParts().values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
+                e.note.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
                 csv.printRecord(ligne);
             }
         }
@@ -105,21 +108,21 @@ public final class Pages {
         }
         html.brut("</p>\n");
         avis.forEach(a -> html.element("p class=\"avis\"", a));
-        if (!confinement.estConfine()) {
+        if (!confinement.confine) {
             html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : "
-                    + confinement.getManque()
+                    + confinement.manque
                     + ". Il a pu lire et écrire les fichiers de cette machine, ces résultats compris.");
         }
         aRegarder(html, eleves);
-        html.element("h2", "Où la classe s'arrête").brut(graphique(lisibles));
-        quiAFini(html, lisibles);
+        html.element("h2", "Où la classe s'arrête");
+        ouLaClasseSArrete(html, lisibles);
         html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
                 .brut(vignette(reference.getImage("scene1", false), "l'image du corrigé")).brut("celle du corrigé"
                 + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total())).brut("<th>étape atteinte");
-        for (Grille.Etape etape : grille.getEtapes()) {
+        for (Grille.Etape etape : grille.etapes) {
             html.brut("<th class=\"debout\"><span>").dire(etape.court()).brut("</span>");
         }
-        bareme.getLibres().forEach(l -> html.brut("<th class=\"debout\"><span>").dire(l).brut("</span>"));
+        bareme.libres.forEach(l -> html.brut("<th class=\"debout\"><span>").dire(l).brut("</span>"));
         html.brut("</tr>\n");
         for (Eleve eleve : eleves) {
             ligne(html, eleve);
@@ -134,7 +137,7 @@ public final class Pages {
     }
 
     private static void nommer(Html html, Eleve eleve) {
-        html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.rendu.getNom()).brut("</a>");
+        html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.rendu.nom).brut("</a>");
     }
 
     /** Ce que le programme ne peut décider seul, d'abord. */
@@ -153,24 +156,6 @@ public final class Pages {
         html.brut(siens.isEmpty() ? "" : "</table>\n");
     }
 
-    /** Étape par étape, qui l'a finie, et qui s'y est arrêté. */
-    private void quiAFini(Html html, List<Eleve> eleves) {
-        html.brut("<details><summary>Qui a fini quoi</summary><table>\n<tr><th>étape<th>finie par<th>s'y arrêtent</tr>\n");
-        for (Grille.Etape etape : grille.getEtapes()) {
-            html.brut("<tr><td>").dire(etape.court());
-            for (boolean finie : new boolean[] {true, false}) {
-                html.brut("<td class=\"petit\">");
-                eleves.stream().filter(e -> finie ? e.note.part(etape.nom).complete()
-                        : e.note.getArret().equals(etape.nom)).forEach(e -> {
-                    nommer(html, e);
-                    html.brut(" ; ");
-                });
-            }
-            html.brut("</tr>\n");
-        }
-        html.brut("</table></details>\n");
-    }
-
     private void ligne(Html html, Eleve eleve) {
         html.brut("<tr><td class=\"vignette\" rowspan=\"2\">");
         Image image = eleve.resultat.images.get("scene1");
@@ -179,15 +164,15 @@ public final class Pages {
         }
         html.brut("<td>");
         nommer(html, eleve);
-        html.brut("<br><span class=\"petit gris\">").dire(eleve.rendu.getId()).brut("</span>");
-        int colonnes = grille.getEtapes().size() + bareme.getLibres().size();
+        html.brut("<br><span class=\"petit gris\">").dire(eleve.rendu.id).brut("</span>");
+        int colonnes = grille.etapes.size() + bareme.libres.size();
         if (eleve.illisible()) {
             html.brut("<td class=\"n\">–<td colspan=\"" + (colonnes + 1) + "\">")
                     .dire("non corrigé : " + String.join(" ; ", eleve.resultat.refus));
         } else {
             html.brut("<td class=\"n\">").dire(String.format(Locale.FRANCE, "%.2f", eleve.note.total()))
-                    .brut("<td class=\"petit\">").dire(eleve.note.getAtteinte());
-            eleve.note.getParts().values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));
+                    .brut("<td class=\"petit\">").dire(eleve.note.atteinte);
+            eleve.note.parts.values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));
         }
         html.brut("</tr>\n<tr><td class=\"petit\" colspan=\"" + (colonnes + 3) + "\">");
         if (!eleve.illisible()) {
@@ -202,57 +187,37 @@ public final class Pages {
         return Html.image(image.largeur / 2, image.hauteur / 2, (x, y) -> image.code(2 * x, 2 * y), legende);
     }
 
-    /** Pour chaque étape, combien des rendus jugés ont tout, une partie, rien ; et combien s'y sont arrêtés. */
-    private String graphique(List<Eleve> eleves) {
-        int pas = 26;
-        int gauche = 260;
-        double large = 560.0 / Math.max(1, eleves.size());
-        List<Grille.Etape> etapes = grille.getEtapes();
-        StringBuilder svg = new StringBuilder("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"940\" height=\""
-                + (etapes.size() * pas + 6)
-                + "\" role=\"img\" aria-label=\"pour chaque étape, combien d'étudiants réussissent tout, une partie, "
-                + "rien\">");
-        long plus = 0;
-        List<String> arretent = new ArrayList<>();
-        for (int k = 0; k < etapes.size(); k++) {
-            Grille.Etape etape = etapes.get(k);
-            int[] n = new int[3];
-            for (Eleve e : eleves) {
-                Note.Part part = e.note.part(etape.nom);
-                n[part.complete() ? 0 : part.reussis > 0 ? 1 : 2]++;
-            }
-            int y = k * pas + 3;
-            svg.append("<text x=\"" + (gauche - 8) + "\" y=\"" + (y + 15) + "\" text-anchor=\"end\">"
-                    + Html.echappe(etape.titre) + "</text>");
-            double x = gauche;
-            String[] couleurs = {"#8ec79b", "#f3cf85", "#d9dde2"};
-            for (int c = 0; c < 3; c++) {
-                svg.append(String.format(Locale.ROOT,
-                        "<rect x=\"%.1f\" y=\"%d\" width=\"%.1f\" height=\"20\" fill=\"%s\"/>", x, y, n[c] * large,
-                        couleurs[c]));
-                if (n[c] > 0) {
-                    svg.append(String.format(Locale.ROOT, "<text x=\"%.1f\" y=\"%d\">%d</text>", x + 5, y + 15, n[c]));
-                }
-                x += n[c] * large;
-            }
-            long ici = eleves.stream().filter(e -> e.note.getArret().equals(etape.nom)).count();
-            if (ici > 0) {
-                svg.append("<text x=\"830\" y=\"" + (y + 15) + "\">" + ici + (ici > 1 ? " s'y arrêtent" : " s'y arrête")
-                        + "</text>");
-            }
-            if (bareme.poids(etape.nom) > 0 && ici >= Math.max(1, plus)) {
-                if (ici > plus) {
-                    arretent.clear();
-                }
-                plus = ici;
-                arretent.add(etape.titre);
-            }
+    /** Pour chaque étape, combien des rendus jugés ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
+    private void ouLaClasseSArrete(Html html, List<Eleve> eleves) {
+        Map<Grille.Etape, Long> arrets = new LinkedHashMap<>();
+        grille.etapes.forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
+                : eleves.stream().filter(e -> e.note.arret.equals(etape.nom)).count()));
+        long plus = Collections.max(arrets.values());
+        if (plus > 0) {
+            html.brut("<p>L'étape qui arrête le plus d'étudiants : ").element("strong", arrets.keySet().stream()
+                    .filter(e -> arrets.get(e) == plus).map(e -> e.titre).collect(Collectors.joining(", "))).brut(" (" + plus + ")</p>\n");
         }
-        return (plus > 0 ? "<p>" + (arretent.size() > 1 ? "Les étapes qui arrêtent" : "L'étape qui arrête")
-                + " le plus d'étudiants : <strong>" + Html.echappe(String.join(", ", arretent))
-                + "</strong> (" + plus + (arretent.size() > 1 ? " chacune" : "") + ").</p>\n" : "")
-                + svg + "</svg>\n<p class=\"petit gris\">Vert : toute l'étape réussie ; jaune : une partie ; gris : "
-                + "rien. À droite, combien s'y sont arrêtés : ils n'ont fini ni celle-là, ni aucune de celles qui la suivent."
-                + "</p>\n";
+        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; gris, rien<th>finie par<th>n'ont fini ni "
+                + "celle-là, ni aucune de celles qui la suivent</tr>\n");
+        for (Grille.Etape etape : grille.etapes) {
+            html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"barre\">");
+            for (String sorte : List.of("complet", "partiel", "vide")) {
+                long n = eleves.stream().filter(e -> sorte.equals(avancement(e.note.part(etape.nom)))).count();
+                html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"width:" + 100 * n / eleves.size() + "%\">" + n + "</span>");
+            }
+            for (boolean finie : new boolean[] {true, false}) {
+                List<Eleve> siens = eleves.stream().filter(e -> finie ? e.note.part(etape.nom).complete()
+                        : e.note.arret.equals(etape.nom)).collect(Collectors.toList());
+                html.brut("<td class=\"petit\">").brut(siens.isEmpty() ? "" : "<details><summary>" + siens.size() + "</summary>");
+                siens.forEach(e -> nommer(html.brut("<br>"), e));
+                html.brut(siens.isEmpty() ? "" : "</details>");
+            }
+            html.brut("</tr>\n");
+        }
+        html.brut("</table>\n");
+    }
+
+    private static String avancement(Note.Part part) {
+        return part.complete() ? "complet" : part.reussis > 0 ? "partiel" : "vide";
     }
 }
