@@ -171,8 +171,8 @@ public final class Projet {
                 if (intrusion != null) {
                     remarques.add(source.chemin + DE_COTE + intrusion);
                 } else if (!classes.containsKey(nom)) {
-                    classes.put(nom, source.paquet.equals("lancer")
-                            ? Ponts.ajouter(source.classe, source.texte, remarques) : source.texte);
+                    classes.put(nom, source.paquet.equals("lancer") && Modele.A_COMPLETER.contains(source.classe)
+                            ? Methode.avecPonts(source.classe, source.texte, remarques) : source.texte);
                     if (source.remarque != null) {
                         dites.computeIfAbsent(source.remarque, r -> new TreeSet<>()).add(source.chemin);
                     }

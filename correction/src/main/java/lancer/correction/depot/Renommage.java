@@ -1,7 +1,6 @@
 package lancer.correction.depot;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,7 +8,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -21,24 +19,6 @@ import lancer.correction.modele.Modele;
  */
 public final class Renommage {
 
-    private static final Pattern DECLARATION = Pattern.compile(
-            "\\b(?!(?:return|new|else|throw|public|protected|private)\\b)(\\w+)\\s+(\\w+)\\s*\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]");
-
-    /** Une méthode déclarée. */
-    private static final class Methode {
-
-        private final String rend;
-        private final String nom;
-        private final List<String> types;
-
-        Methode(Matcher m) {
-            rend = m.group(1);
-            nom = m.group(2);
-            types = Arrays.stream(m.group(3).split(",")).map(p -> p.replaceAll("\\bfinal\\b", "").trim().split("\\s+")[0])
-                    .collect(Collectors.toList());
-        }
-    }
-
     private final Map<String, String> siennes;
     private final Map<String, String> noms = new LinkedHashMap<>();
     /** Ce qui a changé de nom ou de place, une phrase chacun. */
@@ -48,10 +28,10 @@ public final class Renommage {
     public Renommage(Map<String, String> siennes) {
         this.siennes = siennes;
         for (String classe : Modele.classes()) {
-            Set<String> attendues = nommees(declarees(Modele.squelette(classe)));
+            Set<String> attendues = nommees(Methode.de(Modele.squelette(classe)));
             if (texte(classe) == null && attendues.size() > 3) {
                 seul(siennes.keySet().stream().map(c -> c.replace("lancer/", "")).filter(c -> texte(c) != null
-                        && !Modele.classes().contains(c) && nommees(declarees(texte(c))).containsAll(attendues)),
+                        && !Modele.classes().contains(c) && nommees(Methode.de(texte(c))).containsAll(attendues)),
                         sien -> renommer(classe, sien, "la classe " + classe + " s'appelle " + sien));
             }
         }
@@ -63,8 +43,8 @@ public final class Renommage {
     }
 
     private void chercherMethodes(String classe) {
-        List<Methode> duCours = declarees(Modele.squelette(classe));
-        List<Methode> lesSiennes = declarees(texte(classe(classe)));
+        List<Methode> duCours = Methode.de(Modele.squelette(classe));
+        List<Methode> lesSiennes = Methode.de(texte(classe(classe)));
         Set<String> connues = nommees(duCours);
         for (Methode m : duCours) {
             if (nommees(lesSiennes).contains(m.nom) || nommees(lesSiennes).contains(dans(m.nom)) || m.nom.equals("toString")) {
@@ -74,13 +54,13 @@ public final class Renommage {
             boolean trouvee = seul(lesSiennes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(types)
                     && s.rend.equals(dans(m.rend))).map(s -> s.nom).distinct(), sien -> {
                 boolean ailleurs = Modele.classes().stream().filter(c -> texte(classe(c)) != null)
-                        .anyMatch(c -> nommees(declarees(texte(classe(c)))).contains(m.nom));
+                        .anyMatch(c -> nommees(Methode.de(texte(classe(c)))).contains(m.nom));
                 renommer(ailleurs ? "" : m.nom, sien, "la méthode " + classe + "." + m.nom + " s'appelle " + sien);
             });
             if (!trouvee) {
                 seul(Modele.classes().stream().filter(c -> texte(classe(c)) != null
-                        && !nommees(declarees(Modele.squelette(c))).contains(m.nom)
-                        && nommees(declarees(texte(classe(c)))).contains(m.nom)),
+                        && !nommees(Methode.de(Modele.squelette(c))).contains(m.nom)
+                        && nommees(Methode.de(texte(classe(c)))).contains(m.nom)),
                         autre -> renommer("", "", "la méthode " + m.nom + " est dans " + autre + ", au lieu de " + classe));
             }
         }
@@ -106,15 +86,6 @@ public final class Renommage {
 
     private String texte(String classe) {
         return siennes.get("lancer/" + classe);
-    }
-
-    private static List<Methode> declarees(String texte) {
-        List<Methode> methodes = new ArrayList<>();
-        Matcher m = DECLARATION.matcher(Source.sansCommentaires(texte));
-        while (m.find()) {
-            methodes.add(new Methode(m));
-        }
-        return methodes;
     }
 
     private static Set<String> nommees(Collection<Methode> methodes) {
