@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.nio.file.Paths;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
@@ -16,7 +16,7 @@ import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Jury;
-import lancer.correction.jugement.Resultat;
+import lancer.correction.modele.Modele;
 import lancer.correction.modele.Squelette;
 import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
@@ -48,13 +48,14 @@ public final class Correction {
     /** @return le statut de sortie ; pour 1 et 2, une ligne a été écrite sur {@code erreur} */
     static int executer(String[] args, PrintStream sortie, PrintStream erreur) {
         try {
-            Demande demande = Demande.lire(args);
+            Demande demande = new Demande(args);
             if (demande.aide) {
-                sortie.println(Demande.AIDE);
-            } else if (demande.squelette != null) {
-                Squelette.ecrire(demande.squelette, sortie);
-            } else if (demande.corrige != null) {
-                Squelette.ecrireCorrige(demande.corrige, demande.variante, sortie);
+                sortie.print(Modele.ressource("aide.txt"));
+            } else if (demande.valeur("--squelette") != null) {
+                Squelette.ecrire(demande.valeur("--squelette"), null, sortie);
+            } else if (demande.valeur("--corrige") != null) {
+                String variante = demande.valeur("--variante");
+                Squelette.ecrire(demande.valeur("--corrige"), variante == null ? "" : variante, sortie);
             } else {
                 new Correction(demande, sortie, erreur).corriger();
             }
@@ -73,10 +74,11 @@ public final class Correction {
     }
 
     private void corriger() throws IOException {
-        Path dossier = Files.createDirectories(demande.sortie).toRealPath();
+        Path dossier = Files.createDirectories(demande.chemin("--sortie", Paths.get("correction", "classe"))).toRealPath();
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
         // une feuille de notes qui ne convient pas se dit tout de suite, pas après avoir tout jugé
-        FeuilleMoodle feuille = demande.notes == null ? null : new FeuilleMoodle(demande.notes);
+        Path notes = demande.chemin("--notes", null);
+        FeuilleMoodle feuille = notes == null ? null : new FeuilleMoodle(notes);
         List<Rendu> rendus = Depot.lire(demande.rendus, travail);
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.sansConfinement) {
@@ -88,24 +90,23 @@ public final class Correction {
                 + " ; le corrigé d'abord");
         try (Jury jury = new Jury(travail, confinement, Limites.ordinaires())) {
             Grille grille = new Grille(jury.reference);
-            Bareme bareme = new Bareme(demande.bareme == null ? dossier.resolve("bareme.ini") : demande.bareme, grille);
+            Bareme bareme = new Bareme(demande.chemin("--bareme", dossier.resolve("bareme.ini")), grille);
             List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
             criteres.addAll(bareme.libres);
             Ajustements ajustements = new Ajustements(dossier.resolve("ajustements.csv"),
                     rendus.stream().map(r -> r.id).collect(Collectors.toList()), criteres);
             ajustements.fautes.forEach(f -> suivi.println("correction : " + f));
+            Eleve[] classe = new Eleve[rendus.size()];
             AtomicInteger finis = new AtomicInteger();
-            List<Resultat> resultats = jury.juger(rendus, (rang, resultat) -> suivi.println(String.format(Locale.FRANCE,
-                    "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(), qui(rendus.get(rang)),
-                    resultat.refus.isEmpty() ? String.format(Locale.FRANCE, "%.2f/%.4g", new Note(grille, resultat, bareme,
-                            ajustements.de(rendus.get(rang).id)).total(), bareme.total())
-                            : resultat.refus.get(0))));
-            List<Eleve> eleves = new ArrayList<>();
-            for (int k = 0; k < rendus.size(); k++) {
-                String id = rendus.get(k).id;
-                eleves.add(new Eleve(rendus.get(k), resultats.get(k), new Note(grille, resultats.get(k), bareme,
-                        ajustements.de(id)), String.format("%02d-%s.html", k + 1, id.replaceAll("[^A-Za-z0-9-]+", "_"))));
-            }
+            jury.juger(rendus, (rang, resultat) -> {
+                Rendu rendu = rendus.get(rang);
+                classe[rang] = new Eleve(rendu, resultat, new Note(grille, resultat, bareme, ajustements.de(rendu.id)),
+                        String.format("%02d-%s.html", rang + 1, rendu.id.replaceAll("[^A-Za-z0-9-]+", "_")));
+                suivi.println(String.format(Locale.FRANCE, "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(),
+                        qui(rendu), classe[rang].illisible() ? resultat.refus.get(0)
+                        : String.format(Locale.FRANCE, "%.2f/%.4g", classe[rang].note.total(), bareme.total())));
+            });
+            List<Eleve> eleves = List.of(classe);
             String nonCorriges = eleves.stream().filter(e -> e.resultat.nonCorrige).map(e -> qui(e.rendu))
                     .collect(Collectors.joining(", "));
             Ressemblances.dire(eleves);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -36,15 +35,16 @@ final class Juge implements AutoCloseable {
     /** Ce qui s'ajoute à une méthode déjà écrite pour une étape d'avant. */
     private static final Set<String> DANS_LA_MEME_METHODE = Set.of("phong", "ombres", "reflets");
 
-    private final Reference reference;
+    final Reference reference;
     private final Machines.Compilation compilation;
     private final Machines machines;
-    private final Projet projet;
+    final Projet projet;
     /** La machine d'un seul assemblage : un rendu n'y a ni le corrigé de ce qu'on y juge, ni ses autres essais. */
     private Machines.Rendue machine;
     private Assemblage enMachine;
-    private final Resultat resultat = new Resultat();
-    private Assemblage ensemble;
+    final Resultat resultat = new Resultat();
+    /** Toutes les classes de l'étudiant. */
+    Assemblage ensemble;
     /** Pourquoi les dernières vérifications n'ont pas toutes été lancées, vide si elles l'ont été. */
     private String coupe = "";
     /** Où une vérification n'a pas fini. */
@@ -110,17 +110,12 @@ final class Juge implements AutoCloseable {
         }
         Map<String, Verdict> parEnsemble = lancer(ensemble, reference.verifications);
         String sansImage = coupe;
-        Map<String, List<Verification>> aReprendre = new LinkedHashMap<>();
-        for (Verification v : reference.verifications) {
-            if (parEnsemble.get(v.id()).etat != Etat.REUSSI && projet.texte(v.classe) != null && !intacte(v.classe)) {
-                aReprendre.computeIfAbsent(v.classe, c -> new ArrayList<>()).add(v);
-            }
-        }
         Map<String, Verdict> parSeule = new HashMap<>();
-        for (Map.Entry<String, List<Verification>> reprise : aReprendre.entrySet()) {
-            Assemblage seule = seule(reprise.getKey());
-            if (seule != null) {
-                parSeule.putAll(lancer(seule, reprise.getValue()));
+        for (String classe : Modele.A_COMPLETER) {
+            List<Verification> aReprendre = reference.verifications.stream().filter(v -> v.classe.equals(classe)
+                    && parEnsemble.get(v.id()).etat != Etat.REUSSI).collect(Collectors.toList());
+            if (!aReprendre.isEmpty() && projet.texte(classe) != null && !intacte(classe)) {
+                parSeule.putAll(lancer(seule(classe), aReprendre));
             }
         }
         for (Verification v : reference.verifications) {
@@ -133,7 +128,7 @@ final class Juge implements AutoCloseable {
         } else {
             // une machine neuve : ce que les vérifications ont pu y laisser ne gâte pas l'image
             close();
-            new JugeImage(this, reference, projet, resultat).juger();
+            new JugeImage(this).juger();
         }
         variantes();
         consignes();
@@ -240,25 +235,9 @@ final class Juge implements AutoCloseable {
             String nom = variante.getKey();
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
             Map<String, String> sources = base(variante.getValue());
-            Map<String, String> duCours = projet.noms.dans(Modele.ajoutees(nom));
             Variante juge = new Variante(this, nom);
-            Assemblage assemblage = assembler(sources);
-            Verdict verdict = juge.juger(ensemble, assemblage, assembler(base(duCours)));
-            resultat.variantes.putAll(juge.getImage());
-            // ce que la variante change, parmi les classes du corrigé : une faute de la base ne la cache pas
-            Map<String, String> change = new TreeMap<>(sources);
-            change.entrySet().removeIf(c -> Modele.classes().contains(c.getKey().replace("lancer/", ""))
-                    && (projet.base.get(c.getKey()) == null ? !variante.getValue().containsKey(c.getKey())
-                    : Source.memeCode(c.getValue(), projet.base.get(c.getKey()))));
-            if (!change.isEmpty() && !verdict.compte()) {
-                Map<String, String> corrige = projet.noms.dans(Modele.tout(Modele::corrige));
-                Map<String, String> lui = new TreeMap<>(corrige);
-                lui.putAll(change);
-                Map<String, String> attendu = new TreeMap<>(corrige);
-                attendu.putAll(duCours);
-                Verdict seule = new Variante(this, nom).juger(assembler(corrige), assembler(lui), assembler(attendu));
-                verdict = seule.part > verdict.part ? seule : verdict;
-            }
+            Verdict verdict = juge.juger(ensemble, assembler(sources), assembler(base(projet.noms.dans(Modele.ajoutees(nom)))));
+            resultat.variantes.putAll(juge.image);
             resultat.verdicts.put(nom + ".image", verdict);
         }
     }
@@ -276,7 +255,7 @@ final class Juge implements AutoCloseable {
         if (seules.containsKey(classe)) {
             return seules.get(classe);
         }
-        Map<String, String> sources = corrigeAvec(List.of(classe));
+        Map<String, String> sources = corrigeAvec(classe);
         Assemblage seule = assembler(sources);
         if (fautesNouvelles(seule, classe)) {
             List<String> nommees = new ArrayList<>();
@@ -383,31 +362,17 @@ final class Juge implements AutoCloseable {
                 resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("");
     }
 
-    /** Toutes les classes de l'étudiant. */
-    Assemblage ensemble() {
-        return ensemble;
-    }
-
-    /** Plusieurs classes de l'étudiant parmi celles du corrigé. */
-    Assemblage parmiLeCorrige(List<String> classes) throws Arret {
-        return assembler(corrigeAvec(classes));
-    }
-
     /** Vrai si une vérification n'y a pas fini : on n'y dessine pas. */
     boolean estArrete(Assemblage assemblage) {
         return arretes.contains(assemblage);
     }
 
-    /** Le corrigé, avec ces classes de l'étudiant, et celles qu'il a ajoutées ; celle qu'il n'a pas rendue, à compléter. */
-    private Map<String, String> corrigeAvec(List<String> classes) {
-        Map<String, String> sources = projet.noms.dans(Modele.tout(Modele::corrige));
-        classes.forEach(c -> sources.put("lancer/" + projet.noms.classe(c), projet.texte(c) != null ? projet.texte(c)
-                : projet.noms.dans(Modele.squelette(c))));
-        projet.base.forEach((nom, texte) -> {
-            if (!sources.containsKey(nom)) {
-                sources.put(nom, texte);
-            }
-        });
+    /** Le corrigé, avec cette classe de l'étudiant, et celles qu'il a ajoutées ; celle qu'il n'a pas rendue, à compléter. */
+    private Map<String, String> corrigeAvec(String classe) {
+        Map<String, String> sources = new TreeMap<>(projet.base);
+        sources.putAll(projet.noms.dans(Modele.tout(Modele::corrige)));
+        sources.put("lancer/" + projet.noms.classe(classe), projet.texte(classe) != null ? projet.texte(classe)
+                : projet.noms.dans(Modele.squelette(classe)));
         return sources;
     }
 

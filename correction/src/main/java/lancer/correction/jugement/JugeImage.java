@@ -1,8 +1,5 @@
 package lancer.correction.jugement;
 
-import java.util.ArrayList;
-import java.util.List;
-import lancer.correction.depot.Projet;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
@@ -16,14 +13,12 @@ final class JugeImage {
 
     private final Juge juge;
     private final Reference reference;
-    private final Projet projet;
     private final Resultat resultat;
 
-    JugeImage(Juge juge, Reference reference, Projet projet, Resultat resultat) {
+    JugeImage(Juge juge) {
         this.juge = juge;
-        this.reference = reference;
-        this.projet = projet;
-        this.resultat = resultat;
+        reference = juge.reference;
+        resultat = juge.resultat;
     }
 
     /** Dessine chaque scène et compare ; de la première qui diffère, cherche d'où cela vient. */
@@ -46,7 +41,7 @@ final class JugeImage {
     private Verdict juger(String scene) {
         Image image;
         try {
-            image = juge.image(juge.ensemble(), scene, 0);
+            image = juge.image(juge.ensemble, scene, 0);
         } catch (Arret e) {
             resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
             return new Verdict(Etat.RATE, e.getMessage());
@@ -85,17 +80,8 @@ final class JugeImage {
                 resultat.chemin = autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart() ? autre : resultat.chemin;
             }
         }
-        List<String> suspectes = new ArrayList<>(Modele.A_COMPLETER);
-        suspectes.removeIf(classe -> projet.texte(classe) == null || juge.intacte(classe));
-        List<String> justes = new ArrayList<>(suspectes);
-        justes.removeIf(classe -> reference.verifications.stream()
-                .anyMatch(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()));
-        // celles dont tout réussit d'abord, d'un seul coup : elles sont rarement en cause
-        if (justes.size() > 1 && !changentLImage(scene, juge.parmiLeCorrige(justes))) {
-            suspectes.removeAll(justes);
-        }
-        for (String classe : suspectes) {
-            if (changentLImage(scene, juge.seule(classe))) {
+        for (String classe : Modele.A_COMPLETER) {
+            if (juge.projet.texte(classe) != null && !juge.intacte(classe) && changentLImage(scene, juge.seule(classe))) {
                 resultat.classesFautives.add(classe);
             }
         }
@@ -114,6 +100,6 @@ final class JugeImage {
 
     private Chemin chemin(String scene, int x, int y) throws Arret {
         double decalage = resultat.centre ? 0.5 : 0;
-        return new Chemin(x, y, reference.chemin(scene, x + decalage, y + decalage), juge.chemin(juge.ensemble(), scene, x, y));
+        return new Chemin(x, y, reference.chemin(scene, x + decalage, y + decalage), juge.chemin(juge.ensemble, scene, x, y));
     }
 }

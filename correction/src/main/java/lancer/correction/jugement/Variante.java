@@ -39,17 +39,13 @@ final class Variante {
     private final Juge juge;
     private final String nom;
     private final String scene;
-    private final Map<String, Image> image = new HashMap<>();
+    /** La scène qu'on regarde, telle que cette extension la dessine ; aucune si elle ne l'a pas pu. */
+    final Map<String, Image> image = new HashMap<>();
 
     Variante(Juge juge, String nom) {
         this.juge = juge;
         this.nom = nom;
         scene = Modele.scene(TITRES.get(nom)[2]).replaceFirst("(?s)\\[Brume\\].*?(?=\\n\\[)", "");
-    }
-
-    /** La scène qu'on regarde, telle que cette extension la dessine ; aucune si elle ne l'a pas pu. */
-    Map<String, Image> getImage() {
-        return image;
     }
 
     /** @param attendu la base, et l'extension du corrigé */

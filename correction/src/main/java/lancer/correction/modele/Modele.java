@@ -99,7 +99,7 @@ public final class Modele {
     public static Map<String, String> ajoutees(String variante) {
         Map<String, String> siennes = tout(c -> corrige(c, variante));
         siennes.values().removeAll(tout(Modele::corrige).values());
-        VARIANTES.get(variante).forEach(c -> siennes.put("lancer/" + c, corrige(c, variante)));
+        VARIANTES.getOrDefault(variante, List.of()).forEach(c -> siennes.put("lancer/" + c, corrige(c, variante)));
         return siennes;
     }
 

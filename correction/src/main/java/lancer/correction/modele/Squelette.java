@@ -5,12 +5,10 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
 
@@ -27,39 +25,34 @@ public final class Squelette {
     private Squelette() {
     }
 
-    /** @throws Panne si le dossier n'est pas vide, ou ne peut être écrit */
-    public static void ecrire(String dossier, PrintStream sortie) {
-        Path racine = ecrire(dossier, Modele.classes(), Modele::squelette,
-                Map.of("LISEZMOI.md", Modele.ressource("projet/LISEZMOI.md")));
-        sortie.println("Le projet à compléter est dans " + racine);
-    }
-
     /**
-     * Écrit le projet achevé.
+     * Écrit le projet.
      *
-     * @param variante l'extension dont c'est la copie, vide pour le projet de base
+     * @param variante {@code null} pour le projet à compléter ; vide pour le projet achevé, ou l'extension dont c'est la copie
      * @throws Panne si le dossier n'est pas vide, ou ne peut être écrit, ou si le cours n'a pas cette extension
      */
-    public static void ecrireCorrige(String dossier, String variante, PrintStream sortie) {
-        List<String> classes = new ArrayList<>(Modele.classes());
-        if (!variante.isEmpty()) {
-            if (!Modele.VARIANTES.containsKey(variante)) {
+    public static void ecrire(String dossier, String variante, PrintStream sortie) {
+        Map<String, String> fichiers = new TreeMap<>();
+        if (variante == null) {
+            Modele.tout(Modele::squelette).forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
+            fichiers.put("LISEZMOI.md", Modele.ressource("projet/LISEZMOI.md"));
+        } else {
+            if (!variante.isEmpty() && !Modele.VARIANTES.containsKey(variante)) {
                 throw new Panne(2, "extension inconnue : « " + variante + " » ; attendu : "
                         + String.join(", ", new TreeSet<>(Modele.VARIANTES.keySet())));
             }
-            classes.addAll(Modele.VARIANTES.get(variante));
+            Map<String, String> classes = Modele.tout(Modele::corrige);
+            classes.putAll(Modele.ajoutees(variante));
+            classes.forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
+            fichiers.put("LISEZMOI.md", Modele.ressource("projet/CORRIGE.md"));
+            if (variante.equals("blinn")) {
+                // hors du miroir, les reflets de Blinn ne sont pas ceux de Phong, que Tests demande
+                fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
+            }
         }
-        Map<String, String> fichiers = new TreeMap<>();
-        fichiers.put("LISEZMOI.md", Modele.ressource("projet/CORRIGE.md"));
-        if (variante.equals("blinn")) {
-            // hors du miroir, les reflets de Blinn ne sont pas ceux de Phong, que Tests demande
-            fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
-        }
-        Path racine = ecrire(dossier, classes, classe -> Modele.corrige(classe, variante), fichiers);
-        sortie.println("Le corrigé" + (variante.isEmpty() ? "" : ", extension " + variante + ",") + " est dans " + racine);
-    }
-
-    private static Path ecrire(String dossier, List<String> classes, UnaryOperator<String> texte, Map<String, String> fichiers) {
+        fichiers.put("src/test/java/lancer/Tests.java", Modele.tests());
+        Modele.SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", Modele.scene(scene)));
+        PROJET.forEach(fichier -> fichiers.put(fichier, Modele.ressource("projet/" + fichier)));
         Path racine = Paths.get(dossier);
         try {
             if (Files.exists(racine)) {
@@ -70,27 +63,15 @@ public final class Squelette {
                     }
                 }
             }
-            for (String classe : classes) {
-                ecrire(racine.resolve("src/main/java/lancer/" + classe + ".java"), texte.apply(classe));
-            }
-            ecrire(racine.resolve("src/test/java/lancer/Tests.java"), Modele.tests());
-            for (String scene : Modele.SCENES) {
-                ecrire(racine.resolve("scenes/" + scene + ".ini"), Modele.scene(scene));
-            }
-            for (String fichier : PROJET) {
-                ecrire(racine.resolve(fichier), Modele.ressource("projet/" + fichier));
-            }
             for (Map.Entry<String, String> fichier : fichiers.entrySet()) {
-                ecrire(racine.resolve(fichier.getKey()), fichier.getValue());
+                Path chemin = racine.resolve(fichier.getKey());
+                Files.createDirectories(chemin.getParent());
+                Files.writeString(chemin, fichier.getValue());
             }
         } catch (IOException e) {
             throw new Panne(1, "écriture impossible : " + e);
         }
-        return racine;
-    }
-
-    private static void ecrire(Path fichier, String texte) throws IOException {
-        Files.createDirectories(fichier.getParent());
-        Files.writeString(fichier, texte);
+        sortie.println((variante == null ? "Le projet à compléter" : variante.isEmpty() ? "Le corrigé"
+                : "Le corrigé, extension " + variante + ",") + " est dans " + racine);
     }
 }

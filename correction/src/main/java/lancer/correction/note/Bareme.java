@@ -1,12 +1,7 @@
 package lancer.correction.note;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.StringReader;
-import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,7 +11,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.Panne;
+import lancer.correction.depot.Source;
 import lancer.correction.jugement.Grille;
+import lancer.correction.modele.Modele;
 import org.ini4j.Ini;
 import org.ini4j.InvalidFileFormatException;
 import org.ini4j.Profile;
@@ -39,27 +36,15 @@ public final class Bareme {
     public Bareme(Path fichier, Grille grille) {
         try {
             if (!Files.exists(fichier)) {
-                Files.write(fichier, parDefaut());
+                Files.writeString(fichier, Modele.ressource("bareme.ini"));
             }
-            String texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier)))
-                    .toString();
-            Ini ini = new Ini(new StringReader(texte.startsWith("\uFEFF") ? texte.substring(1) : texte));
-            lire(fichier, ini, grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList()));
-        } catch (CharacterCodingException e) {
-            throw new Panne(2, fichier + " : n'est pas en UTF-8");
+            lire(fichier, new Ini(new StringReader(Source.decoder(Files.readAllBytes(fichier)))),
+                    grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList()));
         } catch (InvalidFileFormatException e) {
             throw new Panne(2, fichier + " : ligne incomprise ; attendu : étape=points ("
                     + e.getMessage().replace("parse error (at line: ", "ligne ").replaceFirst("\\)", "") + ")");
         } catch (IOException e) {
             throw new Panne(2, "barème illisible : " + fichier + " (" + e.getMessage() + ")");
-        }
-    }
-
-    private static byte[] parDefaut() {
-        try (InputStream flux = Bareme.class.getResourceAsStream("/bareme.ini")) {
-            return flux.readAllBytes();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
         }
     }
 

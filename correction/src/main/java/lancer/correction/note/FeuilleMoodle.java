@@ -3,8 +3,6 @@ package lancer.correction.note;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.StringReader;
-import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -18,6 +16,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import lancer.correction.Eleve;
@@ -37,15 +36,13 @@ public final class FeuilleMoodle {
 
     private static final Pattern NUMERO = Pattern.compile("\\D*(\\d+)\\s*");
     private static final String DEBUT = "Correction automatique : ";
-    private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d, )?[^\n]*?"
-            + " ; le détail est dans le fichier de retour\\.");
-    private static final String DEPOSEES = "notes-a-deposer.csv";
     private static final String FIN = " ; le détail est dans le fichier de retour.";
+    private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d, )?[^\n]*?" + Pattern.quote(FIN));
+    private static final String DEPOSEES = "notes-a-deposer.csv";
     private static final String BOM = "\uFEFF";
 
     private final Path fichier;
-    private final boolean bom;
-    private final String finDeLigne;
+    private final String texte;
     private final List<List<String>> lignes;
     private final int identifiant;
     private final int note;
@@ -56,18 +53,14 @@ public final class FeuilleMoodle {
     /** @throws Panne si ce n'est pas une feuille de notes que Moodle accepterait */
     public FeuilleMoodle(Path fichier) {
         this.fichier = fichier;
-        String texte;
         try {
-            texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier))).toString();
+            texte = Files.readString(fichier);
             lignes = lignes(texte);
         } catch (CharacterCodingException e) {
-            throw new Panne(2, fichier
-                    + " : n'est pas en UTF-8 ; attendu : la feuille de notes telle que Moodle la donne");
+            throw new Panne(2, fichier + " : n'est pas en UTF-8 ; attendu : la feuille de notes telle que Moodle la donne");
         } catch (IOException | RuntimeException e) {
             throw new Panne(2, "feuille de notes illisible : " + fichier + " (" + e.getMessage() + ")");
         }
-        bom = texte.startsWith(BOM);
-        finDeLigne = texte.contains("\r\n") ? "\r\n" : "\n";
         identifiant = colonne(true, "Identifier", "Identifiant");
         note = colonne(true, "Grade", "Note");
         colonne(true, "Last modified (grade)", "Dernière modification (note)");
@@ -77,17 +70,14 @@ public final class FeuilleMoodle {
     }
 
     private static List<List<String>> lignes(String texte) throws IOException {
-        List<List<String>> lignes = new ArrayList<>();
-        try (CSVParser csv = CSVParser.parse(new StringReader(texte.startsWith(BOM) ? texte.substring(1) : texte),
-                CSVFormat.DEFAULT)) {
-            csv.forEach(ligne -> lignes.add(new ArrayList<>(ligne.toList())));
+        try (CSVParser csv = CSVParser.parse(texte.replaceFirst("^" + BOM, ""), CSVFormat.DEFAULT)) {
+            return csv.stream().map(ligne -> new ArrayList<>(ligne.toList())).collect(Collectors.toList());
         }
-        return lignes;
     }
 
     private int colonne(boolean exigee, String anglais, String francais) {
         List<String> titres = lignes.isEmpty() ? List.of() : lignes.get(0);
-        int k = titres.indexOf(anglais) >= 0 ? titres.indexOf(anglais) : titres.indexOf(francais);
+        int k = Math.max(titres.indexOf(anglais), titres.indexOf(francais));
         if (k < 0 && exigee) {
             throw new Panne(2, fichier + " : la colonne « " + francais + " » (« " + anglais + " ») manque ; "
                     + "attendu : la feuille de notes telle que Moodle la donne, séparée par des virgules");
@@ -95,12 +85,16 @@ public final class FeuilleMoodle {
         return k;
     }
 
+    /** Une case, vide si la ligne ne l'a pas. */
+    private static String valeur(List<String> ligne, int colonne) {
+        return colonne >= 0 && colonne < ligne.size() ? ligne.get(colonne) : "";
+    }
+
     /** Les notes que nous avions écrites dans ce dossier, par identifiant ; aucune si ce n'est pas lisible. */
     private Map<String, String> deposees(Path dossier) {
         Map<String, String> notes = new HashMap<>();
         try {
-            lignes(Files.readString(dossier.resolve(DEPOSEES))).stream().filter(l -> l.size() > note)
-                    .forEach(l -> notes.put(l.get(identifiant), l.get(note)));
+            lignes(Files.readString(dossier.resolve(DEPOSEES))).forEach(l -> notes.put(valeur(l, identifiant), valeur(l, note)));
         } catch (IOException | RuntimeException e) {
             // la première fois, ou un autre tableau : rien de nous n'est à reconnaître
         }
@@ -116,22 +110,11 @@ public final class FeuilleMoodle {
         Map<String, String> deposees = deposees(dossier);
         Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.rendu.id, e));
-        try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve(DEPOSEES),
-                StandardCharsets.UTF_8)) {
-            if (bom) {
-                texte.write(BOM);
-            }
-            CSVFormat format = CSVFormat.DEFAULT.builder().setRecordSeparator(finDeLigne).setQuoteMode(QuoteMode.MINIMAL)
-                    .get();
-            try (CSVPrinter csv = new CSVPrinter(texte, format)) {
-                for (int k = 0; k < lignes.size(); k++) {
-                    List<String> ligne = new ArrayList<>(lignes.get(k));
-                    if (k > 0) {
-                        noter(ligne, parId, bareme, deposees);
-                    }
-                    csv.printRecord(ligne);
-                }
-            }
+        lignes.stream().skip(1).forEach(ligne -> noter(ligne, parId, bareme, deposees));
+        try (BufferedWriter sortie = Files.newBufferedWriter(dossier.resolve(DEPOSEES))) {
+            sortie.write(texte.startsWith(BOM) ? BOM : "");
+            new CSVPrinter(sortie, CSVFormat.DEFAULT.builder().setRecordSeparator(texte.contains("\r\n") ? "\r\n" : "\n")
+                    .setQuoteMode(QuoteMode.MINIMAL).get()).printRecords(lignes);
         }
         parId.values().removeIf(Eleve::illisible);
         return parId.values();
@@ -139,21 +122,21 @@ public final class FeuilleMoodle {
 
     /** Note cette ligne, si elle est celle d'un de ces élèves, et se change ; il n'est alors plus à noter. */
     private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme, Map<String, String> deposees) {
-        Matcher m = NUMERO.matcher(ligne.size() > identifiant ? ligne.get(identifiant) : "");
+        Matcher m = NUMERO.matcher(valeur(ligne, identifiant));
         Eleve eleve = m.matches() ? parId.get(m.group(1)) : null;
-        if (eleve == null || ligne.size() <= note || !modifiable(ligne)) {
+        if (eleve == null || ligne.size() <= note || valeur(ligne, modifiable).trim().matches("(?i)no|non")) {
             return;
         }
         parId.remove(m.group(1));
         if (eleve.illisible()) {
             return;
         }
-        double sur = maximum(ligne, bareme.total());
+        double sur = Double.isNaN(reel(valeur(ligne, maximum))) ? bareme.total() : reel(valeur(ligne, maximum));
         String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.note.total() / bareme.total() * sur));
-        String dit = commentaire >= 0 && commentaire < ligne.size() ? ligne.get(commentaire) : "";
+        String dit = valeur(ligne, commentaire);
         Matcher notre = NOTRE.matcher(dit);
         double ancienne = reel(ligne.get(note));
-        if (Double.isNaN(ancienne) && ligne.get(note).isBlank() || ancienne == reel(neuve)
+        if (ligne.get(note).isBlank() || ancienne == reel(neuve)
                 || ancienne == reel(deposees.getOrDefault(ligne.get(identifiant), ""))
                 || notre.find() && notre.group(1) != null && ancienne == reel(notre.group(1).replace(", ", ""))) {
             ligne.set(note, neuve);
@@ -173,16 +156,6 @@ public final class FeuilleMoodle {
     private static double reel(String texte) {
         String propre = texte.trim().replace(',', '.');
         return propre.matches("\\d{1,9}(\\.\\d+)?") ? Double.parseDouble(propre) : Double.NaN;
-    }
-
-    /** Une note verrouillée serait ignorée : autant la laisser. */
-    private boolean modifiable(List<String> ligne) {
-        return modifiable < 0 || modifiable >= ligne.size() || !ligne.get(modifiable).trim().matches("(?i)no|non");
-    }
-
-    private double maximum(List<String> ligne, double defaut) {
-        double sur = reel(maximum >= 0 && maximum < ligne.size() ? ligne.get(maximum) : "");
-        return Double.isNaN(sur) ? defaut : sur;
     }
 
     /**

@@ -46,13 +46,13 @@ class DepotTest {
     }
 
     private Map<String, Rendu> lire(Path lieu) {
-        return Depot.lire(lieu, travail).stream().collect(Collectors.toMap(Rendu::getId, r -> r));
+        return Depot.lire(lieu, travail).stream().collect(Collectors.toMap(r -> r.id, r -> r));
     }
 
     private static void verifier(Rendu rendu, String nom) {
-        assertEquals(nom, rendu.getNom());
-        assertEquals(List.of(), rendu.getRefus());
-        assertEquals("lancer/Vecteur", String.join(" ", Projet.lire(rendu).getBase().keySet()));
+        assertEquals(nom, rendu.nom);
+        assertEquals(List.of(), rendu.refus);
+        assertEquals("lancer/Vecteur", String.join(" ", Projet.lire(rendu).base.keySet()));
     }
 
     @Test
@@ -66,7 +66,7 @@ class DepotTest {
         verifier(lus.get("11"), "Étudiant 1");
         verifier(lus.get("12"), "Étudiant 1");
         verifier(lus.get("13"), "Participant");
-        assertEquals(List.of("aucun fichier .java dans ce rendu"), lus.get("14").getRefus());
+        assertEquals(List.of("aucun fichier .java dans ce rendu"), lus.get("14").refus);
     }
 
     @Test
@@ -161,8 +161,8 @@ class DepotTest {
     }
 
     private static void refuse(Rendu rendu, String message) {
-        assertTrue(rendu.getRefus().stream().anyMatch(r -> r.contains(message)), rendu.getRefus().toString());
-        assertEquals(Map.of(), rendu.getSources());
+        assertTrue(rendu.refus.stream().anyMatch(r -> r.contains(message)), rendu.refus.toString());
+        assertEquals(Map.of(), rendu.sources);
     }
 
     /** Une archive d'un seul lien : ce que fait « zip --symlinks ». Il suffit d'en changer les droits, dans le répertoire central. */
@@ -192,7 +192,7 @@ class DepotTest {
         Projet lu = Projet.lire(lire(rendus).get("11"));
         assertEquals("package lancer; // été\npublic class Vecteur {}\n", lu.texte("Vecteur"));
         assertEquals("package lancer;\nimport lancer.Vecteur;\nclass Point {}\n", lu.texte("Point"));
-        assertEquals(2, lu.getRemarques().size(), lu.getRemarques().toString());
+        assertEquals(2, lu.remarques.size(), lu.remarques.toString());
     }
 
     @Test
@@ -203,8 +203,8 @@ class DepotTest {
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer-base/src/test/java/lancer/Tests.java"),
                 "package lancer; class Tests {}");
         Projet projet = Projet.lire(lire(rendus).get("11"));
-        assertEquals(List.of("brume", "antialias", "blinn"), List.copyOf(projet.getVariantes().keySet()));
-        assertEquals(1, projet.getBase().size(), "Tests, de l'étudiant, n'en est pas");
+        assertEquals(List.of("brume", "antialias", "blinn"), List.copyOf(projet.variantes.keySet()));
+        assertEquals(1, projet.base.size(), "Tests, de l'étudiant, n'en est pas");
     }
 
     @Test
@@ -215,9 +215,9 @@ class DepotTest {
             ecrire(projet.resolve(classe.replace("/", "/lancer/") + ".java"), "package lancer; // " + classe);
         }
         Projet lu = Projet.lire(lire(rendus).get("11"));
-        assertEquals(7, lu.getBase().size(), lu.getBase().keySet().toString());
+        assertEquals(7, lu.base.size(), lu.base.keySet().toString());
         assertEquals("package lancer; // src/Vecteur", lu.texte("Vecteur"));
-        assertEquals(List.of("plusieurs copies du projet : jugée, « src/ » ; laissée, « vieux/ »"), lu.getRemarques());
+        assertEquals(List.of("plusieurs copies du projet : jugée, « src/ » ; laissée, « vieux/ »"), lu.remarques);
     }
 
     @Test
@@ -227,7 +227,7 @@ class DepotTest {
                 + "/** Un point. */ @Deprecated final class Point { }\nenum Outil { A }\n");
         ecrire(projet.resolve("Sphere.java"), "package lancer; class Sphere { } }\n void f() { }\n class Scene { }");
         Projet lu = Projet.lire(lire(rendus).get("11"));
-        assertEquals("[lancer/Outil, lancer/Point, lancer/Sphere, lancer/Vecteur]", lu.getBase().keySet().toString(),
+        assertEquals("[lancer/Outil, lancer/Point, lancer/Sphere, lancer/Vecteur]", lu.base.keySet().toString(),
                 "une accolade de trop ne fait pas deux classes");
         assertEquals("package lancer; import java.util.List; // {\nclass Vecteur { char c = '}';\n static class Point { } }",
                 lu.texte("Vecteur"));
@@ -243,7 +243,7 @@ class DepotTest {
         ecrire(projet.resolve("C.java"), "package lancer; class C { void f() " + "{".repeat(300_000) + "}".repeat(300_000) + " }");
         ecrire(projet.resolve("D.java"), "package lancer; class D { " + "/*".repeat(3) + " /*".repeat(300_000));
         ecrire(projet.resolve("Vecteur.java"), "package lancer; class Vecteur { " + "public ".repeat(100_000) + "}");
-        assertEquals(5, Projet.lire(lire(rendus).get("11")).getBase().size());
+        assertEquals(5, Projet.lire(lire(rendus).get("11")).base.size());
     }
 
     @Test
@@ -252,9 +252,9 @@ class DepotTest {
         ecrire(projet.resolve("A.java"), "package lancer; class A { char c = '{'; String s = \"{ // \"; } /* { */ class Math { }");
         ecrire(projet.resolve("B.java"), "package lancer; class B { static class Math { } String s = \"} class Math\"; }");
         Projet lu = Projet.lire(lire(rendus).get("11"));
-        assertEquals("[lancer/B]", lu.getBase().keySet().toString(), "Math n'y est pas");
+        assertEquals("[lancer/B]", lu.base.keySet().toString(), "Math n'y est pas");
         assertEquals(List.of("lancer/A.java : laissé de côté, il déclare une classe Math qui cacherait celle de Java"),
-                lu.getRemarques());
+                lu.remarques);
     }
 
     @Test
@@ -282,7 +282,7 @@ class DepotTest {
         Projet projet = Projet.lire(lire(rendus).get("11"));
         assertTrue(projet.texte("Objet3D").contains(
                 "getColor(Scene p0, Rayon p1, PointContact p2, int p3) { return getColor(p1, p0, p2, p3); }"));
-        assertEquals(1, projet.getRemarques().size(), projet.getRemarques().toString());
+        assertEquals(1, projet.remarques.size(), projet.remarques.toString());
     }
 
     @Test
@@ -295,7 +295,7 @@ class DepotTest {
         assertTrue(projet.texte("Lancer").contains("getCouleurPixel(double p0, double p1, int p2) { "
                 + "return getCouleurPixel((int) p0, (int) p1, p2); }"), projet.texte("Lancer"));
         assertEquals(vecteur, projet.texte("Vecteur"));
-        assertEquals(1, projet.getRemarques().size(), projet.getRemarques().toString());
+        assertEquals(1, projet.remarques.size(), projet.remarques.toString());
     }
 
     @Test
@@ -321,7 +321,7 @@ class DepotTest {
         Rendu rendu = lire(rendus).get("11");
         Projet projet = Projet.lire(rendu);
         // ce que déclare un fichier mal nommé le nomme
-        assertEquals("lancer/Vecteur", projet.getBase().keySet().stream().filter(cle -> !cle.matches("x/Z\\d+"))
+        assertEquals("lancer/Vecteur", projet.base.keySet().stream().filter(cle -> !cle.matches("x/Z\\d+"))
                 .collect(Collectors.joining(" ")));
     }
 
@@ -350,7 +350,7 @@ class DepotTest {
             }
             Rendu rendu = new Rendu("1", "un");
             rendu.ajouter(nom + ".java", octets);
-            Projet.lire(rendu).getBase().keySet().forEach(cle -> assertTrue(cle.matches("(\\w+/)*[\\p{L}_$][\\p{L}\\p{N}_$]*"), cle));
+            Projet.lire(rendu).base.keySet().forEach(cle -> assertTrue(cle.matches("(\\w+/)*[\\p{L}_$][\\p{L}\\p{N}_$]*"), cle));
         }
     }
 

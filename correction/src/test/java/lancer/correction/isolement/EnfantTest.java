@@ -74,7 +74,7 @@ class EnfantTest {
     @Test
     void ilSurvitAuFilQuiLADemande() throws Exception {
         Confinement confinement = Confinement.essayer();
-        assumeTrue(confinement.estConfine(), confinement.getManque());
+        assumeTrue(confinement.confine, confinement.manque);
         FutureTask<Enfant> demande = new FutureTask<>(() -> echo(confinement));
         Thread demandeur = new Thread(demande);
         demandeur.start();

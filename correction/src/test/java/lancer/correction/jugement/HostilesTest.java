@@ -36,7 +36,7 @@ class HostilesTest extends JuryEssai {
     @Test
     void confinesAucunNEmpecheDeNoterLesAutres() throws IOException {
         Confinement confinement = Confinement.essayer();
-        assumeTrue(confinement.estConfine(), confinement.getManque());
+        assumeTrue(confinement.confine, confinement.manque);
         verifier(confinement);
     }
 
@@ -124,7 +124,7 @@ class HostilesTest extends JuryEssai {
     @Test
     void niLesNomsNiLesReponsesNiLesArchivesNeChangentRienAuxTemoins() throws IOException {
         Confinement confinement = Confinement.essayer();
-        assumeTrue(confinement.estConfine(), confinement.getManque());
+        assumeTrue(confinement.confine, confinement.manque);
         Path seuls = Files.createDirectories(dossier.resolve("seuls"));
         temoins(seuls);
         Map<String, Resultat> attendus = juger(seuls, dossier.resolve("travail"), confinement, PATIENTES);

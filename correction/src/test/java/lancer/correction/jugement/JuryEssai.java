@@ -32,7 +32,7 @@ abstract class JuryEssai extends ClasseEssai {
         try (Jury jury = new Jury(travail.toRealPath(), confinement, limites)) {
             List<Resultat> tous = jury.juger(liste, (rang, resultat) -> { });
             for (int k = 0; k < tous.size(); k++) {
-                resultats.put(liste.get(k).getNom(), tous.get(k));
+                resultats.put(liste.get(k).nom, tous.get(k));
             }
         }
         return resultats;

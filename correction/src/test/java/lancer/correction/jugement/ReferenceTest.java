@@ -56,7 +56,7 @@ class ReferenceTest extends JuryEssai {
         Path travail = Files.createDirectories(dossier.resolve("autre"));
         try (Jury jury = new Jury(travail, Confinement.essayer(), PATIENTES)) {
             assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
-                    jury.getReference().getVerifications().stream().filter(v -> !jury.getReference().compte(v)).map(Verification::id)
+                    jury.reference.verifications.stream().filter(v -> !jury.reference.compte(v)).map(Verification::id)
                             .collect(Collectors.toCollection(TreeSet::new)));
         }
     }
