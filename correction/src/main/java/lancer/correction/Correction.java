@@ -88,7 +88,7 @@ public final class Correction {
         }
         suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu")
                 + " ; le corrigé d'abord");
-        try (Jury jury = new Jury(travail, confinement, Limites.ordinaires())) {
+        try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES)) {
             Grille grille = new Grille(jury.reference);
             Bareme bareme = new Bareme(demande.chemin("--bareme", dossier.resolve("bareme.ini")), grille);
             List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());

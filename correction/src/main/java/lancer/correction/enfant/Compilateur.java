@@ -21,7 +21,6 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.Diagnostic;
 import javax.tools.JavaCompiler;
-import javax.tools.JavaFileObject;
 import javax.tools.StandardJavaFileManager;
 
 /**
@@ -59,7 +58,10 @@ public final class Compilateur {
                         Echange.lireTout(new DataInputStream(new ByteArrayInputStream(demande))));
             } catch (IOException | RuntimeException | StackOverflowError e) {
                 // ce que le compilateur ne supporte pas : il ne servira plus
-                reponse = Echange.message(m -> m.writeBoolean(false));
+                reponse = Echange.message(m -> {
+                    Echange.ecrireValeur(m, null, o -> null);
+                    Echange.ecrireTout(m, Map.of());
+                });
             }
             effacer(dossier);
             Echange.envoyer(sortie, numero, reponse);
@@ -83,10 +85,11 @@ public final class Compilateur {
         List<String> options = List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8", "-g", "-nowarn",
                 "-proc:none", "-proceedOnError", "-classpath", System.getProperty("java.class.path"), "-d",
                 classes.toString());
-        List<Diagnostic<? extends JavaFileObject>> fautes = new ArrayList<>();
+        List<List<?>> fautes = new ArrayList<>();
         compilateur.getTask(new StringWriter(), gestion, faute -> {
             if (faute.getKind() == Diagnostic.Kind.ERROR && fautes.size() < FAUTES_MAX) {
-                fautes.add(faute);
+                fautes.add(List.of(faute.getSource() == null ? "?" : sources.relativize(Paths.get(faute.getSource().toUri()))
+                        .toString().replace('\\', '/'), (int) faute.getLineNumber(), faute.getMessage(Locale.ROOT)));
             }
         }, options, null, gestion.getJavaFileObjectsFromFiles(fichiers.stream().map(Path::toFile)
                 .collect(Collectors.toList()))).call();
@@ -102,14 +105,7 @@ public final class Compilateur {
             }
         }
         return Echange.message(reponse -> {
-            reponse.writeBoolean(true);
-            reponse.writeInt(fautes.size());
-            for (Diagnostic<? extends JavaFileObject> faute : fautes) {
-                Echange.ecrireTexte(reponse, faute.getSource() == null ? "?" : sources.relativize(Paths.get(faute.getSource()
-                        .toUri())).toString().replace('\\', '/'));
-                reponse.writeInt((int) faute.getLineNumber());
-                Echange.ecrireTexte(reponse, Echange.protege(faute.getMessage(Locale.ROOT)));
-            }
+            Echange.ecrireValeur(reponse, fautes, o -> null);
             Echange.ecrireTout(reponse, ecrites);
         });
     }

@@ -8,7 +8,7 @@ public final class Arret extends Exception {
     /** Vrai si rien ne l'a arrêté. */
     public final boolean deLuiMeme;
 
-    Arret(String cause, boolean deLuiMeme) {
+    public Arret(String cause, boolean deLuiMeme) {
         super(cause);
         this.deLuiMeme = deLuiMeme;
     }

@@ -44,8 +44,8 @@ public final class Confinement {
                 return new Confinement(false, "bwrap ne répond pas");
             }
             String dit = new String(processus.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
-            return processus.exitValue() == 0 ? new Confinement(true, "")
-                    : new Confinement(false, "bwrap refuse : " + dit.replaceAll("\\s+", " "));
+            return new Confinement(processus.exitValue() == 0, processus.exitValue() == 0 ? ""
+                    : "bwrap refuse : " + dit.replaceAll("\\s+", " "));
         } catch (IOException e) {
             return new Confinement(false, "bwrap n'est pas installé (sudo apt-get install bubblewrap)");
         } catch (InterruptedException e) {

@@ -152,7 +152,7 @@ public final class Enfant implements AutoCloseable {
     /** @return vrai si l'enfant a calculé depuis le contrôle précédent */
     private boolean controler() throws Arret {
         List<ProcessHandle> tous = processus.descendants().collect(Collectors.toList());
-        if (tous.size() > limites.processus) {
+        if (tous.size() > Limites.PROCESSUS) {
             throw arreter("arrêté : lance sans fin d'autres programmes");
         }
         tous.add(processus.toHandle());
@@ -189,13 +189,11 @@ public final class Enfant implements AutoCloseable {
     }
 
     private Arret mort() {
-        int statut;
+        int statut = -1;
         try {
-            processus.waitFor(1, TimeUnit.SECONDS);
-            statut = processus.isAlive() ? -1 : processus.exitValue();
+            statut = processus.waitFor(1, TimeUnit.SECONDS) ? processus.exitValue() : -1;
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            statut = -1;
         }
         close();
         return inattendu ? new Arret("arrêté : a répondu ce qu'on ne lui demandait pas", false)

@@ -1,20 +1,23 @@
 package lancer.correction.jugement;
 
+import java.util.List;
+
 /** Une faute de compilation. */
-public final class Faute {
+final class Faute {
 
-    public final String fichier;
-    public final int ligne;
-    public final String message;
+    final String fichier;
+    final int ligne;
+    final String message;
 
-    Faute(String fichier, int ligne, String message) {
-        this.fichier = fichier;
-        this.ligne = ligne;
-        this.message = Traduction.francais(message);
+    /** @param dite son fichier, sa ligne, son message */
+    Faute(List<?> dite) {
+        fichier = (String) dite.get(0);
+        ligne = (Integer) dite.get(1);
+        message = Traduction.francais((String) dite.get(2));
     }
 
     /** Le nom de la classe du fichier, sans son paquet. */
-    public String classe() {
+    String classe() {
         return fichier.replaceFirst(".*/", "").replaceFirst("\\.java$", "");
     }
 

@@ -75,18 +75,16 @@ public final class Jury implements AutoCloseable {
         Resultat[] resultats = new Resultat[rendus.size()];
         try {
             List<Integer> rangs = IntStream.range(0, resultats.length).boxed().collect(Collectors.toList());
-            juger(rendus, rangs, Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()), (rang, resultat) -> {
-                resultats[rang] = resultat;
-                if (!resultat.nonCorrige || abandonnes.contains(rang)) {
-                    fini.accept(rang, resultat);
-                }
-            });
             // une panne peut venir d'un voisin qui prenait tout : seul, un rendu se juge peut-être
-            rangs.removeIf(rang -> !resultats[rang].nonCorrige || abandonnes.contains(rang));
-            juger(rendus, rangs, 1, (rang, resultat) -> {
-                resultats[rang] = resultat;
-                fini.accept(rang, resultat);
-            });
+            for (boolean seul : new boolean[] {false, true}) {
+                juger(rendus, rangs, seul ? 1 : Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()), (rang, resultat) -> {
+                    resultats[rang] = resultat;
+                    if (seul || !resultat.nonCorrige || abandonnes.contains(rang)) {
+                        rangs.remove(rang);
+                        fini.accept(rang, resultat);
+                    }
+                });
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new Panne(1, "interrompu");

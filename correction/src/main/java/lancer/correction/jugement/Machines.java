@@ -11,7 +11,6 @@ import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -37,9 +36,6 @@ import org.opentest4j.AssertionFailedError;
 /** Les machines virtuelles à part : celle qui compile, et celle, relancée à chaque mort, où tourne un rendu. */
 final class Machines {
 
-    /** Ce que dit une machine dont la réponse n'a pas de sens. */
-    private static final String INCOMPREHENSIBLE = "arrêté : a répondu ce qui n'a pas de sens";
-
     private final Confinement confinement;
     private final Limites limites;
     /** L'archive des seules classes que voit un rendu avec les siennes. */
@@ -58,13 +54,11 @@ final class Machines {
 
     /** Copie les classes d'un paquet : le rendu ne doit voir ni le corrigé, ni les vérifications, ni JUnit. */
     private static void copier(String paquet, Path lieu, ZipOutputStream zip) throws IOException {
-        try (FileSystem archive = Files.isDirectory(lieu) ? null : FileSystems.newFileSystem(lieu, (ClassLoader) null)) {
-            Path racine = archive == null ? lieu : archive.getPath("/");
-            try (Stream<Path> flux = Files.walk(racine.resolve(paquet))) {
-                for (Path classe : flux.filter(f -> f.toString().endsWith(".class")).collect(Collectors.toList())) {
-                    zip.putNextEntry(new ZipEntry(racine.relativize(classe).toString().replace('\\', '/')));
-                    Files.copy(classe, zip);
-                }
+        try (FileSystem archive = Files.isDirectory(lieu) ? null : FileSystems.newFileSystem(lieu, (ClassLoader) null);
+                Stream<Path> flux = Files.walk((archive == null ? lieu : archive.getPath("/")).resolve(paquet))) {
+            for (Path classe : flux.filter(f -> f.toString().endsWith(".class")).collect(Collectors.toList())) {
+                zip.putNextEntry(new ZipEntry(paquet + "/" + classe.toString().replace('\\', '/').replaceFirst(".*" + paquet + "/", "")));
+                Files.copy(classe, zip);
             }
         }
     }
@@ -101,21 +95,38 @@ final class Machines {
         T lire(DataInputStream reponse) throws IOException;
     }
 
-    /** Pose une question, et lit toute la réponse ; ce qui n'en est pas une arrête la machine. */
-    private static <T> T demander(Enfant enfant, Echange.Redaction demande, int max, Lecture<T> lecture) throws Arret {
-        try {
-            DataInputStream reponse = enfant.demander(Echange.message(demande), max);
+    /** Une machine virtuelle à part, tant qu'elle répond comme il faut. */
+    private abstract static class Machine implements AutoCloseable {
+
+        Enfant enfant;
+
+        /** Pose une question, et lit toute la réponse ; ce qui n'en est pas une arrête la machine. */
+        <T> T demander(Echange.Redaction demande, int max, Lecture<T> lecture) throws Arret {
             try {
-                T lue = lecture.lire(reponse);
-                if (reponse.available() == 0) {
-                    return lue;
+                DataInputStream reponse = enfant.demander(Echange.message(demande), max);
+                try {
+                    T lue = lecture.lire(reponse);
+                    if (reponse.available() == 0) {
+                        return lue;
+                    }
+                } catch (IOException | ClassCastException e) {
+                    // plus courte qu'elle ne le dit, ou d'une autre forme
                 }
+                throw enfant.arreter("arrêté : a répondu ce qui n'a pas de sens");
             } catch (IOException e) {
-                // plus courte qu'elle ne le dit
+                throw new UncheckedIOException(e);
+            } catch (Arret e) {
+                close();
+                throw e;
             }
-            throw enfant.arreter(INCOMPREHENSIBLE);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        }
+
+        @Override
+        public void close() {
+            if (enfant != null) {
+                enfant.close();
+                enfant = null;
+            }
         }
     }
 
@@ -135,10 +146,8 @@ final class Machines {
         }
     }
 
-    /** Compile des sources, puis d'autres, dans la même machine virtuelle tant qu'elle répond comme il faut. */
-    final class Compilation implements AutoCloseable {
-
-        private Enfant enfant;
+    /** Compile des sources, puis d'autres. */
+    final class Compilation extends Machine {
 
         /**
          * @param sources le texte de chaque fichier, par son nom : {@code lancer/Vecteur}
@@ -147,52 +156,35 @@ final class Machines {
         Assemblage compiler(Map<String, String> sources) throws Arret {
             Map<String, byte[]> textes = new LinkedHashMap<>();
             sources.forEach((nom, texte) -> textes.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
-            Limites larges = Limites.deCompilation();
+            Limites larges = Limites.DE_COMPILATION;
             if (enfant == null) {
                 enfant = new Enfant(confinement.java(Compilateur.class, chemin(), true, outillage.getParent(), larges), larges);
             }
+            enfant.commencer(larges.calcul);
             try {
-                enfant.commencer(larges.calcul);
-                Assemblage assemblage = demander(enfant, m -> Echange.ecrireTout(m, textes),
-                        Echange.GROSSE_REPONSE_MAX, reponse -> {
-                    if (!reponse.readBoolean()) {
-                        return null;
-                    }
-                    List<Faute> fautes = new ArrayList<>();
-                    for (int reste = reponse.readInt(); reste > 0; reste--) {
-                        String fichier = Echange.lireTexte(reponse);
-                        int ligne = reponse.readInt();
-                        fautes.add(new Faute(fichier, ligne, Echange.protege(Echange.lireTexte(reponse))));
-                    }
-                    return new Assemblage(Echange.lireTout(reponse), fautes);
+                Assemblage assemblage = demander(m -> Echange.ecrireTout(m, textes), Echange.GROSSE_REPONSE_MAX, reponse -> {
+                    List<?> fautes = (List<?>) Echange.lireValeur(reponse, o -> null);
+                    return new Assemblage(Echange.lireTout(reponse), fautes == null ? null : fautes.stream()
+                            .map(f -> new Faute((List<?>) f)).collect(Collectors.toList()));
                 });
-                if (assemblage == null) {
-                    throw enfant.arreter("arrêté : ces sources font échouer le compilateur");
+                if (assemblage.fautes == null) {
+                    close();
+                    throw new Arret("arrêté : ces sources font échouer le compilateur", false);
                 }
                 return assemblage;
             } catch (Arret e) {
-                close();
                 if (e.deLuiMeme) {
                     throw new Panne(1, "le compilateur s'est arrêté : " + e.getMessage());
                 }
                 throw e;
             }
         }
-
-        @Override
-        public void close() {
-            if (enfant != null) {
-                enfant.close();
-                enfant = null;
-            }
-        }
     }
 
     /** Où tourne un rendu, qui n'a que les classes de son assemblage. */
-    final class Rendue implements AutoCloseable {
+    final class Rendue extends Machine {
 
         private final Map<String, byte[]> classes;
-        private Enfant enfant;
 
         Rendue(Map<String, byte[]> classes) {
             this.classes = classes;
@@ -226,7 +218,7 @@ final class Machines {
                 enfant = new Enfant(confinement.java(Execution.class, outillage.toString(), false,
                         outillage.getParent(), limites), limites);
                 try {
-                    enfant.commencer(Limites.deCompilation().calcul);
+                    enfant.commencer(Limites.DE_COMPILATION.calcul);
                     demander(m -> {
                         m.writeChar(Execution.CLASSES);
                         Echange.ecrireTout(m, classes);
@@ -238,16 +230,6 @@ final class Machines {
             enfant.commencer(calcul);
         }
 
-        /** La réponse à une demande. */
-        <T> T demander(Echange.Redaction demande, int max, Lecture<T> lecture) throws Arret {
-            try {
-                return Machines.demander(enfant, demande, max, lecture);
-            } catch (Arret e) {
-                close();
-                throw e;
-            }
-        }
-
         /** Ce que répond la sonde sur cette scène. @param max ce que la réponse peut peser, en octets */
         String sonder(int max, String methode, String scene, Object... arguments) throws Arret {
             return demander(m -> {
@@ -256,14 +238,6 @@ final class Machines {
                 Echange.ecrireTexte(m, methode);
                 Echange.ecrireValeur(m, Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()), o -> null);
             }, max, reponse -> Dialogue.reponse(reponse, Echange::lireTexte));
-        }
-
-        @Override
-        public void close() {
-            if (enfant != null) {
-                enfant.close();
-                enfant = null;
-            }
         }
     }
 }

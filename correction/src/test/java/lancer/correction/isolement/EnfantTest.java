@@ -24,7 +24,7 @@ import org.junit.jupiter.api.condition.JRE;
 @EnabledForJreRange(min = JRE.JAVA_17)
 class EnfantTest {
 
-    private static final Limites LIMITES = new Limites(5, 1, 64, 40);
+    private static final Limites LIMITES = new Limites(5, 1, 64, 60);
 
     /** Répète ce qu'on lui dit, ou fait autre chose de ce qui l'y invite. */
     static final class Echo {

@@ -189,7 +189,7 @@ class HostilesTest extends JuryEssai {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
         Path travail = dossier.resolve("travail");
-        Resultat presse = juger(rendus, travail, Confinement.aucun(), new Limites(10, 60, 160, 40, 0)).get("un");
+        Resultat presse = juger(rendus, travail, Confinement.aucun(), new Limites(10, 60, 160, 0)).get("un");
         assertTrue(presse.nonCorrige);
         assertTrue(presse.refus.get(0).startsWith("non corrigé : arrêté : plus de 0 s"), presse.refus.toString());
         Resultat ensuite = juger(rendus, travail, Confinement.aucun(), PATIENTES).get("un");

@@ -19,10 +19,10 @@ import lancer.correction.modele.Modele;
 abstract class JuryEssai extends ClasseEssai {
 
     /** Pour des rendus dont certains ne finissent pas. */
-    static final Limites COURTES = new Limites(1, 2, 160, 40);
+    static final Limites COURTES = new Limites(1, 2, 160, 60);
 
     /** Pour des rendus dont chacun finit : une machine où d'autres travaillent peut les faire attendre, ou calculer plus. */
-    static final Limites PATIENTES = new Limites(10, 60, 160, 40);
+    static final Limites PATIENTES = new Limites(10, 60, 160, 60);
 
     /** Juge tous les rendus de ce dossier ; les résultats par nom. */
     static Map<String, Resultat> juger(Path rendus, Path travail, Confinement confinement, Limites limites) throws IOException {
