@@ -109,7 +109,7 @@ public final class Correction {
             List<Eleve> eleves = List.of(classe);
             String nonCorriges = eleves.stream().filter(e -> e.resultat.nonCorrige).map(e -> qui(e.rendu))
                     .collect(Collectors.joining(", "));
-            Ressemblances.dire(eleves);
+            Eleve.comparer(eleves);
             Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
             new Pages(grille, bareme, jury.reference, confinement).ecrire(dossier, eleves, ajustements.fautes);
             sortie.println("La classe : " + dossier.resolve("index.html"));

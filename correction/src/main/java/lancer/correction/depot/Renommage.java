@@ -1,8 +1,8 @@
 package lancer.correction.depot;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -22,7 +22,7 @@ public final class Renommage {
     private final Map<String, String> siennes;
     private final Map<String, String> noms = new LinkedHashMap<>();
     /** Ce qui a changé de nom ou de place, une phrase chacun. */
-    public final List<String> changes = new ArrayList<>();
+    public final Set<String> changes = new LinkedHashSet<>();
 
     /** @param siennes le texte de chacune de ses classes, par nom complet */
     public Renommage(Map<String, String> siennes) {
@@ -32,7 +32,10 @@ public final class Renommage {
             if (texte(classe) == null && attendues.size() > 3) {
                 seul(siennes.keySet().stream().map(c -> c.replace("lancer/", "")).filter(c -> texte(c) != null
                         && !Modele.classes().contains(c) && nommees(Methode.de(texte(c))).containsAll(attendues)),
-                        sien -> renommer(classe, sien, "la classe " + classe + " s'appelle " + sien));
+                        sien -> {
+                    noms.put(classe, sien);
+                    changes.add("la classe " + classe + " s'appelle " + sien);
+                });
             }
         }
         for (String classe : Modele.A_COMPLETER) {
@@ -53,26 +56,22 @@ public final class Renommage {
             List<String> types = m.types.stream().map(this::dans).collect(Collectors.toList());
             boolean trouvee = seul(lesSiennes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(types)
                     && s.rend.equals(dans(m.rend))).map(s -> s.nom).distinct(), sien -> {
-                boolean ailleurs = Modele.classes().stream().filter(c -> texte(classe(c)) != null)
-                        .anyMatch(c -> nommees(Methode.de(texte(classe(c)))).contains(m.nom));
-                renommer(ailleurs ? "" : m.nom, sien, "la méthode " + classe + "." + m.nom + " s'appelle " + sien);
+                if (ailleurs(m.nom).count() == 0) {
+                    noms.put(m.nom, sien);
+                }
+                changes.add("la méthode " + classe + "." + m.nom + " s'appelle " + sien);
             });
             if (!trouvee) {
-                seul(Modele.classes().stream().filter(c -> texte(classe(c)) != null
-                        && !nommees(Methode.de(Modele.squelette(c))).contains(m.nom)
-                        && nommees(Methode.de(texte(classe(c)))).contains(m.nom)),
-                        autre -> renommer("", "", "la méthode " + m.nom + " est dans " + autre + ", au lieu de " + classe));
+                seul(ailleurs(m.nom).filter(c -> !nommees(Methode.de(Modele.squelette(c))).contains(m.nom)),
+                        autre -> changes.add("la méthode " + m.nom + " est dans " + autre + ", au lieu de " + classe));
             }
         }
     }
 
-    private void renommer(String duCours, String sien, String dit) {
-        if (!duCours.isEmpty()) {
-            noms.put(duCours, sien);
-        }
-        if (!changes.contains(dit)) {
-            changes.add(dit);
-        }
+    /** Les classes du cours où il a une méthode de ce nom. */
+    private Stream<String> ailleurs(String methode) {
+        return Modele.classes().stream().filter(c -> texte(classe(c)) != null
+                && nommees(Methode.de(texte(classe(c)))).contains(methode));
     }
 
     /** S'il n'y en a qu'un, en fait cela. */
@@ -109,5 +108,4 @@ public final class Renommage {
         classes.forEach((nom, texte) -> autres.put("lancer/" + classe(nom.replace("lancer/", "")), dans(texte)));
         return autres;
     }
-
 }

@@ -197,15 +197,10 @@ public final class Dialogue {
         }
         String ou = Echange.protege(Echange.lireTexte(reponse));
         String quoi = Echange.protege(Echange.lireTexte(reponse));
-        switch (sorte) {
-            case Execution.FAUTE:
-                throw new Echec(Juge.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Traduction.francais(quoi)));
-            case Execution.SANS_FIN:
-                throw new Debordement(ou);
-            case Execution.EXCEPTION:
-                throw new Echec(ou);
-            default:
-                throw new IOException();
+        if (sorte == Execution.SANS_FIN) {
+            throw new Debordement(ou);
         }
+        throw new Echec(sorte == Execution.FAUTE ? Juge.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi))
+                : ou);
     }
 }

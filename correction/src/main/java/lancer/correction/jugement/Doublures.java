@@ -12,6 +12,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiFunction;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lancer.correction.modele.Modele;
 
 /**
@@ -72,13 +76,11 @@ final class Doublures {
         noms = "if (o instanceof " + nom + ") return \"" + nom + "\";\n" + noms;
         if (!publics.isEmpty()) {
             champs = "if (o instanceof " + nom + ") return champs((" + nom + ") o);\n" + champs;
-            StringBuilder valeurs = new StringBuilder();
-            publics.forEach(c -> valeurs.append(valeurs.length() == 0 ? "" : ", ").append("o.").append(c.getName()));
-            appels.append("static Object[] champs(" + nom + " o) { return new Object[] {" + valeurs + "}; }\n");
+            appels.append("static Object[] champs(" + nom + " o) { return new Object[] {" + publics.stream()
+                    .map(c -> "o." + c.getName()).collect(Collectors.joining(", ")) + "}; }\n");
         }
         if (nom.equals("Couleur")) {
-            int constructeur = numeroter("new Couleur(" + passes(new Class<?>[] {double.class, double.class,
-                double.class}, 0) + ")", false);
+            int constructeur = numeroter("new Couleur((double) a[0], (double) a[1], (double) a[2])", false);
             sources.put("lancer/" + nom, Modele.corrige(nom));
             sources.put("lancer/Passage", ENTETE + "final class Passage {\n"
                     + "static " + RECU + " vers(Couleur c) { return c == null ? null : Dialogue.appeler(" + RECU
@@ -105,7 +107,7 @@ final class Doublures {
         }
         for (Constructor<?> c : classe.getConstructors()) {
             if (!Modifier.isAbstract(classe.getModifiers()) && passent(c)) {
-                int numero = numeroter("new " + nom + "(" + passes(c.getParameterTypes(), 0) + ")", false);
+                int numero = numeroter("new " + nom + "(" + passes(c, 0) + ")", false);
                 source.append("public " + nom + "(" + parametres(c) + ") { this(Dialogue.appeler(" + RECU + ".class, "
                         + numero + arguments(c) + ")); }\n");
             }
@@ -125,7 +127,7 @@ final class Doublures {
     private String methode(String nom, Method m, Class<?> rend) {
         boolean statique = Modifier.isStatic(m.getModifiers());
         int numero = numeroter((statique ? nom : "((" + nom + ") a[0])") + "." + m.getName() + "("
-                + passes(m.getParameterTypes(), statique ? 0 : 1) + ")", rend == void.class);
+                + passes(m, statique ? 0 : 1) + ")", rend == void.class);
         String type = rend.getSimpleName();
         boolean couleur = type.equals("Couleur");
         String recu = "Dialogue.appeler(" + (couleur ? RECU : rend == void.class ? "Object" : rend == double.class
@@ -153,30 +155,19 @@ final class Doublures {
     }
 
     /** Les arguments d'un appel, pris du tableau {@code a}. */
-    private static String passes(Class<?>[] types, int premier) {
-        List<String> passes = new ArrayList<>();
-        for (int k = 0; k < types.length; k++) {
-            passes.add("(" + types[k].getSimpleName() + ") a["
-                    + (premier + k) + "]");
-        }
-        return String.join(", ", passes);
+    private static String passes(Executable e, int premier) {
+        return chacun(e, (type, k) -> "(" + type + ") a[" + (premier + k) + "]").collect(Collectors.joining(", "));
     }
 
     private static String parametres(Executable e) {
-        List<String> parametres = new ArrayList<>();
-        for (Class<?> type : e.getParameterTypes()) {
-            parametres.add(type.getSimpleName() + " a" + parametres.size());
-        }
-        return String.join(", ", parametres);
+        return chacun(e, (type, k) -> type + " a" + k).collect(Collectors.joining(", "));
     }
 
     private static String arguments(Executable e) {
-        StringBuilder arguments = new StringBuilder();
-        Class<?>[] types = e.getParameterTypes();
-        for (int k = 0; k < types.length; k++) {
-            String a = "a" + k;
-            arguments.append(", ").append(types[k].getSimpleName().equals("Couleur") ? "Passage.vers(" + a + ")" : a);
-        }
-        return arguments.toString();
+        return chacun(e, (type, k) -> type.equals("Couleur") ? ", Passage.vers(a" + k + ")" : ", a" + k).collect(Collectors.joining());
+    }
+
+    private static Stream<String> chacun(Executable e, BiFunction<String, Integer, String> ecrire) {
+        return IntStream.range(0, e.getParameterCount()).mapToObj(k -> ecrire.apply(e.getParameterTypes()[k].getSimpleName(), k));
     }
 }

@@ -9,34 +9,22 @@ public final class Ecart {
     /** Part de pixels faux que les arrondis, aux bords des boules et des ombres, suffisent à expliquer. */
     private static final double PART_PERMISE = 0.005;
 
-    public final double rmse;
-    public final double pire;
-    public final int pireX;
-    public final int pireY;
-    public final int faux;
-    public final int pixels;
+    /** Le rang du pixel le plus faux. */
+    final int pire;
+    private final int faux;
+    private final int pixels;
 
     public Ecart(Image a, Image b) {
-        double carres = 0;
         double max = -1;
         int ou = 0;
         int n = 0;
         for (int p = 0; p < a.pixels(); p++) {
             double d = ecart(a, b, p);
-            for (int k = 0; k < 3; k++) {
-                double e = a.niveau(p, k) - b.niveau(p, k);
-                carres += e * e;
-            }
             n += d > FAUX ? 1 : 0;
-            if (d > max) {
-                max = d;
-                ou = p;
-            }
+            ou = d > max ? p : ou;
+            max = Math.max(d, max);
         }
-        rmse = Math.sqrt(carres / (3.0 * a.pixels()));
-        pire = max;
-        pireX = ou % a.largeur;
-        pireY = ou / a.largeur;
+        pire = ou;
         faux = n;
         pixels = a.pixels();
     }
@@ -49,9 +37,9 @@ public final class Ecart {
         return d;
     }
 
-    /** « 1 pixel faux », « 12 pixels faux ». */
+    /** « 1 pixel faux sur 4800 », « 12 pixels faux sur 4800 ». */
     public String combien() {
-        return faux + (faux > 1 ? " pixels faux" : " pixel faux");
+        return faux + (faux > 1 ? " pixels faux" : " pixel faux") + " sur " + pixels;
     }
 
     /** Vrai si c'est la même image, à des arrondis près. */

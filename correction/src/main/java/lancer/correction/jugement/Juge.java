@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Source;
@@ -29,22 +30,25 @@ final class Juge implements AutoCloseable {
     /** Combien de fois le temps d'une vérification est permis à un dessin. */
     private static final double TEMPS_IMAGE = 4;
 
+    /** Pixels où l'on cherche d'où vient la faute. */
+    private static final int PIXELS_ESSAYES = 200;
+
     /** Le début de ce que dit une méthode qui ne se compile pas. */
     static final String NE_SE_COMPILE_PAS = "ne se compile pas";
 
     /** Ce qui s'ajoute à une méthode déjà écrite pour une étape d'avant. */
     private static final Set<String> DANS_LA_MEME_METHODE = Set.of("phong", "ombres", "reflets");
 
-    final Reference reference;
+    private final Reference reference;
     private final Machines.Compilation compilation;
     private final Machines machines;
-    final Projet projet;
+    private final Projet projet;
     /** La machine d'un seul assemblage : un rendu n'y a ni le corrigé de ce qu'on y juge, ni ses autres essais. */
     private Machines.Rendue machine;
     private Assemblage enMachine;
-    final Resultat resultat = new Resultat();
+    private final Resultat resultat = new Resultat();
     /** Toutes les classes de l'étudiant. */
-    Assemblage ensemble;
+    private Assemblage ensemble;
     /** Pourquoi les dernières vérifications n'ont pas toutes été lancées, vide si elles l'ont été. */
     private String coupe = "";
     /** Où une vérification n'a pas fini. */
@@ -128,7 +132,7 @@ final class Juge implements AutoCloseable {
         } else {
             // une machine neuve : ce que les vérifications ont pu y laisser ne gâte pas l'image
             close();
-            new JugeImage(this).juger();
+            jugerLesImages();
         }
         variantes();
         consignes();
@@ -362,11 +366,6 @@ final class Juge implements AutoCloseable {
                 resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("");
     }
 
-    /** Vrai si une vérification n'y a pas fini : on n'y dessine pas. */
-    boolean estArrete(Assemblage assemblage) {
-        return arretes.contains(assemblage);
-    }
-
     /** Le corrigé, avec cette classe de l'étudiant, et celles qu'il a ajoutées ; celle qu'il n'a pas rendue, à compléter. */
     private Map<String, String> corrigeAvec(String classe) {
         Map<String, String> sources = new TreeMap<>(projet.base);
@@ -403,5 +402,82 @@ final class Juge implements AutoCloseable {
         } catch (StackOverflowError e) {
             throw new Dialogue.Echec(e.getMessage());
         }
+    }
+
+    /** Dessine chaque scène et compare ; de la première qui diffère, cherche d'où cela vient. */
+    private void jugerLesImages() {
+        String fausse = null;
+        for (String scene : Reference.SCENES.keySet()) {
+            Verdict verdict = jugerLImage(scene);
+            resultat.verdicts.put(Grille.IMAGE + "." + scene, verdict);
+            fausse = fausse == null && verdict.etat == Etat.RATE && resultat.images.containsKey(scene) ? scene : fausse;
+        }
+        if (fausse != null) {
+            try {
+                chercherLaFaute(fausse);
+            } catch (Arret | Dialogue.Echec e) {
+                resultat.remarques.add("la recherche de la faute dans l'image s'est arrêtée : " + e.getMessage());
+            }
+        }
+    }
+
+    private Verdict jugerLImage(String scene) {
+        Image image;
+        try {
+            image = image(ensemble, scene, 0);
+        } catch (Arret e) {
+            resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
+            return new Verdict(Etat.RATE, e.getMessage());
+        } catch (Dialogue.Echec e) {
+            return new Verdict(Etat.RATE, e.getMessage());
+        }
+        // là où le rendu a raison, au ciel au moins, il l'a à un demi-pixel près : c'est là qu'on voit lequel
+        resultat.centre = resultat.images.isEmpty() ? image.pareils(reference.getImage(scene, true))
+                > image.pareils(reference.getImage(scene, false)) : resultat.centre;
+        resultat.images.put(scene, image);
+        Ecart ecart = new Ecart(reference.getImage(scene, resultat.centre), image);
+        return ecart.memeImage() ? new Verdict(Etat.REUSSI, "") : new Verdict(commencee(image) ? Etat.RATE
+                : Etat.NON_COMMENCE, ecart.combien());
+    }
+
+    /** Faux pour l'image d'une seule couleur du projet à compléter. */
+    private static boolean commencee(Image image) {
+        return IntStream.range(1, image.pixels()).anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
+    }
+
+    private void chercherLaFaute(String scene) throws Arret {
+        Image image = resultat.images.get(scene);
+        Image attendue = reference.getImage(scene, resultat.centre);
+        Ecart ecart = new Ecart(attendue, image);
+        resultat.chemin = chemin(scene, ecart.pire % image.largeur, ecart.pire / image.largeur);
+        // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où cela vient
+        int pas = Math.max(1, image.pixels() / PIXELS_ESSAYES);
+        for (int p = pas / 2; p < image.pixels(); p += pas) {
+            if (Ecart.ecart(attendue, image, p) > 1) {
+                Chemin autre = chemin(scene, p % image.largeur, p / image.largeur);
+                resultat.chemin = autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart() ? autre : resultat.chemin;
+            }
+        }
+        for (String classe : Modele.A_COMPLETER) {
+            if (projet.texte(classe) != null && !intacte(classe) && changentLImage(scene, seule(classe))) {
+                resultat.classesFautives.add(classe);
+            }
+        }
+    }
+
+    /** Vrai si cet assemblage ne dessine pas l'image du corrigé. */
+    private boolean changentLImage(String scene, Assemblage assemblage) {
+        try {
+            Image image = arretes.contains(assemblage) ? null : image(assemblage, scene, 0);
+            return image == null || !new Ecart(reference.getImage(scene, false), image).memeImage()
+                    && !new Ecart(reference.getImage(scene, true), image).memeImage();
+        } catch (Arret | Dialogue.Echec e) {
+            return true;
+        }
+    }
+
+    private Chemin chemin(String scene, int x, int y) throws Arret {
+        double decalage = resultat.centre ? 0.5 : 0;
+        return new Chemin(x, y, reference.chemin(scene, x + decalage, y + decalage), chemin(ensemble, scene, x, y));
     }
 }

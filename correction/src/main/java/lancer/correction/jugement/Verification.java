@@ -1,26 +1,29 @@
 package lancer.correction.jugement;
 
-import java.util.Collection;
 import lancer.correction.modele.Modele;
+import org.junit.platform.engine.TestTag;
+import org.junit.platform.engine.support.descriptor.MethodSource;
+import org.junit.platform.launcher.TestIdentifier;
 
 /** Une vérification de {@code lancer.Tests} : de quelle étape elle est, et de quelle classe elle parle. */
 public final class Verification {
 
-    public final String classeJava;
-    public final String methode;
-    public final String titreEtape;
-    public final String titre;
-    public final String etape;
+    final String classeJava;
+    final String methode;
+    final String titreEtape;
+    final String titre;
+    final String etape;
     /** La classe du cours qu'elle vérifie. */
-    public final String classe;
+    final String classe;
 
-    Verification(String classeJava, String methode, String titreEtape, String titre, Collection<String> etiquettes) {
-        this.classeJava = classeJava;
-        this.methode = methode;
+    Verification(MethodSource source, String titreEtape, TestIdentifier test) {
+        classeJava = source.getClassName();
+        methode = source.getMethodName();
         this.titreEtape = titreEtape;
-        this.titre = titre;
-        classe = etiquettes.stream().filter(Modele.A_COMPLETER::contains).findFirst().orElse("");
-        etape = etiquettes.stream().filter(e -> !Modele.A_COMPLETER.contains(e)).findFirst().orElse("");
+        titre = test.getDisplayName();
+        classe = test.getTags().stream().map(TestTag::getName).filter(Modele.A_COMPLETER::contains).findFirst().orElse("");
+        etape = test.getTags().stream().map(TestTag::getName).filter(e -> !Modele.A_COMPLETER.contains(e)).sorted().findFirst()
+                .orElse("");
     }
 
     public String id() {

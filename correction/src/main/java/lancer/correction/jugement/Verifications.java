@@ -3,17 +3,14 @@ package lancer.correction.jugement;
 import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass;
 import static org.junit.platform.engine.discovery.DiscoverySelectors.selectNestedMethod;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.Verdict.Etat;
 import org.junit.platform.engine.DiscoverySelector;
 import org.junit.platform.engine.TestExecutionResult;
-import org.junit.platform.engine.TestTag;
 import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.Launcher;
 import org.junit.platform.launcher.LauncherDiscoveryRequest;
@@ -81,19 +78,9 @@ final class Verifications {
 
     List<Verification> lister() {
         TestPlan plan = lanceur().discover(demande(List.of(selectClass(classe(TESTS)))));
-        List<Verification> liste = new ArrayList<>();
-        ajouter(plan, plan.getRoots(), liste);
-        return liste;
-    }
-
-    private static void ajouter(TestPlan plan, Set<TestIdentifier> niveau, List<Verification> liste) {
-        for (TestIdentifier test : niveau) {
-            test.getSource().filter(s -> test.isTest() && s instanceof MethodSource).map(s -> (MethodSource) s)
-                    .ifPresent(s -> liste.add(new Verification(s.getClassName(), s.getMethodName(),
-                            plan.getParent(test).map(TestIdentifier::getDisplayName).orElse(""), test.getDisplayName(),
-                            test.getTags().stream().map(TestTag::getName).sorted().collect(Collectors.toList()))));
-            ajouter(plan, plan.getChildren(test), liste);
-        }
+        return plan.getRoots().stream().flatMap(racine -> plan.getDescendants(racine).stream()).filter(TestIdentifier::isTest)
+                .map(test -> new Verification((MethodSource) test.getSource().get(), plan.getParent(test).get().getDisplayName(), test))
+                .collect(Collectors.toList());
     }
 
     /** Ce que des vérifications, lancées l'une après l'autre, donnent des classes que tient une machine. */

@@ -51,7 +51,7 @@ public final class Modele {
 
     /** La classe à compléter : des {@code FIXME} à la place des réponses. */
     public static String squelette(String classe) {
-        return extraire(source(classe, ""), false);
+        return source(classe, "", false);
     }
 
     /** La classe complétée. */
@@ -61,21 +61,34 @@ public final class Modele {
 
     /** La classe complétée, dans le projet d'une extension : {@code brume}, {@code antialias}, {@code blinn}. */
     public static String corrige(String classe, String variante) {
-        return extraire(source(classe, variante), true);
+        return source(classe, variante, true);
     }
 
     /** Le texte d'une classe, pour la base ou pour cette extension. */
-    private static String source(String classe, String variante) {
+    private static String source(String classe, String variante, boolean reponses) {
         StringBuilder resultat = new StringBuilder();
         // null : pour toutes ; sinon, l'extension dont on lit les lignes
         String pour = null;
+        boolean dansReponse = false;
+        boolean dansMarque = false;
         for (String ligne : ressource("modele/lancer/" + classe + ".java").split("\n")) {
             String nue = ligne.trim();
-            if (nue.startsWith("//<")) {
-                pour = nue.substring(3);
-            } else if (nue.equals("//>")) {
-                pour = null;
-            } else if (pour == null || pour.equals(variante) == nue.startsWith("//+")) {
+            String marge = ligne.substring(0, ligne.length() - ligne.stripLeading().length());
+            if (nue.startsWith("//<") || nue.equals("//>")) {
+                pour = nue.equals("//>") ? null : nue.substring(3);
+            } else if (pour != null && pour.equals(variante) != nue.startsWith("//+")) {
+                continue;
+            } else if (nue.startsWith("//{")) {
+                dansMarque = true;
+                dansReponse = true;
+                resultat.append(reponses || nue.length() == 3 ? "" : marge + "// FIXME" + nue.substring(3) + "\n");
+            } else if (dansMarque && nue.startsWith("//=")) {
+                dansReponse = false;
+                resultat.append(reponses ? "" : marge + nue.substring(4) + "\n");
+            } else if (dansMarque && nue.equals("//}")) {
+                dansMarque = false;
+                dansReponse = false;
+            } else if (!dansReponse || reponses) {
                 resultat.append((pour == null ? ligne : ligne.replaceFirst("//\\+ ?", "")).stripTrailing()).append('\n');
             }
         }
@@ -105,34 +118,6 @@ public final class Modele {
 
     public static String scene(String nom) {
         return ressource("scenes/" + nom + ".ini");
-    }
-
-    static String extraire(String texte, boolean reponses) {
-        StringBuilder resultat = new StringBuilder();
-        boolean dansReponse = false;
-        boolean dansMarque = false;
-        for (String ligne : texte.split("\n")) {
-            String nue = ligne.trim();
-            String marge = ligne.substring(0, ligne.length() - ligne.stripLeading().length());
-            if (nue.startsWith("//{")) {
-                dansMarque = true;
-                dansReponse = true;
-                if (!reponses && nue.length() > 3) {
-                    resultat.append(marge).append("// FIXME").append(nue.substring(3)).append('\n');
-                }
-            } else if (dansMarque && nue.startsWith("//=")) {
-                dansReponse = false;
-                if (!reponses) {
-                    resultat.append(marge).append(nue.substring(4)).append('\n');
-                }
-            } else if (dansMarque && nue.equals("//}")) {
-                dansMarque = false;
-                dansReponse = false;
-            } else if (!dansReponse || reponses) {
-                resultat.append(ligne).append('\n');
-            }
-        }
-        return resultat.toString();
     }
 
     /** Un texte de l'archive du programme. */

@@ -24,16 +24,17 @@ public final class Note {
         public final int aFaire;
         private final int nonEvaluables;
         public final double points;
-        public final double poids;
+        /** Ce qu'elle peut rapporter au plus ; 0 pour les consignes, qui enlèvent des points. */
+        public final double sur;
         /** Ce que l'enseignant a donné à la place, {@code null} s'il n'a rien donné. */
         public final Ajustements.Ligne ajustement;
 
-        Part(double reussis, int comptent, int aFaire, int nonEvaluables, double points, double poids, Ajustements.Ligne ajustement) {
+        Part(double reussis, int comptent, int aFaire, int nonEvaluables, double points, double sur, Ajustements.Ligne ajustement) {
             this.reussis = reussis;
             this.comptent = comptent;
             this.aFaire = aFaire;
             this.nonEvaluables = nonEvaluables;
-            this.poids = poids;
+            this.sur = sur;
             this.ajustement = ajustement;
             this.points = ajustement == null ? points : ajustement.points;
         }
@@ -62,7 +63,7 @@ public final class Note {
         for (Grille.Etape etape : grille.etapes) {
             Part part = part(etape, resultat, bareme.poids(etape.nom), siens.get(etape.nom));
             parts.put(etape.nom, part);
-            perdu += part.ajustement == null && part.comptent > 0 ? part.poids * part.nonEvaluables / part.comptent : 0;
+            perdu += part.ajustement == null && part.comptent > 0 ? bareme.poids(etape.nom) * part.nonEvaluables / part.comptent : 0;
             if (etape.duCours && part.complete()) {
                 derniere = etape.titre;
                 avant.forEach(e -> manquent.add(e.titre));
@@ -99,8 +100,9 @@ public final class Note {
             }
         }
         double gagnes = comptent == 0 ? 0 : poids * reussis / comptent;
-        return new Part(reussis, comptent, aFaire + nonEvaluables, nonEvaluables,
-                etape.nom.equals(Grille.CONSIGNES) ? gagnes - poids : gagnes, poids, ajustement);
+        boolean enleve = etape.nom.equals(Grille.CONSIGNES);
+        return new Part(reussis, comptent, aFaire + nonEvaluables, nonEvaluables, enleve ? gagnes - poids : gagnes, enleve ? 0 : poids,
+                ajustement);
     }
 
     /** @param critere une étape, ou une ligne libre du barème */

@@ -5,6 +5,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Base64;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
@@ -12,6 +13,8 @@ import lancer.correction.modele.Modele;
 
 /** De quoi écrire du HTML où rien de ce que vient d'un étudiant ne soit pris pour du HTML. */
 final class Html {
+
+    private static final int MONTREES = 30;
 
     private final StringBuilder texte = new StringBuilder();
 
@@ -30,6 +33,15 @@ final class Html {
     /** Un élément qui ne contient que ce texte. */
     Html element(String balise, Object valeur) {
         return brut("<" + balise + ">").dire(valeur).brut("</" + balise.replaceFirst(" .*", "") + ">");
+    }
+
+    /** Un titre et une liste, s'il y a de quoi. */
+    void liste(String titre, List<String> textes) {
+        if (!textes.isEmpty()) {
+            element("h2", titre).brut("<ul>");
+            textes.stream().limit(MONTREES).forEach(texte -> element("li", texte));
+            brut(textes.size() > MONTREES ? "<li>…</li></ul>\n" : "</ul>\n");
+        }
     }
 
     /** Un nombre à deux décimales au plus, à la française. */

@@ -1,8 +1,8 @@
 package lancer.correction.page;
 
-import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
+import java.util.function.IntBinaryOperator;
+import java.util.regex.Pattern;
 import lancer.correction.Eleve;
 import lancer.correction.jugement.Chemin;
 import lancer.correction.jugement.Ecart;
@@ -17,7 +17,7 @@ import lancer.correction.note.Note;
 /** La page d'un rendu : où il en est, ce qui ne va pas, avec un exemple, et les images. */
 final class PageEleve {
 
-    private static final int FAUTES_MONTREES = 20;
+    private static final Pattern NOMBRE = Pattern.compile("(?<!\\S)-?\\d+\\.\\d+(?:E-?\\d+)?(?!\\S)");
 
     private final Grille grille;
     private final Bareme bareme;
@@ -71,48 +71,29 @@ final class PageEleve {
     }
 
     private void remarques() {
-        if (!eleve.resultat.remarques.isEmpty()) {
-            html.brut("<h2>Remarques</h2>\n<ul>");
-            eleve.resultat.remarques.forEach(r -> html.element("li", r));
-            html.brut("</ul>\n");
-        }
+        html.liste("Remarques", eleve.resultat.remarques);
     }
 
     private void fautes() {
-        List<String> fautes = eleve.resultat.fautes;
-        if (!fautes.isEmpty()) {
-            html.brut("<h2>").dire(fautes.size() == 1 ? "Une faute de compilation" : fautes.size()
-                    + " fautes de compilation").brut("</h2>\n")
-                    .element("p class=\"petit gris\"",
-                    "Une faute ne coûte que la méthode où elle est, ou sa classe si elle n'est dans aucune.").brut("<ul>");
-            for (String faute : fautes.stream().limit(FAUTES_MONTREES).collect(Collectors.toList())) {
-                html.brut("<li>").element("code", faute).brut("</li>");
-            }
-            html.brut(fautes.size() > FAUTES_MONTREES ? "<li>…</li></ul>\n" : "</ul>\n");
-        }
+        int n = eleve.resultat.fautes.size();
+        html.liste(n == 1 ? "Une faute de compilation" : n + " fautes de compilation : chacune ne coûte que la méthode où elle est, ou "
+                + "sa classe si elle n'est dans aucune", eleve.resultat.fautes);
     }
 
     private void etapes() {
         html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
                 + "class=\"n\">points<th>détail</tr>\n");
         for (Grille.Etape etape : grille.etapes) {
-            Note.Part part = eleve.note.part(etape.nom);
-            part(etape.titre, part, etape.nom.equals(Grille.CONSIGNES) ? 0 : part.poids);
-            for (Grille.Critere critere : etape.criteres) {
-                critere(critere);
-            }
-            html.brut("</tr>\n");
+            part(etape.titre, eleve.note.part(etape.nom));
+            etape.criteres.forEach(this::critere);
         }
-        for (String libre : bareme.libres) {
-            part(libre, eleve.note.part(libre), bareme.poids(libre));
-            html.brut("</tr>\n");
-        }
+        bareme.libres.forEach(libre -> part(libre, eleve.note.part(libre)));
         html.brut("</table>\n");
     }
 
-    private void part(String titre, Note.Part part, double sur) {
+    private void part(String titre, Note.Part part) {
         html.brut("<tr><td>").dire(titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
-                .dire(Html.nombre(part.points) + " / " + Html.nombre(sur)).brut("<td>");
+                .dire(Html.nombre(part.points) + " / " + Html.nombre(part.sur)).brut("<td>");
         if (part.ajustement != null) {
             html.element("p class=\"avis\"", "Donné par l'enseignant"
                     + (part.ajustement.commentaire.isEmpty() ? "" : " : " + part.ajustement.commentaire));
@@ -137,19 +118,15 @@ final class PageEleve {
         boolean muet = verdict.message.isEmpty();
         boolean ouvert = etat == Verdict.Etat.RATE && !muet && !verdict.message.equals(deplie);
         deplie = ouvert ? verdict.message : deplie;
+        String methode = eleve.resultat.methodes.get(critere.id);
         html.brut(muet ? "<div>" : "<details" + (ouvert ? " open" : "") + "><summary>")
                 .brut("<span class=\"e " + css + "\">").dire(etat.texte).brut("</span> ").dire(critere.titre)
                 .dire(critere.compte ? "" : " (ne compte pas : déjà dans le projet à compléter)");
-        if (muet) {
-            html.brut("</div>");
-        } else {
+        if (!muet) {
             html.brut("</summary>").element("code", verdict.message);
-            String methode = eleve.resultat.methodes.get(critere.id);
-            if (methode != null && ouvert) {
-                html.element("pre", methode);
-            }
-            html.brut("</details>");
+            html.brut(methode != null && ouvert ? "<pre>" + Html.echappe(methode) + "</pre>" : "");
         }
+        html.brut(muet ? "</div>" : "</details>");
     }
 
     static String classe(Note.Part part) {
@@ -173,22 +150,20 @@ final class PageEleve {
                 continue;
             }
             Ecart ecart = new Ecart(nous, lui);
-            html.element("p", String.format(Locale.FRANCE,
-                    "« %s » : %s ; écart quadratique moyen %.2f niveaux, %s sur %d (plus de 2 niveaux)%s", scene,
-                    ecart.memeImage() ? "la même image que celle du corrigé" : "une autre image que celle du corrigé",
-                    ecart.rmse, ecart.combien(), ecart.pixels, resultat.centre ? ". Votre getCouleurPixel vise un demi-pixel "
-                    + "plus loin que (xe, ye), au centre du pixel : le corrigé aussi, ici." : ""));
-            figure("la vôtre", Html.image(lui.largeur, lui.hauteur, lui::code, "l'image du rendu"));
-            figure("celle du corrigé", Html.image(nous.largeur, nous.hauteur, nous::code, "l'image du corrigé"));
-            figure("leur différence, quatre fois plus forte", Html.image(lui.largeur, lui.hauteur,
-                    (x, y) -> difference(lui.code(x, y), nous.code(x, y)), "la différence des deux images"));
+            html.element("p", "« " + scene + " » : " + (ecart.memeImage() ? "la même image que celle du corrigé"
+                    : "une autre image que celle du corrigé") + " ; " + ecart.combien() + " (plus de 2 niveaux)"
+                    + (resultat.centre ? ". Votre getCouleurPixel vise un demi-pixel plus loin que (xe, ye), au centre du pixel : le "
+                    + "corrigé aussi, ici." : ""));
+            figure("la vôtre", lui, lui::code);
+            figure("celle du corrigé", nous, nous::code);
+            figure("leur différence, quatre fois plus forte", lui, (x, y) -> difference(lui.code(x, y), nous.code(x, y)));
         }
-        resultat.variantes.forEach((nom, image) -> figure("l'extension « " + nom + " »",
-                Html.image(image.largeur, image.hauteur, image::code, "l'image de l'extension")));
+        resultat.variantes.forEach((nom, image) -> figure("l'extension « " + nom + " »", image, image::code));
     }
 
-    private void figure(String legende, String image) {
-        html.brut("<figure>" + image).element("figcaption", legende).brut("</figure>\n");
+    private void figure(String legende, Image taille, IntBinaryOperator pixel) {
+        html.brut("<figure>" + Html.image(taille.largeur, taille.hauteur, pixel, legende)).element("figcaption", legende)
+                .brut("</figure>\n");
     }
 
     private static int difference(int a, int b) {
@@ -205,38 +180,21 @@ final class PageEleve {
             return;
         }
         Chemin.Pas premier = chemin.getPremierEcart();
-        html.element("h2", "Un pixel faux, où l'on voit d'où vient la faute : (" + chemin.x + ", " + chemin.y + ")").brut("<p>")
-                .dire("Ce que répondent, en chemin, les méthodes du cours. ");
-        if (premier == null) {
-            html.dire("Aucune ne s'écarte : la faute est dans ce qui les appelle (getCouleurPixel).");
-        } else {
-            html.dire("La première réponse qui s'écarte : ").element("strong", premier.nom).dire(".");
-        }
-        html.brut("</p>\n<table><tr><th>réponse<th>corrigé<th>rendu</tr>\n");
+        html.element("h2", "Un pixel faux, où l'on voit d'où vient la faute : (" + chemin.x + ", " + chemin.y + ")")
+                .element("p", "Ce que répondent, en chemin, les méthodes du cours. " + (premier == null
+                ? "Aucune ne s'écarte : la faute est dans ce qui les appelle (getCouleurPixel)."
+                : "La première réponse qui s'écarte : " + premier.nom + "."))
+                .brut("\n<table><tr><th>réponse<th>corrigé<th>rendu</tr>\n");
         for (Chemin.Pas pas : chemin.pas) {
             html.brut(pas == premier ? "<tr class=\"ecart\"><td>" : "<tr><td>").dire(pas.nom).brut("<td>")
-                    .element("code", abrege(pas.attendu)).brut("<td>");
-            if (pas.pareil) {
-                html.element("span class=\"gris\"", "la même");
-            } else {
-                html.element("code", abrege(pas.obtenu));
-            }
-            html.brut("</tr>\n");
+                    .element("code", abrege(pas.attendu)).brut("<td>")
+                    .element(pas.pareil ? "span class=\"gris\"" : "code", pas.pareil ? "la même" : abrege(pas.obtenu)).brut("</tr>\n");
         }
         html.brut("</table>\n");
     }
 
     /** Les nombres à six chiffres : on les compare à l'œil. */
     private static String abrege(String nombres) {
-        StringBuilder texte = new StringBuilder();
-        for (String mot : nombres.split(" ")) {
-            try {
-                texte.append(texte.length() > 0 ? "  " : "").append(String.format(Locale.ROOT, "%.6g",
-                        Double.parseDouble(mot)));
-            } catch (NumberFormatException e) {
-                return nombres;
-            }
-        }
-        return texte.toString();
+        return NOMBRE.matcher(nombres).replaceAll(m -> String.format(Locale.ROOT, "%.6g ", Double.parseDouble(m.group())));
     }
 }

@@ -130,8 +130,8 @@ class HostilesTest extends JuryEssai {
         Map<String, Resultat> attendus = juger(seuls, dossier.resolve("travail"), confinement, PATIENTES);
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         temoins(rendus);
-        // sans tiret : ce serait bien un nom de paquet, à son point près
-        Path evade = Path.of("/tmp/evade" + System.nanoTime());
+        // sans rien qu'un nom de paquet n'ait : ce serait bien un chemin, à son point près
+        Path evade = Files.createTempDirectory("evade").resolve("x");
         ecrire(ecrireCorrige(rendus.resolve("paquet")), "Evade", "package " + evade.toString().replace('/', '.')
                 + ";\npublic class Evade { }\n");
         ecrire(ecrireCorrige(rendus.resolve("fin")), "A\nFIN\nFAUTE\tB", "package lancer; class A { int f() { return x; } }");
@@ -141,9 +141,8 @@ class HostilesTest extends JuryEssai {
         ecrire(ecrireCorrige(rendus.resolve("milliers")), "Vecteur", Modele.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
         ecrire(ecrireCorrige(rendus.resolve("parentheses")), "Vecteur", Modele.corrige("Vecteur").replaceFirst("return new Vecteur\\(x \\+",
                 "return new Vecteur(" + "(".repeat(20_000) + "x +"));
-        String sortie = "try { java.lang.reflect.Field f = java.io.FileDescriptor.class.getDeclaredField(\"fd\"); f.setAccessible(true);"
-                + " java.io.FileDescriptor un = new java.io.FileDescriptor(); f.setInt(un, 1);"
-                + " java.io.DataOutputStream s = new java.io.DataOutputStream(new java.io.FileOutputStream(un));";
+        String sortie = "try { java.io.DataOutputStream s = new java.io.DataOutputStream("
+                + "new java.io.FileOutputStream(java.io.FileDescriptor.out));";
         attaque(rendus.resolve("brut"), sortie + " s.writeBytes(\"REUSSI\\n\"); } catch (Exception e) { }");
         attaque(rendus.resolve("avance"), sortie + " for (int k = 0; k < 99; k++) { s.writeInt(k); s.writeInt(2); s.writeChar('R'); } }"
                 + " catch (Exception e) { }");
