@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -65,12 +66,7 @@ public final class Projet {
         noms = new Renommage(base);
         this.remarques.addAll(noms.changes);
         aRegarder.addAll(noms.changes);
-        noms.changes.forEach(c -> ecarts.merge(NOMS, c, (a, b) -> a + " ; " + b));
-    }
-
-    /** Le projet d'un rendu ; s'il en a plusieurs copies, celle où il y a le plus de travail. */
-    public static Projet lire(Rendu rendu) {
-        return copies(rendu).get(0);
+        noms.changes.forEach(c -> noter(NOMS, c));
     }
 
     /** Chaque copie du projet que contient un rendu, de celle où il y a le plus de travail à celle où il y en a le moins. */
@@ -85,7 +81,7 @@ public final class Projet {
                         && !List.of("Tests", "Etapes", "module-info", "package-info").contains(source.classe)) {
                     Matcher m = VARIANTE.matcher(Normalizer.normalize(source.racine, Normalizer.Form.NFD)
                             .replaceAll("\\p{M}", ""));
-                    String partie = m.find() ? variante(m.group(1)) : "";
+                    String partie = m.find() ? m.group(1).toLowerCase(Locale.ROOT).replaceFirst("^anti.*", "antialias") : "";
                     groupes.computeIfAbsent(partie, p -> new TreeMap<>())
                             .computeIfAbsent(source.racine, r -> new ArrayList<>()).add(source);
                 }
@@ -125,21 +121,19 @@ public final class Projet {
     }
 
     private void consignes(Rendu rendu, Map<String, Set<String>> dites) {
-        dites.forEach((quoi, ou) -> ecarts.merge(quoi.contains("UTF-8") ? TEXTE : NOMS, quoi, (a, b) -> a
-                + " ; " + b));
+        dites.keySet().forEach(quoi -> noter(quoi.contains("UTF-8") ? TEXTE : NOMS, quoi));
         if (!rendu.outils.isEmpty()) {
             ecarts.put(OUTILS, "rendus aussi : " + String.join(", ", rendu.outils));
         }
         long tabulations = base.values().stream().filter(t -> t.contains("\n\t")).count();
         if (tabulations > 0) {
-            ecarts.merge(TEXTE, "des tabulations dans " + tabulations + (tabulations > 1 ? " classes" : " classe"),
-                    (a, b) -> a + " ; " + b);
+            noter(TEXTE, "des tabulations dans " + tabulations + (tabulations > 1 ? " classes" : " classe"));
         }
     }
 
-    private static String variante(String mot) {
-        String bas = mot.toLowerCase();
-        return bas.startsWith("anti") ? "antialias" : bas;
+    /** Une consigne n'est pas suivie. */
+    public void noter(String consigne, String ecart) {
+        ecarts.merge(consigne, ecart, (a, b) -> a + " ; " + b);
     }
 
     /**
@@ -149,10 +143,8 @@ public final class Projet {
     private static Map<String, Map<String, String>> choisir(Map<String, List<Source>> groupes, List<String> remarques,
             Map<String, Set<String>> dites) {
         List<String> racines = new ArrayList<>(groupes.keySet());
-        racines.sort((a, b) -> {
-            int n = Long.compare(duCours(groupes.get(b)), duCours(groupes.get(a)));
-            return n != 0 ? n : Integer.compare(a.length(), b.length());
-        });
+        racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream().filter(s -> Modele.A_COMPLETER.contains(s.classe)).count())
+                .thenComparing(String::length));
         Map<String, Map<String, String>> copies = new LinkedHashMap<>();
         for (String racine : racines) {
             Map<String, String> classes = copies.values().stream().filter(c -> groupes.get(racine).stream()
@@ -186,10 +178,6 @@ public final class Projet {
     private long changees() {
         return Modele.A_COMPLETER.stream().filter(c -> texte(c) != null
                 && !Source.memeCode(texte(c), noms.dans(Modele.squelette(c)))).count();
-    }
-
-    private static long duCours(List<Source> sources) {
-        return sources.stream().filter(s -> Modele.A_COMPLETER.contains(s.classe)).count();
     }
 
     /** Le texte d'une classe du cours, sous le nom qu'il lui donne ; {@code null} si elle n'est pas rendue. */

@@ -62,50 +62,38 @@ public final class Source {
     static List<Source> lire(String chemin, byte[] octets) {
         Source tout = entier(chemin, octets);
         String dehors = dehors(tout.texte);
-        List<String> declarees = DECLARATION.matcher(dehors).results().limit(CLASSES_MAX + 1).map(d -> d.group(1))
+        List<String> noms = DECLARATION.matcher(dehors).results().limit(CLASSES_MAX + 1).map(d -> d.group(1))
                 .collect(Collectors.toList());
-        if (declarees.size() < 2 || declarees.size() > CLASSES_MAX || declarees.stream().noneMatch(Modele.classes()::contains)) {
+        if (noms.size() < 2 || noms.size() > CLASSES_MAX || noms.stream().noneMatch(Modele.classes()::contains)) {
             return List.of(tout);
         }
-        List<String> noms = new ArrayList<>();
-        List<Integer> bornes = new ArrayList<>();
-        Matcher m = DECLARATION.matcher(dehors);
-        int fin = 0;
-        while (m.find(fin)) {
-            bornes.add(noms.isEmpty() ? dehors.lastIndexOf(';', m.start()) + 1 : fin);
-            int suivant = dehors.indexOf('}', m.end()) + 1;
-            if (suivant == 0 || !noms.isEmpty() && dehors.substring(fin, m.start()).matches("(?s).*[{};].*")) {
+        boolean autres = noms.stream().anyMatch(n -> Modele.classes().contains(n) && !n.equals(tout.classe));
+        String remarque = tout.remarque == null && autres ? "contient plusieurs classes (" + String.join(", ", noms)
+                + ") : jugées à part" : tout.remarque;
+        List<Source> sources = new ArrayList<>();
+        Matcher premiere = DECLARATION.matcher(dehors);
+        int entete = premiere.find() ? dehors.lastIndexOf(';', premiere.start()) + 1 : 0;
+        int debut = entete;
+        for (String nom : noms) {
+            int fin = dehors.indexOf('}', debut) + 1;
+            Matcher declaration = DECLARATION.matcher(dehors.substring(debut, Math.max(debut, fin)));
+            if (!declaration.find() || !declaration.group(1).equals(nom)) {
                 return List.of(tout);
             }
-            noms.add(m.group(1));
-            fin = suivant;
+            sources.add(new Source(chemin, nom, tout.racine, tout.paquet, tout.texte.substring(0, entete)
+                    + blancs(tout.texte.substring(entete, debut)) + tout.texte.substring(debut, fin),
+                    debut == entete ? remarque : null));
+            debut = fin;
         }
-        if (noms.size() < 2 || !dehors.substring(fin).isBlank()) {
-            return List.of(tout);
-        }
-        bornes.add(tout.texte.length());
-        List<Source> sources = new ArrayList<>();
-        for (int k = 0; k < noms.size(); k++) {
-            String avant = tout.texte.substring(bornes.get(0), bornes.get(k));
-            sources.add(new Source(chemin, noms.get(k), tout.racine, tout.paquet, tout.texte.substring(0, bornes.get(0))
-                    + blancs(avant) + tout.texte.substring(bornes.get(k), bornes.get(k + 1)),
-                    k > 0 ? null : tout.remarque != null || !noms.stream().anyMatch(n -> Modele.classes().contains(n)
-                    && !n.equals(tout.classe)) ? tout.remarque
-                    : "contient plusieurs classes (" + String.join(", ", noms) + ") : jugées à part"));
-        }
-        return sources;
+        return dehors.substring(debut).isBlank() ? sources : List.of(tout);
     }
 
     private static Source entier(String chemin, byte[] octets) {
         String nom = chemin.substring(chemin.lastIndexOf('/') + 1);
         String nu = nom.substring(0, nom.length() - ".java".length());
         String dossier = chemin.substring(0, chemin.length() - nom.length());
-        String remarque = null;
-        Charset codage = codage(octets);
         String texte = decoder(octets);
-        if (codage != StandardCharsets.UTF_8) {
-            remarque = "n'est pas en UTF-8, lu en " + codage.name();
-        }
+        String remarque = codage(octets) == StandardCharsets.UTF_8 ? null : "n'est pas en UTF-8, lu en " + codage(octets).name();
         Matcher seule = DECLARATION.matcher(dehors(texte));
         // « Vecteur (1).java », « Copie de Vecteur.java » : ce qu'il déclare dit mieux ce qu'il est
         String classe = !NOM_DE_CLASSE.matcher(nu).matches() && seule.find() ? seule.group(1) : nu;
@@ -113,13 +101,8 @@ public final class Source {
         String paquet = m.find() ? m.group(1) : "";
         boolean duCours = Modele.classes().contains(classe) || classe.equals("Tests")
                 || DECLARATION.matcher(dehors(texte)).results().anyMatch(d -> Modele.classes().contains(d.group(1)));
-        String racine = dossier;
-        if (!paquet.isEmpty()) {
-            String suffixe = paquet.replace('.', '/') + "/";
-            racine = dossier.endsWith(suffixe) ? dossier.substring(0, dossier.length() - suffixe.length()) : dossier;
-        } else if (dossier.endsWith("lancer/")) {
-            racine = dossier.substring(0, dossier.length() - "lancer/".length());
-        }
+        String suffixe = paquet.isEmpty() ? "lancer/" : paquet.replace('.', '/') + "/";
+        String racine = dossier.endsWith(suffixe) ? dossier.substring(0, dossier.length() - suffixe.length()) : dossier;
         if (duCours && !paquet.equals("lancer")) {
             if (paquet.isEmpty()) {
                 // sur la première ligne : les numéros des autres restent ceux de l'étudiant

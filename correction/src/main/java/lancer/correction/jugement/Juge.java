@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -49,6 +50,8 @@ final class Juge implements AutoCloseable {
     private final Resultat resultat = new Resultat();
     /** Toutes les classes de l'étudiant. */
     private Assemblage ensemble;
+    /** Les classes du cours qu'il a rendues, et changées. */
+    private final Set<String> changees = new HashSet<>();
     /** Pourquoi les dernières vérifications n'ont pas toutes été lancées, vide si elles l'ont été. */
     private String coupe = "";
     /** Où une vérification n'a pas fini. */
@@ -99,6 +102,8 @@ final class Juge implements AutoCloseable {
     }
 
     Resultat juger() throws Arret {
+        Modele.classes().stream().filter(c -> projet.texte(c) != null && !Source.memeCode(projet.texte(c),
+                projet.noms.dans(Modele.squelette(c)))).forEach(changees::add);
         resultat.remarques.addAll(projet.remarques);
         resultat.aRegarder.addAll(projet.aRegarder);
         for (String classe : Modele.A_COMPLETER) {
@@ -115,10 +120,10 @@ final class Juge implements AutoCloseable {
         Map<String, Verdict> parEnsemble = lancer(ensemble, reference.verifications);
         String sansImage = coupe;
         Map<String, Verdict> parSeule = new HashMap<>();
-        for (String classe : Modele.A_COMPLETER) {
-            List<Verification> aReprendre = reference.verifications.stream().filter(v -> v.classe.equals(classe)
-                    && parEnsemble.get(v.id()).etat != Etat.REUSSI).collect(Collectors.toList());
-            if (!aReprendre.isEmpty() && projet.texte(classe) != null && !intacte(classe)) {
+        for (String classe : changees(Modele.A_COMPLETER)) {
+            List<Verification> aReprendre = verifications(v -> v.classe.equals(classe)
+                    && parEnsemble.get(v.id()).etat != Etat.REUSSI);
+            if (!aReprendre.isEmpty()) {
                 parSeule.putAll(lancer(seule(classe), aReprendre));
             }
         }
@@ -145,11 +150,10 @@ final class Juge implements AutoCloseable {
      * que la vérification coûte ; si aucune n'échoue seule, à celle dont elle parle.
      */
     private void imputer() throws Arret {
-        List<Verification> cachees = reference.verifications.stream()
-                .filter(v -> resultat.verdicts.get(v.id()).etat == Etat.CACHE).collect(Collectors.toList());
+        List<Verification> cachees = verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.CACHE);
         List<String> suspectes = new ArrayList<>(Modele.A_COMPLETER);
         suspectes.sort(Comparator.comparing(classe -> !aUneFaute(classe)));
-        Modele.DONNEES.stream().filter(c -> projet.texte(c) != null && !intacte(c)).forEach(suspectes::add);
+        suspectes.addAll(changees(Modele.DONNEES));
         for (String classe : suspectes) {
             if (cachees.isEmpty() || arretes.contains(seules.get(classe))) {
                 continue;
@@ -180,8 +184,22 @@ final class Juge implements AutoCloseable {
     }
 
     private boolean aUneFaute(String classe) {
-        return reference.verifications.stream().anyMatch(v -> v.classe.equals(classe)
-                && !resultat.verdicts.get(v.id()).compte());
+        return !verifications(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()).isEmpty();
+    }
+
+    private List<Verification> verifications(Predicate<Verification> lesquelles) {
+        return reference.verifications.stream().filter(lesquelles).collect(Collectors.toList());
+    }
+
+    /** Celles de ces classes qu'il a rendues, et changées. */
+    private List<String> changees(List<String> classes) {
+        return classes.stream().filter(changees::contains).collect(Collectors.toList());
+    }
+
+    /** Celles des siennes où ce mot est employé. */
+    private String emploient(String mot) {
+        return changees(Modele.classes()).stream().filter(c -> Pattern.compile(mot)
+                .matcher(Source.sansCommentaires(projet.texte(c))).find()).collect(Collectors.joining(", "));
     }
 
     /** Garde, pour la page, la méthode qui répond d'une vérification. */
@@ -193,27 +211,19 @@ final class Juge implements AutoCloseable {
     }
 
     private void consignes() {
-        for (String classe : Modele.A_COMPLETER) {
-            if (projet.texte(classe) != null && !aUneFaute(classe) && projet.texte(classe).contains("FIXME")) {
-                projet.ecarts.merge(Projet.FIXME, "reste dans " + classe, (a, b) -> a + ", " + classe);
-            }
-        }
+        changees(Modele.A_COMPLETER).stream().filter(c -> !aUneFaute(c) && projet.texte(c).contains("FIXME"))
+                .forEach(c -> projet.noter(Projet.FIXME, "reste dans " + c));
         for (String consigne : Projet.CONSIGNES.keySet()) {
             String ecart = projet.ecarts.get(consigne);
             resultat.verdicts.put(Grille.consigne(consigne), ecart == null ? new Verdict(Etat.REUSSI, "")
                     : new Verdict(Etat.RATE, ecart));
         }
-        for (String classe : Modele.classes()) {
-            if (projet.texte(classe) != null && !intacte(classe)) {
-                resultat.empreintes.put(classe, Source.empreinte(projet.texte(classe)));
-            }
-        }
+        changees(Modele.classes()).forEach(c -> resultat.empreintes.put(c, Source.empreinte(projet.texte(c))));
     }
 
     /** L'image et les étapes doivent dire la même chose. */
     private void confronter() {
-        List<Verification> perdues = reference.verifications.stream().filter(v -> reference.compte(v)
-                && !resultat.verdicts.get(v.id()).compte()).collect(Collectors.toList());
+        List<Verification> perdues = verifications(v -> reference.compte(v) && !resultat.verdicts.get(v.id()).compte());
         List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
                 .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
         if (autres.isEmpty() && !perdues.isEmpty()) {
@@ -223,14 +233,15 @@ final class Juge implements AutoCloseable {
             resultat.regarder("étapes toutes réussies, mais une autre image : « " + String.join(" », « ", autres) + " »"
                     + (resultat.classesFautives.isEmpty() ? "" : ", par " + String.join(", ", resultat.classesFautives)));
         }
-        List<String> enFloat = Modele.A_COMPLETER.stream().filter(c -> projet.texte(c) != null
-                && Pattern.compile("\\bfloat\\b").matcher(Source.sansCommentaires(projet.texte(c))).find())
-                .collect(Collectors.toList());
+        String enFloat = emploient("\\bfloat\\b");
         if (!enFloat.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
-            String grain = "des calculs en float (" + String.join(", ", enFloat) + ") : de là peut venir du grain, que le cours "
-                    + "évite par des double";
+            String grain = "des calculs en float (" + enFloat + ") : de là peut venir du grain, que le cours évite par des double";
             resultat.remarques.add(0, grain);
             resultat.regarder(grain);
+        }
+        String lisent = emploient("\\bSystem\\s*\\.\\s*in\\b");
+        if (!lisent.isEmpty()) {
+            resultat.regarder("lit l'entrée standard (" + lisent + ") : elle est vide ici, ce qu'il y attend n'a pas été essayé");
         }
     }
 
@@ -238,17 +249,11 @@ final class Juge implements AutoCloseable {
         for (Map.Entry<String, Map<String, String>> variante : projet.variantes.entrySet()) {
             String nom = variante.getKey();
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
-            Map<String, String> sources = base(variante.getValue());
             Variante juge = new Variante(this, nom);
-            Verdict verdict = juge.juger(ensemble, assembler(sources), assembler(base(projet.noms.dans(Modele.ajoutees(nom)))));
+            resultat.verdicts.put(nom + ".image", juge.juger(ensemble, assembler(base(variante.getValue())),
+                    assembler(base(projet.noms.dans(Modele.ajoutees(nom))))));
             resultat.variantes.putAll(juge.image);
-            resultat.verdicts.put(nom + ".image", verdict);
         }
-    }
-
-    /** Vrai si la classe de l'étudiant est celle du projet à compléter. */
-    boolean intacte(String classe) {
-        return Source.memeCode(projet.texte(classe), projet.noms.dans(Modele.squelette(classe)));
     }
 
     /**
@@ -275,9 +280,9 @@ final class Juge implements AutoCloseable {
             }
             seule = assembler(sources);
             if (fautesNouvelles(seule, classe)) {
-                TreeSet<String> cassees = new TreeSet<>();
-                seule.fautes.stream().map(Faute::classe).filter(nommees::contains).forEach(cassees::add);
-                dependances.put(classe, cassees.isEmpty() ? String.join(", ", nommees) : String.join(", ", cassees));
+                Set<String> cassees = seule.fautes.stream().map(Faute::classe).filter(nommees::contains)
+                        .collect(Collectors.toCollection(TreeSet::new));
+                dependances.put(classe, String.join(", ", cassees.isEmpty() ? nommees : cassees));
             } else {
                 resultat.remarques.add(classe
                         + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
@@ -313,7 +318,7 @@ final class Juge implements AutoCloseable {
         if (projet.texte(v.classe) == null) {
             return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + " n'est pas dans le rendu");
         }
-        if (intacte(v.classe)) {
+        if (!changees.contains(v.classe)) {
             return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + " est celle du projet à compléter");
         }
         if (seule != null && seule.etat == Etat.REUSSI) {
@@ -458,8 +463,8 @@ final class Juge implements AutoCloseable {
                 resultat.chemin = autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart() ? autre : resultat.chemin;
             }
         }
-        for (String classe : Modele.A_COMPLETER) {
-            if (projet.texte(classe) != null && !intacte(classe) && changentLImage(scene, seule(classe))) {
+        for (String classe : changees(Modele.A_COMPLETER)) {
+            if (changentLImage(scene, seule(classe))) {
                 resultat.classesFautives.add(classe);
             }
         }

@@ -84,68 +84,49 @@ final class Verifications {
     }
 
     /** Ce que des vérifications, lancées l'une après l'autre, donnent des classes que tient une machine. */
-    static final class Bilan {
+    static final class Bilan implements TestExecutionListener {
 
         /** Par {@link Verification#id()}. */
         final Map<String, Verdict> verdicts = new HashMap<>();
-
         /** Combien n'ont pas fini, et pourquoi la dernière. */
         int arrets;
         String pourquoi = "";
+        private final Map<String, String> ids = new HashMap<>();
+        private final Dialogue dialogue;
+
+        private Bilan(List<Verification> verifications, Dialogue dialogue) {
+            this.dialogue = dialogue;
+            for (Verification v : verifications) {
+                ids.put(v.classeJava + v.methode, v.id());
+                verdicts.put(v.id(), new Verdict(Etat.RATE, "la vérification n'a pas pu commencer"));
+            }
+        }
 
         /** Vrai si, faute de finir, les dernières n'ont pas été lancées. */
         boolean coupe() {
             return arrets >= ARRETS_MAX;
         }
-    }
 
-    Bilan lancer(List<Verification> verifications, Machines.Rendue machine) {
-        Map<String, Verification> parMethode = new HashMap<>();
-        verifications.forEach(v -> parMethode.put(v.classeJava + v.methode, v));
-        Bilan bilan = new Bilan();
-        Dialogue dialogue = new Dialogue(machine);
-        dialogue.mener(() -> lanceur().execute(demande(verifications.stream()
-                .map(v -> selectNestedMethod(List.of(classe(TESTS)), classe(v.classeJava), v.methode))
-                .collect(Collectors.toList())), new Ecoute(parMethode, bilan, dialogue)));
-        verifications.forEach(v -> bilan.verdicts.putIfAbsent(v.id(),
-                new Verdict(Etat.RATE, "la vérification n'a pas pu commencer")));
-        return bilan;
-    }
-
-    /** Note ce que donne chaque vérification, et prépare la machine à la suivante dès que l'une a fini. */
-    private static final class Ecoute implements TestExecutionListener {
-
-        private final Map<String, Verification> parMethode;
-        private final Bilan bilan;
-        private final Dialogue dialogue;
-
-        Ecoute(Map<String, Verification> parMethode, Bilan bilan, Dialogue dialogue) {
-            this.parMethode = parMethode;
-            this.bilan = bilan;
-            this.dialogue = dialogue;
-        }
-
+        /** Note ce que donne cette vérification, et prépare la machine à la suivante. */
         @Override
         public void executionFinished(TestIdentifier test, TestExecutionResult fin) {
             if (!test.isTest()) {
                 return;
             }
             MethodSource source = (MethodSource) test.getSource().get();
-            Verification v = parMethode.get(source.getClassName() + source.getMethodName());
             // une fois coupé, chacune dit pourquoi elle n'est pas lancée
-            String arret = bilan.coupe() ? null : dialogue.recommencer();
+            String arret = coupe() ? null : dialogue.recommencer();
             if (arret != null) {
-                bilan.verdicts.put(v.id(), new Verdict(Etat.RATE, arret));
-                bilan.arrets++;
-                bilan.pourquoi = arret;
-                if (bilan.coupe()) {
+                arrets++;
+                pourquoi = arret;
+                if (coupe()) {
                     dialogue.refuser("non lancé, ce qui précède n'ayant pas fini : " + arret);
                 }
-            } else {
-                bilan.verdicts.put(v.id(), new Verdict(fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL
-                        ? Etat.REUSSI : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE
-                        : Etat.RATE, fin.getThrowable().map(Ecoute::message).orElse("")));
             }
+            verdicts.put(ids.get(source.getClassName() + source.getMethodName()), arret != null ? new Verdict(Etat.RATE, arret)
+                    : new Verdict(fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL ? Etat.REUSSI
+                    : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.RATE,
+                    fin.getThrowable().map(Bilan::message).orElse("")));
         }
 
         private static String message(Throwable e) {
@@ -156,5 +137,14 @@ final class Verifications {
                     : e instanceof NullPointerException ? "une méthode rend null, là où la vérification attend un objet"
                     : e.getClass().getSimpleName() + " : " + message + ", dans la vérification");
         }
+    }
+
+    Bilan lancer(List<Verification> verifications, Machines.Rendue machine) {
+        Dialogue dialogue = new Dialogue(machine);
+        Bilan bilan = new Bilan(verifications, dialogue);
+        dialogue.mener(() -> lanceur().execute(demande(verifications.stream()
+                .map(v -> selectNestedMethod(List.of(classe(TESTS)), classe(v.classeJava), v.methode))
+                .collect(Collectors.toList())), bilan));
+        return bilan;
     }
 }

@@ -49,10 +49,14 @@ class DepotTest {
         return Depot.lire(lieu, travail).stream().collect(Collectors.toMap(r -> r.id, r -> r));
     }
 
+    private static Projet projet(Rendu rendu) {
+        return Projet.copies(rendu).get(0);
+    }
+
     private static void verifier(Rendu rendu, String nom) {
         assertEquals(nom, rendu.nom);
         assertEquals(List.of(), rendu.refus);
-        assertEquals("lancer/Vecteur", String.join(" ", Projet.lire(rendu).base.keySet()));
+        assertEquals("lancer/Vecteur", String.join(" ", projet(rendu).base.keySet()));
     }
 
     @Test
@@ -189,7 +193,7 @@ class DepotTest {
         Files.createDirectories(projet);
         Files.write(projet.resolve("Vecteur.java"), "// été\npublic class Vecteur {}\n".getBytes(StandardCharsets.ISO_8859_1));
         ecrire(projet.resolve("Point.java"), "\uFEFFpackage monpaquet;\nimport monpaquet.Vecteur;\nclass Point {}\n");
-        Projet lu = Projet.lire(lire(rendus).get("11"));
+        Projet lu = projet(lire(rendus).get("11"));
         assertEquals("package lancer; // été\npublic class Vecteur {}\n", lu.texte("Vecteur"));
         assertEquals("package lancer;\nimport lancer.Vecteur;\nclass Point {}\n", lu.texte("Point"));
         assertEquals(2, lu.remarques.size(), lu.remarques.toString());
@@ -202,7 +206,7 @@ class DepotTest {
         }
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer-base/src/test/java/lancer/Tests.java"),
                 "package lancer; class Tests {}");
-        Projet projet = Projet.lire(lire(rendus).get("11"));
+        Projet projet = projet(lire(rendus).get("11"));
         assertEquals(List.of("brume", "antialias", "blinn"), List.copyOf(projet.variantes.keySet()));
         assertEquals(1, projet.base.size(), "Tests, de l'étudiant, n'en est pas");
     }
@@ -214,7 +218,7 @@ class DepotTest {
                 "vieux/Vecteur", "vieux/Point", "vieux/Rayon")) {
             ecrire(projet.resolve(classe.replace("/", "/lancer/") + ".java"), "package lancer; // " + classe);
         }
-        Projet lu = Projet.lire(lire(rendus).get("11"));
+        Projet lu = projet(lire(rendus).get("11"));
         assertEquals(7, lu.base.size(), lu.base.keySet().toString());
         assertEquals("package lancer; // src/Vecteur", lu.texte("Vecteur"));
         assertEquals(List.of("plusieurs copies du projet : jugée, « src/ » ; laissée, « vieux/ »"), lu.remarques);
@@ -226,7 +230,7 @@ class DepotTest {
         ecrire(projet.resolve("TP.java"), "import java.util.List; // {\nclass Vecteur { char c = '}';\n static class Point { } }\n"
                 + "/** Un point. */ @Deprecated final class Point { }\nenum Outil { A }\n");
         ecrire(projet.resolve("Sphere.java"), "package lancer; class Sphere { } }\n void f() { }\n class Scene { }");
-        Projet lu = Projet.lire(lire(rendus).get("11"));
+        Projet lu = projet(lire(rendus).get("11"));
         assertEquals("[lancer/Outil, lancer/Point, lancer/Sphere, lancer/Vecteur]", lu.base.keySet().toString(),
                 "une accolade de trop ne fait pas deux classes");
         assertEquals("package lancer; import java.util.List; // {\nclass Vecteur { char c = '}';\n static class Point { } }",
@@ -243,7 +247,7 @@ class DepotTest {
         ecrire(projet.resolve("C.java"), "package lancer; class C { void f() " + "{".repeat(300_000) + "}".repeat(300_000) + " }");
         ecrire(projet.resolve("D.java"), "package lancer; class D { " + "/*".repeat(3) + " /*".repeat(300_000));
         ecrire(projet.resolve("Vecteur.java"), "package lancer; class Vecteur { " + "public ".repeat(100_000) + "}");
-        assertEquals(5, Projet.lire(lire(rendus).get("11")).base.size());
+        assertEquals(5, projet(lire(rendus).get("11")).base.size());
     }
 
     @Test
@@ -251,7 +255,7 @@ class DepotTest {
         Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
         ecrire(projet.resolve("A.java"), "package lancer; class A { char c = '{'; String s = \"{ // \"; } /* { */ class Math { }");
         ecrire(projet.resolve("B.java"), "package lancer; class B { static class Math { } String s = \"} class Math\"; }");
-        Projet lu = Projet.lire(lire(rendus).get("11"));
+        Projet lu = projet(lire(rendus).get("11"));
         assertEquals("[lancer/B]", lu.base.keySet().toString(), "Math n'y est pas");
         assertEquals(List.of("lancer/A.java : laissé de côté, il déclare une classe Math qui cacherait celle de Java"),
                 lu.remarques);
@@ -279,7 +283,7 @@ class DepotTest {
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Scene.java"),
                 "package lancer;\nclass Scene {\n    public PointContact getClosestIntersection(Rayon r) {\n        return null;\n    }\n"
                         + "    public PointContact getClosestIntersection(final Rayon r, Objet3D o) {\n        return null;\n    }\n}\n");
-        Projet projet = Projet.lire(lire(rendus).get("11"));
+        Projet projet = projet(lire(rendus).get("11"));
         assertTrue(projet.texte("Objet3D").contains(
                 "getColor(Scene p0, Rayon p1, PointContact p2, int p3) { return getColor(p1, p0, p2, p3); }"));
         assertEquals(1, projet.remarques.size(), projet.remarques.toString());
@@ -291,7 +295,7 @@ class DepotTest {
                 + "    public Couleur getCouleurPixel(int xe, int ye, int p) {\n        return null;\n    }\n}\n");
         String vecteur = "package lancer;\nclass Vecteur {\n    public float dot(Vecteur v) {\n        return dot (v);\n    }\n}\n";
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java"), vecteur);
-        Projet projet = Projet.lire(lire(rendus).get("11"));
+        Projet projet = projet(lire(rendus).get("11"));
         assertTrue(projet.texte("Lancer").contains("getCouleurPixel(double p0, double p1, int p2) { "
                 + "return getCouleurPixel((int) p0, (int) p1, p2); }"), projet.texte("Lancer"));
         assertEquals(vecteur, projet.texte("Vecteur"));
@@ -319,7 +323,7 @@ class DepotTest {
             entree(zip, "lancer/Point.java", milliers + "class Point { }\n");
         }
         Rendu rendu = lire(rendus).get("11");
-        Projet projet = Projet.lire(rendu);
+        Projet projet = projet(rendu);
         // ce que déclare un fichier mal nommé le nomme
         assertEquals("lancer/Vecteur", projet.base.keySet().stream().filter(cle -> !cle.matches("x/Z\\d+"))
                 .collect(Collectors.joining(" ")));
@@ -350,7 +354,7 @@ class DepotTest {
             }
             Rendu rendu = new Rendu("1", "un");
             rendu.ajouter(nom + ".java", octets);
-            Projet.lire(rendu).base.keySet().forEach(cle -> assertTrue(cle.matches("(\\w+/)*[\\p{L}_$][\\p{L}\\p{N}_$]*"), cle));
+            projet(rendu).base.keySet().forEach(cle -> assertTrue(cle.matches("(\\w+/)*[\\p{L}_$][\\p{L}\\p{N}_$]*"), cle));
         }
     }
 
