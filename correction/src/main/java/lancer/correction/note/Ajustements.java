@@ -85,5 +85,4 @@ public final class Ajustements {
     public Map<String, Ligne> de(String id) {
         return lignes.getOrDefault(id, Map.of());
     }
-
 }

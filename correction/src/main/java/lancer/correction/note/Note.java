@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
@@ -21,22 +22,25 @@ public final class Note {
         public final double reussis;
         public final int comptent;
         /** Combien ne sont ni réussis, ni ratés. */
-        public final int aFaire;
-        private final int nonEvaluables;
+        public final long aFaire;
+        private final long nonEvaluables;
         public final double points;
         /** Ce qu'elle peut rapporter au plus ; 0 pour les consignes, qui enlèvent des points. */
         public final double sur;
         /** Ce que l'enseignant a donné à la place, {@code null} s'il n'a rien donné. */
         public final Ajustements.Ligne ajustement;
 
-        Part(double reussis, int comptent, int aFaire, int nonEvaluables, double points, double sur, Ajustements.Ligne ajustement) {
-            this.reussis = reussis;
-            this.comptent = comptent;
-            this.aFaire = aFaire;
-            this.nonEvaluables = nonEvaluables;
-            this.sur = sur;
+        Part(List<Grille.Critere> criteres, Resultat resultat, double poids, boolean enleve, Ajustements.Ligne ajustement) {
+            // ce que le projet à compléter réussit ne rapporte rien, mais le perdre coûte
+            List<Verdict> verdicts = criteres.stream().filter(c -> c.compte || resultat.verdict(c).etat == Verdict.Etat.RATE)
+                    .map(resultat::verdict).collect(Collectors.toList());
+            comptent = verdicts.size();
+            reussis = verdicts.stream().mapToDouble(v -> v.part).sum();
+            nonEvaluables = verdicts.stream().filter(v -> v.etat == Verdict.Etat.NON_EVALUABLE).count();
+            aFaire = nonEvaluables + verdicts.stream().filter(v -> v.etat == Verdict.Etat.NON_COMMENCE).count();
+            sur = enleve ? 0 : poids;
             this.ajustement = ajustement;
-            this.points = ajustement == null ? points : ajustement.points;
+            points = ajustement != null ? ajustement.points : (comptent == 0 ? 0 : poids * reussis / comptent) - (enleve ? poids : 0);
         }
 
         public boolean complete() {
@@ -61,7 +65,8 @@ public final class Note {
         List<String> extensions = new ArrayList<>();
         double perdu = 0;
         for (Grille.Etape etape : grille.etapes) {
-            Part part = part(etape, resultat, bareme.poids(etape.nom), siens.get(etape.nom));
+            Part part = new Part(etape.criteres, resultat, bareme.poids(etape.nom), etape.nom.equals(Grille.CONSIGNES),
+                    siens.get(etape.nom));
             parts.put(etape.nom, part);
             perdu += part.ajustement == null && part.comptent > 0 ? bareme.poids(etape.nom) * part.nonEvaluables / part.comptent : 0;
             if (etape.duCours && part.complete()) {
@@ -75,34 +80,13 @@ public final class Note {
             }
         }
         for (String libre : bareme.libres) {
-            parts.put(libre, new Part(0, 0, 0, 0, 0, bareme.poids(libre), siens.get(libre)));
+            parts.put(libre, new Part(List.of(), resultat, bareme.poids(libre), false, siens.get(libre)));
         }
         perduSansJuger = perdu;
         arret = avant.isEmpty() ? "" : avant.get(0).nom;
         atteinte = (derniere.isEmpty() ? total() > 0 ? "aucune en entier" : "aucune" : derniere)
                 + (manquent.isEmpty() ? "" : ", mais reste à compléter : " + String.join(", ", manquent))
                 + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions));
-    }
-
-    private static Part part(Grille.Etape etape, Resultat resultat, double poids, Ajustements.Ligne ajustement) {
-        double reussis = 0;
-        int comptent = 0;
-        int aFaire = 0;
-        int nonEvaluables = 0;
-        for (Grille.Critere critere : etape.criteres) {
-            Verdict verdict = resultat.verdict(critere);
-            // ce que le projet à compléter réussit ne rapporte rien, mais le perdre coûte
-            if (critere.compte || verdict.etat == Verdict.Etat.RATE) {
-                comptent++;
-                reussis += verdict.part;
-                aFaire += verdict.etat == Verdict.Etat.NON_COMMENCE ? 1 : 0;
-                nonEvaluables += verdict.etat == Verdict.Etat.NON_EVALUABLE ? 1 : 0;
-            }
-        }
-        double gagnes = comptent == 0 ? 0 : poids * reussis / comptent;
-        boolean enleve = etape.nom.equals(Grille.CONSIGNES);
-        return new Part(reussis, comptent, aFaire + nonEvaluables, nonEvaluables, enleve ? gagnes - poids : gagnes, enleve ? 0 : poids,
-                ajustement);
     }
 
     /** @param critere une étape, ou une ligne libre du barème */
@@ -114,5 +98,4 @@ public final class Note {
     public double total() {
         return Math.max(0, parts.values().stream().mapToDouble(p -> p.points).sum());
     }
-
 }

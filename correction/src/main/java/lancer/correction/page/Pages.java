@@ -203,7 +203,8 @@ public final class Pages {
             html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"barre\">");
             for (String sorte : List.of("complet", "partiel", "vide")) {
                 long n = eleves.stream().filter(e -> sorte.equals(avancement(e.note.part(etape.nom)))).count();
-                html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"width:" + 100 * n / eleves.size() + "%\">" + n + "</span>");
+                html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"width:" + 100 * n / eleves.size() + "%\">" + n
+                        + "</span>");
             }
             for (boolean finie : new boolean[] {true, false}) {
                 List<Eleve> siens = eleves.stream().filter(e -> finie ? e.note.part(etape.nom).complete()
