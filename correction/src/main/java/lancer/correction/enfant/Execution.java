@@ -186,21 +186,12 @@ public final class Execution {
         String message = String.valueOf(e.getMessage());
         String nom = e.getClass().getName();
         boolean compile = nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem");
-        if (e instanceof StackOverflowError) {
-            repondre(reponse, SANS_FIN, "appels sans fin (StackOverflowError)" + ou(e), "");
-        } else if (compile || e instanceof LinkageError) {
-            // une classe dont il n'est rien resté manque à tout ce qui la nomme
-            repondre(reponse, FAUTE, ou(e), compile ? message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0] : "");
-        } else {
-            repondre(reponse, EXCEPTION, nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message)
-                    + ou(e), "");
-        }
-    }
-
-    private static void repondre(DataOutputStream reponse, char sorte, String ou, String quoi) throws IOException {
+        // une classe dont il n'est rien resté manque à tout ce qui la nomme
+        char sorte = e instanceof StackOverflowError ? SANS_FIN : compile || e instanceof LinkageError ? FAUTE : EXCEPTION;
         reponse.writeChar(sorte);
-        Echange.ecrireTexte(reponse, Echange.protege(ou));
-        Echange.ecrireTexte(reponse, Echange.protege(quoi));
+        Echange.ecrireTexte(reponse, Echange.protege((sorte == FAUTE ? "" : sorte == SANS_FIN ? "appels sans fin (StackOverflowError)"
+                : nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message)) + ou(e)));
+        Echange.ecrireTexte(reponse, Echange.protege(compile ? message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0] : ""));
     }
 
     private static String ou(Throwable e) {

@@ -252,7 +252,7 @@ final class Juge implements AutoCloseable {
             Variante juge = new Variante(this, nom);
             resultat.verdicts.put(nom + ".image", juge.juger(ensemble, assembler(base(variante.getValue())),
                     assembler(base(projet.noms.dans(Modele.ajoutees(nom))))));
-            resultat.variantes.putAll(juge.image);
+            resultat.images.putAll(juge.image);
         }
     }
 

@@ -39,11 +39,8 @@ public final class Resultat {
     /** Par critère raté, la méthode de l'étudiant qui en répond. */
     public final Map<String, String> methodes = new LinkedHashMap<>();
 
-    /** Les images par toutes ses classes, par scène : celles qui ont pu être dessinées. */
+    /** Les images qui ont pu être dessinées : par scène, celles de toutes ses classes, et par extension, celle qu'elle fait. */
     public final Map<String, Image> images = new LinkedHashMap<>();
-
-    /** Celle que chaque extension fait de la scène du cours. */
-    public final Map<String, Image> variantes = new LinkedHashMap<>();
 
     /** Vrai si ses rayons passent au centre des pixels, plutôt qu'à leurs coordonnées entières. */
     public boolean centre;
@@ -93,7 +90,6 @@ public final class Resultat {
         empreintes.forEach((classe, texte) -> ligne(lignes, "empreinte", classe, texte));
         methodes.forEach((id, texte) -> ligne(lignes, "methode", id, texte));
         images.forEach((scene, image) -> ligne(lignes, "image", scene, image.texte()));
-        variantes.forEach((nom, image) -> ligne(lignes, "variante", nom, image.texte()));
         ligne(lignes, "centre", "", "" + centre);
         if (chemin != null) {
             ligne(lignes, "chemin", chemin.x + " " + chemin.y, chemin.reference + FIN_DE_LIGNE + chemin.etudiant);
@@ -118,8 +114,8 @@ public final class Resultat {
             } else if (mots[0].equals("verdict")) {
                 String[] trois = valeur.split(" ", 3);
                 resultat.verdicts.put(mots[1], new Verdict(Verdict.Etat.valueOf(trois[0]), trois[2], Double.parseDouble(trois[1])));
-            } else if (mots[0].equals("image") || mots[0].equals("variante")) {
-                (mots[0].equals("image") ? resultat.images : resultat.variantes).put(mots[1], Image.relire(valeur));
+            } else if (mots[0].equals("image")) {
+                resultat.images.put(mots[1], Image.relire(valeur));
             } else if (mots[0].equals("centre")) {
                 resultat.centre = Boolean.parseBoolean(valeur);
             } else if (mots[0].equals("chemin")) {

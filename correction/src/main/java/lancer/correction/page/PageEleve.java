@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.function.IntBinaryOperator;
 import java.util.regex.Pattern;
 import lancer.correction.Eleve;
+import lancer.correction.depot.Projet;
 import lancer.correction.jugement.Chemin;
 import lancer.correction.jugement.Ecart;
 import lancer.correction.jugement.Grille;
@@ -158,7 +159,8 @@ final class PageEleve {
             figure("celle du corrigé", nous, nous::code);
             figure("leur différence, quatre fois plus forte", lui, (x, y) -> difference(lui.code(x, y), nous.code(x, y)));
         }
-        resultat.variantes.forEach((nom, image) -> figure("l'extension « " + nom + " »", image, image::code));
+        Projet.VARIANTES.stream().filter(resultat.images::containsKey).forEach(nom -> figure("l'extension « " + nom + " »",
+                resultat.images.get(nom), resultat.images.get(nom)::code));
     }
 
     private void figure(String legende, Image taille, IntBinaryOperator pixel) {

@@ -3,6 +3,7 @@ package lancer.correction.page;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,14 +13,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.correction.Eleve;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
 import lancer.correction.note.Bareme;
-import lancer.correction.note.Note;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
 
@@ -47,20 +46,16 @@ public final class Pages {
      */
     public void ecrire(Path dossier, List<Eleve> eleves, List<String> avis) throws IOException {
         Path etudiants = Files.createDirectories(dossier.resolve("etudiants"));
-        try (Stream<Path> anciennes = Files.list(etudiants)) {
-            for (Path ancienne : (Iterable<Path>) anciennes.filter(f -> f.toString().endsWith(".html"))::iterator) {
+        try (DirectoryStream<Path> anciennes = Files.newDirectoryStream(etudiants, "*.html")) {
+            for (Path ancienne : anciennes) {
                 Files.delete(ancienne);
             }
         }
         for (Eleve eleve : eleves) {
-            ecrire(etudiants.resolve(eleve.page), new PageEleve(grille, bareme, reference, eleve).ecrire());
+            Files.writeString(etudiants.resolve(eleve.page), new PageEleve(grille, bareme, reference, eleve).ecrire());
         }
-        ecrire(dossier.resolve("index.html"), classe(eleves, avis));
+        Files.writeString(dossier.resolve("index.html"), classe(eleves, avis));
         tableau(dossier.resolve("classe.csv"), eleves);
-    }
-
-    private static void ecrire(Path fichier, String texte) throws IOException {
-        Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
     }
 
     private void tableau(Path fichier, List<Eleve> eleves) throws IOException {
@@ -75,7 +70,8 @@ public final class Pages {
                 // ce qui n'a pu être jugé n'a pas zéro : rien
                 boolean juge = !e.illisible();
                 List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.rendu.id),
-                        sansFormule(e.rendu.nom), juge ? nombre(e.note.total()) : "", nombre(bareme.total()),
+                        sansFormule(e.rendu.nom), juge ? String.format(Locale.ROOT, "%.2f", e.note.total()) : "",
+                        String.format(Locale.ROOT, "%.2f", bareme.total()),
                         juge ? e.note.atteinte : "", !juge ? ""
                         : e.note.part(Grille.IMAGE).complete() ? "oui" : "non",
                         sansFormule(String.join(" ; ", e.resultat.refus)),
@@ -91,22 +87,14 @@ public final class Pages {
         return texte.matches("(?s)[=+@\\-\\t].*") ? "'" + texte : texte;
     }
 
-    private static String nombre(double x) {
-        return String.format(Locale.ROOT, "%.2f", x);
-    }
-
     private String classe(List<Eleve> eleves, List<String> avis) {
         Html html = new Html();
         List<Eleve> lisibles = eleves.stream().filter(e -> !e.illisible()).collect(Collectors.toList());
-        html.element("h1", "La classe").brut("<p>").dire(eleves.size() + (eleves.size() > 1 ? " rendus" : " rendu"))
-                .dire(lisibles.size() < eleves.size() ? ", dont " + (eleves.size() - lisibles.size())
-                + " que l'on n'a pas pu juger" : "");
-        if (!lisibles.isEmpty()) {
-            html.dire(" ; moyenne " + (lisibles.size() < eleves.size() ? "des autres " : "")
-                    + Html.nombre(lisibles.stream().mapToDouble(e -> e.note.total()).average().orElse(0)) + " sur "
-                    + Html.nombre(bareme.total()));
-        }
-        html.brut("</p>\n");
+        int autres = eleves.size() - lisibles.size();
+        html.element("h1", "La classe").element("p", eleves.size() + (eleves.size() > 1 ? " rendus" : " rendu")
+                + (autres > 0 ? ", dont " + autres + " que l'on n'a pas pu juger" : "") + (lisibles.isEmpty() ? ""
+                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(lisibles.stream().mapToDouble(e -> e.note.total())
+                .average().orElse(0)) + " sur " + Html.nombre(bareme.total())));
         avis.forEach(a -> html.element("p class=\"avis\"", a));
         if (!confinement.confine) {
             html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : "
@@ -187,7 +175,7 @@ public final class Pages {
         return Html.image(image.largeur / 2, image.hauteur / 2, (x, y) -> image.code(2 * x, 2 * y), legende);
     }
 
-    /** Pour chaque étape, combien des rendus jugés ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
+    /** Pour chaque étape, combien des rendus jugés en ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
     private void ouLaClasseSArrete(Html html, List<Eleve> eleves) {
         Map<Grille.Etape, Long> arrets = new LinkedHashMap<>();
         grille.etapes.forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
@@ -197,12 +185,12 @@ public final class Pages {
             html.brut("<p>L'étape qui arrête le plus d'étudiants : ").element("strong", arrets.keySet().stream()
                     .filter(e -> arrets.get(e) == plus).map(e -> e.titre).collect(Collectors.joining(", "))).brut(" (" + plus + ")</p>\n");
         }
-        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; gris, rien<th>finie par<th>n'ont fini ni "
+        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; gris, pas commencé<th>finie par<th>n'ont fini ni "
                 + "celle-là, ni aucune de celles qui la suivent</tr>\n");
         for (Grille.Etape etape : grille.etapes) {
             html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"barre\">");
-            for (String sorte : List.of("complet", "partiel", "vide")) {
-                long n = eleves.stream().filter(e -> sorte.equals(avancement(e.note.part(etape.nom)))).count();
+            for (String sorte : List.of("complet", "partiel", "rate", "vide")) {
+                long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.note.part(etape.nom)))).count();
                 html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"width:" + 100 * n / eleves.size() + "%\">" + n
                         + "</span>");
             }
@@ -216,9 +204,5 @@ public final class Pages {
             html.brut("</tr>\n");
         }
         html.brut("</table>\n");
-    }
-
-    private static String avancement(Note.Part part) {
-        return part.complete() ? "complet" : part.reussis > 0 ? "partiel" : "vide";
     }
 }
