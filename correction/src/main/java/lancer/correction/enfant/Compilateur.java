@@ -124,7 +124,7 @@ public final class Compilateur {
     }
 
     /** Efface un dossier et tout ce qu'il contient. */
-    private static void effacer(Path dossier) throws IOException {
+    public static void effacer(Path dossier) throws IOException {
         List<Path> contenu = contenu(dossier);
         for (int k = contenu.size() - 1; k >= 0; k--) {
             Files.delete(contenu.get(k));

@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -80,9 +81,9 @@ public final class Execution {
         }
     }
 
-    public static void main(String[] args) throws IOException {
+    public static void main(String[] args) throws IOException, ReflectiveOperationException {
         DataInputStream demandes = new DataInputStream(new FileInputStream(FileDescriptor.in));
-        OutputStream reponses = new FileOutputStream(FileDescriptor.out);
+        OutputStream reponses = new FileOutputStream(aPart());
         System.setIn(InputStream.nullInputStream());
         // ce qu'un rendu affiche pour se mettre au point ne coûte rien
         PrintStream puits = new PrintStream(OutputStream.nullOutputStream());
@@ -108,6 +109,16 @@ public final class Execution {
             // les fils que le rendu a laissés ne retiennent personne
             Runtime.getRuntime().halt(0);
         }
+    }
+
+    /** La sortie, où un rendu ne peut écrire par mégarde : {@code FileDescriptor.out} est désormais celle des erreurs. */
+    private static FileDescriptor aPart() throws ReflectiveOperationException {
+        Field numero = FileDescriptor.class.getDeclaredField("fd");
+        numero.setAccessible(true);
+        FileDescriptor sortie = new FileDescriptor();
+        numero.setInt(sortie, numero.getInt(FileDescriptor.out));
+        numero.setInt(FileDescriptor.out, numero.getInt(FileDescriptor.err));
+        return sortie;
     }
 
     private byte[] repondre(char sorte, DataInputStream demande) throws IOException {

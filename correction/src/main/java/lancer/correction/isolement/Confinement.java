@@ -91,6 +91,8 @@ public final class Confinement {
                 "-XX:MaxDirectMemorySize=32m",
                 "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
                 "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData", "-XX:+DisplayVMOutputToStderr",
+                // la sortie est celle des réponses, et d'elles seules
+                "--add-opens", "java.base/java.io=ALL-UNNAMED",
                 "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr",
                 "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire), "-cp", classes,
                 principale.getName()));

@@ -41,9 +41,13 @@ final class Machines {
     /** L'archive des seules classes que voit un rendu avec les siennes. */
     private final Path outillage;
 
+    /** @param dossier ce qui y est s'efface */
     Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
         this.confinement = confinement;
         this.limites = limites;
+        if (Files.exists(dossier)) {
+            Compilateur.effacer(dossier);
+        }
         outillage = Files.createDirectories(dossier).resolve("outillage.jar");
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(outillage))) {
             for (Class<?> une : List.of(Execution.class, Ini.class)) {

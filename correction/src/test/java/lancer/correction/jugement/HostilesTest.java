@@ -141,8 +141,9 @@ class HostilesTest extends JuryEssai {
         ecrire(ecrireCorrige(rendus.resolve("milliers")), "Vecteur", Modele.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
         ecrire(ecrireCorrige(rendus.resolve("parentheses")), "Vecteur", Modele.corrige("Vecteur").replaceFirst("return new Vecteur\\(x \\+",
                 "return new Vecteur(" + "(".repeat(20_000) + "x +"));
-        String sortie = "try { java.io.DataOutputStream s = new java.io.DataOutputStream("
-                + "new java.io.FileOutputStream(java.io.FileDescriptor.out));";
+        String sortie = "try { java.lang.reflect.Field f = java.io.FileDescriptor.class.getDeclaredField(\"fd\"); f.setAccessible(true);"
+                + " java.io.FileDescriptor un = new java.io.FileDescriptor(); f.setInt(un, 1);"
+                + " java.io.DataOutputStream s = new java.io.DataOutputStream(new java.io.FileOutputStream(un));";
         attaque(rendus.resolve("brut"), sortie + " s.writeBytes(\"REUSSI\\n\"); } catch (Exception e) { }");
         attaque(rendus.resolve("avance"), sortie + " for (int k = 0; k < 99; k++) { s.writeInt(k); s.writeInt(2); s.writeChar('R'); } }"
                 + " catch (Exception e) { }");
