@@ -89,11 +89,6 @@ public final class Note {
                 + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions));
     }
 
-    /** @param critere une étape, ou une ligne libre du barème */
-    public Part part(String critere) {
-        return parts.get(critere);
-    }
-
     /** Les points obtenus, sur {@link Bareme#total()} ; jamais moins que zéro. */
     public double total() {
         return Math.max(0, parts.values().stream().mapToDouble(p -> p.points).sum());

@@ -12,7 +12,6 @@ import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
-import lancer.correction.note.Bareme;
 import lancer.correction.note.Note;
 
 /** La page d'un rendu : où il en est, ce qui ne va pas, avec un exemple, et les images. */
@@ -20,18 +19,14 @@ final class PageEleve {
 
     private static final Pattern NOMBRE = Pattern.compile("(?<!\\S)-?\\d+\\.\\d+(?:E-?\\d+)?(?!\\S)");
 
-    private final Grille grille;
-    private final Bareme bareme;
-    private final Reference reference;
+    private final Pages classe;
     private final Eleve eleve;
     private final Html html = new Html();
     /** Ce qui explique le dernier échec montré : déplié là, pas aux suivants qui disent la même chose. */
     private String deplie = "";
 
-    PageEleve(Grille grille, Bareme bareme, Reference reference, Eleve eleve) {
-        this.grille = grille;
-        this.bareme = bareme;
-        this.reference = reference;
+    PageEleve(Pages classe, Eleve eleve) {
+        this.classe = classe;
         this.eleve = eleve;
     }
 
@@ -40,39 +35,20 @@ final class PageEleve {
         html.element("h1", eleve.rendu.nom);
         if (eleve.illisible()) {
             html.element("p class=\"avis\"", "Ce rendu n'a pas pu être jugé : " + String.join(" ; ", resultat.refus));
-            remarques();
+            html.liste("Remarques", resultat.remarques);
             return html.page(eleve.rendu.nom);
         }
-        html.brut("<p>").dire(Html.nombre(eleve.note.total()) + " points sur " + Html.nombre(bareme.total()))
+        html.brut("<p>").dire(Html.nombre(eleve.note.total()) + " points sur " + Html.nombre(classe.bareme.total()))
                 .dire(eleve.note.perduSansJuger > 0 ? " (dont " + Html.nombre(eleve.note.perduSansJuger)
                 + " perdus par ce qui n'a pu être évalué, et ne rapporte rien)" : "")
                 .dire(" ; étape atteinte : ").element("strong", eleve.note.atteinte).brut("</p>\n");
-        aReprendre(grille, bareme, eleve, html, "<p class=\"avis\">À reprendre d'abord : ", "</p>\n");
-        remarques();
+        classe.aReprendre(eleve, html, "<p class=\"avis\">À reprendre d'abord : ", "</p>\n");
+        html.liste("Remarques", resultat.remarques);
         fautes();
         etapes();
         images();
         chemin();
         return html.page(eleve.rendu.nom);
-    }
-
-    /** La première chose à corriger, celle de l'étape la plus tôt. */
-    static void aReprendre(Grille grille, Bareme bareme, Eleve eleve, Html html, String debut, String fin) {
-        for (Grille.Etape etape : grille.etapes) {
-            for (Grille.Critere critere : etape.criteres) {
-                Verdict verdict = eleve.resultat.verdict(critere);
-                if (verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
-                    html.brut(debut).element("strong", etape.titre)
-                            .dire((critere.classe.isEmpty() ? ", " : ", classe " + critere.classe + " : ") + critere.titre).brut("<br>")
-                            .element("code", verdict.message).brut(fin);
-                    return;
-                }
-            }
-        }
-    }
-
-    private void remarques() {
-        html.liste("Remarques", eleve.resultat.remarques);
     }
 
     private void fautes() {
@@ -84,11 +60,11 @@ final class PageEleve {
     private void etapes() {
         html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
                 + "class=\"n\">points<th>détail</tr>\n");
-        for (Grille.Etape etape : grille.etapes) {
-            part(etape.titre, eleve.note.part(etape.nom));
+        for (Grille.Etape etape : classe.grille.etapes) {
+            part(etape.titre, eleve.note.parts.get(etape.nom));
             etape.criteres.forEach(this::critere);
         }
-        bareme.libres.forEach(libre -> part(libre, eleve.note.part(libre)));
+        classe.bareme.libres.forEach(libre -> part(libre, eleve.note.parts.get(libre)));
         html.brut("</table>\n");
     }
 
@@ -144,7 +120,7 @@ final class PageEleve {
         }
         for (String scene : Reference.SCENES.keySet()) {
             Image lui = resultat.images.get(scene);
-            Image nous = reference.getImage(scene, resultat.centre);
+            Image nous = classe.reference.getImage(scene, resultat.centre);
             if (lui == null) {
                 html.element("p", "« " + scene + " » n'a pas pu être dessinée : "
                         + resultat.verdicts.get(Grille.IMAGE + "." + scene).message);

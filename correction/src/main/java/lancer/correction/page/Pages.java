@@ -18,6 +18,7 @@ import lancer.correction.isolement.Confinement;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
+import lancer.correction.jugement.Verdict;
 import lancer.correction.note.Bareme;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
@@ -27,9 +28,9 @@ public final class Pages {
 
     private static final int REMARQUES_MONTREES = 3;
 
-    private final Grille grille;
-    private final Bareme bareme;
-    private final Reference reference;
+    final Grille grille;
+    final Bareme bareme;
+    final Reference reference;
     private final Confinement confinement;
 
     public Pages(Grille grille, Bareme bareme, Reference reference, Confinement confinement) {
@@ -52,7 +53,7 @@ public final class Pages {
             }
         }
         for (Eleve eleve : eleves) {
-            Files.writeString(etudiants.resolve(eleve.page), new PageEleve(grille, bareme, reference, eleve).ecrire());
+            Files.writeString(etudiants.resolve(eleve.page), new PageEleve(this, eleve).ecrire());
         }
         Files.writeString(dossier.resolve("index.html"), classe(eleves, avis));
         tableau(dossier.resolve("classe.csv"), eleves);
@@ -73,7 +74,7 @@ public final class Pages {
                         sansFormule(e.rendu.nom), juge ? String.format(Locale.ROOT, "%.2f", e.note.total()) : "",
                         String.format(Locale.ROOT, "%.2f", bareme.total()),
                         juge ? e.note.atteinte : "", !juge ? ""
-                        : e.note.part(Grille.IMAGE).complete() ? "oui" : "non",
+                        : e.note.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
                         sansFormule(String.join(" ; ", e.resultat.refus)),
                         sansFormule(String.join(" ; ", e.aRegarder))));
                 e.note.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
@@ -144,6 +145,21 @@ public final class Pages {
         html.brut(siens.isEmpty() ? "" : "</table>\n");
     }
 
+    /** La première chose à corriger, celle de l'étape la plus tôt. */
+    void aReprendre(Eleve eleve, Html html, String debut, String fin) {
+        for (Grille.Etape etape : grille.etapes) {
+            for (Grille.Critere critere : etape.criteres) {
+                Verdict verdict = eleve.resultat.verdict(critere);
+                if (verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
+                    html.brut(debut).element("strong", etape.titre)
+                            .dire((critere.classe.isEmpty() ? ", " : ", classe " + critere.classe + " : ") + critere.titre).brut("<br>")
+                            .element("code", verdict.message).brut(fin);
+                    return;
+                }
+            }
+        }
+    }
+
     private void ligne(Html html, Eleve eleve) {
         html.brut("<tr><td class=\"vignette\" rowspan=\"2\">");
         Image image = eleve.resultat.images.get("scene1");
@@ -164,7 +180,7 @@ public final class Pages {
         }
         html.brut("</tr>\n<tr><td class=\"petit\" colspan=\"" + (colonnes + 3) + "\">");
         if (!eleve.illisible()) {
-            PageEleve.aReprendre(grille, bareme, eleve, html, "à reprendre d'abord : ", " ");
+            aReprendre(eleve, html, "à reprendre d'abord : ", " ");
         }
         List<String> remarques = eleve.resultat.remarques;
         html.element("span class=\"gris\"", remarques.stream().limit(REMARQUES_MONTREES).collect(Collectors.joining(" ; "))
@@ -190,12 +206,12 @@ public final class Pages {
         for (Grille.Etape etape : grille.etapes) {
             html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"barre\">");
             for (String sorte : List.of("complet", "partiel", "rate", "vide")) {
-                long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.note.part(etape.nom)))).count();
+                long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.note.parts.get(etape.nom)))).count();
                 html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"width:" + 100 * n / eleves.size() + "%\">" + n
                         + "</span>");
             }
             for (boolean finie : new boolean[] {true, false}) {
-                List<Eleve> siens = eleves.stream().filter(e -> finie ? e.note.part(etape.nom).complete()
+                List<Eleve> siens = eleves.stream().filter(e -> finie ? e.note.parts.get(etape.nom).complete()
                         : e.note.arret.equals(etape.nom)).collect(Collectors.toList());
                 html.brut("<td class=\"petit\">").brut(siens.isEmpty() ? "" : "<details><summary>" + siens.size() + "</summary>");
                 siens.forEach(e -> nommer(html.brut("<br>"), e));
