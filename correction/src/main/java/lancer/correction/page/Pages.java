@@ -199,10 +199,11 @@ public final class Pages {
         long plus = Collections.max(arrets.values());
         if (plus > 0) {
             html.brut("<p>L'étape qui arrête le plus d'étudiants : ").element("strong", arrets.keySet().stream()
-                    .filter(e -> arrets.get(e) == plus).map(e -> e.titre).collect(Collectors.joining(", "))).brut(" (" + plus + ")</p>\n");
+                    .filter(e -> arrets.get(e) == plus).map(e -> e.titre).collect(Collectors.joining(", ")))
+                    .brut(" (" + plus + ")</p>\n");
         }
-        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; gris, pas commencé<th>finie par<th>n'ont fini ni "
-                + "celle-là, ni aucune de celles qui la suivent</tr>\n");
+        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; gris, pas commencé"
+                + "<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
         for (Grille.Etape etape : grille.etapes) {
             html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"barre\">");
             for (String sorte : List.of("complet", "partiel", "rate", "vide")) {
