@@ -9,7 +9,7 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images captures scene-geante bench noyaux mesures juge mesure-auto mutations squelette corrige corriger \
+.PHONY: test lanceurs javadoc images captures scene-geante noyaux mesures juge mesure-auto mutations squelette corrige corriger \
 	comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
@@ -79,12 +79,8 @@ capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) -Djava.util.prefs.userR
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Generateur foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
-
-# Une famille des mesures : de une à un million de sphères, avec et sans étoiles lointaines.
-bench: mesures/target/mesures.jar | mesures/target/embree
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --spheres $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
 # Le temps de chaque façon de calculer une intersection, et la courbe des méthodes.
 noyaux: mesures/target/mesures.jar

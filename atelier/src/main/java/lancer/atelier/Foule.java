@@ -1,11 +1,22 @@
 package lancer.atelier;
 
+import java.io.BufferedWriter;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Random;
 
-/** Des boules au hasard qui ne se touchent pas, devant l'œil. */
-final class Foule {
+/**
+ * Des boules au hasard qui ne se touchent pas, devant l'œil : {@code make scene-geante} en écrit autant que l'on veut sur la sortie
+ * standard. Le même nombre donne le même texte, à l'octet, sur toute machine.
+ */
+public final class Foule {
+
+    private static final int N_MAX = 100_000_000;
 
     /** La boîte qui contient toutes les boules, tout entière dans l'image. */
     private static final double LARGEUR = 4.8;
@@ -21,10 +32,32 @@ final class Foule {
     private Foule() {
     }
 
+    /** @param args le nombre de boules */
+    public static void main(String[] args) {
+        try (Writer sortie = new BufferedWriter(new OutputStreamWriter(new FileOutputStream(FileDescriptor.out), StandardCharsets.UTF_8))) {
+            ecrire(new Plume(sortie), nombre(args));
+        } catch (IllegalArgumentException e) {
+            System.err.println("Foule : " + e.getMessage());
+            System.exit(2);
+        } catch (IOException e) {
+            System.err.println("Foule : écriture impossible : " + e.getMessage());
+            System.exit(1);
+        }
+    }
+
+    /** @throws IllegalArgumentException si la demande ne va pas */
+    static int nombre(String... args) {
+        int n = args.length == 1 && args[0].matches("[0-9]{1,9}") ? Integer.parseInt(args[0]) : 0;
+        if (n < 1 || n > N_MAX) {
+            throw new IllegalArgumentException("le nombre de boules est un entier de 1 à " + N_MAX);
+        }
+        return n;
+    }
+
     static void ecrire(Plume plume, int n) throws IOException {
         plume.commentaires("Une foule : " + n + " boules au hasard, qui ne se touchent pas.", "",
                 "À regarder : le temps du dessin, et comment il grandit avec le nombre de boules.", "",
-                "Écrite par lancer.atelier.Generateur foule " + n);
+                "Écrite par lancer.atelier.Foule " + n);
         double cote = StrictMath.cbrt(LARGEUR * HAUTEUR * FOND * REMPLISSAGE / n);
         while (cases(cote) < n) {
             cote *= 0.99;

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Scene;
@@ -14,18 +13,12 @@ import lancer.scene.FichierScene;
 import lancer.scene.LecteurScene;
 
 /**
- * Des scènes par leur nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 », « etoiles-1000 »). Telles que
+ * Des scènes par leur nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 »). Telles que
  * la base les voit : les variantes du chemin des classes sont là pour être mesurées, non pour s'y installer.
  */
 public final class Scenes {
 
     public static final String FOULE = "foule";
-
-    /** Une foule, et neuf boules si loin que toute boîte commune à tous ne contient que du vide. */
-    public static final String ETOILES = "etoiles";
-
-    private static final int NOMBRE_ETOILES = 9;
-    private static final double LOIN = 1e12;
 
     private Scenes() {
     }
@@ -58,13 +51,7 @@ public final class Scenes {
         // cent millions d'octets peut-être, que Ctrl+C ne doit pas laisser
         fichier.toFile().deleteOnExit();
         try (BufferedWriter sortie = Files.newBufferedWriter(fichier)) {
-            Plume plume = new Plume(sortie);
-            Foule.ecrire(plume, Integer.parseInt(nom.substring(tiret + 1)));
-            SplittableRandom hasard = new SplittableRandom(NOMBRE_ETOILES);
-            for (int k = 1; nom.startsWith(ETOILES) && k <= NOMBRE_ETOILES; k++) {
-                plume.sphere("étoile " + k, LOIN * hasard.nextDouble(-1, 1), LOIN * hasard.nextDouble(-1, 1),
-                        LOIN * hasard.nextDouble(-1, 1), 1, "Kd=1 1 1\n");
-            }
+            Foule.ecrire(new Plume(sortie), Integer.parseInt(nom.substring(tiret + 1)));
         }
         return fichier;
     }

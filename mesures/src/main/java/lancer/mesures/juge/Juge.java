@@ -7,12 +7,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.SceneFautive;
-import lancer.atelier.Arguments;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
 import lancer.commande.Echec;
@@ -35,7 +36,8 @@ public final class Juge {
 
     private static final String LIGNE = "%-12s %8s %8s %8s %8s %8s %9s %9s  %s%n";
 
-    private final Arguments arguments;
+    private final List<String> scenes = new ArrayList<>();
+    private final Map<String, String> valeurs = new HashMap<>();
     private final Options dessin;
     private final PrintStream sortie;
     private final List<String> csv = new ArrayList<>();
@@ -43,10 +45,16 @@ public final class Juge {
 
     private Juge(PrintStream sortie, String... args) {
         this.sortie = sortie;
-        arguments = new Arguments(USAGE, true, args);
-        dessin = Options.lire(Stream.of("--reflets", "--taille").filter(arguments::a).map(o -> o + "=" + arguments.valeur(o, ""))
+        for (int k = 0; k < args.length; k++) {
+            if (!args[k].startsWith("--")) {
+                scenes.add(args[k]);
+            } else if (!USAGE.contains("[" + args[k] + " ") || k + 1 == args.length || valeurs.put(args[k], args[++k]) != null) {
+                throw new IllegalArgumentException("option inconnue, sans valeur ou donnée deux fois ; usage : " + USAGE);
+            }
+        }
+        dessin = Options.lire(Stream.of("--reflets", "--taille").filter(valeurs::containsKey).map(o -> o + "=" + valeurs.get(o))
                 .toArray(String[]::new));
-        if (arguments.restes.isEmpty() && arguments.a("--reflets")) {
+        if (scenes.isEmpty() && valeurs.containsKey("--reflets")) {
             throw new IllegalArgumentException("--reflets va avec une scène ; usage : " + USAGE);
         }
     }
@@ -72,16 +80,16 @@ public final class Juge {
     }
 
     private int juger() throws IOException {
-        PovRay juge = new PovRay(arguments.valeur("--povray", PovRay.COMMANDE), Files.createDirectories(DOSSIER));
+        PovRay juge = new PovRay(valeurs.getOrDefault("--povray", PovRay.COMMANDE), Files.createDirectories(DOSSIER));
         sortie.println("Le juge est " + juge.nom() + " ; " + dessin.largeur + " × " + dessin.hauteur
                 + " ; écarts en niveaux");
         sortie.println();
         sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
         csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
-        for (String fichier : arguments.restes) {
+        for (String fichier : scenes) {
             juger(Paths.get(fichier), dessin.reflets, juge);
         }
-        if (arguments.restes.isEmpty()) {
+        if (scenes.isEmpty()) {
             for (Path livree : Scenes.livrees()) {
                 juger(livree, dessin.reflets, juge);
             }
@@ -89,8 +97,8 @@ public final class Juge {
             juger(Scenes.fichier("miroirs", DOSSIER), 40, juge);
             juger(Scenes.fichier("foule-10000", DOSSIER), dessin.reflets, juge);
         }
-        if (arguments.a("--csv")) {
-            Path fichier = Paths.get(arguments.valeur("--csv", ""));
+        if (valeurs.containsKey("--csv")) {
+            Path fichier = Paths.get(valeurs.get("--csv"));
             Files.createDirectories(fichier.toAbsolutePath().getParent());
             Files.write(fichier, csv);
         }

@@ -5,8 +5,8 @@ import lancer.mesures.Intervalle;
 /** Un point mesuré, à préciser de proche en proche. Une barre montre l'intervalle de chaque coordonnée. */
 public final class Marque {
 
-    final Intervalle x;
-    final Intervalle y;
+    public final Intervalle x;
+    public final Intervalle y;
 
     /** Ce qui est écrit à côté, d'une ligne ou deux, vide si rien. */
     String etiquette = "";
@@ -24,14 +24,6 @@ public final class Marque {
 
     public static Marque en(double x, double y) {
         return new Marque(Intervalle.exact(x), Intervalle.exact(y));
-    }
-
-    public Intervalle x() {
-        return x;
-    }
-
-    public Intervalle y() {
-        return y;
     }
 
     public Marque nommee(String texte) {

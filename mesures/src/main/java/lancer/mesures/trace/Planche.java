@@ -29,10 +29,16 @@ import org.jfree.chart.ui.VerticalAlignment;
  */
 public final class Planche {
 
-    private final String titre;
+    /** Vignettes d'une rangée. */
+    private static final int VIGNETTES = 3;
+
+    private String titre;
     private final String note;
     private final List<Volet> volets = new ArrayList<>();
-    private Vignettes vignettes;
+
+    /** Des images en rangées, chacune sous son nom et ce qu'il y a à en dire, d'une ligne chacun. */
+    private final List<BufferedImage> vignettes = new ArrayList<>();
+    private final List<String[]> noms = new ArrayList<>();
     private boolean legende = true;
     private int colonnes = Integer.MAX_VALUE;
     private int largeur = Style.LARGEUR;
@@ -45,6 +51,12 @@ public final class Planche {
     public Planche(String titre, String note) {
         this.titre = titre;
         this.note = note;
+    }
+
+    /** Le constat, s'il n'est connu qu'après. */
+    public Planche titre(String constat) {
+        titre = constat;
+        return this;
     }
 
     /** En pixels ; les caractères gardent la leur. */
@@ -71,8 +83,9 @@ public final class Planche {
         return this;
     }
 
-    public Planche vignettes(Vignettes images) {
-        vignettes = images;
+    public Planche vignette(BufferedImage image, String nom, String detail) {
+        vignettes.add(image);
+        noms.add(new String[] {nom, detail});
         return this;
     }
 
@@ -99,9 +112,7 @@ public final class Planche {
         bas -= Style.texte(g, note, Style.NOTE, Style.GRIS, Style.MARGE, bas, utile, false);
         Style.texte(g, note, Style.NOTE, Style.GRIS, Style.MARGE, bas, utile, true);
         bas -= legender(g, bas, utile) + 10;
-        if (vignettes != null) {
-            vignettes.dessiner(g, new Rectangle2D.Double(Style.MARGE, haut, utile, bas - haut - 10));
-        }
+        montrer(g, haut, utile / VIGNETTES, bas - haut - 10);
         int parRangee = Math.min(colonnes, volets.size());
         double parts = IntStream.range(0, volets.size()).filter(k -> k % parRangee == 0).mapToDouble(k -> volets.get(k).part).sum();
         double reste = bas - haut;
@@ -112,6 +123,26 @@ public final class Planche {
         }
         g.dispose();
         return image;
+    }
+
+    /** Les vignettes, agrandies sans les lisser. */
+    private void montrer(Graphics2D g, double haut, double largeur, double place) {
+        double hauteur = place / ((vignettes.size() + VIGNETTES - 1) / VIGNETTES);
+        double ligne = g.getFontMetrics(Style.TEXTE).getHeight();
+        g.setStroke(Style.TRAIT_FIN);
+        for (int k = 0; k < vignettes.size(); k++) {
+            BufferedImage image = vignettes.get(k);
+            double echelle = Math.min((largeur - 12) / image.getWidth(), (hauteur - 2 * ligne - 18) / image.getHeight());
+            int l = (int) (echelle * image.getWidth());
+            int h = (int) (echelle * image.getHeight());
+            int x = (int) (Style.MARGE + k % VIGNETTES * largeur + (largeur - l) / 2);
+            double y = haut + k / VIGNETTES * hauteur;
+            Style.texte(g, noms.get(k)[0], Style.TEXTE, Style.ENCRE, x, y, largeur, true);
+            Style.texte(g, noms.get(k)[1], Style.TEXTE, Style.GRIS, x, y + ligne, largeur, true);
+            g.drawImage(image, x, (int) (y + 2 * ligne + 4), l, h, null);
+            g.setColor(Style.GRIS);
+            g.drawRect(x, (int) (y + 2 * ligne + 4), l, h);
+        }
     }
 
     /** Des volets côte à côte, tous sous la même hauteur de texte. */

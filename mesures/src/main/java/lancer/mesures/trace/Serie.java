@@ -13,7 +13,7 @@ public final class Serie {
     final FormeDePoint forme;
     final boolean reliee;
     final List<Marque> marques;
-    Stroke trait;
+    final Stroke trait;
 
     /** Ce qui est écrit près de la dernière marque, vide si rien. */
     String bout = "";
@@ -31,12 +31,6 @@ public final class Serie {
     /** Ce nom-là est écrit au bout du trait. */
     public Serie auBout(String texte) {
         bout = texte;
-        return this;
-    }
-
-    /** Ce trait-là n'est pas mesuré. */
-    public Serie enPointille() {
-        trait = Style.POINTILLE;
         return this;
     }
 }

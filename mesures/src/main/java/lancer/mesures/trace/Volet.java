@@ -215,7 +215,7 @@ public final class Volet {
                 Serie serie = partie.get(s);
                 boolean points = serie.forme != FormeDePoint.AUCUNE;
                 setSeriesPaint(s, serie.couleur);
-                setSeriesFillPaint(s, serie.trait == Style.POINTILLE ? Color.WHITE : serie.couleur);
+                setSeriesFillPaint(s, serie.couleur);
                 setSeriesLinesVisible(s, Boolean.valueOf(serie.reliee));
                 setSeriesShapesVisible(s, points);
                 setSeriesShape(s, serie.forme.dessin);

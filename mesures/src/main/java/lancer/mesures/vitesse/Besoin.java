@@ -6,20 +6,16 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.atomic.LongAdder;
 import lancer.Constantes;
-import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
-import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
-import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
@@ -30,11 +26,8 @@ import lancer.dessin.Dessinateur;
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
-            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_sans_economie", "rayons_utiles", "ombres_inutiles",
+            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_utiles", "ombres_inutiles",
             "structures", "octets");
-
-    /** Un Ks qui n'est pas nul, et qui ne se verra jamais. */
-    private static final double INVISIBLE = 1e-300;
 
     private final Taille taille;
     private final String nom;
@@ -68,7 +61,7 @@ final class Besoin {
         long utiles = rayonsUtiles();
         return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
                 lampesUtiles(), profondeurUtile(), Releve.reel((double) compteurs.testsSpheres / compteurs.rayons()),
-                compteurs.rayons(), rayonsSansEconomie(), utiles, ombresInutiles, structures, octets);
+                compteurs.rayons(), utiles, ombresInutiles, structures, octets);
     }
 
     private Traceur preparer(Scene copie, double seuil) {
@@ -178,32 +171,5 @@ final class Besoin {
         public Recherche pourUnFil(Compteurs compteurs) {
             return this;
         }
-    }
-
-    /**
-     * Les rayons de qui suivrait partout les reflets jusqu'à la profondeur par défaut, Ks nul ou non, et demanderait à chaque
-     * contact si chaque lampe y est cachée, même dans le dos de l'objet.
-     */
-    long rayonsSansEconomie() {
-        LongAdder contacts = new LongAdder();
-        Modele modele = new Modele();
-        // un air qui ne change rien, et compte les rayons qui ont rencontré quelque chose
-        modele.setAtmosphere((vue, distance) -> {
-            contacts.add(distance == Constantes.INFINI ? 0 : 1);
-            return vue;
-        });
-        List<Sphere> brillantes = new ArrayList<>();
-        for (Objet3D objet : scene.getObjets()) {
-            Sphere neuve = new Sphere(((Sphere) objet).getCentre(), ((Sphere) objet).getRayon());
-            neuve.setKd(objet.getKd());
-            neuve.setKs(objet.getKs().add(new Couleur(INVISIBLE)));
-            neuve.setNs(objet.getNs());
-            brillantes.add(neuve);
-        }
-        Scene naive = new Scene(brillantes, scene.getLampes()).avec(modele);
-        Traceur lancer = preparer(naive, 0);
-        codes(lancer, Constantes.MAX_REFLETS);
-        Compteurs c = lancer.getCompteurs();
-        return c.primaires + c.reflechis + contacts.sum() * scene.getLampes().size();
     }
 }

@@ -95,10 +95,7 @@ final class Catalogue {
         }
         groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5));
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
-            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(true, n <= BOUCLES_MAX), 1));
-        }
-        for (int n : court ? new int[] {100} : new int[] {100, 10000}) {
-            groupes.add(new Groupe(SPHERES, Scenes.ETOILES + "-" + n, spheres(false, false), 1));
+            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(n <= BOUCLES_MAX), 1));
         }
         return groupes;
     }
@@ -169,16 +166,14 @@ final class Catalogue {
     }
 
     /** Le programme entier et, là où la courbe les montre, les boucles du cours, et ce que font d'autres. */
-    private static List<Methode> spheres(boolean povray, boolean boucles) {
+    private static List<Methode> spheres(boolean boucles) {
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(PROGRAMME, ""));
         if (boucles) {
             m.add(new Methode(BOUCLES, "").enBoucles());
         }
-        if (povray) {
-            m.add(new Methode(POVRAY, "").parPovRay());
-            m.add(new Methode(EMBREE, ""));
-        }
+        m.add(new Methode(POVRAY, "").parPovRay());
+        m.add(new Methode(EMBREE, ""));
         return m;
     }
 

@@ -14,7 +14,6 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -33,7 +32,6 @@ import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
-import lancer.mesures.trace.Vignettes;
 
 /**
  * Les rayons et l'erreur de chaque réglage, et la même découpe vue par quelques-uns : rien n'est chronométré, et ce que fait d'autre la
@@ -105,12 +103,8 @@ final class Comptes {
 
     private Map<String, String> compter(String nom, Path fichier, Methode methode, Gabarit gabarit, ImageLineaire image)
             throws IOException {
-        Map<String, String> champs = new TreeMap<>();
-        Object[] communs = {"famille", Catalogue.METHODES, "scene", nom, "methode", methode.nom, "parametres", methode.parametres,
-            "largeur", taille.largeur, "hauteur", taille.hauteur};
-        for (int k = 0; k < communs.length; k += 2) {
-            champs.put((String) communs[k], communs[k + 1].toString());
-        }
+        Map<String, String> champs = Releve.champs("famille", Catalogue.METHODES, "scene", nom, "methode", methode.nom, "parametres",
+                methode.parametres, "largeur", taille.largeur, "hauteur", taille.hauteur);
         Scene scene = Scenes.lire(fichier);
         if (methode.povray) {
             SceneJugee jugee = new SceneJugee(povray, nom, scene, Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
@@ -122,16 +116,11 @@ final class Comptes {
             Methode.Dessin dessin = methode.new Dessin(scene, taille.largeur, taille.hauteur);
             dessin.faire(image, taille.fils);
             Compteurs c = dessin.lancer.getCompteurs();
-            champs.put("primaires", String.valueOf(c.primaires));
-            champs.put("ombre", String.valueOf(c.ombre));
-            champs.put("reflechis", String.valueOf(c.reflechis));
-            champs.put("rayons", String.valueOf(c.rayons()));
+            champs.putAll(Releve.champs("primaires", c.primaires, "ombre", c.ombre, "reflechis", c.reflechis, "rayons", c.rayons()));
         }
         Intervalle erreur = Intervalle.deLaRacine(gabarit.carres(image));
-        champs.put("erreur", Releve.reel(erreur.valeur));
-        champs.put("erreur_min", Releve.reel(erreur.min));
-        champs.put("erreur_max", Releve.reel(erreur.max));
-        champs.put("visibles", Releve.reel(gabarit.visibles(image)));
+        champs.putAll(Releve.champs("erreur", Releve.reel(erreur.valeur), "erreur_min", Releve.reel(erreur.min),
+                "erreur_max", Releve.reel(erreur.max), "visibles", Releve.reel(gabarit.visibles(image))));
         return champs;
     }
 
@@ -145,31 +134,28 @@ final class Comptes {
             miroirs.add(new Sphere(((Sphere) objet).getCentre(), ((Sphere) objet).getRayon()));
             miroirs.get(miroirs.size() - 1).setKs(new Couleur(1));
         }
-        Vignettes vignettes = new Vignettes();
-        double[] parts = new double[2];
-        for (int k = 0; k < 2 && povray != null; k++) {
-            int reflets = k == 0 ? Constantes.MAX_REFLETS : REFLETS;
+        Planche planche = new Planche("", "10 000 petites boules, toutes des miroirs parfaits, sans lampe : chaque pixel est le ciel vu au "
+                + "bout de la chaîne. " + petite + ". make mesures").taille(Style.LARGEUR, 1000);
+        for (int reflets : new int[] {Constantes.MAX_REFLETS, REFLETS}) {
             SceneJugee jugee = new SceneJugee(povray, "miroirs-parfaits", new Scene(miroirs, Collections.emptyList()), reflets,
                     petite.largeur, petite.hauteur);
             ImageLineaire notre = ImageLineaire.de(jugee.lancer, reflets, taille.fils);
             ImageLineaire sienne = jugee.image(jugee.dessiner());
             BufferedImage ecart = new BufferedImage(petite.largeur, petite.hauteur, BufferedImage.TYPE_INT_RGB);
+            double part = 0;
             for (int p = 0; p < petite.pixels(); p++) {
                 boolean autre = IntStream.range(3 * p, 3 * p + 3).anyMatch(c -> Math.abs(Math.min(1, notre.getComposantes()[c])
                         - Math.min(1, sienne.getComposantes()[c])) > Gabarit.VISIBLE / 255.0);
-                parts[k] += autre ? 100.0 / petite.pixels() : 0;
+                part += autre ? 100.0 / petite.pixels() : 0;
                 ecart.setRGB(p % petite.largeur, p / petite.largeur, (autre ? Style.VERMILLON : Style.BANDE).getRGB());
             }
-            vignettes.image(image(notre, petite), "lancer, " + reflets + " reflets", "")
-                    .image(image(sienne, petite), "POV-Ray, " + reflets + " reflets", "")
-                    .image(ecart, "où ils diffèrent de plus de " + Gabarit.VISIBLE + " niveaux", Style.arrondi(parts[k]) + " % des pixels");
+            planche.vignette(image(notre, petite), "lancer, " + reflets + " reflets", "")
+                    .vignette(image(sienne, petite), "POV-Ray, " + reflets + " reflets", "")
+                    .vignette(ecart, "où ils diffèrent de plus de " + Gabarit.VISIBLE + " niveaux", Style.arrondi(part) + " % des pixels")
+                    .titre("Deux programmes justes, en double : à " + reflets + " reflets, " + Style.arrondi(part)
+                    + " % des pixels n'ont pas la même couleur");
         }
-        if (povray != null) {
-            new Planche("Deux programmes justes, en double : à " + REFLETS + " reflets, " + Style.arrondi(parts[1])
-                    + " % des pixels n'ont pas la même couleur", "10 000 petites boules, toutes des miroirs parfaits, sans lampe : chaque "
-                    + "pixel est le ciel vu au bout de la chaîne. " + petite + ". make mesures")
-                    .taille(Style.LARGEUR, 1000).vignettes(vignettes).ecrire(dossier.resolve(PROGRAMMES));
-        }
+        planche.ecrire(dossier.resolve(PROGRAMMES));
     }
 
     private static BufferedImage image(ImageLineaire lineaire, Taille taille) {
@@ -193,21 +179,19 @@ final class Comptes {
         }
         ImageLineaire verite = new Gabarit(Scenes.lire(fichier), taille.largeur, taille.hauteur, decoupes)
                 .moyenne(taille.largeur, taille.hauteur);
-        Vignettes vignettes = new Vignettes();
+        Planche planche = new Planche(Noms.scene(scene) + " : " + DECOUPE.largeur + " × " + DECOUPE.hauteur
+                + " pixels, là où un rayon se trompe le plus",
+                "Chaque pixel est un carré. Prix : rayons de toutes sortes, un rayon par pixel valant 1. Erreur de l'image entière, "
+                + "en niveaux ; visiblement faux : les pixels dont une composante s'écarte de la vérité de plus de " + Gabarit.VISIBLE
+                + " niveaux. " + taille.largeur + " × " + taille.hauteur + ". make mesures").taille(1640, 1150);
         Stream<Releve> montres = Stream.concat(Stream.of(tous.get(0)), Stream.of(Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE,
                 Catalogue.ENSEMBLE).flatMap(nom -> tous.stream().filter(r -> r.methode.equals(nom))
                 .sorted(Comparator.comparingDouble(r -> Math.abs(Math.log(r.rayons() / un / 4))))
                 .limit(nom.equals(Catalogue.PARTAGE) ? 2 : 1)));
-        for (Releve r : montres.limit(5).sorted(Comparator.comparingDouble(Releve::rayons)).collect(Collectors.toList())) {
-            vignettes.image(decoupe(images.get(r), coin), Noms.etiquette(r) + " : " + Noms.prix(r.rayons() / un),
-                    Noms.niveaux(r.erreur().valeur) + " ; " + Noms.visibles(r));
-        }
-        vignettes.image(decoupe(verite, coin), "la vérité", Gabarit.RAYONS + " rayons par pixel, sans limite de reflets");
-        new Planche(Noms.scene(scene) + " : " + DECOUPE.largeur + " × " + DECOUPE.hauteur + " pixels, là où un rayon se trompe le plus",
-                "Chaque pixel est un carré. Prix : rayons de toutes sortes, un rayon par pixel valant 1. Erreur de l'image entière, "
-                + "en niveaux ; visiblement faux : les pixels dont une composante s'écarte de la vérité de plus de " + Gabarit.VISIBLE
-                + " niveaux. " + taille.largeur + " × " + taille.hauteur + ". make mesures")
-                .taille(1640, 1150).vignettes(vignettes).ecrire(dossier.resolve(scene + DECOUPES));
+        montres.limit(5).sorted(Comparator.comparingDouble(Releve::rayons)).forEach(r -> planche.vignette(decoupe(images.get(r), coin),
+                Noms.etiquette(r) + " : " + Noms.prix(r.rayons() / un), Noms.niveaux(r.erreur().valeur) + " ; " + Noms.visibles(r)));
+        planche.vignette(decoupe(verite, coin), "la vérité", Gabarit.RAYONS + " rayons par pixel, sans limite de reflets")
+                .ecrire(dossier.resolve(scene + DECOUPES));
     }
 
     /** Le coin de la découpe dont la somme des carrés des erreurs est la plus grande, de quart en quart de découpe. */

@@ -10,7 +10,6 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import lancer.Constantes;
-import lancer.atelier.Scenes;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
 
@@ -42,8 +41,8 @@ final class Constats {
         return releves.de(Catalogue.DEMANDES);
     }
 
-    Releves spheres(String famille, String methode) {
-        return releves.de(Catalogue.SPHERES).methode(methode).tels(r -> r.scene.startsWith(famille + "-"));
+    Releves spheres(String methode) {
+        return releves.de(Catalogue.SPHERES).methode(methode);
     }
 
     /** Ce que montrent les pages, par leurs noms ; sans les temps, là où ils n'ont pas été pris. */
@@ -68,7 +67,6 @@ final class Constats {
             valeurs.put("spheres.povray", plusViteQue(Catalogue.POVRAY));
             valeurs.put("spheres.embree", plusViteQue(Catalogue.EMBREE));
             valeurs.put("spheres.boucles", plusViteQue(Catalogue.BOUCLES));
-            valeurs.put("spheres.etoiles", etoiles());
         }
         valeurs.put("besoins.tableau", tableauDesBesoins());
         DoubleSummaryStatistics exces = besoins.stream().mapToDouble(Constats::exces).summaryStatistics();
@@ -164,7 +162,7 @@ final class Constats {
 
     /** D'où le programme va plus vite que les boucles du cours, et de combien à la plus grande foule où elles se comparent. */
     String titreDesSpheres() {
-        List<Releve> boucles = spheres(Scenes.FOULE, Catalogue.BOUCLES).tels(r -> r.rapport().max < Double.POSITIVE_INFINITY).get();
+        List<Releve> boucles = spheres(Catalogue.BOUCLES).tels(r -> r.rapport().max < Double.POSITIVE_INFINITY).get();
         Releve des = null;
         for (Releve r : boucles) {
             des = !Intervalle.exact(1).nettementSous(r.rapport()) ? null : des == null ? r : des;
@@ -181,7 +179,7 @@ final class Constats {
     /** À combien de sphères le programme va plus vite que cette méthode, ou moins vite, à coup sûr, et combien de fois. */
     private String plusViteQue(String methode) {
         List<String> phrases = new ArrayList<>();
-        for (Releve lui : spheres(Scenes.FOULE, methode).get()) {
+        for (Releve lui : spheres(methode).get()) {
             Intervalle i = lui.rapport();
             if (Intervalle.exact(1).nettementSous(i)) {
                 phrases.add(nombre(lui) + " (" + fois(lui) + " plus vite)");
@@ -191,19 +189,6 @@ final class Constats {
         }
         return phrases.isEmpty() ? "aucune différence que la mesure porte" : "le programme dessine " + String.join(", ", phrases)
                 + " sphères";
-    }
-
-    /** Ce que neuf étoiles ajoutent aux sphères et aux cases examinées : un compte, non un temps. */
-    private String etoiles() {
-        List<Releve> siennes = spheres(Scenes.ETOILES, Catalogue.PROGRAMME).get();
-        Releve avec = siennes.get(siennes.size() - 1);
-        Releve sans = releves.de(Catalogue.SPHERES).scene(avec.scene.replace(Scenes.ETOILES, Scenes.FOULE)).le(Catalogue.PROGRAMME, "");
-        return "neuf étoiles à 10¹² d'une foule de " + nombre(sans) + " multiplient ce qu'examinent ses rayons par "
-                + Style.nombre(examens(avec) / examens(sans));
-    }
-
-    static double examens(Releve r) {
-        return r.nombre("tests") + (Double.isNaN(r.nombre("noeuds")) ? 0 : r.nombre("noeuds"));
     }
 
     static String nombre(Releve r) {
@@ -222,8 +207,7 @@ final class Constats {
         double ms = releves.scene(b.get("scene")).tels(r -> r.nombre("reference_ms") > 0).referenceMs();
         String[][] lignes = {{"rayons par pixel", Style.nombre(nombre(b, "rayons_utiles") / pixels) + " qui changent l'écran",
             Style.nombre(nombre(b, "rayons") / pixels) + ", dont " + Style.arrondi(100 * exces(b)) + " % pour rien ("
-            + Style.arrondi(100 * nombre(b, "ombres_inutiles") / nombre(b, "rayons")) + " % d'ombre) ; "
-            + Style.arrondi(100 * economie(b)) + " % de ceux de qui les lancerait tous sont épargnés"},
+            + Style.arrondi(100 * nombre(b, "ombres_inutiles") / nombre(b, "rayons")) + " % d'ombre)"},
             {"lampes", b.get("lampes_utiles") + " qui changent l'écran", b.get("lampes")},
             {"reflets à la suite", b.get("profondeur_utile"), Math.min(Constantes.MAX_REFLETS, Integer.parseInt(b.get("profondeur_utile")))
                 + " (" + Constantes.MAX_REFLETS + " au plus)"},
@@ -238,11 +222,6 @@ final class Constats {
 
     static double nombre(Map<String, String> b, String colonne) {
         return Double.parseDouble(b.get(colonne));
-    }
-
-    /** La part des rayons qui n'ont pas été lancés. */
-    private static double economie(Map<String, String> b) {
-        return 1 - nombre(b, "rayons") / nombre(b, "rayons_sans_economie");
     }
 
     /** La part des rayons lancés qui ne changent rien à l'écran. */

@@ -19,7 +19,6 @@ import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.Main;
 import lancer.atelier.Circonstances;
-import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
@@ -112,12 +111,12 @@ final class Mesureur {
         for (int lancement = 1; lancement <= lancements; lancement++) {
             try (Machine reperes = new Machine(groupe, groupe.methodes.get(0), fichier)) {
                 for (Methode methode : groupe.methodes) {
-                    Map<String, Object> champs = new HashMap<>();
+                    Map<String, String> champs = new HashMap<>();
                     Manches.Temps pris = methode.povray ? parPovRay(groupe, methode, reperes)
                             : parNous(groupe, methode, fichier, reperes, champs);
                     temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
                     if (lancement == lancements) {
-                        champs.put("lancements", lancements);
+                        champs.put("lancements", String.valueOf(lancements));
                         noter(groupe, methode, spheres, champs, temps.get(methode));
                     }
                 }
@@ -126,7 +125,7 @@ final class Mesureur {
     }
 
     /** @param champs où noter ce qui se compte et se vérifie, une fois les temps pris */
-    private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Map<String, Object> champs)
+    private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Map<String, String> champs)
             throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
             Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs + machine.dureeNs));
@@ -188,7 +187,7 @@ final class Mesureur {
     private void enProcessus(Catalogue.Groupe groupe, Path fichier) throws IOException {
         int spheres = Scenes.lire(fichier).getObjets().size();
         for (Methode methode : groupe.methodes) {
-            Map<String, Object> champs = new HashMap<>();
+            Map<String, String> champs = new HashMap<>();
             Programme programme = new Programme(fichier, methode.options);
             Manches.Echantillon echantillon = programme;
             if (methode.povray) {
@@ -204,19 +203,16 @@ final class Mesureur {
             Programme repere = new Programme(methode.nom.equals(Catalogue.PROGRAMME) ? Scenes.fichier(Scenes.FOULE + "-1", dossier)
                     : fichier);
             Manches.Temps temps = manches.mesurer(repere, echantillon, voulues(methode, spheres));
-            champs.put("lancements", temps.rapports.length);
+            champs.put("lancements", String.valueOf(temps.rapports.length));
             if (methode.nom.equals(Catalogue.EMBREE)) {
                 Ouvrier.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
             } else if (echantillon == programme) {
                 champs.putAll(programme.statistiques);
                 int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);
                 Ouvrier.pixels(fichier, taille, pixels, programme.png);
-                champs.put("pixels_verifies", pixels);
+                champs.put("pixels_verifies", String.valueOf(pixels));
             }
             noter(groupe, methode, spheres, champs, temps);
-        }
-        if (groupe.scene.startsWith(Scenes.FOULE) && groupe.methodes.stream().noneMatch(m -> m.boucles)) {
-            extrapoler(groupe, fichier, spheres);
         }
         Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));
     }
@@ -271,28 +267,15 @@ final class Mesureur {
         return Math.max(64, Math.min(2000, 100_000_000 / spheres));
     }
 
-    /** Ce que les boucles du cours essaieraient, compté sur quelques pixels : leur temps n'est pas mesuré. */
-    private void extrapoler(Catalogue.Groupe groupe, Path fichier, int spheres) throws IOException {
-        int pixels = pixelsARefaire(spheres);
-        Map<String, Object> champs = new HashMap<>();
-        double examens = Ouvrier.pixels(fichier, taille, pixels, null);
-        champs.put("tests", Math.round(examens / pixels * taille.pixels()));
-        noter(groupe, new Methode(Catalogue.BOUCLES, "extrapolé de " + pixels + " pixels"), spheres, champs,
-                new Manches.Temps(new double[0], 0, 0, Double.NaN));
-    }
-
-    private void noter(Catalogue.Groupe groupe, Methode methode, int spheres, Map<String, Object> champs, Manches.Temps temps)
+    private void noter(Catalogue.Groupe groupe, Methode methode, int spheres, Map<String, String> champs, Manches.Temps temps)
             throws IOException {
         Circonstances c = circonstances;
-        Object[] communs = {"machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
-            groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
-            "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees", temps.jetees,
-            "reference_ms", Releve.reel(temps.referenceNs / 1e6), "rapport", Releve.reel(temps.rapport.valeur),
-            "rapport_min", Releve.reel(temps.rapport.min), "rapport_max", Releve.reel(temps.rapport.max)};
-        for (int k = 0; k < communs.length; k += 2) {
-            champs.put((String) communs[k], communs[k + 1]);
-        }
-        String ligne = FichierCsv.ligne(Releve.COLONNES.stream().map(n -> champs.getOrDefault(n, "")).toArray());
+        champs.putAll(Releve.champs("machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
+                groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
+                "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees",
+                temps.jetees, "reference_ms", Releve.reel(temps.referenceNs / 1e6), "rapport", Releve.reel(temps.rapport.valeur),
+                "rapport_min", Releve.reel(temps.rapport.min), "rapport_max", Releve.reel(temps.rapport.max)));
+        String ligne = new Releve(champs).ligne(Releve.COLONNES);
         Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
         sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  %2d/%d", methode.nom,
                 methode.parametres, temps.rapport.valeur, temps.rapport.min, temps.rapport.max,

@@ -155,20 +155,18 @@ final class Ouvrier {
      * Refait par les boucles du cours, un par un, des pixels tirés au hasard, toujours les mêmes, et les compare à une image écrite par
      * le programme.
      *
-     * @param png l'image, {@code null} s'il n'y en a pas à comparer
-     * @return combien de sphères ils ont fait essayer
+     * @throws IllegalStateException si l'un d'eux n'est pas le même
      */
-    static long pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
+    static void pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
         Traceur lancer = Dessinateur.traceur(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
-        BufferedImage image = png == null ? null : ImageIO.read(png.toFile());
+        BufferedImage image = ImageIO.read(png.toFile());
         for (int k : new Random(GRAINE).ints(nombre, 0, taille.pixels()).toArray()) {
             int i = k % taille.largeur;
             int j = k / taille.largeur;
             int code = lancer.getLancer().getCouleurPixel(i + 0.5, j + 0.5, Constantes.MAX_REFLETS).getCode();
-            if (image != null && image.getRGB(i, j) != code) {
+            if (image.getRGB(i, j) != code) {
                 throw new IllegalStateException("image fausse : " + png + ", pixel (" + i + ", " + j + ")");
             }
         }
-        return lancer.getScene().getCompteurs().testsSpheres;
     }
 }

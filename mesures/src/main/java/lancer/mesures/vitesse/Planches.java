@@ -7,7 +7,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lancer.atelier.Scenes;
 import lancer.mesures.Gabarit;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.FormeDePoint;
@@ -24,9 +23,6 @@ final class Planches {
 
     /** Tant de points ont leur nom, au plus : ce qu'un regard retient. */
     private static final int NOMMES = 10;
-
-    /** De part et d'autre de son temps, une barre ne montre pas plus. */
-    private static final double BARRE = 3;
 
     private final Constats constats;
     private final String note;
@@ -97,17 +93,11 @@ final class Planches {
         List<Marque> marches = new ArrayList<>();
         for (Marque m : marques) {
             if (!marches.isEmpty()) {
-                marches.add(new Marque(m.x(), marches.get(marches.size() - 1).y()));
+                marches.add(new Marque(m.x, marches.get(marches.size() - 1).y));
             }
             marches.add(m);
         }
         return marches;
-    }
-
-    /** D'une seule manche, on ne montre que le temps ; une barre n'écrase pas la courbe. */
-    private static Intervalle borne(Intervalle i) {
-        return Double.isInfinite(i.max) ? Intervalle.exact(i.valeur)
-                : new Intervalle(i.valeur, Math.max(i.min, i.valeur / BARRE), Math.min(i.max, i.valeur * BARRE));
     }
 
     /** Ce que fait le programme, ou le module antialias, quand on ne lui demande rien. */
@@ -119,45 +109,21 @@ final class Planches {
 
     Planche spheres() {
         Volet volet = new Volet("", "", "nombre de sphères", "de la commande au PNG écrit, en secondes");
-        Object[][] series = {{Scenes.FOULE, Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
-            {Scenes.FOULE, Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
-            {Scenes.FOULE, Catalogue.EMBREE, "Embree, en C++", Style.VERT, FormeDePoint.POINTE},
-            {Scenes.ETOILES, Catalogue.PROGRAMME, "le programme, neuf étoiles en plus", Style.POURPRE, FormeDePoint.LOSANGE},
-            {Scenes.FOULE, Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
+        Object[][] series = {{Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
+            {Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
+            {Catalogue.EMBREE, "Embree, en C++", Style.VERT, FormeDePoint.POINTE},
+            {Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
         for (Object[] s : series) {
             List<Marque> marques = new ArrayList<>();
-            for (Releve r : constats.spheres((String) s[0], (String) s[1]).get()) {
-                Intervalle t = borne(r.rapport().fois(r.nombre("reference_ms") / 1000));
-                if (!Double.isNaN(t.valeur)) {
-                    marques.add(new Marque(Intervalle.exact(r.nombre("spheres")), t).nommee(Style.nombre(t.valeur)));
-                }
+            for (Releve r : constats.spheres((String) s[0]).get()) {
+                Intervalle t = r.rapport().fois(r.nombre("reference_ms") / 1000);
+                // d'une seule manche, on ne montre que le temps
+                t = Double.isInfinite(t.max) ? Intervalle.exact(t.valeur) : t;
+                marques.add(new Marque(Intervalle.exact(r.nombre("spheres")), t).nommee(Style.nombre(t.valeur)));
             }
-            volet.serie(new Serie((String) s[2], (Color) s[3], (FormeDePoint) s[4], true, marques));
+            volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true, marques));
         }
-        extrapoler(volet);
         return new Planche(constats.pages().get("spheres.titre"), "Démarrage de Java, lecture, préparation, dessin, écriture, à froid."
-                + " Au-delà de 10 000 sphères, le temps des boucles n'est pas mesuré : leurs examens sont comptés sur quelques pixels. "
-                + note)
-                .volet(volet);
-    }
-
-    /** Du dernier temps mesuré aux boucles dont seuls les examens sont comptés. */
-    private void extrapoler(Volet volet) {
-        List<Marque> marques = new ArrayList<>();
-        double examen = 0;
-        for (Releve r : constats.spheres(Scenes.FOULE, Catalogue.BOUCLES).get()) {
-            double secondes = r.rapport().valeur * r.nombre("reference_ms") / 1000;
-            if (!Double.isNaN(secondes)) {
-                examen = secondes / r.nombre("tests");
-                marques.clear();
-                marques.add(Marque.en(r.nombre("spheres"), secondes));
-            } else {
-                secondes = examen * r.nombre("tests");
-                marques.add(Marque.en(r.nombre("spheres"), secondes).creuse().nommee("≈ " + Style.arrondi(secondes / 60) + " min"));
-            }
-        }
-        if (marques.size() > 1) {
-            volet.serie(new Serie("les boucles, extrapolation", Style.BLEU, FormeDePoint.CARRE, true, marques).enPointille());
-        }
+                + " Au-delà de 10 000 sphères, les boucles ne sont plus mesurées. " + note).volet(volet);
     }
 }

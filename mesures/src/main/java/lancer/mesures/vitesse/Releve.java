@@ -5,6 +5,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.atelier.FichierCsv;
 import lancer.mesures.Intervalle;
@@ -32,6 +34,12 @@ final class Releve {
         scene = texte("scene");
         methode = texte("methode");
         parametres = texte("parametres");
+    }
+
+    /** @param paires des noms de colonnes, chacun suivi de ce qu'il vaut */
+    static Map<String, String> champs(Object... paires) {
+        return IntStream.range(0, paires.length / 2).boxed()
+                .collect(Collectors.toMap(k -> (String) paires[2 * k], k -> paires[2 * k + 1].toString()));
     }
 
     /** Ce qui la distingue des autres d'une même scène, en clair. */

@@ -12,11 +12,11 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
-import java.util.stream.Collectors;
+import java.util.Set;
 import lancer.Constantes;
 import lancer.SceneFautive;
-import lancer.atelier.Arguments;
 import lancer.atelier.Scenes;
 import lancer.commande.Pannes;
 import lancer.mesures.juge.PovRay;
@@ -28,7 +28,7 @@ import lancer.texte.Texte;
  *
  * <pre>
  * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--agitee]
- *      [--temps | --spheres | --noyaux | --comptes | --stabilite | --dessiner] [--dossier DOSSIER]
+ *      [--comptes | --temps | --noyaux | --stabilite | --dessiner]
  * </pre>
  *
  * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
@@ -39,8 +39,8 @@ public final class Vitesse {
     static final String CSV = "vitesse.csv";
     static final String BESOINS = "besoins.csv";
 
-    private static final String USAGE = "[--rapide] [--agitee] [--temps | --spheres | --noyaux | --comptes | --stabilite | --dessiner]"
-            + " [--dossier DOSSIER]";
+    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--agitee", "--comptes", "--temps", "--noyaux", "--stabilite",
+            "--dessiner");
 
     /** Où finit une mesure complète, avec ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
@@ -49,7 +49,7 @@ public final class Vitesse {
 
     private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
 
-    private final Arguments arguments;
+    private final Set<String> options;
     private final boolean rapide;
     private final PrintStream sortie;
 
@@ -58,12 +58,14 @@ public final class Vitesse {
     private final Path resultats;
 
     private Vitesse(PrintStream sortie, String... args) {
-        arguments = new Arguments(USAGE, false, args);
         this.sortie = sortie;
-        rapide = arguments.a("--rapide");
-        boolean aPart = rapide || arguments.a("--agitee") || arguments.a("--spheres");
-        atelier = Paths.get("mesures/target", rapide ? "vitesse-rapide" : arguments.a("--spheres") ? "spheres" : "vitesse");
-        resultats = arguments.a("--dossier") ? Paths.get(arguments.valeur("--dossier", "")) : aPart ? atelier : Paths.get(RESULTATS);
+        options = new HashSet<>(Arrays.asList(args));
+        if (options.size() < args.length || !OPTIONS.containsAll(options)) {
+            throw new IllegalArgumentException("options permises, une fois chacune : " + String.join(" ", OPTIONS));
+        }
+        rapide = options.contains("--rapide");
+        atelier = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
+        resultats = rapide || options.contains("--agitee") ? atelier : Paths.get(RESULTATS);
     }
 
     /** @param args voir la description de la classe */
@@ -95,46 +97,43 @@ public final class Vitesse {
             throw new IllegalArgumentException("pas de dossier " + SCENES + " ici ; à lancer à la racine du projet");
         }
         long debut = System.nanoTime();
-        boolean spheres = arguments.a("--spheres");
-        boolean comptes = arguments.a("--comptes");
-        boolean temps = arguments.a("--temps");
-        boolean tout = !spheres && !comptes && !temps && !arguments.a("--noyaux") && !arguments.a("--stabilite")
-                && !arguments.a("--dessiner");
+        boolean tout = options.stream().allMatch(o -> o.equals("--rapide") || o.equals("--agitee"));
+        boolean comptes = tout || options.contains("--comptes");
+        boolean temps = tout || options.contains("--temps");
         List<String> neufs = new ArrayList<>();
         Files.createDirectories(atelier);
-        PovRay povray = tout || spheres || comptes || temps ? povray() : null;
+        PovRay povray = comptes || temps ? povray() : null;
         // ce qui ne demande pas une machine tranquille d'abord
-        if (tout || comptes) {
+        if (comptes) {
             Comptes lesComptes = new Comptes(TAILLE, povray, atelier, sortie);
             List<Catalogue.Groupe> reglages = new Catalogue(rapide).reglages();
             lesComptes.ecrire(reglages);
-            lesComptes.comparer();
             compterLesBesoins();
             neufs.addAll(Arrays.asList(Comptes.CSV, BESOINS));
             reglages.forEach(g -> neufs.add(g.scene + Comptes.DECOUPES));
-            neufs.addAll(povray == null ? Collections.emptyList() : Collections.singletonList(Comptes.PROGRAMMES));
+            if (povray != null) {
+                lesComptes.comparer();
+                neufs.add(Comptes.PROGRAMMES);
+            }
         }
-        if (tout || comptes || arguments.a("--stabilite")) {
+        if (comptes || options.contains("--stabilite")) {
             sortie.println("stabilité");
             Stabilite.mesurer(atelier, rapide);
             neufs.add(Stabilite.CSV);
         }
-        if (tout || temps || spheres) {
-            chronometrer(povray, new Catalogue(rapide).groupes().stream().filter(g -> !spheres || g.famille.equals(Catalogue.SPHERES))
-                    .collect(Collectors.toList()), CSV);
+        if (temps) {
+            chronometrer(povray, new Catalogue(rapide).groupes(), CSV);
             neufs.add(CSV);
         }
-        if (arguments.a("--noyaux")) {
+        if (options.contains("--noyaux")) {
             chronometrer(null, Catalogue.intersections(), Methodes.CSV);
             neufs.add(Methodes.CSV);
         }
         Files.createDirectories(resultats);
-        for (String nom : resultats.equals(atelier) ? new ArrayList<String>() : neufs) {
+        for (String nom : resultats.equals(atelier) ? Collections.<String>emptyList() : neufs) {
             Files.copy(atelier.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
         }
-        if (!spheres) {
-            new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
-        }
+        new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
         sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + resultats);
     }
 
@@ -150,7 +149,7 @@ public final class Vitesse {
     /** @throws IOException si la machine est trop troublée ; la mesure rapide s'en passe, et le dit */
     private void chronometrer(PovRay povray, List<Catalogue.Groupe> groupes, String csv) throws IOException {
         try {
-            new Mesureur(rapide, arguments.a("--agitee"), TAILLE, povray, atelier.resolve(csv), sortie).mesurer(groupes);
+            new Mesureur(rapide, options.contains("--agitee"), TAILLE, povray, atelier.resolve(csv), sortie).mesurer(groupes);
         } catch (Manches.Troublee e) {
             if (!rapide) {
                 throw e;

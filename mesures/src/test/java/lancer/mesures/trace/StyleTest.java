@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
@@ -13,7 +12,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.mesures.Intervalle;
-import org.jfree.chart.LegendItem;
 import org.jfree.chart.axis.AxisState;
 import org.jfree.chart.axis.NumberTick;
 import org.jfree.chart.ui.RectangleEdge;
@@ -113,10 +111,6 @@ class StyleTest {
         assertEquals(Style.LARGEUR, planche.getWidth());
         assertEquals(Style.HAUTEUR, planche.getHeight());
         assertEquals(800, new Planche("Un titre", "").volet(volet).taille(800, 500).dessiner().getWidth());
-        LegendItem dite = volet.serie(new Serie("extrapolation", Style.BLEU, FormeDePoint.CARRE, true, serie.marques).enPointille())
-                .legende().get(1);
-        assertEquals("extrapolation", dite.getLabel());
-        assertTrue(((BasicStroke) dite.getLineStroke()).getDashArray().length > 0 && dite.getFillPaint().equals(Color.WHITE));
         int[] pixels = planche.getRGB(0, 0, planche.getWidth(), planche.getHeight(), null, 0, planche.getWidth());
         for (Color couleur : new Color[] {Style.VERMILLON, Style.FRONT, Style.BANDE, Style.NOIR}) {
             assertTrue(Arrays.stream(pixels).filter(p -> p == couleur.getRGB()).count() > 100, couleur.toString());

@@ -39,7 +39,7 @@ class VitesseTest {
     private final ByteArrayOutputStream sortie = new ByteArrayOutputStream();
 
     @ParameterizedTest(name = "« {0} »")
-    @ValueSource(strings = {"--inconnue", "--dossier", "scene1", "--rapide --rapide"})
+    @ValueSource(strings = {"--inconnue", "scene1", "--rapide --rapide"})
     void uneDemandeFausseTientEnUneLigneEtLeStatut2(String args) {
         ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
         assertEquals(2, Vitesse.executer(args.split(" "), new PrintStream(sortie), new PrintStream(erreurs)));

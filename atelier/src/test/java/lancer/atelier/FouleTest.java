@@ -23,36 +23,28 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Les scènes engendrées. */
-class GenerateurTest {
+/** Les foules, et les scènes au hasard. */
+class FouleTest {
 
     @TempDir
     Path dossier;
 
-    private static String engendrer(String... args) throws IOException {
+    private static String engendrer(int n) throws IOException {
         StringBuilder texte = new StringBuilder();
-        Generateur.ecrire(texte, args);
+        Foule.ecrire(new Plume(texte), n);
         return texte.toString();
     }
 
-    private Scene lire(String... args) throws IOException {
+    @ParameterizedTest(name = "{0}")
+    @ValueSource(ints = {1, 2, 10, 500, 1331})
+    void lesBoulesDevantLOeilNeSeTouchentPas(int n) throws IOException {
         Path fichier = dossier.resolve("scene.ini");
-        Files.write(fichier, engendrer(args).getBytes(StandardCharsets.UTF_8));
+        Files.write(fichier, engendrer(n).getBytes(StandardCharsets.UTF_8));
         LecteurScene lu = new LecteurScene().lire(fichier.toString());
         assertEquals(2, lu.lampes.size());
         assertTrue(lu.avertissements.isEmpty());
-        return new Scene(lu.objets, lu.lampes);
-    }
-
-    @ParameterizedTest(name = "{0}")
-    @ValueSource(strings = {"foule 1", "foule 2", "foule 10", "foule 500", "foule 1331", "tournesol 1", "tournesol 2", "tournesol 10",
-        "tournesol 34", "tournesol 100", "tournesol 1000", "tournesol 3000"})
-    void lesBoulesDevantLOeilNeSeTouchentPas(String ligne) throws IOException {
-        String[] args = ligne.split(" ");
-        List<Sphere> spheres = lire(args).getObjets().stream().map(Sphere.class::cast).collect(Collectors.toList());
-        // la première du tournesol est le sol
-        List<Sphere> boules = spheres.subList(args[0].equals("foule") ? 0 : 1, spheres.size());
-        assertEquals(Integer.parseInt(args[1]), boules.size());
+        List<Sphere> boules = lu.objets.stream().map(Sphere.class::cast).collect(Collectors.toList());
+        assertEquals(n, boules.size());
         for (Sphere a : boules) {
             for (Sphere b : boules) {
                 double ecart = b.getCentre().sub(a.getCentre()).norme() - a.getRayon() - b.getRayon();
@@ -68,33 +60,21 @@ class GenerateurTest {
     @Test
     void laLangueDeLaMachineNeChangeRienAuTexte() throws IOException {
         Locale avant = Locale.getDefault();
-        String texte = engendrer("tournesol", "50");
+        String texte = engendrer(50);
         try {
             Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
-            assertEquals(texte, engendrer("tournesol", "50"));
+            assertEquals(texte, engendrer(50));
             Locale.setDefault(Locale.FRANCE);
-            assertEquals(texte, engendrer("tournesol", "50"));
+            assertEquals(texte, engendrer(50));
         } finally {
             Locale.setDefault(avant);
         }
     }
 
-    @Test
-    void leTournesolLivreEstCeluiDuGenerateur() throws IOException {
-        Path ici = Paths.get("scenes", "tournesol.ini");
-        Path fichier = Files.exists(ici) ? ici : Paths.get("..").resolve(ici);
-        String texte = new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
-        assertEquals(engendrer("tournesol", "1000"), texte.replace("\r\n", "\n"));
-    }
-
     @ParameterizedTest(name = "« {0} » est refusé")
-    @ValueSource(strings = {"", "neige 3", "foule", "foule -1", "foule 1.5", "foule 0",
-        "foule 100000001", "foule 5 1", "tournesol dix", "tournesol 0", "tournesol -1", "tournesol 5 1", "foule 99999999999999999999"})
-    void uneDemandeFautiveTientEnUneLigneEtNEcritRien(String ligne) {
-        String[] args = ligne.isEmpty() ? new String[0] : ligne.split(" ");
-        StringBuilder texte = new StringBuilder();
-        String message = assertThrows(IllegalArgumentException.class, () -> Generateur.ecrire(texte, args)).getMessage();
-        assertEquals("", texte.toString());
+    @ValueSource(strings = {"", "dix", "-1", "1.5", "0", "100000001", "5 1", "99999999999999999999"})
+    void uneDemandeFautiveTientEnUneLigne(String ligne) {
+        String message = assertThrows(IllegalArgumentException.class, () -> Foule.nombre(ligne.split(" "))).getMessage();
         assertTrue(message.contains("nombre de boules") && !message.contains("\n"), message);
     }
 
