@@ -15,9 +15,6 @@ import java.util.stream.Collectors;
 /** Des lignes de champs séparés par des virgules (RFC 4180), sans fin de ligne dans un champ ; la première les nomme. */
 public final class FichierCsv {
 
-    /** Ce qui commence une ligne qui n'est pas un enregistrement. */
-    public static final String NOTE = "# ";
-
     private static final Pattern CHAMP = Pattern.compile(",(?:\"((?:[^\"]|\"\")*)\"|([^,]*))");
 
     private FichierCsv() {
@@ -34,7 +31,7 @@ public final class FichierCsv {
     }
 
     /**
-     * Les lignes d'un fichier, chacune par noms de colonnes, sans les {@link #NOTE notes}.
+     * Les lignes d'un fichier, chacune par noms de colonnes.
      *
      * @throws IOException si une ligne n'a pas les champs que nomme la première
      */
@@ -43,19 +40,15 @@ public final class FichierCsv {
         List<Map<String, String>> lues = new ArrayList<>();
         List<String> colonnes = lignes.isEmpty() ? new ArrayList<>() : champs(lignes.get(0));
         for (int k = 1; k < lignes.size(); k++) {
-            if (lignes.get(k).startsWith(NOTE)) {
-                continue;
-            }
             List<String> valeurs = champs(lignes.get(k));
             if (valeurs.size() != colonnes.size()) {
                 throw new IOException(fichier + ", ligne " + (k + 1) + " : " + valeurs.size() + " champs au lieu de "
                         + colonnes.size());
             }
-            Map<String, String> parNom = new LinkedHashMap<>();
+            lues.add(new LinkedHashMap<>());
             for (int c = 0; c < valeurs.size(); c++) {
-                parNom.put(colonnes.get(c), valeurs.get(c));
+                lues.get(k - 1).put(colonnes.get(c), valeurs.get(c));
             }
-            lues.add(parNom);
         }
         return lues;
     }

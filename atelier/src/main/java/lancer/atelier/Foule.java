@@ -36,12 +36,9 @@ public final class Foule {
     public static void main(String[] args) {
         try (Writer sortie = new BufferedWriter(new OutputStreamWriter(new FileOutputStream(FileDescriptor.out), StandardCharsets.UTF_8))) {
             ecrire(new Plume(sortie), nombre(args));
-        } catch (IllegalArgumentException e) {
+        } catch (IllegalArgumentException | IOException e) {
             System.err.println("Foule : " + e.getMessage());
-            System.exit(2);
-        } catch (IOException e) {
-            System.err.println("Foule : écriture impossible : " + e.getMessage());
-            System.exit(1);
+            System.exit(e instanceof IOException ? 1 : 2);
         }
     }
 

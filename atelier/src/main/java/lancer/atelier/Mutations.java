@@ -27,21 +27,12 @@ public final class Mutations {
     }
 
     /** @param args la page, la liste, puis les dossiers des modules */
-    public static void main(String[] args) {
-        if (args.length < 3) {
-            System.err.println("Mutations : usage : Mutations PAGE.md LISTE.md MODULE…");
-            System.exit(2);
-        }
-        try {
-            List<Path> modules = Arrays.stream(args).skip(2).map(Paths::get).collect(Collectors.toList());
-            StringBuilder dit = new StringBuilder();
-            boolean conforme = verifier(Arrays.asList(Paths.get(args[0]), Paths.get(args[1])), modules, dit);
-            System.out.print(dit);
-            System.exit(conforme ? 0 : 1);
-        } catch (IOException e) {
-            System.err.println("Mutations : " + e);
-            System.exit(1);
-        }
+    public static void main(String[] args) throws IOException {
+        List<Path> modules = Arrays.stream(args).skip(2).map(Paths::get).collect(Collectors.toList());
+        StringBuilder dit = new StringBuilder();
+        boolean conforme = verifier(Arrays.asList(Paths.get(args[0]), Paths.get(args[1])), modules, dit);
+        System.out.print(dit);
+        System.exit(conforme ? 0 : 1);
     }
 
     /**

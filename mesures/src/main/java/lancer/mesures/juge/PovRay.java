@@ -22,8 +22,6 @@ public final class PovRay {
     /** Le nom sous lequel la chercher. */
     public static final String COMMANDE = "povray";
 
-    private static final Pattern TRACE =
-            Pattern.compile("Trace Time:[^(]*\\(([\\d.]+) seconds\\)\\s+using \\d+ thread\\(s\\) with ([\\d.]+) CPU");
     private static final Pattern RAYONS = Pattern.compile("(?:Rays|Shadow Ray Tests): +(\\d+)");
     private static final Pattern VERSION = Pattern.compile("POV-Ray (\\d[\\w.]*)");
 
@@ -93,11 +91,9 @@ public final class PovRay {
         return lue.getRaster();
     }
 
-    /** Du dernier dessin, en nanosecondes : la commande entière ; selon elle, le dessin seul, et le temps de ses processeurs. */
-    public double[] temps() {
-        Matcher m = TRACE.matcher(dit);
-        return m.find() ? new double[] {dureeNs, 1e9 * Double.parseDouble(m.group(1)), 1e9 * Double.parseDouble(m.group(2))}
-                : new double[] {dureeNs, Double.NaN, Double.NaN};
+    /** De la dernière commande, entière. */
+    public long dureeNs() {
+        return dureeNs;
     }
 
     /** De toutes sortes, du dernier dessin, selon elle. */

@@ -1,5 +1,7 @@
 package lancer.mesures.stabilite;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -17,10 +19,14 @@ public final class Bilan {
     /** En rayons de la sphère : plus près, c'est une autre affaire. */
     static final double DE_LOIN = 10;
 
+    /** Ce que promet le programme, en unités de l'erreur inévitable, κ u t. */
+    public static final double PROMESSE = 8;
+
     private final List<Exactitude> tous;
 
-    Bilan(List<Exactitude> tous) {
-        this.tous = tous;
+    /** Des mesures de ce dossier. */
+    public Bilan(Path dossier) throws IOException {
+        tous = Exactitude.lire(dossier.resolve(Mesures.CSV));
     }
 
     List<Exactitude> de(String figure, Formule methode) {
@@ -37,7 +43,7 @@ public final class Bilan {
 
     /** Ce que vaut une méthode dans un régime. */
     public Exactitude en(Regime regime, Formule methode) {
-        return de(regime.figure(), methode).get(0);
+        return de("regime-" + regime.cle(), methode).get(0);
     }
 
     /** Les rayons mal classés à partir de cette abscisse. */

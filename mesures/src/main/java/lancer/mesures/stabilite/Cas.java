@@ -88,7 +88,7 @@ final class Cas {
     /** Faux si l'arrondi de la direction suffit à faire toucher ou manquer la sphère : les deux réponses se valent. */
     boolean seJuge() {
         Vecteur f = new Vecteur(nombres[6] - nombres[0], nombres[7] - nombres[1], nombres[8] - nombres[2]);
-        return Math.abs(enfoncement) >= Stabilite.PROMESSE * U * (f.norme() + nombres[9]);
+        return Math.abs(enfoncement) >= Bilan.PROMESSE * U * (f.norme() + nombres[9]);
     }
 
     /** Vrai si une méthode touche ce qu'il faut manquer, ou l'inverse, ou prend une racine pour l'autre. */

@@ -1,6 +1,8 @@
 package lancer.mesures.stabilite;
 
 import java.awt.Color;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
@@ -13,7 +15,7 @@ import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Volet;
 
 /** Les planches de la stabilité. */
-final class Figures {
+public final class Figures {
 
     private static final String ERREUR = "erreur relative de t, la pire";
     private static final String TANGENTE = "1 − l/r, vers la tangente";
@@ -33,15 +35,25 @@ final class Figures {
                 + "d'un rayon sur dix est mal classé. u = 2⁻⁵³, κ u t = u (1 + r/h) t : l'effet d'un arrondi de la direction. make mesures";
     }
 
+    /** Dessine les mesures de ce dossier. */
+    public static void ecrire(Path dossier) throws IOException {
+        Figures figures = new Figures(new Bilan(dossier));
+        figures.loin().ecrire(dossier.resolve("stabilite-loin.png"));
+        figures.ras().ecrire(dossier.resolve("stabilite-ras.png"));
+        figures.sol().ecrire(dossier.resolve("stabilite-sol.png"));
+        figures.petites().ecrire(dossier.resolve("stabilite-petites.png"));
+        figures.reflets().ecrire(dossier.resolve("stabilite-reflets.png"));
+    }
+
     private String nombre(String nom) {
         return nombres.get("stabilite." + nom);
     }
 
     /** A : de loin. */
-    Planche loin() {
+    private Planche loin() {
         Volet erreur = new Volet("Manuel : une erreur comme |P − C| à la puissance " + nombre("pente") + ". Programme, ici : "
                 + nombre("unites") + " unités au plus", "Erreur de la distance", "|P − C| / r", "erreur de t, en unités de κ u t")
-                .repere(Stabilite.PROMESSE, "K = 8, la borne promise");
+                .repere(Bilan.PROMESSE, "K = 8, la borne promise");
         courbes(erreur, Mesures.LOIN, r -> Math.max(0.1, r.erreurEnUnites), true);
         Volet genre = new Volet("À " + nombre("bout") + " r, le manuel se trompe " + nombre("bout.manuel") + " fois sur cent",
                 "Rayons mal classés", "|P − C| / r", "rayons mal classés, en %").repere(AUCUN, "aucun");
@@ -51,7 +63,7 @@ final class Figures {
     }
 
     /** B : au ras. */
-    Planche ras() {
+    private Planche ras() {
         return new Planche("Au ras : le programme se trompe au plus de " + nombre("ras.unites") + " fois l'effet d'un arrondi", note)
                 .volet(rasant(Mesures.RAS, Mesures.PRES)).volet(rasant(Mesures.RAS_LOIN, Mesures.LOINTAIN));
     }
@@ -60,7 +72,7 @@ final class Figures {
         Volet volet = new Volet("L'erreur du manuel est " + nombre(figure + ".rapport") + " fois celle du programme",
                 "À " + Style.nombre(distance) + " r du centre", TANGENTE, ERREUR).versZero();
         courbes(volet, figure, r -> r.erreurRelative, true);
-        return volet.serie(guide("8 u (1 + r/h), la borne promise", Style.GRIS, figure, Stabilite.PROMESSE))
+        return volet.serie(guide("8 u (1 + r/h), la borne promise", Style.GRIS, figure, Bilan.PROMESSE))
                 .serie(guide("u (1 + r/h), l'effet d'un arrondi", Style.FRONT, figure, 1));
     }
 
@@ -72,7 +84,7 @@ final class Figures {
     }
 
     /** C : le sol, et ce qui est posé dessus. */
-    Planche sol() {
+    private Planche sol() {
         Volet sol = new Volet("Sur un sol de " + nombre("sol") + ", il reste " + nombre("sol.manuel") + " chiffres au manuel, "
                 + nombre("sol.programme") + " au programme", "Un œil à hauteur 1", "rayon du sol", ERREUR);
         courbes(sol, Mesures.SOL, r -> r.erreurRelative, true);
@@ -84,7 +96,7 @@ final class Figures {
     }
 
     /** D : des boules plus petites qu'un pixel. */
-    Planche petites() {
+    private Planche petites() {
         Volet volet = new Volet("", "", "rayon des boules, en pixels", "erreur, en niveaux");
         Object[][] series = {{"un_rayon", "un rayon", Style.NOIR, FormeDePoint.ROND},
             {"coins", "coins, 4 × 4", Style.ORANGE, FormeDePoint.TRIANGLE},
@@ -107,7 +119,7 @@ final class Figures {
     }
 
     /** E : d'un reflet à l'autre. */
-    Planche reflets() {
+    private Planche reflets() {
         Volet volet = new Volet("", "", "reflets, de boule en boule", "erreur du contact, en rayons de la boule").repere(1,
                 "la boule elle-même est perdue");
         Object[][] series = {{"float", "float", Style.ORANGE, FormeDePoint.TRIANGLE},

@@ -43,23 +43,6 @@ public enum Formule {
         return h2 < 0 ? Constantes.INFINI : premiere(b - Math.sqrt(h2), b + Math.sqrt(h2));
     }),
 
-    /** La même en {@code float}, données comprises : ce que fait une carte graphique. */
-    FLOAT("perpendiculaire en float", Style.GRIS, FormeDePoint.POINTE, (avant, n, k) -> {
-        float x = (float) n[k + 3];
-        float y = (float) n[k + 4];
-        float z = (float) n[k + 5];
-        float fx = (float) n[k + 6] - (float) n[k];
-        float fy = (float) n[k + 7] - (float) n[k + 1];
-        float fz = (float) n[k + 8] - (float) n[k + 2];
-        float b = fx * x + fy * y + fz * z;
-        float lx = fx - b * x;
-        float ly = fy - b * y;
-        float lz = fz - b * z;
-        float h2 = (float) n[k + 9] * (float) n[k + 9] - (lx * lx + ly * ly + lz * lz);
-        float h = (float) Math.sqrt(h2);
-        return h2 < 0 ? Constantes.INFINI : premiere(b - h, b + h);
-    }),
-
     /** Le calcul compensé, que le programme ne fait que près d'une surface, fait toujours. Il n'est pas juste de loin : h² = b² − c. */
     COMPENSEE("toujours compensée", Style.POURPRE, FormeDePoint.CROIX, (avant, n, k) -> IntersectionCompensee.distance(
             n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9])),

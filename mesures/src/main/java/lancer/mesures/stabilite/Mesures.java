@@ -1,5 +1,7 @@
 package lancer.mesures.stabilite;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -9,7 +11,9 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /** Juge chaque méthode sur des rayons tirés au sort. Rien n'est chronométré : le fichier est partout le même. */
-final class Mesures {
+public final class Mesures {
+
+    public static final String CSV = "stabilite.csv";
 
     /** De loin : x = |P − C|/r. */
     static final String LOIN = "loin";
@@ -38,13 +42,18 @@ final class Mesures {
     private final int pas;
 
     /** @param rapide vrai pour le dixième des rayons, à une abscisse sur deux */
-    Mesures(boolean rapide) {
+    public Mesures(boolean rapide) {
         rayons = rapide ? 100 : 1000;
         pas = rapide ? 2 : 1;
     }
 
+    /** Mesure, et écrit {@link #CSV} dans ce dossier. */
+    public void ecrire(Path dossier) throws IOException {
+        Exactitude.ecrire(dossier.resolve(CSV), toutes());
+    }
+
     /** Toutes, dans un ordre fixe. */
-    List<Exactitude> toutes() {
+    private List<Exactitude> toutes() {
         List<Exactitude> tous = new ArrayList<>();
         tous.addAll(courbe(LOIN, 1, 0, 12, 2, d -> h -> Cas.deLoin(h, d)));
         tous.addAll(courbe(RAS, 2, -14, -1, 1, m -> h -> Cas.rasant(h, PRES, m)));

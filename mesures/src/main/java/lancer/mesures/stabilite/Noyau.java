@@ -20,7 +20,7 @@ public final class Noyau {
 
     private static final int VERIFIES = 128;
 
-    /** Erreur relative qu'aucune méthode, même en {@code float}, n'atteint d'ordinaire loin de la tangente. */
+    /** Erreur relative qu'aucune méthode n'atteint d'ordinaire loin de la tangente. */
     private static final double PERMISE = 1e-3;
 
     private final Formule formule;

@@ -34,11 +34,6 @@ public enum Regime {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** Son nom dans stabilite.csv, où une courbe a déjà le sien. */
-    String figure() {
-        return "regime-" + cle();
-    }
-
     private long graine() {
         return 7_000L + ordinal();
     }
@@ -50,6 +45,6 @@ public enum Regime {
 
     /** Ce que vaut chaque méthode. */
     List<Exactitude> juger() {
-        return Mesures.juger(figure(), 0, RAYONS, graine(), tirage, Arrays.asList(Formule.values()));
+        return Mesures.juger("regime-" + cle(), 0, RAYONS, graine(), tirage, Arrays.asList(Formule.values()));
     }
 }

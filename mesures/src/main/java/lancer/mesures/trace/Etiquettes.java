@@ -64,7 +64,10 @@ final class Etiquettes {
                     g.setFont(police);
                     g.setColor(couleur);
                     if (distance > FIL) {
-                        fil(x, y, place);
+                        double px = Math.max(place.getMinX(), Math.min(place.getMaxX(), x));
+                        double py = Math.max(place.getMinY(), Math.min(place.getMaxY(), y));
+                        g.setStroke(Style.TRAIT_FIN);
+                        g.draw(new Line2D.Double(px + 0.6 * (x - px), py + 0.6 * (y - py), px, py));
                     }
                     for (int k = 0; k < lignes.length; k++) {
                         g.drawString(lignes[k], (float) (cx - largeur / 2),
@@ -75,12 +78,5 @@ final class Etiquettes {
             }
         }
         return false;
-    }
-
-    private void fil(double x, double y, Rectangle2D place) {
-        double px = Math.max(place.getMinX(), Math.min(place.getMaxX(), x));
-        double py = Math.max(place.getMinY(), Math.min(place.getMaxY(), y));
-        g.setStroke(Style.TRAIT_FIN);
-        g.draw(new Line2D.Double(px + 0.6 * (x - px), py + 0.6 * (y - py), px, py));
     }
 }

@@ -13,7 +13,6 @@ public enum FormeDePoint {
     TRIANGLE(ShapeUtils.createUpTriangle(10)),
     POINTE(ShapeUtils.createDownTriangle(10)),
     LOSANGE(ShapeUtils.createDiamond(12)),
-    ETOILE(ShapeUtils.createDiagonalCross(9, 3.5f)),
     CROIX(ShapeUtils.createRegularCross(9, 3.5f)),
 
     /** Rien : il ne reste que le trait. */

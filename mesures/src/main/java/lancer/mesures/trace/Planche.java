@@ -39,7 +39,6 @@ public final class Planche {
     /** Des images en rangées, chacune sous son nom et ce qu'il y a à en dire, d'une ligne chacun. */
     private final List<BufferedImage> vignettes = new ArrayList<>();
     private final List<String[]> noms = new ArrayList<>();
-    private boolean legende = true;
     private int colonnes = Integer.MAX_VALUE;
     private int largeur = Style.LARGEUR;
     private int hauteur = Style.HAUTEUR;
@@ -63,12 +62,6 @@ public final class Planche {
     public Planche taille(int largeur, int hauteur) {
         this.largeur = largeur;
         this.hauteur = hauteur;
-        return this;
-    }
-
-    /** Les signes sont ceux d'une planche voisine. */
-    public Planche sansLegende() {
-        legende = false;
         return this;
     }
 
@@ -157,7 +150,7 @@ public final class Planche {
     /** La légende de tous les volets, chaque nom une fois, au-dessus de {@code bas}. @return sa hauteur */
     private double legender(Graphics2D g, double bas, double utile) {
         LegendItemCollection tous = new LegendItemCollection();
-        volets.stream().filter(v -> legende).forEach(v -> tous.addAll(v.legende()));
+        volets.forEach(v -> tous.addAll(v.legende()));
         LegendItemCollection items = new LegendItemCollection();
         Set<String> noms = new HashSet<>();
         IntStream.range(0, tous.getItemCount()).mapToObj(tous::get).filter(s -> noms.add(s.getLabel())).forEach(items::add);

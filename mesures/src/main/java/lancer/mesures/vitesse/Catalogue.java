@@ -70,11 +70,6 @@ final class Catalogue {
             this.methodes = methodes;
             this.lancements = lancements;
         }
-
-        /** Vrai si on y lance le programme entier, chaque fois. */
-        boolean enProcessus() {
-            return famille.equals(SPHERES);
-        }
     }
 
     /** Les réglages qui se comparent sur une même scène, scène par scène ; du catalogue court, la scène du cours seule. */

@@ -197,23 +197,12 @@ final class Comptes {
     /** Le coin de la découpe dont la somme des carrés des erreurs est la plus grande, de quart en quart de découpe. */
     private int[] coin(int[] pixels, double... carres) {
         double[] parPixel = new double[taille.pixels()];
-        for (int p = 0; p < pixels.length; p++) {
-            parPixel[pixels[p]] = carres[p];
-        }
-        int[] pire = {0, 0};
-        double laPire = -1;
-        for (int j = 0; j + DECOUPE.hauteur <= taille.hauteur; j += DECOUPE.hauteur / 4) {
-            for (int i = 0; i + DECOUPE.largeur <= taille.largeur; i += DECOUPE.largeur / 4) {
-                int debut = j * taille.largeur + i;
-                double somme = IntStream.range(0, DECOUPE.pixels())
-                        .mapToDouble(k -> parPixel[debut + k / DECOUPE.largeur * taille.largeur + k % DECOUPE.largeur]).sum();
-                if (somme > laPire) {
-                    laPire = somme;
-                    pire = new int[] {i, j};
-                }
-            }
-        }
-        return pire;
+        IntStream.range(0, pixels.length).forEach(p -> parPixel[pixels[p]] = carres[p]);
+        return IntStream.rangeClosed(0, 4 * (taille.hauteur - DECOUPE.hauteur) / DECOUPE.hauteur).boxed().flatMap(j ->
+                IntStream.rangeClosed(0, 4 * (taille.largeur - DECOUPE.largeur) / DECOUPE.largeur)
+                        .mapToObj(i -> new int[] {i * DECOUPE.largeur / 4, j * DECOUPE.hauteur / 4}))
+                .max(Comparator.comparingDouble(coin -> IntStream.range(0, DECOUPE.pixels()).mapToDouble(k -> parPixel[(coin[1]
+                        + k / DECOUPE.largeur) * taille.largeur + coin[0] + k % DECOUPE.largeur]).sum())).get();
     }
 
     private BufferedImage decoupe(ImageLineaire image, int[] coin) {

@@ -37,10 +37,6 @@ final class Constats {
         return releves.de(Catalogue.METHODES).scene(scene);
     }
 
-    Releves demandes() {
-        return releves.de(Catalogue.DEMANDES);
-    }
-
     Releves spheres(String methode) {
         return releves.de(Catalogue.SPHERES).methode(methode);
     }
@@ -59,7 +55,7 @@ final class Constats {
             }
             methodes(scene).tels(r -> r.parametres.equals("8 × 8")).get().forEach(r -> valeurs.put(scene + ".8x8", duel(scene, r)));
         }
-        for (Releve r : demandes().get()) {
+        for (Releve r : releves.de(Catalogue.DEMANDES).get()) {
             valeurs.put("demandes." + r.nom(), Noms.rapport(r.rapport()));
         }
         if (!releves.de(Catalogue.SPHERES).get().isEmpty()) {

@@ -1,7 +1,7 @@
 package lancer.mesures.vitesse;
 
 import java.lang.management.ManagementFactory;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.Arrays;
 
 /**
  * Un calcul toujours le même, par autant de fils que de cœurs : ce que la machine nous laisse. Elle est troublée si ces fils n'ont pas
@@ -29,20 +29,18 @@ final class Etalon {
 
     /** Vrai si la machine vient d'être à nous. */
     boolean estCalme() {
-        AtomicLong processeur = new AtomicLong();
-        AtomicLong reel = new AtomicLong();
-        AtomicLong leDernier = new AtomicLong();
+        // de chaque fil, à sa montre, sa durée et ce qu'il a eu de son cœur : le temps qu'il met à partir n'est celui de personne
+        long[] reel = new long[fils];
+        long[] processeur = new long[fils];
         Thread[] threads = new Thread[fils];
         for (int k = 0; k < fils; k++) {
+            int fil = k;
             threads[k] = new Thread(() -> {
-                // chacun à sa montre : le temps que met un fil à partir n'est celui de personne
                 long debut = System.nanoTime();
                 long avant = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
                 calculer();
-                processeur.addAndGet(ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - avant);
-                long duree = System.nanoTime() - debut;
-                reel.addAndGet(duree);
-                leDernier.accumulateAndGet(duree, Math::max);
+                processeur[fil] = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - avant;
+                reel[fil] = System.nanoTime() - debut;
             }, "etalon");
             threads[k].start();
         }
@@ -54,8 +52,9 @@ final class Etalon {
             Thread.currentThread().interrupt();
             return false;
         }
-        meilleurNs = Math.min(meilleurNs, leDernier.get());
-        return processeur.get() >= PART_MIN * reel.get() && leDernier.get() <= LENTEUR_MAX * meilleurNs;
+        long leDernier = Arrays.stream(reel).max().getAsLong();
+        meilleurNs = Math.min(meilleurNs, leDernier);
+        return Arrays.stream(processeur).sum() >= PART_MIN * Arrays.stream(reel).sum() && leDernier <= LENTEUR_MAX * meilleurNs;
     }
 
     private void calculer() {

@@ -121,10 +121,10 @@ final class Manches {
 
     private void renoncer(int essais, int gardees, int voulues, long dureeNs) throws IOException {
         if (toutes >= ESSAIS && 2 * jetees > toutes) {
-            throw troublee(jetees + " manches jetées sur " + toutes);
+            throw new Troublee(jetees + " manches jetées sur " + toutes);
         }
         if (essais >= Math.max(ESSAIS_MIN, 2 * voulues) && dureeNs > PATIENCE_NS) {
-            throw troublee(gardees + " manches gardées sur " + essais + " en " + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
+            throw new Troublee(gardees + " manches gardées sur " + essais + " en " + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
         }
     }
 
@@ -133,13 +133,9 @@ final class Manches {
 
         private static final long serialVersionUID = 1;
 
-        Troublee(String message) {
-            super(message);
+        Troublee(String raison) {
+            super("machine troublée : " + raison + " ; aucun temps n'est changé. Fermez ce qui l'occupe et recommencez ; ou "
+                    + "MESURES=--comptes, qui refait le reste sans rien chronométrer");
         }
-    }
-
-    private static IOException troublee(String raison) {
-        return new Troublee("machine troublée : " + raison + " ; aucun temps n'est changé. Fermez ce qui l'occupe et recommencez ; ou "
-                + "MESURES=--comptes, qui refait le reste sans rien chronométrer");
     }
 }

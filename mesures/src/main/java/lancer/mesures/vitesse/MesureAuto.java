@@ -33,7 +33,6 @@ import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
 import lancer.dessin.Dessinateur;
-import lancer.texte.Texte;
 
 /**
  * {@code --auto erreur=E} tient-il parole, et à quel prix ? Sur les scènes livrées et sur d'autres, faites pour le tromper : l'erreur de
@@ -59,29 +58,23 @@ public final class MesureAuto {
     }
 
     /** @param args le fichier, écrit à la fin ; une graine, et combien de scènes au sort à la place de toutes les autres */
-    public static void main(String[] args) {
-        try {
-            Map<String, Scene> scenes = args.length > 1 ? auSort(Integer.parseInt(args[1]), Integer.parseInt(args[2])) : toutes();
-            Path csv = Paths.get(args[0]);
-            StringBuilder lignes = new StringBuilder(COLONNES);
-            for (Map.Entry<String, Scene> scene : scenes.entrySet()) {
-                // une colonne de trois cents pixels, chacun plus large que les boules
-                Taille taille = scene.getKey().equals("colonne") ? new Taille(1, 300) : TAILLE;
-                for (String ligne : lignes(scene.getKey(), scene.getValue(), taille, ERREURS)) {
-                    lignes.append('\n').append(ligne);
-                    System.out.println(ligne);
-                }
-            }
-            Files.write(csv, Collections.singletonList(lignes));
-            bilan(FichierCsv.lire(csv)).forEach((nom, valeur) -> System.out.println(nom + " : " + valeur));
-            System.out.println("noté dans " + csv);
-        } catch (IllegalArgumentException | ArrayIndexOutOfBoundsException e) {
-            System.err.println("MesureAuto : " + e.getMessage() + " ; usage : MesureAuto FICHIER.csv [GRAINE COMBIEN]");
+    public static void main(String[] args) throws IOException {
+        if (args.length != 1 && (args.length != 3 || !(args[1] + args[2]).matches("[0-9]{1,9}"))) {
+            System.err.println("MesureAuto : usage : MesureAuto FICHIER.csv [GRAINE COMBIEN]");
             System.exit(2);
-        } catch (IOException e) {
-            System.err.println("MesureAuto : " + args[0] + " : " + Texte.panne(e));
-            System.exit(1);
         }
+        Map<String, Scene> scenes = args.length > 1 ? auSort(Integer.parseInt(args[1]), Integer.parseInt(args[2])) : toutes();
+        List<String> lignes = new ArrayList<>(Collections.singletonList(COLONNES));
+        for (Map.Entry<String, Scene> scene : scenes.entrySet()) {
+            // une colonne de trois cents pixels, chacun plus large que les boules
+            Taille taille = scene.getKey().equals("colonne") ? new Taille(1, 300) : TAILLE;
+            lignes.addAll(lignes(scene.getKey(), scene.getValue(), taille, ERREURS));
+            System.out.println(String.join("\n", lignes.subList(lignes.size() - ERREURS.length, lignes.size())));
+        }
+        Path csv = Paths.get(args[0]);
+        Files.write(csv, lignes);
+        bilan(FichierCsv.lire(csv)).forEach((nom, valeur) -> System.out.println(nom + " : " + valeur));
+        System.out.println("noté dans " + csv);
     }
 
     private static Map<String, Scene> auSort(int graine, int combien) {

@@ -76,9 +76,9 @@ final class Mesureur {
         long debut = System.nanoTime();
         for (Catalogue.Groupe groupe : groupes) {
             sortie.println(groupe.famille + ", " + groupe.scene + ", à " + (System.nanoTime() - debut) / 1_000_000_000 + " s");
-            groupe.methodes.removeIf(m -> povray == null && m.povray || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
+            groupe.methodes.removeIf(m -> m.povray && (povray == null || !groupe.famille.equals(Catalogue.SPHERES)) || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
             Path fichier = groupe.famille.equals(Catalogue.INTERSECTIONS) ? null : Scenes.fichier(groupe.scene, dossier);
-            if (groupe.enProcessus()) {
+            if (groupe.famille.equals(Catalogue.SPHERES)) {
                 enProcessus(groupe, fichier);
             } else {
                 enDessins(groupe, fichier);
@@ -112,8 +112,7 @@ final class Mesureur {
             try (Machine reperes = new Machine(groupe, groupe.methodes.get(0), fichier)) {
                 for (Methode methode : groupe.methodes) {
                     Map<String, String> champs = new HashMap<>();
-                    Manches.Temps pris = methode.povray ? parPovRay(groupe, methode, reperes)
-                            : parNous(groupe, methode, fichier, reperes, champs);
+                    Manches.Temps pris = chronometrer(groupe, methode, fichier, reperes, champs);
                     temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
                     if (lancement == lancements) {
                         champs.put("lancements", String.valueOf(lancements));
@@ -125,8 +124,8 @@ final class Mesureur {
     }
 
     /** @param champs où noter ce qui se compte et se vérifie, une fois les temps pris */
-    private Manches.Temps parNous(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes, Map<String, String> champs)
-            throws IOException {
+    private Manches.Temps chronometrer(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes,
+            Map<String, String> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
             Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs + machine.dureeNs));
             // d'une intersection, il n'y en a qu'un, vide
@@ -137,19 +136,6 @@ final class Mesureur {
             }
             return temps;
         }
-    }
-
-    /** Il ne prépare que ce dessin-ci : le temps est celui qu'il dit avoir passé à tracer. */
-    private Manches.Temps parPovRay(Catalogue.Groupe groupe, Methode methode, Machine reperes) throws IOException {
-        SceneJugee jugee = jugee(groupe, Scenes.fichier(groupe.scene, dossier));
-        return manches.mesurer(reperes, () -> {
-            jugee.dessiner(methode.options);
-            return new double[] {povray.temps()[1], povray.temps()[2]};
-        }, voulues(groupe, 2 * LONGUE_NS));
-    }
-
-    private SceneJugee jugee(Catalogue.Groupe groupe, Path fichier) throws IOException {
-        return new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
     }
 
     /** Un {@link Ouvrier}, échauffé. */
@@ -191,10 +177,11 @@ final class Mesureur {
             Programme programme = new Programme(fichier, methode.options);
             Manches.Echantillon echantillon = programme;
             if (methode.povray) {
-                SceneJugee jugee = jugee(groupe, fichier);
+                SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
+                        taille.hauteur);
                 echantillon = () -> {
                     jugee.dessiner(methode.options);
-                    return new double[] {povray.temps()[0], Double.NaN};
+                    return new double[] {povray.dureeNs(), Double.NaN};
                 };
             } else if (methode.nom.equals(Catalogue.EMBREE)) {
                 echantillon = () -> parEmbree(fichier);
@@ -208,7 +195,8 @@ final class Mesureur {
                 Ouvrier.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
             } else if (echantillon == programme) {
                 champs.putAll(programme.statistiques);
-                int pixels = methode.boucles ? 0 : pixelsARefaire(spheres);
+                // le moins qui en dise quelque chose quand chacun essaie un million de sphères par rayon
+                int pixels = methode.boucles ? 0 : Math.max(64, Math.min(2000, 100_000_000 / spheres));
                 Ouvrier.pixels(fichier, taille, pixels, programme.png);
                 champs.put("pixels_verifies", String.valueOf(pixels));
             }
@@ -260,11 +248,6 @@ final class Mesureur {
                 return new double[] {duree, Double.NaN};
             }
         }
-    }
-
-    /** Le moins qui en dise quelque chose quand chacun essaie un million de sphères par rayon. */
-    static int pixelsARefaire(int spheres) {
-        return Math.max(64, Math.min(2000, 100_000_000 / spheres));
     }
 
     private void noter(Catalogue.Groupe groupe, Methode methode, int spheres, Map<String, String> champs, Manches.Temps temps)

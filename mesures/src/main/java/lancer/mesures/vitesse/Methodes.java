@@ -9,7 +9,6 @@ import lancer.mesures.stabilite.Exactitude;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Noyau;
 import lancer.mesures.stabilite.Regime;
-import lancer.mesures.stabilite.Stabilite;
 import lancer.mesures.trace.Marque;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Serie;
@@ -61,7 +60,7 @@ final class Methodes {
             Volet volet = new Volet(regime.nom, "Le programme : " + Style.nombre(ns(regime, Formule.PROGRAMME).valeur) + " ns, "
                     + Style.arrondi(programme) + (programme < 2 ? " unité" : " unités"),
                     "temps d'une intersection, en ns", "pire erreur de t, en unités de κ u t")
-                    .repere(Stabilite.PROMESSE, "8, la borne promise");
+                    .repere(Bilan.PROMESSE, "8, la borne promise");
             for (Formule methode : Formule.values()) {
                 Exactitude r = bilan.en(regime, methode);
                 Marque m = new Marque(ns(regime, methode), Intervalle.exact(Math.max(0.05, r.erreurEnUnites)));
@@ -74,24 +73,14 @@ final class Methodes {
         return planche;
     }
 
-    /** Les nombres que montre la page : le tableau, et ceux que cite le texte. */
+    /** Les nombres que cite la page. */
     Map<String, String> pages() {
         Map<String, String> valeurs = new TreeMap<>();
-        StringBuilder tableau = new StringBuilder("\n\n| | ordinaire | loin | rasant | sol |\n|---|---|---|---|---|\n");
         for (Formule methode : Formule.values()) {
-            tableau.append("| ").append(methode.nom.replace("|", "\\|")).append(" |");
             for (Regime regime : Regime.values()) {
                 valeurs.put("methodes." + methode.cle() + "." + regime.cle(), cout(regime, methode));
-                Exactitude r = bilan.en(regime, methode);
-                Intervalle t = ns(regime, methode);
-                String erreur = r.erreurEnUnites < 1e4 ? Style.arrondi(r.erreurEnUnites) : Style.puissance(r.erreurEnUnites);
-                tableau.append(' ').append(Style.nombre(t.valeur)).append(" ns (de ").append(Style.nombre(t.min)).append(" à ")
-                        .append(Style.nombre(t.max)).append(") ; ").append(erreur)
-                        .append(r.faux == 0 ? "" : " ; " + Style.nombre(r.faux) + " faux").append(" |");
             }
-            tableau.append('\n');
         }
-        valeurs.put("methodes.tableau", tableau.append('\n').toString());
         valeurs.put("methodes.rayons", Style.nombre(bilan.en(Regime.ORDINAIRE, Formule.PROGRAMME).essais));
         return valeurs;
     }

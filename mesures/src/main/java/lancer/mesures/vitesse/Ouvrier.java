@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lancer.Constantes;
 import lancer.Scene;
@@ -136,16 +137,9 @@ final class Ouvrier {
     static void comparer(Path ppm, Path png, Taille taille) throws IOException {
         byte[] octets = Files.readAllBytes(ppm);
         BufferedImage image = ImageIO.read(png.toFile());
-        int faux = 0;
-        for (int k = 0; k < taille.pixels(); k++) {
-            int code = image.getRGB(k % taille.largeur, k / taille.largeur);
-            boolean pareil = true;
-            for (int c = 0; c < 3; c++) {
-                int sien = octets[octets.length - 3 * (taille.pixels() - k) + c] & 0xFF;
-                pareil &= Math.abs(sien - (code >> 16 - 8 * c & 0xFF)) <= 1;
-            }
-            faux += pareil ? 0 : 1;
-        }
+        int entete = octets.length - 3 * taille.pixels();
+        long faux = IntStream.range(0, taille.pixels()).filter(k -> IntStream.range(0, 3).anyMatch(c -> Math.abs((octets[entete + 3 * k + c]
+                & 0xFF) - (image.getRGB(k % taille.largeur, k / taille.largeur) >> 16 - 8 * c & 0xFF)) > 1)).count();
         if (100 * faux > taille.pixels()) {
             throw new IllegalStateException("image fausse : " + ppm + ", " + faux + " pixels");
         }

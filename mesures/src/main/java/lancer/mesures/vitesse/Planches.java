@@ -59,8 +59,8 @@ final class Planches {
             // une méthode dont le prix se règle d'un bout à l'autre, à partir d'un rayon par pixel, a une pente
             String bout = s[0].equals(Catalogue.PROFONDEUR) || erreurs.size() < 2 ? "" : s[1] + (s[0].equals(Catalogue.ENSEMBLE) ? ""
                     : " : pente " + Style.arrondi(constats.pente(scene, (String) s[0])));
-            erreur.serie(new Serie((String) s[3], (Color) s[4], (FormeDePoint) s[5], suite, erreurs).auBout(suite ? bout : ""));
-            visible.serie(new Serie((String) s[3], (Color) s[4], (FormeDePoint) s[5], suite, parts));
+            erreur.serie(new Serie("", (Color) s[4], (FormeDePoint) s[5], suite, erreurs).auBout(suite ? bout : ""));
+            visible.serie(new Serie("", (Color) s[4], (FormeDePoint) s[5], suite, parts));
         }
         return new Planche(constats.titre(scene),
                 "À choisir : le plus bas que l'on veut bien payer sur l'escalier gris, dont chaque marche "
@@ -69,7 +69,7 @@ final class Planches {
                 + "de chaque pixel, sans limite de reflets ; barres : 19 fois sur 20. Visiblement faux : plus de " + Gabarit.VISIBLE
                 + " niveaux sur une composante. " + siens.get().get(0).texte("largeur") + " × " + siens.get().get(0).texte("hauteur")
                 + ". Temps : au temps d'un rayon. " + note)
-                .colonnes(1).taille(Style.LARGEUR, 1500).sansLegende().volet(erreur).volet(visible);
+                .colonnes(1).taille(Style.LARGEUR, 1500).volet(erreur).volet(visible);
     }
 
     private static String nom(Releve r) {

@@ -11,8 +11,7 @@ import java.util.TreeMap;
 import lancer.atelier.FichierCsv;
 import lancer.atelier.PagesMesurees;
 import lancer.mesures.stabilite.Bilan;
-import lancer.mesures.stabilite.Stabilite;
-import lancer.mesures.trace.Planche;
+import lancer.mesures.stabilite.Figures;
 
 /** Des mesures d'un dossier aux courbes, aux tableaux et aux pages. */
 final class Rapport {
@@ -20,12 +19,6 @@ final class Rapport {
     /** Ce que « make mesures » réécrit dans le projet. */
     static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
         Paths.get("docs/classe.md"), Paths.get("mesures/resultats/besoins.md")};
-
-    /** Celui de {@code make mesure-auto}. */
-    private static final String AUTO = "auto.csv";
-
-    /** Celui de {@code make mesure-corriger}. */
-    private static final String CORRIGER = "corriger.csv";
 
     private final Path dossier;
     private final PrintStream sortie;
@@ -40,7 +33,7 @@ final class Rapport {
         this.dossier = dossier;
         this.sortie = sortie;
         constats = new Constats(Releves.lire(dossier), FichierCsv.lire(dossier.resolve(Vitesse.BESOINS)));
-        bilan = Stabilite.lire(dossier);
+        bilan = new Bilan(dossier);
         Releves temps = new Releves(Releves.lignes(dossier.resolve(Methodes.CSV)));
         methodes = temps.get().isEmpty() ? null : new Methodes(temps, bilan);
     }
@@ -52,11 +45,12 @@ final class Rapport {
         if (methodes != null) {
             valeurs.putAll(methodes.pages());
         }
-        if (Files.exists(dossier.resolve(AUTO))) {
-            valeurs.putAll(MesureAuto.bilan(FichierCsv.lire(dossier.resolve(AUTO))));
+        if (Files.exists(dossier.resolve("auto.csv"))) {
+            valeurs.putAll(MesureAuto.bilan(FichierCsv.lire(dossier.resolve("auto.csv"))));
         }
-        if (Files.exists(dossier.resolve(CORRIGER))) {
-            Map<String, String> c = FichierCsv.lire(dossier.resolve(CORRIGER)).get(0);
+        // de make mesure-corriger
+        if (Files.exists(dossier.resolve("corriger.csv"))) {
+            Map<String, String> c = FichierCsv.lire(dossier.resolve("corriger.csv")).get(0);
             valeurs.put("corriger", c.get("secondes") + " s sur " + c.get("coeurs") + " cœurs, et " + c.get("mo") + " Mo");
         }
         return valeurs;
@@ -66,23 +60,19 @@ final class Rapport {
     void ecrire(boolean pages) throws IOException {
         Planches planches = new Planches(constats);
         for (String scene : constats.releves.de(Catalogue.METHODES).scenes()) {
-            ecrire(planches.scene(scene), scene);
+            planches.scene(scene).ecrire(dossier.resolve(scene + ".png"));
         }
         if (!constats.releves.de(Catalogue.SPHERES).get().isEmpty()) {
-            ecrire(planches.spheres(), "spheres");
+            planches.spheres().ecrire(dossier.resolve("spheres.png"));
         }
-        Stabilite.dessiner(dossier);
+        Figures.ecrire(dossier);
         if (methodes != null) {
-            ecrire(methodes.planche(), "methodes");
+            methodes.planche().ecrire(dossier.resolve("methodes.png"));
         }
         Map<String, String> valeurs = valeurs();
         valeurs.forEach((nom, valeur) -> sortie.println(nom + " : " + valeur));
         for (Path page : pages ? PAGES : new Path[0]) {
             PagesMesurees.reecrire(page, valeurs);
         }
-    }
-
-    private void ecrire(Planche planche, String nom) throws IOException {
-        planche.ecrire(dossier.resolve(nom + ".png"));
     }
 }

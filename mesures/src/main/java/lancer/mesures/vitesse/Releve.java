@@ -25,7 +25,7 @@ final class Releve {
     private final Map<String, String> champs;
 
     /** Ce dont deux machines virtuelles qui font la même chose s'écartent, un facteur : les rapports ne disent rien de plus fin. */
-    private double marge = 1;
+    double marge = 1;
 
     /** @param champs par nom de colonne */
     Releve(Map<String, String> champs) {
@@ -49,10 +49,6 @@ final class Releve {
 
     static String reel(double valeur) {
         return Double.isNaN(valeur) || Double.isInfinite(valeur) ? "" : valeur == 0 ? "0" : String.format(Locale.ROOT, "%.5g", valeur);
-    }
-
-    void elargir(double facteur) {
-        marge = facteur;
     }
 
     String texte(String colonne) {

@@ -32,7 +32,7 @@ final class Releves {
     static Releves lire(Path dossier) throws IOException {
         Releves temps = new Releves(lignes(dossier.resolve(Vitesse.CSV)));
         double marge = temps.marge();
-        temps.tous.stream().filter(Releve::estDUneMachine).forEach(r -> r.elargir(marge));
+        temps.tous.stream().filter(Releve::estDUneMachine).forEach(r -> r.marge = marge);
         List<Releve> tous = new ArrayList<>();
         for (Releve r : lignes(dossier.resolve(Comptes.CSV))) {
             tous.add(temps.tous.stream().filter(r::estLeMeme).findFirst().map(t -> t.avec(r)).orElse(r));

@@ -20,16 +20,12 @@ import lancer.SceneFautive;
 import lancer.atelier.Scenes;
 import lancer.commande.Pannes;
 import lancer.mesures.juge.PovRay;
-import lancer.mesures.stabilite.Stabilite;
+import lancer.mesures.stabilite.Mesures;
 import lancer.texte.Texte;
 
 /**
- * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux.
- *
- * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse [--rapide] [--agitee]
- *      [--comptes | --temps | --noyaux | --stabilite | --dessiner]
- * </pre>
+ * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
+ * {@code make mesures}, avec {@code --rapide} ou {@code --agitee}, et au plus une des autres options.
  *
  * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
  * changé à {@code mesures/resultats} ; 2 la demande était fausse.
@@ -44,8 +40,6 @@ public final class Vitesse {
 
     /** Où finit une mesure complète, avec ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
-
-    private static final Path SCENES = Paths.get("scenes");
 
     private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
 
@@ -93,8 +87,8 @@ public final class Vitesse {
     }
 
     private void faire() throws IOException {
-        if (!Files.isDirectory(SCENES)) {
-            throw new IllegalArgumentException("pas de dossier " + SCENES + " ici ; à lancer à la racine du projet");
+        if (!Files.isDirectory(Paths.get("scenes"))) {
+            throw new IllegalArgumentException("pas de dossier scenes ici ; à lancer à la racine du projet");
         }
         long debut = System.nanoTime();
         boolean tout = options.stream().allMatch(o -> o.equals("--rapide") || o.equals("--agitee"));
@@ -118,8 +112,8 @@ public final class Vitesse {
         }
         if (comptes || options.contains("--stabilite")) {
             sortie.println("stabilité");
-            Stabilite.mesurer(atelier, rapide);
-            neufs.add(Stabilite.CSV);
+            new Mesures(rapide).ecrire(atelier);
+            neufs.add(Mesures.CSV);
         }
         if (temps) {
             chronometrer(povray, new Catalogue(rapide).groupes(), CSV);

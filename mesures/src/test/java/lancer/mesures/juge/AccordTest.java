@@ -26,7 +26,7 @@ class AccordTest {
         decaler(203, 1, 300);
         decaler(2007, 2, 256);
         decaler(2009, 2, 0.9);
-        Accord accord = new Accord(nous, lui);
+        Juge.Accord accord = new Juge.Accord(nous, lui);
         assertEquals(1, accord.auDela8);
         assertEquals(2, accord.auDela16);
         assertEquals(300 / 257.0, accord.pire, 1e-9);
@@ -39,9 +39,9 @@ class AccordTest {
         for (int k = 0; k < 5; k++) {
             decaler(k, 0, 40);
         }
-        assertTrue(new Accord(nous, lui).estLa());
+        assertTrue(new Juge.Accord(nous, lui).estLa());
         decaler(5, 2, 40);
-        assertFalse(new Accord(nous, lui).estLa());
+        assertFalse(new Juge.Accord(nous, lui).estLa());
     }
 
     @Test
@@ -49,7 +49,7 @@ class AccordTest {
         for (int k = 0; k < 5000; k++) {
             decaler(k, 0, 2 * 257);
         }
-        assertEquals(Math.sqrt(2.0 * 2 / 3), new Accord(nous, lui).moyen, 1e-9);
+        assertEquals(Math.sqrt(2.0 * 2 / 3), new Juge.Accord(nous, lui).moyen, 1e-9);
     }
 
     @Test
@@ -57,6 +57,6 @@ class AccordTest {
         nous.getComposantes()[0] = 7;
         lui.getComposantes()[0] = 1;
         nous.getComposantes()[4] = -1;
-        assertEquals(0, new Accord(nous, lui).pire);
+        assertEquals(0, new Juge.Accord(nous, lui).pire);
     }
 }

@@ -52,9 +52,9 @@ class PovRayTest {
     }
 
     @Test
-    void sonTempsEstCeluiQuIlDitAvoirPasseATracer() throws IOException {
+    void sesOptionsLuiSontTransmisesEtSonTempsEstCeluiDeLaCommande() throws IOException {
         dessiner(0, image(), "+A0.1", "+R3");
-        assertArrayEquals(new double[] {1.25e9, 2.5e9}, Arrays.copyOfRange(povray.temps(), 1, 3));
+        assertTrue(povray.dureeNs() > 0);
         assertTrue(Files.readAllLines(dossier.resolve("demandes")).get(0).endsWith(" -J +A0.1 +R3"));
     }
 

@@ -45,8 +45,7 @@ final class ScenesJugees {
                 "[ \"$1\" = --version ] && { echo 'POV-Ray 3.9.1.unofficial'; exit; }",
                 "echo \"$@\" >> \"$d/demandes\"",
                 "[ $(wc -l < \"$d/demandes\") -gt $(cat \"$d/echecs\") ] || { echo; echo 'Fatal error: en retard'; exit 3; }",
-                "echo 'Trace Time:       0 hours  0 minutes  1 seconds (1.250 seconds)'",
-                "echo '              using 2 thread(s) with 2.500 CPU-seconds total'", "cp \"$d/image.png\" \"${2#+O}\""),
+                "cp \"$d/image.png\" \"${2#+O}\""),
                 StandardCharsets.UTF_8);
         assertTrue(commande.toFile().setExecutable(true));
         return commande.toString();

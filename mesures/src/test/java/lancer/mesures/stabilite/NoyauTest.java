@@ -14,7 +14,7 @@ class NoyauTest {
         for (Formule formule : Formule.values()) {
             Noyau.verifier(formule, Regime.ORDINAIRE);
         }
-        IllegalStateException refus = assertThrows(IllegalStateException.class, () -> Noyau.verifier(Formule.FLOAT, Regime.LOIN));
+        IllegalStateException refus = assertThrows(IllegalStateException.class, () -> Noyau.verifier(Formule.MANUEL, Regime.LOIN));
         assertTrue(refus.getMessage().contains("aucun temps"), refus.getMessage());
     }
 

@@ -28,18 +28,18 @@ class StabiliteTest {
     @Test
     void refaitesLesCourbesSontLesMemesAuBitPresEtSeDessinentSansEcran() throws IOException {
         Path deuxieme = Files.createDirectory(dossier.resolve("deux"));
-        Stabilite.mesurer(dossier, true);
-        Stabilite.mesurer(deuxieme, true);
-        assertArrayEquals(Files.readAllBytes(dossier.resolve(Stabilite.CSV)), Files.readAllBytes(deuxieme.resolve(Stabilite.CSV)));
-        Stabilite.dessiner(dossier);
+        new Mesures(true).ecrire(dossier);
+        new Mesures(true).ecrire(deuxieme);
+        assertArrayEquals(Files.readAllBytes(dossier.resolve(Mesures.CSV)), Files.readAllBytes(deuxieme.resolve(Mesures.CSV)));
+        Figures.ecrire(dossier);
         for (String nom : new String[] {"loin", "ras", "sol", "petites", "reflets"}) {
             BufferedImage planche = ImageIO.read(dossier.resolve("stabilite-" + nom + ".png").toFile());
             assertEquals(1600, planche.getWidth(), nom);
         }
-        Bilan bilan = new Bilan(Exactitude.lire(dossier.resolve(Stabilite.CSV)));
+        Bilan bilan = new Bilan(dossier);
         // ce que la page promet et raconte, sur ces rayons-ci aussi
-        assertTrue(bilan.unites(Mesures.LOIN) <= Stabilite.PROMESSE && bilan.unites(Mesures.RAS) <= Stabilite.PROMESSE
-                && bilan.unites(Mesures.RAS_LOIN) <= Stabilite.PROMESSE);
+        assertTrue(bilan.unites(Mesures.LOIN) <= Bilan.PROMESSE && bilan.unites(Mesures.RAS) <= Bilan.PROMESSE
+                && bilan.unites(Mesures.RAS_LOIN) <= Bilan.PROMESSE);
         assertEquals(0, bilan.faux(Mesures.LOIN, Formule.PROGRAMME, Bilan.DE_LOIN));
         assertTrue(bilan.faux(Mesures.LOIN, Formule.MANUEL, Bilan.DE_LOIN) > 100, "de loin, le manuel ne sait plus qui touche");
         assertTrue(bilan.pente() > 0.8 && bilan.pente() < 1.2, "pente " + bilan.pente());
@@ -79,31 +79,31 @@ class StabiliteTest {
 
     @Test
     void lesComptesNotesSontCeuxDuProgrammeDeCeCommit() throws IOException {
-        List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Stabilite.CSV));
+        List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Mesures.CSV));
         List<String> sol = comptes(notees.stream().filter(r -> r.figure.equals(Mesures.SOL)).collect(Collectors.toList()));
         assertEquals(comptes(new Mesures(false).sol()), sol, "make mesures MESURES=--stabilite");
-        double dite = Double.parseDouble(new Bilan(notees).nombres().get("stabilite.ras.unites").replace(',', '.'));
+        double dite = Double.parseDouble(new Bilan(RESULTATS).nombres().get("stabilite.ras.unites").replace(',', '.'));
         assertTrue(notees.stream().filter(r -> r.figure.startsWith(Mesures.RAS) && r.formule.equals("programme"))
                 .allMatch(r -> r.erreurEnUnites <= dite), "au plus " + dite + " : un arrondi ne doit pas le rendre faux");
     }
 
     @Test
     void lesErreursDesMethodesSontCellesNoteesEtLeProgrammeEstLeSeulQuiTienneSaBorne() throws IOException {
-        List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Stabilite.CSV));
+        List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Mesures.CSV));
         for (Regime regime : Regime.values()) {
             assertEquals(comptes(regime.juger()),
-                    comptes(notees.stream().filter(r -> r.figure.equals(regime.figure())).collect(Collectors.toList())),
+                    comptes(notees.stream().filter(r -> r.figure.equals("regime-" + regime.cle())).collect(Collectors.toList())),
                     "make mesures MESURES=--stabilite");
         }
-        Bilan bilan = new Bilan(notees);
+        Bilan bilan = new Bilan(RESULTATS);
         for (Formule methode : Formule.values()) {
             boolean notre = methode == Formule.PROGRAMME || methode == Formule.RECHERCHE;
             assertEquals(notre, Arrays.stream(Regime.values()).map(r -> bilan.en(r, methode))
-                    .allMatch(r -> r.faux == 0 && r.erreurEnUnites <= Stabilite.PROMESSE), methode.nom);
+                    .allMatch(r -> r.faux == 0 && r.erreurEnUnites <= Bilan.PROMESSE), methode.nom);
         }
         assertTrue(bilan.en(Regime.LOIN, Formule.MANUEL).part() > 0.05, "de loin, le manuel ne sait plus qui touche");
-        assertTrue(bilan.en(Regime.SOL, Formule.PERPENDICULAIRE).erreurEnUnites > 100 * Stabilite.PROMESSE, "l'arrondi de P − C");
-        assertTrue(bilan.en(Regime.LOIN, Formule.COMPENSEE).erreurEnUnites > 100 * Stabilite.PROMESSE,
+        assertTrue(bilan.en(Regime.SOL, Formule.PERPENDICULAIRE).erreurEnUnites > 100 * Bilan.PROMESSE, "l'arrondi de P − C");
+        assertTrue(bilan.en(Regime.LOIN, Formule.COMPENSEE).erreurEnUnites > 100 * Bilan.PROMESSE,
                 "b² − c perd de loin ce que la perpendiculaire garde");
     }
 
