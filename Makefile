@@ -105,6 +105,7 @@ juge: mesures/target/mesures.jar
 # de graine 1000 et suivantes, dans mesures/target/auto.csv.
 mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto $(if $(AUTO),mesures/target,mesures/resultats)/auto.csv $(AUTO)
+	@$(if $(AUTO),,$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --dessiner)
 
 # Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; outils/mutants.md dit ce qui leur échappe, et pourquoi.
 mutations: mesures/target/mesures.jar

@@ -85,7 +85,6 @@ public final class Juge {
         PovRay juge = new PovRay(valeurs.getOrDefault("--povray", PovRay.COMMANDE), Files.createDirectories(DOSSIER));
         sortie.println("Le juge est " + juge.nom() + " ; " + dessin.largeur + " × " + dessin.hauteur
                 + " ; écarts en niveaux");
-        sortie.println();
         sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
         csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
         for (String fichier : scenes) {

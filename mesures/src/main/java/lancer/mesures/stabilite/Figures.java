@@ -18,7 +18,6 @@ import lancer.mesures.trace.Volet;
 public final class Figures {
 
     private static final String ERREUR = "erreur relative de t, la pire";
-    private static final String TANGENTE = "1 − l/r, vers la tangente";
 
     /** Où dessiner une part nulle, en %, sur un axe qui ne saurait l'atteindre. */
     private static final double AUCUN = 0.05;
@@ -70,7 +69,7 @@ public final class Figures {
 
     private Volet rasant(String figure, double distance) {
         Volet volet = new Volet("L'erreur du manuel est " + nombre(figure + ".rapport") + " fois celle du programme",
-                "À " + Style.nombre(distance) + " r du centre", TANGENTE, ERREUR).versZero();
+                "À " + Style.nombre(distance) + " r du centre", "1 − l/r, vers la tangente", ERREUR).versZero();
         courbes(volet, figure, r -> r.erreurRelative, true);
         return volet.serie(guide("8 u (1 + r/h), la borne promise", Style.GRIS, figure, Bilan.PROMESSE))
                 .serie(guide("u (1 + r/h), l'effet d'un arrondi", Style.FRONT, figure, 1));

@@ -73,7 +73,7 @@ public final class MesureAuto {
         }
         Path csv = Paths.get(args[0]);
         Files.write(csv, lignes);
-        bilan(FichierCsv.lire(csv)).forEach((nom, valeur) -> System.out.println(nom + " : " + valeur));
+        System.out.println(phrase(FichierCsv.lire(csv)));
         System.out.println("noté dans " + csv);
     }
 
@@ -145,24 +145,32 @@ public final class MesureAuto {
         return lignes;
     }
 
-    /** Ce qu'en disent les pages, par noms. */
+    /** Ce qu'en dit la page. */
+    static String phrase(List<Map<String, String>> lignes) {
+        Map<String, String> b = bilan(lignes);
+        return "là où un réglage tient, l'erreur voulue est tenue " + b.get("tenues") + " ; où elle est dépassée de moitié, le contrôle le "
+                + "dit " + b.get("graves") + ", et il dit « tenue » à tort " + b.get("a_tort") + ". Le dessin coûte, au prix du moins cher "
+                + "qui tient, " + b.get("prix") + " fois en médiane, " + b.get("prix60") + " au plus dans 60 cas sur cent, "
+                + b.get("prix90") + " dans 90 ; les essais restent sous leur borne " + b.get("essais");
+    }
+
+    /** Par noms. */
     static Map<String, String> bilan(List<Map<String, String>> lignes) {
         Map<String, String> bilan = new TreeMap<>();
         List<Map<String, String>> tenables = lignes.stream().filter(l -> !l.get("oracle").isEmpty()).collect(Collectors.toList());
-        bilan.put("auto.tenues", compte(tenables, l -> x(l, "erreur") <= x(l, "erreur_voulue")));
+        bilan.put("tenues", compte(tenables, l -> x(l, "erreur") <= x(l, "erreur_voulue")));
         List<Map<String, String>> graves = lignes.stream().filter(l -> x(l, "erreur") > 1.5 * x(l, "erreur_voulue"))
                 .collect(Collectors.toList());
-        bilan.put("auto.graves", compte(graves, l -> l.get("verdict").startsWith("erreur voulue dépassée")));
-        bilan.put("auto.a_tort", compte(lignes, l -> l.get("verdict").equals("erreur voulue tenue")
+        bilan.put("graves", compte(graves, l -> l.get("verdict").startsWith("erreur voulue dépassée")));
+        bilan.put("a_tort", compte(lignes, l -> l.get("verdict").equals("erreur voulue tenue")
                 && x(l, "erreur") > x(l, "erreur_voulue")));
-        bilan.put("auto.essais", compte(lignes, l -> x(l, "rayons_des_essais") <= Math.max(ESSAIS / pixels(l),
+        bilan.put("essais", compte(lignes, l -> x(l, "rayons_des_essais") <= Math.max(ESSAIS / pixels(l),
                 PART_DES_ESSAIS * x(l, "rayons"))));
         // moins cher que l'oracle, c'est qu'il ne tient pas, ou que la recherche n'est pas si dense
         double[] prix = tenables.stream().mapToDouble(l -> Math.max(1, x(l, "rayons") / x(l, "rayons_oracle"))).sorted().toArray();
-        bilan.put("auto.prix", nombre(quantile(prix, 0.5)));
-        bilan.put("auto.prix60", nombre(quantile(prix, 0.6)));
-        bilan.put("auto.prix90", nombre(quantile(prix, 0.9)));
-        bilan.put("auto.prixpire", nombre(quantile(prix, 1)));
+        bilan.put("prix", nombre(quantile(prix, 0.5)));
+        bilan.put("prix60", nombre(quantile(prix, 0.6)));
+        bilan.put("prix90", nombre(quantile(prix, 0.9)));
         return bilan;
     }
 

@@ -76,7 +76,8 @@ final class Mesureur {
         long debut = System.nanoTime();
         for (Catalogue.Groupe groupe : groupes) {
             sortie.println(groupe.famille + ", " + groupe.scene + ", à " + (System.nanoTime() - debut) / 1_000_000_000 + " s");
-            groupe.methodes.removeIf(m -> m.povray && (povray == null || !groupe.famille.equals(Catalogue.SPHERES)) || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
+            groupe.methodes.removeIf(m -> m.povray && (povray == null || !groupe.famille.equals(Catalogue.SPHERES))
+                    || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
             Path fichier = groupe.famille.equals(Catalogue.INTERSECTIONS) ? null : Scenes.fichier(groupe.scene, dossier);
             if (groupe.famille.equals(Catalogue.SPHERES)) {
                 enProcessus(groupe, fichier);
@@ -91,7 +92,7 @@ final class Mesureur {
      * en a moins, mais chacune est déjà une moyenne. C'est décidé avant la première.
      */
     private int voulues(Catalogue.Groupe groupe, double mancheNs) {
-        double tiennent = (court ? LONGUE_NS / 5 : groupe.lancements > 1 ? 2 * LONGUE_NS : 3 * LONGUE_NS) / mancheNs;
+        double tiennent = LONGUE_NS * (court ? 0.2 : groupe.lancements > 1 ? 2 : 3) / mancheNs;
         int moins = groupe.lancements > 1 || mancheNs > 5 * LONGUE_NS ? 3 : mancheNs > LONGUE_NS ? 4 : 5;
         return agitee ? 2 : (int) Math.max(moins, Math.min(MANCHES_MAX, tiennent));
     }

@@ -18,7 +18,6 @@ import lancer.mesures.trace.Volet;
 /** Ce que coûte chaque façon de calculer une distance, et de combien elle se trompe, dans chaque {@link Regime}. */
 final class Methodes {
 
-    /** Leurs temps. */
     static final String CSV = "methodes.csv";
 
     private final Releves temps;

@@ -18,7 +18,7 @@ final class Rapport {
 
     /** Ce que « make mesures » réécrit dans le projet. */
     static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
-        Paths.get("docs/classe.md"), Paths.get("mesures/resultats/besoins.md")};
+        Paths.get("docs/classe.md"), Paths.get("docs/auto.md"), Paths.get("mesures/resultats/besoins.md")};
 
     private final Path dossier;
     private final PrintStream sortie;
@@ -45,10 +45,8 @@ final class Rapport {
         if (methodes != null) {
             valeurs.putAll(methodes.pages());
         }
-        if (Files.exists(dossier.resolve("auto.csv"))) {
-            valeurs.putAll(MesureAuto.bilan(FichierCsv.lire(dossier.resolve("auto.csv"))));
-        }
-        // de make mesure-corriger
+        Path auto = dossier.resolve("auto.csv");
+        valeurs.put("auto", Files.exists(auto) ? MesureAuto.phrase(FichierCsv.lire(auto)) : "pas encore mesuré");
         if (Files.exists(dossier.resolve("corriger.csv"))) {
             Map<String, String> c = FichierCsv.lire(dossier.resolve("corriger.csv")).get(0);
             valeurs.put("corriger", c.get("secondes") + " s sur " + c.get("coeurs") + " cœurs, et " + c.get("mo") + " Mo");

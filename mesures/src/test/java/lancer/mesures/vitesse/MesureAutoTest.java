@@ -33,10 +33,10 @@ class MesureAutoTest {
         List<Map<String, String>> lues = FichierCsv.lire(Files.write(dossier.resolve("auto.csv"), lignes, StandardCharsets.UTF_8));
         assertEquals(2, lues.size());
         Map<String, String> bilan = MesureAuto.bilan(lues);
-        assertEquals("2 fois sur 2", bilan.get("auto.tenues"), "" + lues);
-        assertEquals("0 fois sur 2", bilan.get("auto.a_tort"), "" + lues);
-        assertEquals("2 fois sur 2", bilan.get("auto.essais"), "" + lues);
-        assertTrue(Double.parseDouble(bilan.get("auto.prixpire")) < 2, "" + lues);
+        assertEquals("2 fois sur 2", bilan.get("tenues"), "" + lues);
+        assertEquals("0 fois sur 2", bilan.get("a_tort"), "" + lues);
+        assertEquals("2 fois sur 2", bilan.get("essais"), "" + lues);
+        assertTrue(Double.parseDouble(bilan.get("prix90")) < 2, "" + lues);
     }
 
     @Test
@@ -49,8 +49,8 @@ class MesureAutoTest {
         lignes.add("d,10x10,2,r,4,erreur voulue tenue,30,,,5");
         Map<String, String> bilan = MesureAuto.bilan(FichierCsv.lire(Files.write(dossier.resolve("a.csv"), lignes,
                 StandardCharsets.UTF_8)));
-        assertEquals("{auto.a_tort=2 fois sur 4, auto.essais=3 fois sur 4, auto.graves=1 fois sur 2, auto.prix=1.500, auto.prix60=1.500, "
-                + "auto.prix90=1.500, auto.prixpire=1.500, auto.tenues=1 fois sur 3}", bilan.toString());
+        assertEquals("{a_tort=2 fois sur 4, essais=3 fois sur 4, graves=1 fois sur 2, prix=1.500, prix60=1.500, "
+                + "prix90=1.500, tenues=1 fois sur 3}", bilan.toString());
     }
 
     /** Plus d'erreur permise ne coûte jamais plus cher, et rien n'est jamais plus cher que le premier qui tient. */

@@ -207,7 +207,7 @@ class VitesseTest {
         Methodes methodes = new Methodes(new Releves(Releves.lignes(dossier.resolve(Methodes.CSV))), new Bilan(RESULTATS));
         Map<String, String> pages = methodes.pages();
         assertEquals("autant, à l'intervalle près", pages.get("methodes.perpendiculaire.loin"));
-        assertEquals("× 1,4", pages.get("methodes.programme.loin"));
+        assertEquals("× 1,3", pages.get("methodes.programme.loin"));
         methodes.planche().ecrire(dossier.resolve("methodes.png"));
         assertTrue(Files.exists(dossier.resolve("methodes.png")));
     }
