@@ -65,9 +65,12 @@ final class Dialogues {
             // celle de Java, déjà en place
         }
         JComponent.setDefaultLocale(Locale.FRANCE);
-        // selon Java, il en manque
+    }
+
+    /** Pose, avant le premier dialogue, les textes des siens : selon Java, il en manque en français. */
+    private static void traduire() {
         for (String[] texte : lire("dialogues.txt")) {
-            UIManager.put(texte[0], texte[1]);
+            UIManager.getLookAndFeelDefaults().put(texte[0], texte[1]);
         }
     }
 
@@ -152,6 +155,7 @@ final class Dialogues {
 
     /** @param actuelle la scène déjà ouverte, dont le dossier est proposé, ou {@code null} */
     static File choisirScene(Component parent, String actuelle) {
+        traduire();
         JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
         File choisi = choisir(parent, choix, "Ouvrir une scène", new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
         File complet = choisi == null ? null : new File(choisi.getPath() + ".ini");
@@ -169,6 +173,7 @@ final class Dialogues {
     }
 
     static File choisirImage(Component parent, File proposee) {
+        traduire();
         JFileChooser choix = new JFileChooser(proposee.getParentFile());
         choix.setDialogType(JFileChooser.SAVE_DIALOG);
         choix.setSelectedFile(proposee);
@@ -177,6 +182,7 @@ final class Dialogues {
 
     /** Demande une couleur, {@code null} pour garder celle-ci ; par ses trois composantes, comme dans la scène. */
     static Color choisirCouleur(Component parent, Color actuelle) {
+        traduire();
         JColorChooser choix = new JColorChooser(actuelle);
         for (AbstractColorChooserPanel panneau : choix.getChooserPanels()) {
             if (choix.getChooserPanels().length > 1 && !panneau.getDisplayName().matches("R[GV]B")) {
