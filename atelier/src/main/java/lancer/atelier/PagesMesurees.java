@@ -22,10 +22,13 @@ public final class PagesMesurees {
     private PagesMesurees() {
     }
 
-    /** Réécrit les nombres de cette page. */
+    /** Réécrit les nombres de cette page, s'ils changent. */
     public static void reecrire(Path page, Map<String, String> valeurs) throws IOException {
         String avant = new String(Files.readAllBytes(page), StandardCharsets.UTF_8);
-        Files.write(page, remplacer(avant, valeurs).getBytes(StandardCharsets.UTF_8));
+        String apres = remplacer(avant, valeurs);
+        if (!apres.equals(avant)) {
+            Files.write(page, apres.getBytes(StandardCharsets.UTF_8));
+        }
     }
 
     /** @throws IllegalArgumentException si un nombre demandé n'est pas de ceux que l'on a */
