@@ -86,7 +86,7 @@ final class Catalogue {
         List<Groupe> groupes = reglages();
         // les temps de celles dont aucun réglage ne se compare
         for (String scene : court ? new String[0] : new String[] {"brume", "diffus", "ombres"}) {
-            groupes.add(new Groupe(BESOINS, scene, Collections.singletonList(new Methode(TELLE_QUELLE, "")), 1));
+            groupes.add(new Groupe(BESOINS, scene, new ArrayList<>(Collections.singletonList(new Methode(TELLE_QUELLE, ""))), 1));
         }
         groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5));
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {

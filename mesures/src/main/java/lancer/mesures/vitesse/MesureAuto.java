@@ -148,6 +148,7 @@ public final class MesureAuto {
     /** Ce qu'en dit la page. */
     static String phrase(List<Map<String, String>> lignes) {
         Map<String, String> b = bilan(lignes);
+        b.replaceAll((nom, valeur) -> valeur.replace('.', ','));
         return "là où un réglage tient, l'erreur voulue est tenue " + b.get("tenues") + " ; où elle est dépassée de moitié, le contrôle le "
                 + "dit " + b.get("graves") + ", et il dit « tenue » à tort " + b.get("a_tort") + ". Le dessin coûte, au prix du moins cher "
                 + "qui tient, " + b.get("prix") + " fois en médiane, " + b.get("prix60") + " au plus dans 60 cas sur cent, "
