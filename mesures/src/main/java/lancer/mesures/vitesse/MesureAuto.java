@@ -28,11 +28,10 @@ import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 import lancer.auto.Auto;
 import lancer.contrat.Variante;
-import lancer.fils.Traceur;
+import lancer.dessin.Dessinateur;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
-import lancer.dessin.Dessinateur;
 
 /**
  * {@code --auto erreur=E} tient-il parole, et à quel prix ? Sur les scènes livrées et sur d'autres, faites pour le tromper : l'erreur de
@@ -134,11 +133,10 @@ public final class MesureAuto {
             Auto auto = Auto.choisir(Dessinateur.traceur(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
                     taille.fils, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-            Traceur lancer = auto.traceur;
-            lancer.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
+            auto.traceur.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
             Oracle.Essai mieux = oracle.leMoinsCher(voulue);
             lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.choisi, nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur),
-                    auto.getVerdict().replaceAll(" ;.*", ""), nombre((double) lancer.getCompteurs().rayons() / taille.pixels()),
+                    auto.getVerdict().replaceAll(" ;.*", ""), nombre((double) auto.traceur.getCompteurs().rayons() / taille.pixels()),
                     mieux == null ? "" : mieux, mieux == null ? "" : nombre(mieux.prix),
                     nombre((double) auto.getRayonsDesEssais() / taille.pixels())));
         }
