@@ -8,10 +8,10 @@ import lancer.Point;
 /**
  * Les comptes d'examens d'un fil, pixel par pixel : ils bornent ce que coûtent les structures, quoi qu'on leur demande.
  * Chaque pixel a sa part de ce que vaut la construction d'un arbre, chaque rayon {@link #PAR_RAYON} examens de plus ;
- * une structure y prend ce qu'elle examine, et quand le compte est vide elle passe la main à l'arbre, qui recommence.
- * Un dessin examine donc au plus, structures et arbre, une construction, 32 sphères ou cases par rayon, et ce
- * qu'examine l'arbre. Rien n'y passe d'un pixel à l'autre : les comptes ne dépendent ni des fils, ni de ce qui a été
- * dessiné avant.
+ * une structure y prend ce qu'elle examine, et quand le compte est vide elle passe la main à l'arbre, qui recommence ;
+ * pour une première rencontre, il y remet autant qu'il a examiné. Un dessin examine donc au plus, structures et arbre,
+ * une construction, 32 sphères ou cases par rayon, et deux fois ce qu'examine l'arbre. Rien n'y passe d'un pixel à
+ * l'autre : les comptes ne dépendent ni des fils, ni de ce qui a été dessiné avant.
  */
 final class Comptes {
 
