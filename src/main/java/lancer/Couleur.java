@@ -73,16 +73,7 @@ public final class Couleur {
     }
 
     private static int octet(double composante) {
-        if (!(composante > 0)) {
-            return 0;
-        }
-        if (composante >= 1) {
-            return 255;
-        }
-        double niveau = composante * 255;
-        int entier = (int) niveau;
-        // 1 à partir de la moitié, sans branche : elle serait prise une fois sur deux
-        return entier + (int) (2 * (niveau - entier));
+        return (int) Math.round(255 * Math.max(0, Math.min(1, composante)));
     }
 
     public static Couleur add(Couleur c, Couleur d) {

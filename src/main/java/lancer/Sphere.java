@@ -55,7 +55,8 @@ public class Sphere extends Objet3D {
         if (carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX) {
             return contact.add(-Norme.ecart(carre, rayon), n);
         }
-        return pointExtreme(n, contact);
+        double norme = n.norme();
+        return norme > 0 && norme <= Double.MAX_VALUE ? centre.add(n.normalized().mul(rayon)) : contact;
     }
 
     /** {@inheritDoc} D'une géante vue de plus près que son rayon, P + tV, à 2 u t près, est déjà le plus juste. */
@@ -64,26 +65,16 @@ public class Sphere extends Objet3D {
         return rayon > GEANTE && distance < rayon ? contact : getPointDeSurface(contact);
     }
 
-    private Point pointExtreme(Vecteur n, Point contact) {
-        double norme = n.norme();
-        return norme > 0 && norme <= Double.MAX_VALUE ? centre.add(n.normalized().mul(rayon)) : contact;
-    }
-
     /**
      * {@inheritDoc} Au centre même (une sphère plus petite que ce que ses coordonnées distinguent), c'est par
      * convention (0, 0, −1).
      */
     @Override
     public Vecteur getNormale(Point contact) {
-        double parRayon = 1 / rayon;
-        Vecteur n = new Vecteur((contact.x - centre.x) * parRayon, (contact.y - centre.y) * parRayon,
-                (contact.z - centre.z) * parRayon);
+        Vecteur exact = new Vecteur(centre, contact);
+        Vecteur n = exact.mul(1 / rayon);
         return Math.abs(n.norme2() - 1) <= Norme.PRESQUE_UN ? n.normalized()
-                : normaleExtreme(new Vecteur(centre, contact));
-    }
-
-    private static Vecteur normaleExtreme(Vecteur n) {
-        return n.x == 0 && n.y == 0 && n.z == 0 ? VERS_L_OEIL : n.normalized();
+                : exact.norme() == 0 ? VERS_L_OEIL : exact.normalized();
     }
 
     @Override

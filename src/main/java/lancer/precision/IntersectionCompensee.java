@@ -47,7 +47,7 @@ public final class IntersectionCompensee {
         double b = fx * vx + fy * vy + fz * vz;
         if (!Norme.sontOrdinaires(fx, fy, fz, r)) {
             // la sphère n'est plus qu'un point
-            return b > 0 && Norme.extreme(fx - b * vx, fy - b * vy, fz - b * vz) <= r ? b : Constantes.INFINI;
+            return b > 0 && Math.hypot(Math.hypot(fx - b * vx, fy - b * vy), fz - b * vz) <= r ? b : Constantes.INFINI;
         }
         double c = puissance(fx, fy, fz, reste(cx, -px, fx), reste(cy, -py, fy), reste(cz, -pz, fz), r);
         double h2 = b * b - c;

@@ -27,19 +27,6 @@ public final class Norme {
     private Norme() {
     }
 
-    /** La longueur d'un vecteur dont le carré n'est peut-être pas représentable : à 2 u près, de 5e-324 à 1e308. */
-    public static double extreme(double x, double y, double z) {
-        double plusGrande = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        if (!(plusGrande > 0 && plusGrande <= Double.MAX_VALUE)) {
-            return plusGrande;
-        }
-        int k = Math.getExponent(plusGrande);
-        double a = Math.scalb(x, -k);
-        double b = Math.scalb(y, -k);
-        double c = Math.scalb(z, -k);
-        return Math.scalb(Math.sqrt(a * a + b * b + c * c), k);
-    }
-
     /** Dit si ni le carré de ce rayon, ni sa somme avec celui de ce vecteur, ne perdent de chiffres. */
     public static boolean sontOrdinaires(double x, double y, double z, double rayon) {
         double r2 = rayon * rayon;
