@@ -40,27 +40,25 @@ public final class Scene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public Scene(String nomFichier, LecteurScene lecteur) {
-        this(lecteur.lire(nomFichier).objets, lecteur.lampes, lecteur.modele);
+        this(new Scene(lecteur.lire(nomFichier).objets, lecteur.lampes), lecteur.modele);
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente est laissée de côté. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
-        this(objets, lampes, new Modele());
+        this.objets = Collections.unmodifiableList(Jumelles.sans(objets));
+        this.lampes = lampes.toArray(new Lampe[0]);
+        modele = new Modele().pourUnFil(this.objets, compteurs);
     }
 
-    private Scene(List<? extends Objet3D> objets, List<Lampe> lampes, Modele modele) {
-        this(Collections.unmodifiableList(Jumelles.sans(objets)), lampes.toArray(new Lampe[0]), modele);
-    }
-
-    private Scene(List<Objet3D> objets, Lampe[] lampes, Modele modele) {
-        this.objets = objets;
-        this.lampes = lampes;
+    private Scene(Scene autre, Modele modele) {
+        objets = autre.objets;
+        lampes = autre.lampes;
         this.modele = modele.pourUnFil(objets, compteurs);
     }
 
     /** Une vue de plus sur cette scène, pour un fil, avec ses propres compteurs, dessinée selon ce modèle. */
     public Scene avec(Modele autre) {
-        return new Scene(objets, lampes, autre);
+        return new Scene(this, autre);
     }
 
     /** Le premier objet que rencontre ce rayon. Voir {@link #getClosestIntersection(Rayon, Objet3D)}. */
