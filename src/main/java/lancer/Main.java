@@ -3,7 +3,6 @@ package lancer;
 import java.io.PrintStream;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
-import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.Programme;
@@ -18,7 +17,7 @@ public class Main implements Programme {
     private final Options options;
     private final PrintStream sortie;
     private final PrintStream erreur;
-    private final Dessinateur dessinateur;
+    protected final Dessinateur dessinateur;
     private volatile Scene scene;
 
     public Main(Options options, PrintStream sortie, PrintStream erreur) {
@@ -75,11 +74,6 @@ public class Main implements Programme {
     }
 
     @Override
-    public void regler(Modele modele) {
-        scene = scene.avec(modele);
-    }
-
-    @Override
     public void doTracerImage(int largeur, int hauteur) {
         Traceur traceur = dessinateur.preparer(largeur, hauteur);
         traceur.tolerer();
@@ -95,10 +89,5 @@ public class Main implements Programme {
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
         dessinateur.getImage().drawPixel(PixelFautif.verifier(coul, xe + 0.5, ye + 0.5), xe, ye);
-    }
-
-    /** Dessinateur du programme : il prépare la scène, et la dessine en plusieurs fils. */
-    public Dessinateur getDessinateur() {
-        return dessinateur;
     }
 }

@@ -20,6 +20,7 @@ import lancer.commande.Pannes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
@@ -46,6 +47,7 @@ public final class Dessinateur {
     final PrintStream erreur;
     /** La scène lue et ses réglages ; puis, une fois préparée, son image et ce qui la dessine. */
     volatile Dessin dessin = new Dessin(null, null, null, null, null);
+    private volatile Modele modele;
     private volatile double avancement;
     private Runnable entracte;
     private long lectureNs;
@@ -92,6 +94,7 @@ public final class Dessinateur {
         Lecture lecture = new Lecture();
         programme.lireScene(nomFichier, lecture);
         lectureNs = System.nanoTime() - debut;
+        modele = lecture.modele;
         remplacer(nomFichier, lecture.origines, lecture.reglages);
         return lecture.avertissements;
     }
@@ -108,13 +111,12 @@ public final class Dessinateur {
 
         @Override
         protected Modele installer(Map<Variante, Section> variantes) {
-            reglages = ReglagesDessin.de(variantes, options);
-            Modele modele = reglages.getModele();
+            reglages = new ReglagesDessin(variantes, options);
+            Modele installe = reglages.getModele();
             reglages.verifier(options);
-            if (Thread.currentThread().isInterrupted()) {
-                throw new CancellationException("lecture abandonnée : la scène d'avant reste");
-            }
-            return modele;
+            // la scène d'avant reste, si cette lecture est abandonnée
+            Recherche.obeir();
+            return installe;
         }
     }
 
@@ -130,7 +132,7 @@ public final class Dessinateur {
      * @throws SceneFautive si ces réglages ne vont pas ; rien n'est alors changé
      */
     public void regler(ReglagesDessin voulus) {
-        programme.regler(voulus.getModele());
+        modele = voulus.getModele();
         remplacer(dessin.fichier, dessin.origines, voulus);
     }
 
@@ -174,11 +176,16 @@ public final class Dessinateur {
         this.entracte = entracte;
     }
 
+    /** Une vue de la scène lue, ainsi réglée. */
+    private Scene getScene() {
+        return programme.getScene().avec(modele);
+    }
+
     /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */
     Traceur preparer(ImageMemoire vierge) {
         remplacer(dessin.fichier, dessin.origines, dessin.reglages);
         long debut = System.nanoTime();
-        Traceur traceur = traceur(programme.getScene(), vierge.getLargeur(), vierge.getHauteur(), options.simple,
+        Traceur traceur = traceur(getScene(), vierge.getLargeur(), vierge.getHauteur(), options.simple,
                 part -> avancement = part);
         preparationNs = System.nanoTime() - debut;
         dessin = new Dessin(dessin.fichier, dessin.origines, dessin.reglages, vierge, traceur);
@@ -226,7 +233,7 @@ public final class Dessinateur {
     public Echec nommer(PixelFautif panne) {
         Dessin present = dessin;
         boolean dessinee = present.image != null;
-        return Echec.panne(Pannes.duPixel(panne, classes(programme.getScene()), present.reglages.getOptions(),
+        return Echec.panne(Pannes.duPixel(panne, classes(getScene()), present.reglages.getOptions(),
                 present.fichier, dessinee ? present.image.getLargeur() : options.largeur,
                 dessinee ? present.image.getHauteur() : options.hauteur));
     }

@@ -1,7 +1,6 @@
 package lancer.dessin;
 
 import lancer.Scene;
-import lancer.contrat.Modele;
 import lancer.contrat.Toile;
 import lancer.scene.LecteurScene;
 
@@ -11,11 +10,8 @@ public interface Programme extends Toile {
     /** Lit une scène, qui devient celle à dessiner : voir {@link Scene#Scene(String, LecteurScene)}. */
     void lireScene(String nomFichier, LecteurScene lecteur);
 
-    /** La scène à dessiner, {@code null} tant qu'aucune n'est lue. */
+    /** La scène lue, {@code null} tant qu'aucune ne l'est. */
     Scene getScene();
-
-    /** Dessine désormais la même scène selon ce modèle. */
-    void regler(Modele modele);
 
     /**
      * Dessine la scène, brouillon puis image : le travail du SwingWorker de la fenêtre.

@@ -1,14 +1,13 @@
 package lancer.dessin;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
-import java.util.SortedMap;
 import java.util.SortedSet;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.Constantes;
 import lancer.commande.Echec;
 import lancer.commande.Options;
@@ -29,15 +28,16 @@ public final class ReglagesDessin {
     private final double seuil;
     /** Section du fichier de chaque variante présente, de ligne 0 s'il ne l'a pas. */
     private final Map<Variante, Section> lues;
-    /** Sections, par type quelle que soit la casse, qui remplacent celles du fichier, et les débranchées. */
-    private final SortedMap<String, Section> changees;
+    /** Sections qui remplacent celles du fichier, par type. */
+    private final Map<String, Section> changees;
+    /** Types des variantes débranchées, quelle que soit leur casse. */
     private final SortedSet<String> debranchees;
 
     /** Réglages de la ligne de commande et du fichier ; {@code null} si ceux-ci le sont. */
     private final ReglagesDessin initiaux;
 
     private ReglagesDessin(int reflets, double seuil, Map<Variante, Section> lues,
-            SortedMap<String, Section> changees, SortedSet<String> debranchees, ReglagesDessin initiaux) {
+            Map<String, Section> changees, SortedSet<String> debranchees, ReglagesDessin initiaux) {
         this.reflets = reflets;
         this.seuil = seuil;
         this.lues = lues;
@@ -47,11 +47,9 @@ public final class ReglagesDessin {
     }
 
     /** Réglages de la ligne de commande et du fichier, dont voici la section de chaque variante présente. */
-    static ReglagesDessin de(Map<Variante, Section> lues, Options options) {
-        SortedSet<String> debranchees = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+    ReglagesDessin(Map<Variante, Section> lues, Options options) {
+        this(options.reflets, options.seuil, lues, new HashMap<>(), new TreeSet<>(String.CASE_INSENSITIVE_ORDER), null);
         debranchees.addAll(options.sans);
-        return new ReglagesDessin(options.reflets, options.seuil, lues, new TreeMap<>(String.CASE_INSENSITIVE_ORDER),
-                debranchees, null);
     }
 
     /** @throws Echec si une variante que la ligne de commande débranche n'existe pas */
@@ -105,20 +103,16 @@ public final class ReglagesDessin {
         return donnee != null || ailleurs ? donnee : parametre.defaut;
     }
 
-    /** Les variantes branchées, réglées par leur section du fichier ou par une autre. */
-    private Stream<Variante> branchees(boolean parLeFichier) {
-        return lues.keySet().stream().filter(variante -> estBranchee(variante)
-                && (getSection(variante) == lues.get(variante)) == parLeFichier);
-    }
-
     /** Variantes branchées que rien ne règle : {@code --auto} peut les régler. */
     public List<Variante> getVariantesLibres() {
-        return branchees(true).filter(variante -> lues.get(variante).ligne == 0).collect(Collectors.toList());
+        return lues.keySet().stream().filter(variante -> estBranchee(variante) && lues.get(variante).ligne == 0
+                && !changees.containsKey(variante.getSection())).collect(Collectors.toList());
     }
 
     /** Les sections à mettre dans le fichier pour dessiner ainsi, à la place des siennes. */
     public List<Section> getSectionsChangees() {
-        return branchees(false).map(this::getSection).collect(Collectors.toList());
+        return lues.keySet().stream().filter(this::estBranchee).map(Variante::getSection).map(changees::get)
+                .filter(Objects::nonNull).collect(Collectors.toList());
     }
 
     /** Réglages identiques, à tant de réflexions et à ce seuil. */
@@ -139,7 +133,7 @@ public final class ReglagesDessin {
 
     /** Réglages identiques, cette variante étant réglée par cette section. */
     public ReglagesDessin avec(Variante variante, Section section) {
-        SortedMap<String, Section> autres = new TreeMap<>(changees);
+        Map<String, Section> autres = new HashMap<>(changees);
         autres.put(variante.getSection(), section);
         return new ReglagesDessin(reflets, seuil, lues, autres, debranchees, initiaux());
     }
@@ -151,7 +145,7 @@ public final class ReglagesDessin {
      * @param luesApres réglages de cette scène
      */
     public ReglagesDessin pour(ReglagesDessin luesApres) {
-        SortedMap<String, Section> gardees = new TreeMap<>(changees);
+        Map<String, Section> gardees = new HashMap<>(changees);
         for (Variante apres : luesApres.lues.keySet()) {
             Section avant = lues.get(getVariante(apres.getSection()));
             if (!avant.toString().equals(luesApres.lues.get(apres).toString())) {

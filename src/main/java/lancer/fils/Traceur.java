@@ -25,9 +25,8 @@ public final class Traceur implements Boucle {
 
     private final Lancer lancer;
     private final Equipe equipe = new Equipe("lancer");
-    /** Recherche de la scène préparée, et le temps de ses constructions avant le premier dessin, et le dernier. */
+    /** Recherche de la scène préparée, et le temps qu'elle avait passé à construire avant ce dessin. */
     private final Recherche preparee;
-    private final long prepareNs;
     private long construitNs;
     private volatile boolean brouillonFait;
     private volatile Fautes fautes;
@@ -40,8 +39,7 @@ public final class Traceur implements Boucle {
     public Traceur(Scene scene, Camera camera) {
         lancer = new Lancer(scene, camera);
         preparee = scene.getModele().getRecherche();
-        prepareNs = preparee.getConstructionNs();
-        construitNs = prepareNs;
+        construitNs = preparee.getConstructionNs();
     }
 
     /** L'algorithme, pour un seul fil. */
@@ -164,7 +162,7 @@ public final class Traceur implements Boucle {
 
     /** Le temps passé depuis la préparation à construire ce que des rayons ont demandé, en nanosecondes. */
     public long getConstructionNs() {
-        return construitNs - prepareNs;
+        return preparee.getConstructionNs();
     }
 
     /** Dessine toute l'image par cet échantillonnage. @return le temps que cela a pris, en nanosecondes */

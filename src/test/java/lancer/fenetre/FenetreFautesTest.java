@@ -78,11 +78,6 @@ class FenetreFautesTest extends EssaiFenetre {
             public Scene getScene() {
                 return avecMur;
             }
-
-            @Override
-            public void regler(lancer.contrat.Modele modele) {
-                avecMur = avecMur.avec(modele);
-            }
         });
     }
 

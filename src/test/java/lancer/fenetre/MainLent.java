@@ -6,6 +6,7 @@ import lancer.Couleur;
 import lancer.Main;
 import lancer.commande.Options;
 import lancer.dessin.Dessin;
+import lancer.dessin.Dessinateur;
 import lancer.fils.Traceur;
 
 /** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
@@ -33,8 +34,12 @@ class MainLent extends Main {
         return this;
     }
 
+    Dessinateur getDessinateur() {
+        return dessinateur;
+    }
+
     Traceur getTraceur() {
-        Dessin dessin = getDessinateur().getDessin();
+        Dessin dessin = dessinateur.getDessin();
         return dessin == null ? null : dessin.traceur;
     }
 
