@@ -135,9 +135,9 @@ public final class Auto {
     /** Candidat de ce barreau ; là où les rayons permis ne suffisent pas à l'essayer, ce que promet l'échelle. */
     private Candidat essayer(Barreau barreau, Echantillonnage echantillonnage, Estimation attendue, Limite limite) {
         double promis = barreau.prix * limite.rayons;
-        boolean dessine = tirage.dessiner(echantillonnage, limite, reste(CHOISIR, promis));
+        tirage.dessiner(echantillonnage, limite, reste(CHOISIR, promis));
         return new Candidat(barreau.section, echantillonnage, limite,
-                dessine ? attendue.corrigee(tirage.erreur()) : attendue, dessine ? tirage.prix() : promis);
+                tirage.mesure() ? attendue.corrigee(tirage.erreur()) : attendue, tirage.mesure() ? tirage.prix() : promis);
     }
 
     /** Candidat que fait la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */
@@ -162,7 +162,7 @@ public final class Auto {
     }
 
     private Estimation mesuree() {
-        return controle.fait ? controle.erreur() : INCONNUE;
+        return controle.mesure() ? controle.erreur() : INCONNUE;
     }
 
     /** L'erreur de l'image, dessinée, mesurée à peu près, en niveaux. */

@@ -2,8 +2,11 @@ package lancer.auto;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import lancer.Couleur;
@@ -16,7 +19,8 @@ import lancer.fils.Traceur;
  * Quelques pixels d'un semis, tirés avec une probabilité qui croît avec leur contraste (tirage systématique à
  * probabilités inégales, Madow, 1949) : un pixel de ciel n'apprend rien, un pixel de bord beaucoup. Chaque mesure est
  * divisée par sa probabilité : leur somme est sans biais (Horvitz et Thompson, 1952). Les pixels des petits objets sont
- * une strate à part. Deux références indépendantes disent la couleur juste de chacun.
+ * une strate à part. Deux références indépendantes disent la couleur juste de chacun. Les pixels sont dans un ordre au
+ * hasard : si les rayons ne suffisent pas à tous, les premiers en sont un tirage encore.
  */
 final class Tirage {
 
@@ -36,11 +40,12 @@ final class Tirage {
     private final Essais essais;
     private final Semis semis;
     private final List<Pixel> pixels = new ArrayList<>();
-    private final int[] rangs;
+    private final Map<Integer, Pixel> parRang = new HashMap<>();
     private final double image;
 
-    /** Faux si les rayons permis n'ont pas suffi aux références : rien ne se mesure. */
-    final boolean fait;
+    /** Combien ont leurs références, des premiers ; et combien d'entre eux sont dessinés. */
+    private final int justes;
+    private int dessines;
 
     /** Un pixel tiré, ses deux références et ce qu'un dessin y met, en niveaux, et les rayons qu'il y lance. */
     private static final class Pixel {
@@ -56,13 +61,12 @@ final class Tirage {
     /**
      * @param debut de 0 à 1 : un autre tire d'autres pixels
      * @param erreur qu'il s'agit de mesurer, en niveaux : plus elle est petite, plus les références ont de points
-     * @param permis rayons ; moins de pixels sont tirés s'ils n'y suffisent pas
+     * @param permis rayons ; moins de pixels ont leurs références s'ils n'y suffisent pas
      */
     Tirage(Essais essais, Semis semis, double debut, double erreur, double permis) {
         this.essais = essais;
         this.semis = semis;
         int cote = (int) Math.max(COTE_MIN, Math.min(COTE_MAX, COTE_POUR_UN_NIVEAU / Math.sqrt(erreur)));
-        int combien = (int) Math.min(TIRES + PETITS, permis / (2 * cote * cote * semis.prix));
         int[] aPart = semis.petits.stream().toArray();
         image = (double) semis.largeur * essais.prepare.getCamera().getHauteur();
         double part = aPart.length / image;
@@ -70,19 +74,17 @@ final class Tirage {
                 .mapToDouble(k -> semis.petits.get(semis.pixels[k]) ? 0 : semis.contraste(k)).toArray();
         double plancher = 0.03 + PLANCHER * Arrays.stream(promesses).average().orElse(0);
         Arrays.setAll(promesses, k -> semis.petits.get(semis.pixels[k]) ? 0 : promesses[k] + plancher);
-        if (combien >= TIRES_MIN) {
-            tirer(aPart, Arrays.stream(aPart).mapToDouble(p -> 1).toArray(), debut, Math.min(PETITS, combien / 3),
-                    part);
-            tirer(semis.pixels, promesses, debut, combien - pixels.size(), 1 - part);
-        }
-        pixels.sort(Comparator.comparingInt(pixel -> pixel.rang));
-        rangs = pixels.stream().mapToInt(pixel -> pixel.rang).toArray();
-        int faits = essais.passer(rangs.length, Essais.PROFONDEUR, Essais.SANS_LIMITE, permis, (k, vue) -> {
-            SplittableRandom hasard = new SplittableRandom(rangs[k]);
-            pixels.get(k).a = reference(rangs[k], cote, hasard, vue);
-            pixels.get(k).b = reference(rangs[k], cote, hasard, vue);
+        tirer(aPart, Arrays.stream(aPart).mapToDouble(p -> 1).toArray(), debut, PETITS, part);
+        tirer(semis.pixels, promesses, debut, TIRES + PETITS - pixels.size(), 1 - part);
+        Collections.shuffle(pixels, new Random(1));
+        justes = essais.passer(pixels.size(), Essais.PROFONDEUR, Essais.SANS_LIMITE, permis, (k, vue) -> {
+            Pixel pixel = pixels.get(k);
+            SplittableRandom hasard = new SplittableRandom(pixel.rang);
+            pixel.a = reference(pixel.rang, cote, hasard, vue);
+            pixel.b = reference(pixel.rang, cote, hasard, vue);
         });
-        fait = faits > 0 && faits == rangs.length;
+        dessines = justes;
+        pixels.subList(0, justes).forEach(pixel -> parRang.put(pixel.rang, pixel));
     }
 
     /** Tire de ces pixels, d'autant plus volontiers qu'ils promettent ; 0 : jamais. */
@@ -114,20 +116,20 @@ final class Tirage {
 
     /** Retient cette couleur si c'est celle d'un des pixels ; un autre fil peut en retenir une autre. */
     void retenir(Couleur couleur, int i, int j) {
-        int k = Arrays.binarySearch(rangs, j * semis.largeur + i);
-        if (k >= 0) {
-            pixels.get(k).dessine = Semis.niveaux(couleur);
+        Pixel pixel = parRang.get(j * semis.largeur + i);
+        if (pixel != null) {
+            pixel.dessine = Semis.niveaux(couleur);
         }
     }
 
-    /** Dessine ces pixels. @return faux si ces rayons n'y suffisent pas */
-    boolean dessiner(Echantillonnage echantillonnage, Limite limite, double permis) {
+    /** Dessine ces pixels, ou les premiers si ces rayons n'y suffisent pas. */
+    void dessiner(Echantillonnage echantillonnage, Limite limite, double permis) {
         Traceur scene = essais.prepare;
         Echantillonnage prepare = echantillonnage.pour(scene.getScene().getObjets(), scene.getCamera());
-        return fait && rangs.length == essais.passer(rangs.length, limite.reflets, limite.seuil, permis, (k, vue) -> {
+        dessines = essais.passer(justes, limite.reflets, limite.seuil, permis, (k, vue) -> {
             Pixel pixel = pixels.get(k);
-            int i = rangs[k] % semis.largeur;
-            int j = rangs[k] / semis.largeur;
+            int i = pixel.rang % semis.largeur;
+            int j = pixel.rang / semis.largeur;
             Pave pave = Pave.deRang(j / Pave.COTE * Pave.nombre(semis.largeur, 1, Pave.COTE) + i / Pave.COTE,
                     semis.largeur, essais.prepare.getCamera().getHauteur(), Pave.COTE);
             pixel.lances = 0;
@@ -143,21 +145,27 @@ final class Tirage {
         });
     }
 
+    /** Faux si trop peu de pixels sont dessinés pour en rien dire. */
+    boolean mesure() {
+        return dessines >= TIRES_MIN;
+    }
+
     /** Rayons de toutes sortes par pixel de l'image, de ceux qu'a lancés {@link #dessiner}. */
     double prix() {
-        return pixels.stream().mapToDouble(pixel -> pixel.partDeLImage * pixel.lances).sum()
-                / pixels.stream().mapToDouble(pixel -> pixel.partDeLImage).sum();
+        return pixels.stream().limit(dessines).mapToDouble(pixel -> pixel.partDeLImage * pixel.lances).sum()
+                / pixels.stream().limit(dessines).mapToDouble(pixel -> pixel.partDeLImage).sum();
     }
 
     /** L'erreur du dernier dessin de ces pixels. */
     Estimation erreur() {
+        double fois = (double) pixels.size() / dessines;
         double somme = 0;
         double variance = 0;
-        for (Pixel pixel : pixels) {
+        for (Pixel pixel : pixels.subList(0, dessines)) {
             double carre = Semis.produit(pixel.dessine, pixel.a, pixel.b);
-            double part = pixel.partDeLImage * carre;
+            double part = fois * pixel.partDeLImage * carre;
             somme += part;
-            variance += (1 - pixel.probabilite) * part * part;
+            variance += (1 - pixel.probabilite / fois) * part * part;
             // les carreaux eux-mêmes ne sont que quelques-uns de l'image
             variance += Math.max(0, part * carre) * Semis.COTE * (1.0 / semis.pixels.length - 1 / image);
         }
