@@ -1,10 +1,12 @@
 package lancer.mesures;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -25,8 +27,8 @@ class ErreursTest {
     private static final int L = 40;
     private static final int H = 30;
 
-    /** Points d'un côté du pixel, pour la vérité. */
-    private static final int FIN = 14;
+    /** Points d'un côté du pixel, pour chacune des deux vérités. */
+    private static final int FIN = 12;
     private static final int SANS_LIMITE = 40;
 
     private final List<double[]> spheres = new ArrayList<>();
@@ -133,18 +135,34 @@ class ErreursTest {
         return n > 2 && semblables ? coins : somme;
     }
 
-    private double erreur(int n, double contraste, int reflets, double sienSeuil) {
-        double carres = 0;
+    /** La moyenne d'un point au hasard dans chaque case de la grille, qui est sans biais ; celle de leurs milieux en a un. */
+    private double[] juste(int k, Random hasard) {
+        double[] somme = new double[3];
+        for (int q = 0; q < FIN * FIN; q++) {
+            double[] vu = point(k % L + (q % FIN + hasard.nextDouble()) / FIN, k / L + (q / FIN + hasard.nextDouble()) / FIN,
+                    SANS_LIMITE);
+            for (int i = 0; i < 3; i++) {
+                somme[i] += vu[i] / FIN / FIN;
+            }
+        }
+        return somme;
+    }
+
+    /** Le carré de l'erreur de chaque pixel, sans biais : deux vérités indépendantes, le produit de leurs écarts. */
+    private double[] carres(int n, double contraste, int reflets, double sienSeuil) {
+        Random hasard = new Random(1);
+        double[] carres = new double[L * H];
         for (int k = 0; k < L * H; k++) {
             seuil = sienSeuil;
             double[] x = pixel(k, n, contraste, reflets);
             seuil = 0;
-            double[] juste = pixel(k, FIN, -1, SANS_LIMITE);
+            double[] a = juste(k, hasard);
+            double[] b = juste(k, hasard);
             for (int i = 0; i < 3; i++) {
-                carres += Math.pow(255 * (Math.min(1, x[i]) - Math.min(1, juste[i])), 2) / 3;
+                carres[k] += 255 * 255 * (Math.min(1, x[i]) - Math.min(1, a[i])) * (Math.min(1, x[i]) - Math.min(1, b[i])) / 3;
             }
         }
-        return Math.sqrt(carres / L / H);
+        return carres;
     }
 
     @ParameterizedTest(name = "{0}, {1} × {1}, contraste {2}, {3} reflets, seuil 1/{4}")
@@ -157,8 +175,14 @@ class ErreursTest {
         Gabarit gabarit = new Gabarit(scene, L, H, 1);
         ImageLineaire image = ImageLineaire.de(Dessinateur.traceur(scene.avec(scene.getModele().avec(grille, 1 / parties)), L, H,
                 false), reflets, 2);
-        double plate = erreur(n, contraste, Math.min(reflets, SANS_LIMITE), 1 / parties);
-        assertTrue(plate > 0.3, "de quoi comparer");
-        assertEquals(1, Intervalle.deLaRacine(gabarit.carres(image)).valeur / plate, 0.08, plate + " niveaux");
+        double[] plate = carres(n, contraste, Math.min(reflets, SANS_LIMITE), 1 / parties);
+        double[] publies = gabarit.carres(image);
+        double moyenne = Arrays.stream(plate).average().getAsDouble();
+        assertTrue(Math.sqrt(moyenne) > 0.3, "de quoi comparer");
+        // pixel par pixel, les deux sont sans biais : ce qui les sépare n'est que le hasard, trois écarts types au plus
+        double ecart = IntStream.range(0, L * H).mapToDouble(k -> publies[k] - plate[k]).average().getAsDouble();
+        double type = Math.sqrt(IntStream.range(0, L * H).mapToDouble(k -> Math.pow(publies[k] - plate[k] - ecart, 2)).sum()) / L / H;
+        assertTrue(type < 0.05 * moyenne, "une comparaison à " + type / moyenne + " près");
+        assertTrue(Math.abs(ecart) <= 3 * type, Math.sqrt(moyenne) + " niveaux, à " + ecart / type + " écarts types");
     }
 }
