@@ -235,7 +235,7 @@ final class Carte implements Intersections, Occultations {
         double[] g = spheres.geometrie;
         double distance = Constantes.INFINI;
         int trouvee = -1;
-        long credit = parcours.credit + Comptes.PAR_RAYON;
+        long credit = parcours.credit + Parcours.PAR_RAYON;
         int fin = derniere - premiere <= credit ? derniere : premiere + (int) credit;
         int e = premiere;
         for (; e < fin && pres[e] - avance <= distance; e++) {
@@ -279,7 +279,7 @@ final class Carte implements Intersections, Occultations {
         double[] g = spheres.geometrie;
         int premiere = debut[c];
         int derniere = debut[c + 1];
-        long credit = parcours.credit + Comptes.PAR_RAYON;
+        long credit = parcours.credit + Parcours.PAR_RAYON;
         int fin = derniere - premiere <= credit ? derniere : premiere + (int) credit;
         int tests = 0;
         int e = premiere;

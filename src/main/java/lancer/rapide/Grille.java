@@ -191,7 +191,7 @@ final class Grille implements Intersections {
         }
         parcours.distance = Double.MAX_VALUE;
         parcours.trouvee = -1;
-        parcours.credit += Comptes.PAR_RAYON - grosses.length;
+        parcours.credit += Parcours.PAR_RAYON - grosses.length;
         for (int grosse : grosses) {
             if (grosse != sauf) {
                 parcours.examiner(spheres, grosse, px, py, pz, vx, vy, vz);

@@ -8,7 +8,7 @@ import lancer.precision.Intersection;
 /**
  * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque
  * par tuile de l'écran, un par sphère quittée et par petit cube où tombe la direction, un par lampe et par sphère
- * éclairée. Un rayon qui n'est pas de ceux d'un masque (comparé avant de s'en servir) est pour des boucles.
+ * éclairée. Un rayon qui n'est pas de ceux d'un masque (comparé avant de s'en servir) est pour l'arbre.
  */
 final class Masques implements Intersections {
 
@@ -30,7 +30,7 @@ final class Masques implements Intersections {
 
     private final Spheres spheres;
     /** Pour les rayons qui ne sont pas de ceux d'un masque. */
-    private final Boucles secours;
+    private final Arbre secours;
     private final double portee;
     private final Face image;
     private final long[] parTuile;
@@ -39,7 +39,7 @@ final class Masques implements Intersections {
     private final double[] limites;
 
     /** @param portee plus grande coordonnée des sphères et de l'œil */
-    Masques(Spheres spheres, Boucles secours, double portee, Camera camera) {
+    Masques(Spheres spheres, Arbre secours, double portee, Camera camera) {
         this.spheres = spheres;
         this.secours = secours;
         this.portee = portee;

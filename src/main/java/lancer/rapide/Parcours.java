@@ -4,15 +4,25 @@ import lancer.contrat.Compteurs;
 import lancer.precision.Intersection;
 
 /**
- * Ce qu'un fil garde à côté de ses questions aux structures : le compte du pixel, la distance trouvée, une pile.
+ * Ce qu'un fil garde à côté de ses questions aux structures : un compte, la distance trouvée, une pile.
+ *
+ * <p>Le compte borne ce que coûtent les structures, quoi qu'on leur demande. Il s'ouvre, vide, à chaque rayon de
+ * l'écran ; chacun des rayons qui en naissent y met {@link #PAR_RAYON} examens. Une structure y prend ce qu'elle
+ * examine, et quand il est vide elle passe la main à l'arbre, qui recommence ; pour une première rencontre, il y remet
+ * autant qu'il a examiné. Un dessin examine donc au plus, structures et arbre, 32 sphères ou cases par rayon, et deux
+ * fois ce qu'examine l'arbre. Rien ne passe d'un rayon de l'écran à l'autre : les comptes ne dépendent ni des fils, ni
+ * de ce qui a été dessiné avant.
  */
 final class Parcours {
 
-    /** Examens qui restent permis aux structures, dans ce pixel. */
+    /** Examens permis de plus à chaque rayon : 32, moins la case d'une carte, qu'elle ne prend pas au compte. */
+    static final int PAR_RAYON = 31;
+
+    /** Examens qui restent permis aux structures, depuis ce rayon de l'écran. */
     long credit;
 
-    /** Numéro de la sphère qui a caché une lampe en dernier dans ce pixel, -1 s'il n'y en a pas. */
-    int bloqueur = -1;
+    /** Numéro de la sphère qui a caché une lampe en dernier depuis ce rayon de l'écran, -1 s'il n'y en a pas. */
+    int bloqueur;
 
     /** Distance du dernier contact trouvé, +∞ s'il n'y en a pas, et sa sphère, -1. */
     double distance;
@@ -33,6 +43,12 @@ final class Parcours {
 
     Parcours(Compteurs compteurs) {
         this.compteurs = compteurs;
+    }
+
+    /** Ouvre le compte d'un rayon de l'écran. */
+    void ouvrir() {
+        credit = 0;
+        bloqueur = -1;
     }
 
     /** Examine la sphère k, et la retient si elle passe avant celle que le parcours retient. */

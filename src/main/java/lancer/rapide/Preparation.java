@@ -16,7 +16,7 @@ import lancer.fils.Equipe;
 /**
  * Le choix des structures : ce que la scène et l'image demandent, et rien de plus. Une préparation vaut pour un
  * dessin : la place des objets et les lampes sont celles du moment où elle est faite. Un mauvais choix ne coûte qu'une
- * construction : ce que les structures examinent est compté, rayon par rayon ({@link Comptes}).
+ * construction : ce que les structures examinent est compté, rayon par rayon ({@link Parcours}).
  *
  * <p>Mémoire, pour N sphères : 44 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
  * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8
@@ -65,7 +65,7 @@ public final class Preparation {
     private static final double PART_RANGEMENT = 0.4;
 
     /** Les structures possibles : ce que le choix dit, ou qu'un test impose. */
-    enum Genre { BOUCLES, MASQUES, CARTES, ARBRE }
+    enum Genre { MASQUES, CARTES, ARBRE }
 
     private final Camera camera;
     private final Spheres spheres;
@@ -77,7 +77,7 @@ public final class Preparation {
         this.camera = camera;
         spheres = new Spheres(scene.getObjets());
         lampes = scene.getLampes();
-        structures = new Structures(spheres, lampes, camera);
+        structures = new Structures(spheres, lampes);
         pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
@@ -109,35 +109,24 @@ public final class Preparation {
         return new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs());
     }
 
-    /** Des masques pour peu de sphères ; une grille et des cartes, si des boucles n'ont de quoi répondre à rien. */
-    private Genre choisir() {
-        int n = spheres.nombre;
-        return n <= PEU ? Genre.MASQUES
-                : n <= SPHERES_PAR_PIXEL * pixels && Comptes.part(n, camera) < n ? Genre.CARTES : Genre.BOUCLES;
-    }
-
     private void faire(Genre impose, DoubleConsumer suivi) {
         int n = spheres.nombre;
         Boite boite = Boite.de(spheres, spheres.toutes());
         double portee = Math.max(boite.portee(), Camera.FOCALE);
         boolean ordinaire = n > 0 && portee < LONGUEUR_MAX && boite.portee() > LONGUEUR_MIN;
-        Genre genre = impose == null ? choisir() : impose;
-        Boucles boucles = new Boucles(spheres, structures.arbre);
-        structures.repondrePar(boucles);
-        if (genre == Genre.ARBRE) {
-            structures.repondrePar(structures.arbre);
-        } else if (genre == Genre.MASQUES && n <= Masques.MAX && ordinaire) {
-            masquer(boucles, portee);
+        Genre genre = impose != null ? impose
+                : n <= PEU ? Genre.MASQUES : n <= SPHERES_PAR_PIXEL * pixels ? Genre.CARTES : Genre.ARBRE;
+        if (genre == Genre.MASQUES && n <= Masques.MAX && ordinaire) {
+            masquer(portee);
         } else if (genre == Genre.CARTES && ordinaire) {
-            structures.repondrePar(structures.arbre);
             spheres.ranger(Morton.ordre(spheres, boite));
             suivi.accept(PART_RANGEMENT);
             construire(suivi);
         }
     }
 
-    private void masquer(Boucles boucles, double portee) {
-        Masques parBits = new Masques(spheres, boucles, portee, camera);
+    private void masquer(double portee) {
+        Masques parBits = new Masques(spheres, structures.arbre, portee, camera);
         structures.premiers = parBits;
         structures.suivants = parBits;
         boolean assez = pixels * PAIRES_PAR_PIXEL >= (long) spheres.nombre * spheres.nombre;

@@ -37,7 +37,6 @@ public final class RechercheRapide implements Recherche {
     private final Lampe[] lampes;
     private final Occultations[] ombres;
     private final Parcours parcours;
-    private final Comptes comptes;
     private final RechercheSimple boucles;
 
     /**
@@ -61,7 +60,6 @@ public final class RechercheRapide implements Recherche {
         lampes = structures.lampes;
         ombres = structures.ombres;
         parcours = new Parcours(compteurs);
-        comptes = new Comptes(parcours, spheres.nombre, structures.camera);
         boucles = new RechercheSimple(objets, compteurs);
         int n = 0;
         while (n < spheres.autres.length && spheres.rangAutres[n] < PREMIERS) {
@@ -82,7 +80,7 @@ public final class RechercheRapide implements Recherche {
             return;
         }
         if (saufLui == null) {
-            comptes.ouvrir(P);
+            parcours.ouvrir();
         }
         int k = saufLui == null ? premiers.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, -1)
                 : suivants.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
@@ -110,14 +108,14 @@ public final class RechercheRapide implements Recherche {
         Occultations ombre = ombresDe(lampe);
         if (ombre == structures.arbre) {
             // une autre structure ajoute elle-même ce qu'un rayon permet, là où elle examine
-            parcours.credit += Comptes.PAR_RAYON;
+            parcours.credit += Parcours.PAR_RAYON;
         }
         return unAutreCache(0, dAbord, P, V, distance, objet)
                 || ombre.cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
                 || unAutreCache(dAbord, spheres.autres.length, P, V, distance, objet);
     }
 
-    /** Ce qui cache cette lampe ; si elle n'est pas de la scène, ce qui les cache toutes. */
+    /** Ce qui cache cette lampe ; si elle n'est pas de la scène, l'arbre. */
     private Occultations ombresDe(Lampe demandee) {
         for (int reste = lampes.length; reste > 0; reste--) {
             if (lampes[lampe] == demandee) {
@@ -125,7 +123,7 @@ public final class RechercheRapide implements Recherche {
             }
             lampe = lampe + 1 < lampes.length ? lampe + 1 : 0;
         }
-        return structures.ombresDAilleurs;
+        return structures.arbre;
     }
 
     /**

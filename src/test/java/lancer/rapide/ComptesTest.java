@@ -166,10 +166,10 @@ class ComptesTest {
     void lesMasquesDeVingtMilleLampesNePrennentPasPlusDUnMegaoctet() {
         Scene scene = ScenesDEssai.foule(24, 24, 0).lampes(20_000).scene();
         Structures s = ((RechercheRapide) Preparation.pour(scene, new Camera(800, 600))).structures;
-        long masquees = Arrays.stream(s.ombres).filter(o -> !(o instanceof Boucles)).count();
+        long masquees = Arrays.stream(s.ombres).filter(o -> !(o instanceof Arbre)).count();
         assertTrue(masquees > 100 && masquees * 24 * 16 <= 1 << 20, masquees + " lampes ont des masques");
         s = ((RechercheRapide) Preparation.pour(scene, new Camera(10, 10))).structures;
-        assertTrue(s.ombres[0] instanceof Boucles, "cent pixels ne valent pas 576 paires de sphères par lampe");
+        assertTrue(s.ombres[0] instanceof Arbre, "cent pixels ne valent pas 576 paires de sphères par lampe");
     }
 
     /** Dans un pixel, dans ses questions : ni les boucles, ni l'arbre, ni les témoins ne vont au bout. */

@@ -42,8 +42,7 @@ class TemoinsTest {
         for (int k = 0; k < plates.nombre; k++) {
             plates.geometrie[Spheres.PAS * k + 3] *= part;
         }
-        Structures structures = new Structures(plates, autre.getLampes(), CAMERA);
-        structures.repondrePar(structures.arbre);
+        Structures structures = new Structures(plates, autre.getLampes());
         autre.getModele().setRecherche(new RechercheRapide(structures, autre.getObjets(), new Compteurs()));
         return autre;
     }
