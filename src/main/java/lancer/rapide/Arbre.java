@@ -113,9 +113,8 @@ final class Arbre implements Intersections, Occultations {
         parcours.credit -= parcours.compteurs.examens() - avant;
         for (int r = 0; trouvee == SUSPENDUE;) {
             for (int fin = Math.min(r + PAS_BOUCLES, spheres.nombre); r < fin; r++) {
-                int k = spheres.deRang[r];
-                if (k != sauf && parcours.touche(spheres, k, px, py, pz, vx, vy, vz, distance)) {
-                    parcours.bloqueur = k;
+                if (r != sauf && parcours.touche(spheres, r, px, py, pz, vx, vy, vz, distance)) {
+                    parcours.bloqueur = r;
                     return true;
                 }
             }

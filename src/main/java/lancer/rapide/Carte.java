@@ -246,7 +246,7 @@ final class Carte implements Intersections, Occultations {
                 d = Intersection.auMoins(d) > distance ? Constantes.INFINI
                         : parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
             }
-            if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
+            if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
                 distance = d;
                 trouvee = k;
             }

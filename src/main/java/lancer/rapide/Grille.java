@@ -277,7 +277,7 @@ final class Grille implements Intersections {
                 tests++;
                 int s = Spheres.PAS * k;
                 double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
+                if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
                     if (d < 0) {
                         int t = parcours.haut - 1;
                         while (t >= 0 && parcours.pile[t] != k) {

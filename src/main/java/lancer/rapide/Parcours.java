@@ -72,7 +72,7 @@ final class Parcours {
             }
             d = trancher(spheres, k, px, py, pz, vx, vy, vz);
         }
-        if (d <= distance && spheres.avant(d, k, distance, trouvee)) {
+        if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
             distance = d;
             trouvee = k;
         }

@@ -60,9 +60,8 @@ public final class Preparation {
     /** Au-dessous de ce nombre de sphères, un fil coûte plus à lancer qu'il ne fait gagner. */
     private static final int SPHERES_PAR_FIL = 200;
 
-    /** Ce qui est fait du travail après la copie et le rangement, à peu près. */
+    /** Ce qui est fait du travail après la copie, à peu près. */
     private static final double PART_COPIE = 0.3;
-    private static final double PART_RANGEMENT = 0.4;
 
     /** Les structures possibles : ce que le choix dit, ou qu'un test impose. */
     enum Genre { MASQUES, CARTES, ARBRE }
@@ -119,8 +118,6 @@ public final class Preparation {
         if (genre == Genre.MASQUES && n <= Masques.MAX && ordinaire) {
             masquer(portee);
         } else if (genre == Genre.CARTES && ordinaire) {
-            spheres.ranger(Morton.ordre(spheres, boite));
-            suivi.accept(PART_RANGEMENT);
             construire(suivi);
         }
     }
@@ -154,7 +151,7 @@ public final class Preparation {
                 } else {
                     structures.premiers = deLOeil();
                 }
-                suivi.accept(PART_RANGEMENT + (1 - PART_RANGEMENT) * (1 + equipe.getFaites()) / nombre);
+                suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / nombre);
             }
         };
         int fils = spheres.nombre < SPHERES_PAR_FIL ? 1 : Math.min(nombre, Runtime.getRuntime().availableProcessors());

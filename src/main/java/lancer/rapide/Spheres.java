@@ -9,7 +9,7 @@ import lancer.Point;
 import lancer.Sphere;
 
 /**
- * Les sphères d'une scène recopiées à plat, chacune sous un numéro : 32 octets de géométrie, qui tiennent dans une
+ * Les sphères d'une scène recopiées à plat, chacune sous un numéro, dans l'ordre de la scène : 32 octets de géométrie, qui tiennent dans une
  * moitié de ligne de cache. Les objets d'une autre classe, filles de {@link Sphere} comprises, sont à part.
  */
 final class Spheres {
@@ -18,14 +18,10 @@ final class Spheres {
     static final int PAS = 4;
 
     final int nombre;
-    double[] geometrie;
-    /** Rang dans la scène : il départage deux contacts à la même distance. */
-    int[] rang;
-    /** La sphère de chaque numéro. */
-    Objet3D[] objets;
-    /** Les numéros, dans l'ordre de la scène. */
-    final int[] deRang;
-
+    final double[] geometrie;
+    /** La sphère de chaque numéro, et son rang dans la scène. */
+    final Objet3D[] objets;
+    final int[] rang;
     /** Les objets qui ne sont pas exactement des sphères, et leur rang dans la scène. */
     final Objet3D[] autres;
     final int[] rangAutres;
@@ -63,7 +59,6 @@ final class Spheres {
             rang[k] = r++;
             objets[k++] = objet;
         }
-        deRang = toutes();
     }
 
     /** Les numéros de toutes les sphères, croissants. */
@@ -76,30 +71,11 @@ final class Spheres {
     }
 
     /**
-     * Range dans un autre ordre les sphères, qui sont dans celui de la scène : la sphère {@code ordre[k]} devient la
-     * k-ième.
-     */
-    void ranger(int[] ordre) {
-        double[] g = new double[geometrie.length];
-        int[] r = new int[nombre];
-        Objet3D[] o = new Objet3D[nombre];
-        for (int k = 0; k < nombre; k++) {
-            System.arraycopy(geometrie, PAS * ordre[k], g, PAS * k, PAS);
-            r[k] = rang[ordre[k]];
-            o[k] = objets[ordre[k]];
-            deRang[ordre[k]] = k;
-        }
-        geometrie = g;
-        rang = r;
-        objets = o;
-    }
-
-    /**
      * Vrai si un contact à {@code d} avec la sphère k passe avant celui à {@code distance} avec la sphère {@code
      * autre}.
      */
-    boolean avant(double d, int k, double distance, int autre) {
-        return d < distance || d == distance && d != Constantes.INFINI && rang[k] < rang[autre];
+    static boolean avant(double d, int k, double distance, int autre) {
+        return d < distance || d == distance && d != Constantes.INFINI && k < autre;
     }
 
     /**
