@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Font;
 import java.awt.Point;
@@ -51,6 +52,7 @@ final class Inspecteur extends JDialog {
     private static final int LARGEUR = 520;
     private static final int LARGEUR_MIN = 350;
     private static final int HAUTEUR_MIN = 500;
+    private static final int COTE_FIGURES = 180;
     private static final int SAUT = 10;
     private static final Color CHANGE = new Color(0xFFE9A8);
     private static final Color LIEN = new Color(0x0050A0);
@@ -62,7 +64,7 @@ final class Inspecteur extends JDialog {
     private final JScrollPane ascenseur = new JScrollPane(texte);
     private final JLabel verdict = new JLabel(" ");
     private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
-    private final VueDeCote cote = new VueDeCote(this::isoler);
+    private final VueDeCote vue = new VueDeCote(this::isoler);
     private final transient ExecutorService fil = Atelier.unFil("lancer-inspection");
     private final transient Depliage depliage = new Depliage();
     private transient List<Recit.Ligne> vues = Collections.emptyList();
@@ -85,8 +87,15 @@ final class Inspecteur extends JDialog {
         ((DefaultCaret) texte.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         texte.setFont(new Font(Font.MONOSPACED, Font.PLAIN, verdict.getFont().getSize()));
         texte.setBorder(verdict.getBorder());
-        JPanel bas = new JPanel(new BorderLayout(MARGE, MARGE));
-        bas.add(cote, BorderLayout.CENTER);
+        grille.setPreferredSize(new Dimension(COTE_FIGURES, COTE_FIGURES));
+        JPanel bas = new JPanel(new BorderLayout(MARGE, MARGE)) {
+            @Override
+            public Dimension getPreferredSize() {
+                // le texte d'abord : un écran dense n'est parfois haut que de quatre cents points
+                return new Dimension(0, Math.min(COTE_FIGURES, Inspecteur.this.getHeight() / 4));
+            }
+        };
+        bas.add(vue, BorderLayout.CENTER);
         bas.add(grille, BorderLayout.LINE_END);
         add(verdict, BorderLayout.PAGE_START);
         add(ascenseur, BorderLayout.CENTER);
@@ -212,7 +221,7 @@ final class Inspecteur extends JDialog {
         texte.setForeground(Color.GRAY);
         Atelier.confier(fil, () -> {
             nouvelle.faireOuEchouer(voulu);
-            List<Recit.Ligne> lignes = new Recit(nouvelle, Inspecteur::arrondi).raconter();
+            List<Recit.Ligne> lignes = new Recit(nouvelle, x -> String.format(Locale.ROOT, "%.5g", x)).raconter();
             int garde = seul > nouvelle.getEtapes().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
             EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure, garde));
@@ -230,7 +239,7 @@ final class Inspecteur extends JDialog {
         verdict.setText(nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
                 : comparer(nouvelle.getCouleur()));
         grille.montrer(nouvelle);
-        cote.montrer(nouvelle, rebond);
+        vue.montrer(nouvelle, rebond);
         panneau.superposer(figure, this::isoler);
     }
 
@@ -287,9 +296,5 @@ final class Inspecteur extends JDialog {
         return pareil ? "Au bit près, la couleur du pixel dessiné : " + dessine
                 : "Différent du pixel dessiné, qui est " + dessine
                         + (vu == null ? "" : " = " + vu[3 * k] + " " + vu[3 * k + 1] + " " + vu[3 * k + 2]);
-    }
-
-    static String arrondi(double x) {
-        return String.format(Locale.ROOT, "%.5g", x);
     }
 }

@@ -36,6 +36,7 @@ final class PanneauImage extends JPanel {
 
     private static final Color GRIS = new Color(0x777777);
     private static final int LOUPE_MAX = 16;
+    private static final int TREMBLEMENT = 4;
     private static final int FONDU_MS = 50;
     private static final float FONDU = 0.05f;
 
@@ -51,6 +52,7 @@ final class PanneauImage extends JPanel {
     private final transient Runnable siBouge;
     private final transient Runnable siClique;
     private Point souris;
+    private Point appui = new Point();
     private Point suivi;
     /** Ce qui se lit sur le haut de l'image, et combien c'est opaque, de 0 à 1. */
     String ligne = "";
@@ -94,15 +96,20 @@ final class PanneauImage extends JPanel {
         @Override
         public void mousePressed(MouseEvent e) {
             requestFocusInWindow();
+            appui = e.getPoint();
         }
 
+        /** Un clic ; AWT n'en voit plus si le bouton est tenu et que la main tremble, ne fût-ce que d'un pixel. */
         @Override
-        public void mouseClicked(MouseEvent e) {
+        public void mouseReleased(MouseEvent e) {
             placer(e);
             int numero = dessus == null ? 0 : dessus.numeroEn(souris);
+            if (!SwingUtilities.isLeftMouseButton(e) || e.getPoint().distance(appui) > TREMBLEMENT) {
+                return;
+            }
             if (numero > 0) {
                 siNumero.accept(numero);
-            } else if (getPixelSouris(montree) != null && SwingUtilities.isLeftMouseButton(e)) {
+            } else if (getPixelSouris(montree) != null) {
                 siClique.run();
             }
         }

@@ -19,6 +19,7 @@ import java.awt.Window;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
@@ -44,6 +45,7 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
 import lancer.Main;
 import lancer.essai.Essai;
 import lancer.image.ImageMemoire;
@@ -193,13 +195,8 @@ final class BancFenetre {
         }
     }
 
-    /** Frappe des touches ensemble, comme Ctrl+S, quand le cadre les reçoit. */
-    void frapper(int... touches) throws Exception {
-        frapper(cadre, touches);
-    }
-
-    /** De même, quand cette fenêtre les reçoit. */
-    void frapper(Window fenetre, int... touches) throws Exception {
+    /** Attend que cette fenêtre ait le clavier, qui passe d'une autre à elle quand il veut. */
+    private static void mettreDevant(Window fenetre) throws Exception {
         attendre("le clavier est à la fenêtre", () -> {
             if (!fenetre.isFocused()) {
                 fenetre.toFront();
@@ -207,6 +204,16 @@ final class BancFenetre {
             }
             return fenetre.isFocused();
         });
+    }
+
+    /** Frappe des touches ensemble, comme Ctrl+S, quand le cadre les reçoit. */
+    void frapper(int... touches) throws Exception {
+        frapper(cadre, touches);
+    }
+
+    /** De même, quand cette fenêtre les reçoit. */
+    void frapper(Window fenetre, int... touches) throws Exception {
+        mettreDevant(fenetre);
         for (int touche : touches) {
             robot.keyPress(touche);
         }
@@ -217,6 +224,26 @@ final class BancFenetre {
 
     void frapperCtrl(char lettre) throws Exception {
         frapper(KeyEvent.VK_CONTROL, KeyEvent.getExtendedKeyCodeForChar(lettre));
+    }
+
+    /** Clique, de la vraie souris, sur ce point du composant. */
+    void cliquer(Component composant, int x, int y) throws Exception {
+        viser(composant, x, y);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    /** Met la vraie souris sur ce point du composant, dont la fenêtre passe devant. */
+    void viser(Component composant, int x, int y) throws Exception {
+        Window fenetre = SwingUtilities.getWindowAncestor(composant);
+        mettreDevant(fenetre);
+        Point ou = surFilEvenements(() -> {
+            // sans gestionnaire de fenêtres, Java croit parfois la sienne dans le coin de l'écran : bougée, il sait où elle est
+            fenetre.setLocation(fenetre.getX() + 1, fenetre.getY());
+            Point coin = composant.getLocationOnScreen();
+            return new Point(coin.x + x, coin.y + y);
+        });
+        robot.mouseMove(ou.x, ou.y);
     }
 
     /** L'image, une fois achevée. */

@@ -84,6 +84,11 @@ abstract class EssaiFenetre {
         return banc.imageAchevee();
     }
 
+    /** Clique sur ce pixel de l'image. */
+    void cliquer(int x, int y) throws Exception {
+        banc.cliquer(banc.panneau, (banc.panneau.getWidth() - L) / 2 + x, (banc.panneau.getHeight() - H) / 2 + y);
+    }
+
     /** Choisit ce fichier dans le dialogue qui s'ouvre ; rend le nom qui était proposé. */
     String choisir(Path fichier) throws Exception {
         JFileChooser choix = composant(null, JFileChooser.class);

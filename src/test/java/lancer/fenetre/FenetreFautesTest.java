@@ -8,8 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Point;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import javax.swing.JDialog;
@@ -81,15 +79,6 @@ class FenetreFautesTest extends EssaiFenetre {
         });
     }
 
-    private void cliquer(int x, int y) throws Exception {
-        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
-        int dx = coin.x + (banc.panneau.getWidth() - L) / 2 + x;
-        int dy = coin.y + (banc.panneau.getHeight() - H) / 2 + y;
-        banc.robot.mouseMove(dx, dy);
-        banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-        banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-    }
-
     @Test
     void unPixelQuiEchoueEstEnDamierLeResteSeDessineEtLaFauteSeRaconte() throws Exception {
         ouvrirAvecUnMur(false);
@@ -146,7 +135,7 @@ class FenetreFautesTest extends EssaiFenetre {
         attendre("il se ferme", () -> !inspecteur.isShowing());
         cliquer(160, 120);
         attendre("il rouvre sur le pixel cliqué", () -> inspecteur.isShowing() && inspecteur.getTitle().endsWith(" 160, 120")
-                && recit.getText().endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
+                && recit.getText().endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près") && inspecteur.isFocused());
         banc.frapper(KeyEvent.VK_F3);
         JLabel etat = composant("vitesse.etat", JLabel.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));

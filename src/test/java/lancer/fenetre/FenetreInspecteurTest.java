@@ -13,13 +13,13 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.awt.MouseInfo;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -40,15 +40,6 @@ import org.junit.jupiter.api.Test;
 
 /** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image et par-dessus elle. */
 class FenetreInspecteurTest extends EssaiFenetre {
-
-    private void cliquer(int x, int y) throws Exception {
-        faire(() -> {
-            int dx = (banc.panneau.getWidth() - L) / 2;
-            int dy = (banc.panneau.getHeight() - H) / 2;
-            banc.panneau.dispatchEvent(new MouseEvent(banc.panneau, MouseEvent.MOUSE_CLICKED, 0, InputEvent.BUTTON1_DOWN_MASK, x + dx,
-                    y + dy, 1, false, MouseEvent.BUTTON1));
-        });
-    }
 
     private static Inspecteur inspecteur() throws Exception {
         return (Inspecteur) surFilEvenements(() -> Arrays.stream(java.awt.Window.getWindows())
@@ -114,6 +105,19 @@ class FenetreInspecteurTest extends EssaiFenetre {
     }
 
     @Test
+    void unClicLentDUneMainQuiTrembleEnEstUn() throws Exception {
+        ouvrir();
+        banc.viser(banc.panneau, (banc.panneau.getWidth() - L) / 2 + 150, (banc.panneau.getHeight() - H) / 2 + 100);
+        Point ou = surFilEvenements(() -> MouseInfo.getPointerInfo().getLocation());
+        banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        // au-delà du temps d'un double clic, AWT ne voit plus de clic dans un geste qui a bougé
+        banc.robot.delay(700);
+        banc.robot.mouseMove(ou.x + 1, ou.y);
+        banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        attendreTitre(151, 100);
+    }
+
+    @Test
     void aCoteDUneImageSansHauteurLaChaineSeLitAussi() throws Exception {
         banc = new BancFenetre("--taille=320x8", scene.toString());
         banc.imageAchevee();
@@ -121,8 +125,18 @@ class FenetreInspecteurTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ENTER);
         attendreVerdict("Au bit près");
         JTextPane recit = composant("recit", JTextPane.class);
-        int lignes = surFilEvenements(() -> recit.getVisibleRect().height / recit.getFontMetrics(recit.getFont()).getHeight());
-        assertTrue(lignes >= 10, lignes + " lignes en vue");
+        assertTrue(lignesEnVue(recit) >= 15, lignesEnVue(recit) + " lignes en vue");
+        // toute la hauteur d'un écran de 768 pixels, deux par point
+        Inspecteur inspecteur = inspecteur();
+        faire(() -> {
+            inspecteur.setSize(inspecteur.getWidth(), 384);
+            inspecteur.validate();
+        });
+        assertTrue(lignesEnVue(recit) >= 14, lignesEnVue(recit) + " lignes en vue sur un écran dense");
+    }
+
+    private static int lignesEnVue(JTextPane recit) throws Exception {
+        return surFilEvenements(() -> recit.getVisibleRect().height / recit.getFontMetrics(recit.getFont()).getHeight());
     }
 
     @Test
@@ -307,15 +321,9 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     /** Clique, de la vraie souris, sur la ligne du texte qui commence ainsi. */
     private void cliquerSur(JTextPane recit, String debut) throws Exception {
-        Point ou = surFilEvenements(() -> {
-            Rectangle place = recit.modelToView(recit.getDocument().getText(0, recit.getDocument().getLength())
-                    .indexOf("\n" + debut) + 1);
-            Point coin = recit.getLocationOnScreen();
-            return new Point(coin.x + place.x + 3, coin.y + place.y + place.height / 2);
-        });
-        banc.robot.mouseMove(ou.x, ou.y);
-        banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-        banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        Rectangle place = surFilEvenements(() -> recit.modelToView(recit.getDocument()
+                .getText(0, recit.getDocument().getLength()).indexOf("\n" + debut) + 1));
+        banc.cliquer(recit, place.x + 3, place.y + place.height / 2);
     }
 
     private static BufferedImage vueDeCote() throws Exception {

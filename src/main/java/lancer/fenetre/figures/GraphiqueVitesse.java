@@ -78,7 +78,7 @@ public final class GraphiqueVitesse extends JPanel {
             }
 
             @Override
-            public void mouseClicked(MouseEvent e) {
+            public void mousePressed(MouseEvent e) {
                 requestFocusInWindow();
                 Candidat vise = sous(e);
                 if (vise != null) {

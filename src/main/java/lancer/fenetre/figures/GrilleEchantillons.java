@@ -1,7 +1,6 @@
 package lancer.fenetre.figures;
 
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Rectangle;
 import java.awt.event.MouseAdapter;
@@ -9,7 +8,6 @@ import java.awt.event.MouseEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.IntConsumer;
-import java.util.stream.Collectors;
 import javax.swing.JPanel;
 import lancer.inspection.Echantillon;
 import lancer.inspection.Inspection;
@@ -19,44 +17,44 @@ public final class GrilleEchantillons extends JPanel {
 
     private static final long serialVersionUID = 1;
 
-    private static final int COTE = 180;
-
     private transient List<Echantillon> echantillons = Collections.emptyList();
-    private transient List<Rectangle> places = Collections.emptyList();
+    private transient Inspection pixel;
+    /** L'écart de deux voisins, et la largeur de tout, en pixels de l'image. */
+    private double pas;
+    private double etendue;
     private int choisi = -1;
 
     /** @param siChoisi reçoit le rang de l'échantillon */
     public GrilleEchantillons(IntConsumer siChoisi) {
         setName("echantillons");
-        setPreferredSize(new Dimension(COTE, COTE));
         setOpaque(false);
         getAccessibleContext().setAccessibleName("échantillons du pixel");
         setToolTipText("échantillons du pixel ; cliquer pour en choisir un, ou Ctrl et page suivante, page précédente");
         addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
-                for (int k = 0; k < places.size(); k++) {
-                    if (places.get(k).contains(e.getPoint())) {
-                        siChoisi.accept(k);
-                    }
-                }
+                echantillons.stream().filter(echantillon -> place(echantillon).contains(e.getPoint())).findFirst()
+                        .ifPresent(echantillon -> siChoisi.accept(echantillons.indexOf(echantillon)));
             }
         });
     }
 
-    public void montrer(Inspection pixel) {
+    public void montrer(Inspection nouvelle) {
+        pixel = nouvelle;
         echantillons = pixel.getEchantillons();
         choisi = echantillons.indexOf(pixel.getChoisi());
-        // l'écart de deux voisins : le premier est à un demi-pas du bord ; et la largeur de tout, en pixels de l'image
-        double pas = echantillons.stream().mapToDouble(e -> 2 * Math.min(e.xe % 1, e.ye % 1)).min().orElse(1);
-        double etendue = echantillons.stream()
+        // le premier est à un demi-pas du bord
+        pas = echantillons.stream().mapToDouble(e -> 2 * Math.min(e.xe % 1, e.ye % 1)).min().orElse(1);
+        etendue = echantillons.stream()
                 .mapToDouble(e -> Math.max(e.xe - pixel.x, e.ye - pixel.y) + pas / 2).max().orElse(1);
-        double taille = COTE / etendue;
-        places = echantillons.stream().map(e -> new Rectangle((int) ((e.xe - pixel.x - pas / 2) * taille),
-                (int) ((e.ye - pixel.y - pas / 2) * taille), (int) (pas * taille), (int) (pas * taille)))
-                .collect(Collectors.toList());
         setVisible(echantillons.size() > 1);
         repaint();
+    }
+
+    private Rectangle place(Echantillon e) {
+        double taille = Math.min(getWidth(), getHeight()) / etendue;
+        return new Rectangle((int) ((e.xe - pixel.x - pas / 2) * taille),
+                (int) ((e.ye - pixel.y - pas / 2) * taille), (int) (pas * taille), (int) (pas * taille));
     }
 
     /** Le rang de l'échantillon d'avant ou d'après celui qui est choisi. */
@@ -66,13 +64,13 @@ public final class GrilleEchantillons extends JPanel {
 
     @Override
     protected void paintComponent(Graphics g) {
-        for (int k = 0; k < places.size(); k++) {
-            Rectangle place = places.get(k);
-            g.setColor(new Color(echantillons.get(k).couleur.getCode()));
+        for (Echantillon echantillon : echantillons) {
+            Rectangle place = place(echantillon);
+            g.setColor(new Color(echantillon.couleur.getCode()));
             g.fillRect(place.x, place.y, place.width, place.height);
         }
         if (choisi >= 0) {
-            Rectangle place = places.get(choisi);
+            Rectangle place = place(echantillons.get(choisi));
             g.setColor(Color.WHITE);
             g.drawRect(place.x, place.y, place.width - 1, place.height - 1);
             g.setColor(Color.BLACK);

@@ -2,7 +2,6 @@ package lancer.fenetre.figures;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -35,7 +34,6 @@ public final class VueDeCote extends JPanel {
 
     private static final long serialVersionUID = 1;
 
-    private static final int HAUTEUR = 180;
     private static final int MARGE = 14;
     private static final Stroke TIRETE = new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
             new float[] {3, 4}, 0);
@@ -55,12 +53,11 @@ public final class VueDeCote extends JPanel {
     /** @param siChoisi reçoit le numéro du rebond sur lequel on clique */
     public VueDeCote(IntConsumer siChoisi) {
         setName("cote");
-        setPreferredSize(new Dimension(HAUTEUR, HAUTEUR));
         getAccessibleContext().setAccessibleName("vue de côté des rayons");
         setToolTipText("vue de côté : z vers la droite, y vers le haut ; un clic sur un numéro en fait le seul");
         addMouseListener(new MouseAdapter() {
             @Override
-            public void mouseClicked(MouseEvent e) {
+            public void mousePressed(MouseEvent e) {
                 numeros.entrySet().stream().filter(n -> n.getValue().contains(e.getPoint())).findFirst()
                         .ifPresent(n -> siChoisi.accept(n.getKey()));
             }
