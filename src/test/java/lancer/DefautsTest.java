@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class DefautsTest {
 
     /** La moyenne de neuf points, sans rien d'autre. */
-    private static final Echantillonnage NEUF_POINTS = (pave, vue, toile) -> {
+    private static final Echantillonnage NEUF_POINTS = (pave, voulus, vue, toile) -> {
         for (int j = pave.j0; j < pave.j1; j++) {
             for (int i = pave.i0; i < pave.i1; i++) {
                 Couleur somme = new Couleur();

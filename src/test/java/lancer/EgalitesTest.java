@@ -145,7 +145,7 @@ class EgalitesTest {
         Ressources.Image attendue = imageRapide(foule(), new Camera(90, 70), 5);
         for (int[] pas : new int[][] {{1, 1}, {5, 3}, {90, 1}, {1, 70}}) {
             Scene foule = foule();
-            Scene scene = foule.avec(foule.getModele().avec((pave, vue, toile) -> {
+            Scene scene = foule.avec(foule.getModele().avec((pave, voulus, vue, toile) -> {
                 // de droite à gauche et de bas en haut, pour que l'ordre change aussi
                 for (int j = pave.j1; j > pave.j0; j -= pas[1]) {
                     for (int i = pave.i1; i > pave.i0; i -= pas[0]) {

@@ -20,18 +20,16 @@ public interface Echantillonnage {
     Echantillonnage BROUILLON = new Carres(Constantes.PAS_BROUILLON);
 
     /**
-     * Dessine chaque pixel du pavé, une fois. Le résultat ne dépend que du pavé et de la vue.
+     * Dessine au moins ces pixels du pavé, chacun une fois. Sa couleur ne dépend que du pavé et de la vue.
      *
+     * @param voulus une partie du pavé, ou lui-même
      * @return le nombre de pixels qu'il a fallu raffiner, 0 si cela n'a pas de sens
      */
-    int tracer(Pave pave, Vue vue, Toile toile);
+    int tracer(Pave pave, Pave voulus, Vue vue, Toile toile);
 
-    /**
-     * Dessine au moins ces pixels du pavé, avec les bits qu'ils ont quand il est dessiné tout entier : pour n'en voir
-     * que quelques-uns. Par défaut, il l'est ; à redéfinir si un pixel peut se dessiner à moindres frais.
-     */
-    default int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
-        return tracer(pave, vue, toile);
+    /** Dessine chaque pixel du pavé. */
+    default int tracer(Pave pave, Vue vue, Toile toile) {
+        return tracer(pave, pave, vue, toile);
     }
 
     /**
@@ -51,11 +49,12 @@ public interface Echantillonnage {
         }
 
         @Override
-        public int tracer(Pave pave, Vue vue, Toile toile) {
-            for (int j = pave.j0; j < pave.j1; j += pas) {
-                int jFin = Math.min(j + pas, pave.j1);
-                for (int i = pave.i0; i < pave.i1; i += pas) {
-                    int iFin = Math.min(i + pas, pave.i1);
+        public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+            Pave dessines = pas == 1 ? voulus : pave;
+            for (int j = dessines.j0; j < dessines.j1; j += pas) {
+                int jFin = Math.min(j + pas, dessines.j1);
+                for (int i = dessines.i0; i < dessines.i1; i += pas) {
+                    int iFin = Math.min(i + pas, dessines.i1);
                     Couleur couleur = vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0);
                     for (int y = j; y < jFin; y++) {
                         for (int x = i; x < iFin; x++) {
@@ -65,11 +64,6 @@ public interface Echantillonnage {
                 }
             }
             return 0;
-        }
-
-        @Override
-        public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
-            return tracer(pas == 1 ? voulus : pave, vue, toile);
         }
     }
 }

@@ -54,12 +54,4 @@ public final class Pave {
     private static int pgcd(int a, int b) {
         return b == 0 ? a : pgcd(b, a % b);
     }
-
-    public int pixels() {
-        return (i1 - i0) * (j1 - j0);
-    }
-
-    public boolean contient(int i, int j) {
-        return i >= i0 && i < i1 && j >= j0 && j < j1;
-    }
 }

@@ -32,14 +32,8 @@ public interface Specularite {
      * il se fait par carrés successifs, à quelques unités du dernier chiffre.
      */
     static double puissance(double cosinus, double exposant) {
-        if (exposant == 0) {
-            return 1;
-        }
-        if (!(cosinus > 0)) {
-            return 0;
-        }
-        if (cosinus >= 1) {
-            return 1;
+        if (!(cosinus > 0 && cosinus < 1)) {
+            return cosinus >= 1 || exposant == 0 ? 1 : 0;
         }
         int n = (int) exposant;
         if (n != exposant || n > EXPOSANT_ENTIER_MAX) {
@@ -47,15 +41,11 @@ public interface Specularite {
         }
         double resultat = 1;
         double carre = cosinus;
-        for (int reste = n; ; carre *= carre) {
-            if ((reste & 1) != 0) {
-                resultat *= carre;
-            }
-            reste >>= 1;
-            if (reste == 0) {
-                return resultat;
-            }
+        for (int reste = n; reste != 0; reste >>= 1) {
+            resultat = (reste & 1) != 0 ? resultat * carre : resultat;
+            carre *= carre;
         }
+        return resultat;
     }
 
     /** Base de la {@link #puissance} qu'est cet éclat, pour l'inspecteur ; NaN : il n'en dit rien. */

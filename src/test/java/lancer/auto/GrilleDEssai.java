@@ -54,9 +54,9 @@ final class GrilleDEssai implements Variante {
     private static Echantillonnage grille(int n) {
         return new Echantillonnage() {
             @Override
-            public int tracer(Pave pave, Vue vue, Toile toile) {
-                for (int j = pave.j0; j < pave.j1; j++) {
-                    for (int i = pave.i0; i < pave.i1; i++) {
+            public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+                for (int j = voulus.j0; j < voulus.j1; j++) {
+                    for (int i = voulus.i0; i < voulus.i1; i++) {
                         Couleur somme = new Couleur();
                         for (int k = 0; k < n * n; k++) {
                             somme = somme.add(vue.couleur(i + (k % n + 0.5) / n, j + (k / n + 0.5) / n));
@@ -65,11 +65,6 @@ final class GrilleDEssai implements Variante {
                     }
                 }
                 return 0;
-            }
-
-            @Override
-            public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
-                return tracer(voulus, vue, toile);
             }
         };
     }

@@ -43,6 +43,10 @@ class ContratsTest {
         }
     }
 
+    private static boolean contient(Pave pave, int i, int j) {
+        return i >= pave.i0 && i < pave.i1 && j >= pave.j0 && j < pave.j1;
+    }
+
     @Test
     void chaquePixelEstDansUnSeulPetitPaveEtChaquePetitPaveDansUnSeulGrand() {
         int[][] fois = new int[71][101];
@@ -51,12 +55,12 @@ class ContratsTest {
             int grands = 0;
             for (int p = 0; p < Pave.nombre(101, 71, Pave.COTE); p++) {
                 Pave grand = Pave.deRang(p, 101, 71, Pave.COTE);
-                grands += grand.contient(petit.i0, petit.j0) && grand.contient(petit.i1 - 1, petit.j1 - 1) ? 1 : 0;
+                grands += contient(grand, petit.i0, petit.j0) && contient(grand, petit.i1 - 1, petit.j1 - 1) ? 1 : 0;
             }
             assertEquals(1, grands, "pavé " + k);
             for (int j = 0; j < 71; j++) {
                 for (int i = 0; i < 101; i++) {
-                    fois[j][i] += petit.contient(i, j) ? 1 : 0;
+                    fois[j][i] += contient(petit, i, j) ? 1 : 0;
                 }
             }
         }

@@ -92,7 +92,7 @@ class DiagnosticTest {
     @Test
     void uneCouleurFausseDUnEchantillonnageNArrivePasALImageEtSaLigneEstDite() {
         for (Couleur fausse : new Couleur[] {null, new Couleur(1, Double.NaN, 1), new Couleur(1 / 0.0)}) {
-            String dit = dit(new Mur(), modele -> modele.setEchantillonnage((pave, vue, toile) -> {
+            String dit = dit(new Mur(), modele -> modele.setEchantillonnage((pave, voulus, vue, toile) -> {
                 PixelFautif.verifier(fausse, 2.5, 1.5);
                 return 0;
             }));

@@ -74,7 +74,7 @@ class PixelTest extends EssaiCommande {
     @Test
     void unEchantillonnageQuiPartageDesPointsRecoitToutLePave() {
         // chaque pixel vaut le nombre de pixels du pavé
-        Echantillonnage voisins = (pave, vue, toile) -> {
+        Echantillonnage voisins = (pave, voulus, vue, toile) -> {
             for (int j = pave.j0; j < pave.j1; j++) {
                 for (int i = pave.i0; i < pave.i1; i++) {
                     toile.drawPixel(new Couleur((pave.i1 - pave.i0) * (pave.j1 - pave.j0)), i, j);

@@ -154,7 +154,7 @@ class InspectionTest {
         };
         Modele modele = new Modele();
         // neuf échantillons de cette même couleur
-        modele.setEchantillonnage((pave, vue, toile) -> {
+        modele.setEchantillonnage((pave, voulus, vue, toile) -> {
             Couleur somme = new Couleur();
             for (int k = 0; k < 9; k++) {
                 somme = somme.add(vue.couleur(4 + (k % 3 + 0.5) / 3, 4 + (k / 3 + 0.5) / 3));

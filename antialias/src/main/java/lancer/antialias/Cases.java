@@ -105,7 +105,7 @@ final class Cases {
     private boolean peutEchapper(int x0, int y0, int x1, int y1) {
         double x = pave.i0 + i + 0.5 / n;
         double y = pave.j0 + j + 0.5 / n;
-        return !petites.estVide() && petites.peutEchapper(x + (double) x0 / n, y + (double) y0 / n, x + (double) x1 / n,
+        return petites != null && petites.peutEchapper(x + (double) x0 / n, y + (double) y0 / n, x + (double) x1 / n,
                 y + (double) y1 / n);
     }
 

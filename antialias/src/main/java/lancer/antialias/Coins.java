@@ -26,11 +26,11 @@ final class Coins implements Echantillonnage {
 
     /** @return le nombre de pixels pour lesquels il a fallu plus que les quatre coins */
     @Override
-    public int tracer(Pave pave, Vue vue, Toile toile) {
-        SousPixels sousPixels = new SousPixels(n, pave, vue);
+    public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        SousPixels sousPixels = new SousPixels(n, voulus, vue);
         int raffines = 0;
-        for (int j = 0; j < pave.j1 - pave.j0; j++) {
-            for (int i = 0; i < pave.i1 - pave.i0; i++) {
+        for (int j = 0; j < voulus.j1 - voulus.j0; j++) {
+            for (int i = 0; i < voulus.i1 - voulus.i0; i++) {
                 // jusqu'à n = 2, les coins sont déjà tous les sous-pixels
                 boolean complet = n > 2 && (seuil == 0 || contraste(sousPixels.voir(i, j, 0, 0),
                         sousPixels.voir(i, j, n - 1, 0), sousPixels.voir(i, j, 0, n - 1),
@@ -45,17 +45,12 @@ final class Coins implements Echantillonnage {
                     }
                 }
                 vue.diviser(somme, nombre);
-                toile.drawPixel(somme.div(nombre), pave.i0 + i, pave.j0 + j);
+                toile.drawPixel(somme.div(nombre), voulus.i0 + i, voulus.j0 + j);
                 raffines += complet ? 1 : 0;
             }
             sousPixels.oublier(j);
         }
         return raffines;
-    }
-
-    @Override
-    public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
-        return tracer(voulus, vue, toile);
     }
 
     /** Le plus grand écart entre quatre couleurs telles qu'on les verra, sur une composante : de 0 à 1. */

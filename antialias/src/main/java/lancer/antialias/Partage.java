@@ -19,6 +19,7 @@ final class Partage implements Echantillonnage {
 
     private final int n;
     private final double seuil;
+    /** Les boules à ne pas manquer ; {@code null} tant qu'on ne sait pas où elles sont. */
     private final Petites petites;
 
     /**
@@ -26,7 +27,7 @@ final class Partage implements Echantillonnage {
      * @param seuil de contraste, pour une case d'un pixel de côté ; 0 : tous les sous-pixels, toujours
      */
     Partage(int n, double seuil) {
-        this(n, seuil, Petites.AUCUNE);
+        this(n, seuil, null);
     }
 
     private Partage(int n, double seuil, Petites petites) {
@@ -41,11 +42,6 @@ final class Partage implements Echantillonnage {
     }
 
     /** @return le nombre de pixels où une case a été coupée */
-    @Override
-    public int tracer(Pave pave, Vue vue, Toile toile) {
-        return tracer(pave, pave, vue, toile);
-    }
-
     @Override
     public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
         // un sous-pixel, ou tous : il n'y a rien à partager

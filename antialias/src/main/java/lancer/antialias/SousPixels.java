@@ -20,7 +20,7 @@ final class SousPixels {
         this.pave = pave;
         this.vue = vue;
         largeur = pave.i1 - pave.i0;
-        pixels = new Couleur[pave.pixels()][];
+        pixels = new Couleur[largeur * (pave.j1 - pave.j0)][];
     }
 
     /**

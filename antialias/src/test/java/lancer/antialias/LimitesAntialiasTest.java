@@ -73,7 +73,7 @@ class LimitesAntialiasTest {
         boule.setKd(new Couleur(1));
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
         Couleur[] nos = image(scene, new Coins(3, 0), 60);
-        Couleur[] limitees = image(scene, (pave, vue, toile) -> {
+        Couleur[] limitees = image(scene, (pave, voulus, vue, toile) -> {
             for (int j = pave.j0; j < pave.j1; j++) {
                 for (int i = pave.i0; i < pave.i1; i++) {
                     toile.drawPixel(moyenne(vue, i, j, 3, 0.5, true), i, j);

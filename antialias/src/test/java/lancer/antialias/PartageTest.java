@@ -233,7 +233,7 @@ class PartageTest {
         long[] rayons = new long[1];
         double[] juste = rouges(scene, new Coins(16, 0), rayons);
         double grille = rms(juste, rouges(scene, new Coins(8, 0), rayons));
-        double aveugle = rms(juste, rouges(scene, (pave, vue, toile) -> new Partage(8, 0.06).tracer(pave, vue, toile), rayons));
+        double aveugle = rms(juste, rouges(scene, (pave, voulus, vue, toile) -> new Partage(8, 0.06).tracer(pave, vue, toile), rayons));
         double partage = rms(juste, rouges(scene, new Partage(8, 0.06), rayons));
         assertTrue(partage < 1.4 * grille, () -> partage + " contre " + grille);
         assertTrue(rayon > 0.5 || aveugle > 3 * partage, () -> "sans savoir où elles sont : " + aveugle);
@@ -262,7 +262,7 @@ class PartageTest {
         Scene scene = poussiere(3);
         long[] sans = new long[1];
         long[] avec = new long[1];
-        double[] aveugle = rouges(scene, (pave, vue, toile) -> new Partage(8, 0.06).tracer(pave, vue, toile), sans);
+        double[] aveugle = rouges(scene, (pave, voulus, vue, toile) -> new Partage(8, 0.06).tracer(pave, vue, toile), sans);
         assertArrayEquals(aveugle, rouges(scene, new Partage(8, 0.06), avec), 0);
         assertEquals(sans[0], avec[0]);
     }

@@ -67,7 +67,7 @@ public final class Gabarit {
 
     /** Un rayon en un point au hasard de chaque sous-pixel des pixels semés ; toujours le même pour une graine. */
     private static ImageLineaire image(Scene scene, int largeur, int hauteur, boolean[] semes, long graine) {
-        Echantillonnage auHasard = (pave, vue, toile) -> {
+        Echantillonnage auHasard = (pave, voulus, vue, toile) -> {
             for (int j = pave.j0; j < pave.j1; j++) {
                 for (int i = pave.i0; i < pave.i1; i++) {
                     if (semes[j * largeur + i]) {

@@ -114,8 +114,9 @@ final class Ouvrier {
                 .mapToObj(k -> Pave.deRang(k, taille.largeur, taille.hauteur, Pave.COTE)).collect(Collectors.toList());
         ImageLineaire juste = new ImageLineaire(taille.largeur, taille.hauteur);
         Arrays.fill(juste.getComposantes(), Double.NaN);
-        dessin.refaire(entier -> (pave, vue, toile) -> choisis.stream().anyMatch(p -> p.contient(pave.i0, pave.j0))
-                ? entier.tracer(pave, vue, toile) : 0, juste, taille.fils);
+        dessin.refaire(entier -> (pave, voulus, vue, toile)
+                -> choisis.stream().anyMatch(p -> p.i0 == pave.i0 && p.j0 == pave.j0)
+                ? entier.tracer(pave, voulus, vue, toile) : 0, juste, taille.fils);
         int refaits = 0;
         for (int k = 0; k < taille.pixels(); k++) {
             if (!Double.isNaN(juste.getComposantes()[3 * k])) {
