@@ -7,7 +7,6 @@ import java.io.InputStream;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import lancer.SceneFautive;
@@ -83,7 +82,6 @@ public final class FichierScene {
 
     /** Raison pour laquelle un fichier ne peut être lu, si le système le dit. */
     static String pourquoi(IOException e, String sinon) {
-        return e instanceof NoSuchFileException ? INTROUVABLE
-                : e instanceof AccessDeniedException ? "lecture interdite" : sinon;
+        return e instanceof AccessDeniedException ? "lecture interdite" : sinon;
     }
 }

@@ -56,7 +56,7 @@ public class LecteurScene implements DoubleConsumer {
 
     /** La scène comme on l'a nommée, ou le chemin où elle a été trouvée s'il est autre. */
     private String fichier;
-    private final Services services = new Services();
+    private Services services;
     private final Map<String, Section> sectionsVariantes = new HashMap<>();
     /** Chaque nom de section, et sa ligne. */
     private final Map<String, Integer> noms = new HashMap<>();
@@ -78,6 +78,7 @@ public class LecteurScene implements DoubleConsumer {
         if (!chemin.equals(Paths.get(fichier))) {
             fichier = chemin.toString();
         }
+        services = new Services();
         try (InputStream entree = FichierScene.ouvrir(chemin)) {
             lignes = new Lignes(entree, chemin.toFile().length(), this);
             Sections sections = new Sections();
@@ -96,7 +97,7 @@ public class LecteurScene implements DoubleConsumer {
                     FichierScene.pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), e);
         }
         Map<Variante, Section> variantes = new LinkedHashMap<>();
-        for (Map.Entry<String, Variante> presente : services.variantes().entrySet()) {
+        for (Map.Entry<String, Variante> presente : services.variantes.entrySet()) {
             Section donnee = sectionsVariantes.get(presente.getKey());
             variantes.put(presente.getValue(), donnee != null ? donnee
                     : new Section(fichier, presente.getValue().getSection(), 0));
@@ -151,9 +152,9 @@ public class LecteurScene implements DoubleConsumer {
             String type = Texte.minuscules(mot);
             int ligne = lignes.getNumero();
             lampe = type.equals("lampe");
-            forme = lampe ? null : services.forme(type);
+            forme = lampe ? null : services.formes.get(type);
             courante = new Section(fichier, nom, ligne, cles());
-            boolean presente = lampe || forme != null || services.variantes().containsKey(type);
+            boolean presente = lampe || forme != null || services.variantes.containsKey(type);
             if (!presente && !Services.varianteConnue(type)) {
                 throw courante.fautive(ligne, null, "type de section inconnu", services.types());
             }

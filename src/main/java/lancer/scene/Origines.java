@@ -8,20 +8,18 @@ import lancer.contrat.Section;
 public final class Origines {
 
     private final List<Object> choses = new ArrayList<>();
-    private final List<String> noms = new ArrayList<>();
-    private final List<Integer> lignes = new ArrayList<>();
+    private final List<String> textes = new ArrayList<>();
 
     void ajouter(Object chose, Section section) {
         choses.add(chose);
-        noms.add(section.nom);
-        lignes.add(section.ligne);
+        textes.add("[" + section.nom + "] ligne " + section.ligne);
     }
 
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */
     public String de(Object chose) {
         for (int k = 0; k < choses.size(); k++) {
             if (choses.get(k) == chose) {
-                return "[" + noms.get(k) + "] ligne " + lignes.get(k);
+                return textes.get(k);
             }
         }
         return null;

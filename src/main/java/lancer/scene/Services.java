@@ -20,10 +20,7 @@ import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
-/**
- * Les formes et les variantes présentes dans le chemin des classes, par le type de leurs sections, en minuscules. Elles
- * ne sont cherchées que si on les demande : Java fouille aussi ses propres modules.
- */
+/** Les formes et les variantes présentes dans le chemin des classes, par le type de leurs sections, en minuscules. */
 public final class Services {
 
     /** Les types que lisent des variantes de la maison, présentes ou non. */
@@ -50,21 +47,19 @@ public final class Services {
         }
     };
 
-    private final Map<String, Forme> formes = new LinkedHashMap<>();
-    private Map<String, Variante> variantes;
+    final Map<String, Forme> formes = new LinkedHashMap<>();
+    final Map<String, Variante> variantes = new LinkedHashMap<>();
+
     /** De chaque type pris, ce qui le lit. */
     private final Map<String, String> preneurs = new HashMap<>();
 
     /** Les noms des variantes présentes. */
     public static List<String> nomsDesVariantes() {
-        return new Services().variantes().values().stream().map(Variante::getSection).collect(Collectors.toList());
+        return new Services().variantes.values().stream().map(Variante::getSection).collect(Collectors.toList());
     }
 
-    private void chercher() {
-        if (variantes != null) {
-            return;
-        }
-        variantes = new LinkedHashMap<>();
+    /** @throws SceneFautive si une inscription ne convient pas, ou si deux veulent le même type */
+    Services() {
         formes.put(prendre("Sphere", Sphere.class), SPHERE);
         prendre("Lampe", Lampe.class);
         for (Variante variante : inscrites(Variante.class)) {
@@ -118,21 +113,6 @@ public final class Services {
         return Texte.minuscules(type);
     }
 
-    /** La forme qui lit ce type de section, {@code null} si ce n'est pas un objet. */
-    Forme forme(String type) {
-        if (type.equals("sphere")) {
-            return SPHERE;
-        }
-        chercher();
-        return formes.get(type);
-    }
-
-    /** Les variantes présentes. */
-    Map<String, Variante> variantes() {
-        chercher();
-        return variantes;
-    }
-
     /** Dit si ce type de section est celui d'une variante de la maison, présente ou non. */
     public static boolean varianteConnue(String type) {
         return VARIANTES_CONNUES.stream().anyMatch(connue -> connue.equalsIgnoreCase(type));
@@ -140,7 +120,6 @@ public final class Services {
 
     /** Tous les types de section que l'on peut écrire. */
     String types() {
-        chercher();
         Set<String> types = new LinkedHashSet<>();
         for (Forme forme : formes.values()) {
             types.add(forme.getSection());
