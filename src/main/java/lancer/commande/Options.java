@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Scanner;
 import lancer.Constantes;
@@ -80,10 +79,6 @@ public final class Options {
     public double tolerance;
     public double part;
 
-    /** Vrai si le nombre de réflexions, ou le seuil, est demandé : {@code --auto} n'y touche pas. */
-    public boolean refletsDonnes;
-    public boolean seuilDonne;
-
     /** Les variantes présentes à débrancher. */
     public List<String> sans = Collections.emptyList();
 
@@ -129,6 +124,11 @@ public final class Options {
         return image != null || lineaire != null;
     }
 
+    /** Vrai si cette option est sur la ligne de commande. */
+    public boolean estDonnee(String nom) {
+        return donnees.containsKey(nom);
+    }
+
     /** Vrai si ce nom est celui d'une image à comparer, et non d'une scène. */
     public static boolean estImage(String nom) {
         return finit(nom, ".png") || finit(nom, ".pfm");
@@ -136,7 +136,7 @@ public final class Options {
 
     /** Le nom est jugé tel quel : ce qu'il y a au bout d'un lien ne compte pas. */
     private static boolean finit(String nom, String fin) {
-        return nom.toLowerCase(Locale.ROOT).endsWith(fin);
+        return Texte.minuscules(nom).endsWith(fin);
     }
 
     private void separer(String... arguments) {
@@ -200,16 +200,14 @@ public final class Options {
             hauteur = (int) cotes[1];
         }
         reflets = entier("--reflets", reflets, 0, 1000);
-        refletsDonnes = donnees.containsKey("--reflets");
         seuil = positif("--seuil", seuil);
-        seuilDonne = donnees.containsKey("--seuil");
         String variantes = valeur("--sans");
         sans = variantes == null ? sans : Arrays.asList(variantes.split(",", -1));
         exiger(!sans.contains(""), "--sans");
         fils = entier("--fils", fils, 1, FILS_MAX);
         repeter = entier("--repeter", repeter, 1, 100_000);
-        statistiques = donnees.containsKey("--statistiques");
-        simple = donnees.containsKey("--simple");
+        statistiques = estDonnee("--statistiques");
+        simple = estDonnee("--simple");
         String xy = valeur("--pixel");
         pixel = xy != null;
         if (pixel) {
@@ -227,8 +225,14 @@ public final class Options {
         comparer = valeur("--comparer");
         exiger(comparer == null || estImage(comparer), "--comparer");
         tolerance = positif("--tolerance", tolerance);
-        String partLue = valeur("--part");
-        part = partLue == null ? 0 : part(partLue);
+        String portion = valeur("--part");
+        if (portion != null) {
+            boolean pourCent = portion.endsWith("%");
+            String nombre = pourCent ? portion.substring(0, portion.length() - 1) : portion;
+            part = Nombre.lire(nombre);
+            // 0.7 % est 0.007 même : une division l'arrondirait autrement
+            part = pourCent && part >= 0 && part <= 100 ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
+        }
         exiger(part >= 0 && part <= 1, "--part");
     }
 
@@ -247,7 +251,7 @@ public final class Options {
             refuser(SANS_COMPARER, "%s ne va pas avec --comparer");
         }
         for (String nom : new String[] {"--tolerance", "--part"}) {
-            if (comparer == null && donnees.containsKey(nom)) {
+            if (comparer == null && estDonnee(nom)) {
                 throw demande(nom + " ne sert pas seule", "avec elle, --comparer REFERENCE.png");
             }
         }
@@ -262,7 +266,7 @@ public final class Options {
 
     private void refuser(String[] autres, String faute) {
         for (String autre : autres) {
-            if (donnees.containsKey(autre)) {
+            if (estDonnee(autre)) {
                 throw demande(String.format(faute, autre), "l'une ou l'autre");
             }
         }
@@ -307,14 +311,6 @@ public final class Options {
         int k = texte.indexOf(separateur);
         return k < 0 ? new double[] {-1, -1}
                 : new double[] {chiffres(texte.substring(0, k)), chiffres(texte.substring(k + 1))};
-    }
-
-    private static double part(String texte) {
-        boolean pourCent = texte.endsWith("%");
-        String nombre = pourCent ? texte.substring(0, texte.length() - 1) : texte;
-        double part = Nombre.lire(nombre);
-        // 0.7 % est 0.007 même : une division l'arrondirait autrement
-        return pourCent && part >= 0 && part <= 100 ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
     }
 
     private void exiger(boolean juste, String nom) {

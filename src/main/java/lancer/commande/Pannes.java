@@ -47,22 +47,17 @@ public final class Pannes {
     /** Répond sur la sortie standard. @throws Echec si elle n'a pu être écrite */
     public static void repondre(String texte, PrintStream sortie) {
         sortie.println(texte);
-        verifier(sortie);
+        // un PrintStream ne le dit pas de lui-même
+        if (sortie.checkError()) {
+            throw Echec.panne("sortie standard : écriture impossible");
+        }
     }
 
     /** Répond par des lignes en UTF-8, que la console en soit ou non. @throws Echec comme {@link #repondre} */
     public static void repondreEnUtf8(List<String> lignes, PrintStream sortie) {
-        String fin = System.lineSeparator();
-        byte[] octets = (String.join(fin, lignes) + fin).getBytes(StandardCharsets.UTF_8);
+        byte[] octets = String.join(System.lineSeparator(), lignes).getBytes(StandardCharsets.UTF_8);
         sortie.write(octets, 0, octets.length);
-        verifier(sortie);
-    }
-
-    /** @throws Echec si la sortie standard n'a pu être écrite : un {@code PrintStream} ne le dit pas de lui-même */
-    private static void verifier(PrintStream sortie) {
-        if (sortie.checkError()) {
-            throw Echec.panne("sortie standard : écriture impossible");
-        }
+        repondre("", sortie);
     }
 
     /**
@@ -81,14 +76,11 @@ public final class Pannes {
     /** La commande qui dessine cette scène. @param options celles que disent ses réglages, d'abord {@code avant} */
     public static String commande(String avant, String options, String scene, int largeur, int hauteur) {
         boolean autreTaille = largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE;
-        return programme() + avant + (autreTaille ? " --taille " + largeur + "x" + hauteur : "") + options + ' '
-                + motDeCommande(scene);
-    }
-
-    private static String programme() {
         String chemin = System.getProperty("java.class.path");
-        return chemin.endsWith(".jar") && !chemin.contains(File.pathSeparator) ? "java -jar " + motDeCommande(chemin)
-                : "java -cp " + motDeCommande(chemin) + " lancer.Main";
+        String programme = chemin.endsWith(".jar") && !chemin.contains(File.pathSeparator)
+                ? "java -jar " + motDeCommande(chemin) : "java -cp " + motDeCommande(chemin) + " lancer.Main";
+        return programme + avant + (autreTaille ? " --taille " + largeur + "x" + hauteur : "") + options + ' '
+                + motDeCommande(scene);
     }
 
     private static String motDeCommande(String mot) {

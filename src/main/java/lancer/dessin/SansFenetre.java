@@ -64,7 +64,8 @@ public final class SansFenetre {
                 options.image != null, options.lineaire != null));
         long debut = System.nanoTime();
         Auto auto = options.auto ? Auto.choisir(prepare, options.erreurVoulue,
-                options.refletsDonnes ? options.reflets : null, options.seuilDonne ? options.seuil : null,
+                options.estDonnee("--reflets") ? options.reflets : null,
+                options.estDonnee("--seuil") ? options.seuil : null,
                 options.fils, dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
         Traceur traceur = auto == null ? prepare : auto.traceur;
         Toile toile = auto == null ? dessinateur.programme : auto.surveiller(dessinateur.programme);

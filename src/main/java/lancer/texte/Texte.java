@@ -25,6 +25,10 @@ public final class Texte {
         {"Too many levels of symbolic links", "trop de liens symboliques"}, {"Broken pipe", "plus personne ne lit"},
         {"NoSuchFileException", "fichier introuvable"}, {"AccessDeniedException", "accès interdit"}};
 
+    /** Catégories de ce qui agit sur le terminal, ne se voit pas, ou ressemble à un blanc sans en être un. */
+    private static final int INVISIBLES = 1 << Character.CONTROL | 1 << Character.FORMAT | 1 << Character.SURROGATE
+            | 1 << Character.SPACE_SEPARATOR | 1 << Character.LINE_SEPARATOR | 1 << Character.PARAGRAPH_SEPARATOR;
+
     private Texte() {
     }
 
@@ -112,19 +116,12 @@ public final class Texte {
         int blanc = "\n\r\t".indexOf(c);
         if (blanc >= 0) {
             s.append('\\').append("nrt".charAt(blanc));
-        } else if (c == ' ' || visible(Character.getType(c))) {
+        } else if (c == ' ' || (1 << Character.getType(c) & INVISIBLES) == 0) {
             s.appendCodePoint(c);
         } else {
             for (char unite : Character.toChars(c)) {
                 s.append("\\u").append(Integer.toHexString(0x10000 | unite), 1, 5);
             }
         }
-    }
-
-    /** Faux pour ce qui agit sur le terminal, ne se voit pas, ou ressemble à un blanc sans en être un. */
-    private static boolean visible(int type) {
-        return type != Character.CONTROL && type != Character.FORMAT && type != Character.SURROGATE
-                && type != Character.SPACE_SEPARATOR && type != Character.LINE_SEPARATOR
-                && type != Character.PARAGRAPH_SEPARATOR;
     }
 }

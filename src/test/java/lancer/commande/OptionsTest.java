@@ -49,8 +49,8 @@ class OptionsTest {
         assertFalse(o.statistiques);
         assertFalse(o.pixel);
         assertFalse(o.auto);
-        assertFalse(o.refletsDonnes);
-        assertFalse(o.seuilDonne);
+        assertFalse(o.estDonnee("--reflets"));
+        assertFalse(o.estDonnee("--seuil"));
     }
 
     @Test
@@ -236,8 +236,8 @@ class OptionsTest {
     @Test
     void ceQuiEstFixeALaMainSeSait() {
         Options o = Options.lire("--reflets", "5", "--seuil=0.0009765625");
-        assertTrue(o.refletsDonnes);
-        assertTrue(o.seuilDonne);
+        assertTrue(o.estDonnee("--reflets"));
+        assertTrue(o.estDonnee("--seuil"));
     }
 
     @Test
