@@ -19,12 +19,6 @@ public final class FichierPng implements Ecriture.Format {
     private static final byte ROUGE_VERT_BLEU = 2;
     private static final byte FILTRE_GAUCHE = 1;
 
-    /**
-     * Pixels filtrés par appel : une méthode est compilée après deux cents appels, une boucle en cours après soixante
-     * mille tours.
-     */
-    private static final int MORCEAU = 40;
-
     /** Taille d'un bloc de données compressées, en octets. */
     private static final int BLOC = 1 << 16;
 
@@ -49,9 +43,7 @@ public final class FichierPng implements Ecriture.Format {
             byte[] tampon = new byte[BLOC];
             int remplis = 0;
             for (int j = 0; j < image.getHauteur(); j++) {
-                for (int i = 0; i < largeur; i += MORCEAU) {
-                    filtrer(image.getCodes(), j * largeur, i, Math.min(i + MORCEAU, largeur), ligne);
-                }
+                filtrer(image.getCodes(), j * largeur, ligne);
                 compression.setInput(ligne);
                 if (j == image.getHauteur() - 1) {
                     compression.finish();
@@ -71,10 +63,10 @@ public final class FichierPng implements Ecriture.Format {
     }
 
     /** Chaque octet moins celui du pixel de gauche : un dégradé devient presque constant, et se comprime. */
-    private static void filtrer(int[] codes, int debut, int de, int a, byte[] ligne) {
-        int gauche = de == 0 ? 0 : codes[debut + de - 1];
-        for (int i = de, k = 1 + 3 * de; i < a; i++) {
-            int code = codes[debut + i];
+    private static void filtrer(int[] codes, int debut, byte[] ligne) {
+        int gauche = 0;
+        for (int i = debut, k = 1; k < ligne.length; i++) {
+            int code = codes[i];
             ligne[k++] = (byte) ((code >> 16) - (gauche >> 16));
             ligne[k++] = (byte) ((code >> 8) - (gauche >> 8));
             ligne[k++] = (byte) (code - gauche);

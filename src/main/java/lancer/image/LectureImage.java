@@ -11,7 +11,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Paths;
-import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.CRC32;
@@ -50,7 +49,7 @@ public final class LectureImage {
     public static ImageMemoire lire(String nom) {
         try {
             byte[] octets = Files.readAllBytes(Paths.get(nom));
-            return nom.toLowerCase(Locale.ROOT).endsWith(".png") ? lirePng(octets) : lirePfm(octets);
+            return Texte.minuscules(nom).endsWith(".png") ? lirePng(octets) : lirePfm(octets);
         } catch (IOException | InvalidPathException e) {
             throw Echec.demande(Texte.echappe(nom) + " : image illisible : " + (e instanceof IOException
                     ? Texte.panne((IOException) e) : "nom de fichier impossible" + Texte.horsLangue(nom))
