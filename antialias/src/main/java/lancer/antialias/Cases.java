@@ -24,6 +24,12 @@ final class Cases {
     private final int largeur;
     private final int hauteur;
 
+    /**
+     * Pour chaque ligne et chaque colonne, à une près, vrai si la case d'un pixel ou de l'un de ses huit voisins
+     * dépasse seule le seuil : un détail déborde souvent de sa case.
+     */
+    private final boolean[][] suspects;
+
     /** Le pixel en cours, dans le pavé ; ses derniers sous-pixels ; la somme de ceux qui sont peints. */
     private int i;
     private int j;
@@ -42,22 +48,17 @@ final class Cases {
         sousPixels = new SousPixels(n, pave, vue);
         largeur = pave.i1 - pave.i0;
         hauteur = pave.j1 - pave.j0;
+        suspects = new boolean[hauteur + 2][largeur + 2];
     }
 
     /** Dessine ces pixels du pavé. @return le nombre de ceux dont la case a été coupée */
     int tracer(Pave voulus, Toile toile) {
-        boolean[][] suspects = suspects(voulus);
+        chercherLesSuspects(voulus);
         int raffines = 0;
         for (int y = voulus.j0 - pave.j0; y < voulus.j1 - pave.j0; y++) {
             for (int x = voulus.i0 - pave.i0; x < voulus.i1 - pave.i0; x++) {
                 commencer(x, y);
-                boolean divisible = finX > 1 || finY > 1;
-                if (divisible && (suspects[y + 1][x + 1] || peutEchapper(0, 0, finX, finY))) {
-                    couper(0, 0, finX, finY);
-                    raffines++;
-                } else {
-                    interpoler(0, 0, finX, finY);
-                }
+                raffines += peindre(0, 0, finX, finY) ? 1 : 0;
                 Couleur somme = new Couleur(r, v, b);
                 vue.diviser(somme, n * n);
                 toile.drawPixel(somme.div(n * n), pave.i0 + x, pave.j0 + y);
@@ -77,12 +78,7 @@ final class Cases {
         b = 0;
     }
 
-    /**
-     * Pour chaque ligne et chaque colonne, à une près, vrai si la case d'un pixel ou de l'un de ses huit voisins
-     * dépasse seule le seuil : un détail déborde souvent de sa case.
-     */
-    private boolean[][] suspects(Pave voulus) {
-        boolean[][] suspects = new boolean[hauteur + 2][largeur + 2];
+    private void chercherLesSuspects(Pave voulus) {
         for (int y = Math.max(0, voulus.j0 - pave.j0 - 1); y < Math.min(hauteur, voulus.j1 - pave.j0 + 1); y++) {
             for (int x = Math.max(0, voulus.i0 - pave.i0 - 1); x < Math.min(largeur, voulus.i1 - pave.i0 + 1); x++) {
                 commencer(x, y);
@@ -92,7 +88,6 @@ final class Cases {
                 }
             }
         }
-        return suspects;
     }
 
     /** Vrai si contraste × côté dépasse le seuil : plus une case est petite, moins elle change le pixel. */
@@ -113,26 +108,25 @@ final class Cases {
         return sousPixels.voir(i, j, x, y);
     }
 
-    /** Peint une case en quatre, ou en deux si elle n'a qu'un sous-pixel de large ou de haut. */
-    private void couper(int x0, int y0, int x1, int y1) {
+    /** Peint une case, en quatre s'il faut la couper, ou en deux si elle n'a qu'un sous-pixel de large ou de haut. */
+    private boolean peindre(int x0, int y0, int x1, int y1) {
+        if (x0 == x1 || y0 == y1) {
+            return false;
+        }
+        boolean divisible = x1 - x0 > 1 || y1 - y0 > 1;
+        boolean duPixel = x1 - x0 == finX && y1 - y0 == finY;
+        if (!divisible || !(duPixel ? suspects[j + 1][i + 1] : depasse(x0, y0, x1, y1))
+                && !peutEchapper(x0, y0, x1, y1)) {
+            interpoler(x0, y0, x1, y1);
+            return false;
+        }
         int xm = (x0 + x1) / 2;
         int ym = (y0 + y1) / 2;
         peindre(x0, y0, xm, ym);
         peindre(xm, y0, x1, ym);
         peindre(x0, ym, xm, y1);
         peindre(xm, ym, x1, y1);
-    }
-
-    private void peindre(int x0, int y0, int x1, int y1) {
-        if (x0 == x1 || y0 == y1) {
-            return;
-        }
-        boolean divisible = x1 - x0 > 1 || y1 - y0 > 1;
-        if (divisible && (depasse(x0, y0, x1, y1) || peutEchapper(x0, y0, x1, y1))) {
-            couper(x0, y0, x1, y1);
-        } else {
-            interpoler(x0, y0, x1, y1);
-        }
+        return true;
     }
 
     /**
