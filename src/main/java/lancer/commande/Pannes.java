@@ -47,17 +47,22 @@ public final class Pannes {
     /** Répond sur la sortie standard. @throws Echec si elle n'a pu être écrite */
     public static void repondre(String texte, PrintStream sortie) {
         sortie.println(texte);
-        // un PrintStream ne le dit pas de lui-même
-        if (sortie.checkError()) {
-            throw Echec.panne("sortie standard : écriture impossible");
-        }
+        verifier(sortie);
     }
 
     /** Répond par des lignes en UTF-8, que la console en soit ou non. @throws Echec comme {@link #repondre} */
     public static void repondreEnUtf8(List<String> lignes, PrintStream sortie) {
-        byte[] octets = String.join(System.lineSeparator(), lignes).getBytes(StandardCharsets.UTF_8);
+        String fin = System.lineSeparator();
+        byte[] octets = (String.join(fin, lignes) + fin).getBytes(StandardCharsets.UTF_8);
         sortie.write(octets, 0, octets.length);
-        repondre("", sortie);
+        verifier(sortie);
+    }
+
+    /** @throws Echec si la sortie standard n'a pu être écrite : un {@code PrintStream} ne le dit pas de lui-même */
+    private static void verifier(PrintStream sortie) {
+        if (sortie.checkError()) {
+            throw Echec.panne("sortie standard : écriture impossible");
+        }
     }
 
     /**

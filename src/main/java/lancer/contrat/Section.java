@@ -26,9 +26,6 @@ public final class Section {
     /** Nombre de clés au plus, qu'aucune section n'atteint : chercher les doublons coûterait ensuite trop cher. */
     private static final int CLES_MAX = 64;
 
-    /** Nom tenant lieu de fichier à une section qui n'est dans aucun. */
-    private static final String REGLAGE = "réglage";
-
     /** Le nom, tel qu'écrit entre les crochets. */
     public final String nom;
 
@@ -65,7 +62,7 @@ public final class Section {
 
     /** Une section de ce type, qui n'est dans aucun fichier : une clé, sa valeur, une autre clé, sa valeur… */
     public static Section sansFichier(String type, String... clesEtValeurs) {
-        Section section = new Section(REGLAGE, type, 0);
+        Section section = new Section("réglage", type, 0);
         for (int k = 0; k + 1 < clesEtValeurs.length; k += 2) {
             section.ajouter(clesEtValeurs[k], clesEtValeurs[k + 1], 0);
         }
@@ -191,15 +188,15 @@ public final class Section {
         if (entree == null) {
             throw fautive(ligne, cle, "clé absente", attendu(combien, min, max));
         }
-        double[] nombres = new double[combien];
-        int trouves = 0;
-        for (StringTokenizer mots = new StringTokenizer(entree.valeur, " \t"); mots.hasMoreTokens(); trouves++) {
+        StringTokenizer mots = new StringTokenizer(entree.valeur, " \t");
+        int trouves = mots.countTokens();
+        double[] nombres = new double[trouves];
+        for (int k = 0; k < trouves; k++) {
             String mot = mots.nextToken();
-            double valeur = Nombre.lire(mot);
-            if (!(valeur >= min && valeur <= max)) {
-                throw impossible(entree, mot, valeur, attendu(combien, min, max));
+            nombres[k] = Nombre.lire(mot);
+            if (!(nombres[k] >= min && nombres[k] <= max)) {
+                throw impossible(entree, mot, nombres[k], attendu(combien, min, max));
             }
-            nombres[Math.min(trouves, combien - 1)] = valeur;
         }
         if (trouves != combien) {
             String faute = trouves == 0 ? "valeur absente" : trouves + (trouves > 1 ? " nombres" : " nombre")

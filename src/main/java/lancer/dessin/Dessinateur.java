@@ -185,7 +185,7 @@ public final class Dessinateur {
     Traceur preparer(ImageMemoire vierge) {
         remplacer(dessin.fichier, dessin.origines, dessin.reglages);
         long debut = System.nanoTime();
-        Traceur traceur = traceur(getScene(), vierge.getLargeur(), vierge.getHauteur(), options.simple,
+        Traceur traceur = traceur(getScene(), vierge.largeur, vierge.hauteur, options.simple,
                 part -> avancement = part);
         preparationNs = System.nanoTime() - debut;
         dessin = new Dessin(dessin.fichier, dessin.origines, dessin.reglages, vierge, traceur);
@@ -234,8 +234,8 @@ public final class Dessinateur {
         Dessin present = dessin;
         boolean dessinee = present.image != null;
         return Echec.panne(Pannes.duPixel(panne, classes(getScene()), present.reglages.getOptions(),
-                present.fichier, dessinee ? present.image.getLargeur() : options.largeur,
-                dessinee ? present.image.getHauteur() : options.hauteur));
+                present.fichier, dessinee ? present.image.largeur : options.largeur,
+                dessinee ? present.image.hauteur : options.hauteur));
     }
 
     /** Les classes de la scène et des variantes, en une expression régulière : un échec y est situé d'abord. */

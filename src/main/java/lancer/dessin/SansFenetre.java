@@ -171,7 +171,7 @@ public final class SansFenetre {
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
         if (autre == null) {
             dessinateur.lireScene(options.scene);
-            autre = new ImageMemoire(attendue.getLargeur(), attendue.getHauteur(), true);
+            autre = new ImageMemoire(attendue.largeur, attendue.hauteur, true);
             dessinateur.preparer(autre).TracerPixels(dessinateur.programme, options.reflets, options.fils);
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);

@@ -232,7 +232,7 @@ final class Atelier {
 
     /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
     private void retenir() {
-        avant = complete != null && complete.getCodes().length <= PIXELS_GARDES ? complete : null;
+        avant = complete != null && complete.codes.length <= PIXELS_GARDES ? complete : null;
     }
 
     private void lancer(String aLire) {

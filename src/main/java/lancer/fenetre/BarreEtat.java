@@ -102,7 +102,7 @@ final class BarreEtat extends JPanel {
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
         resume.setText(image == null ? " "
-                : image.getLargeur() + " × " + image.getHauteur() + " pixels" + reduite + ", " + cout);
+                : image.largeur + " × " + image.hauteur + " pixels" + reduite + ", " + cout);
         return resume.getText();
     }
 
@@ -114,12 +114,12 @@ final class BarreEtat extends JPanel {
             pixel.setText(" ");
             return;
         }
-        int k = ou.y * image.getLargeur() + ou.x;
-        int code = image.getCodes()[k];
+        int k = ou.y * image.largeur + ou.x;
+        int code = image.codes[k];
         pastille.setBackground(new Color(code));
         String texte = String.format("pixel %d, %d%s : #%06X = %d %d %d", ou.x, ou.y, brouillon ? " (brouillon)" : "",
                 code & 0xFFFFFF, code >> 16 & 0xFF, code >> 8 & 0xFF, code & 0xFF);
-        float[] lineaire = image.getLineaire();
+        float[] lineaire = image.lineaire;
         if (lineaire != null) {
             // avec un point, comme dans les fichiers de scène
             texte += String.format(Locale.ROOT, " ← %.3f %.3f %.3f", lineaire[3 * k], lineaire[3 * k + 1],

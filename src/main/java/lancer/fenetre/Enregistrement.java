@@ -40,8 +40,8 @@ final class Enregistrement {
     void copier() {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
-            BufferedImage copie = new BufferedImage(image.getLargeur(), image.getHauteur(), BufferedImage.TYPE_INT_RGB);
-            copie.setRGB(0, 0, copie.getWidth(), copie.getHeight(), image.getCodes(), 0, copie.getWidth());
+            BufferedImage copie = new BufferedImage(image.largeur, image.hauteur, BufferedImage.TYPE_INT_RGB);
+            copie.setRGB(0, 0, copie.getWidth(), copie.getHeight(), image.codes, 0, copie.getWidth());
             bandeau.getToolkit().getSystemClipboard().setContents(new Transferable() {
                 @Override
                 public DataFlavor[] getTransferDataFlavors() {
@@ -58,7 +58,7 @@ final class Enregistrement {
                     return copie;
                 }
             }, null);
-            bandeau.avis("image copiée, " + image.getLargeur() + " × " + image.getHauteur() + " pixels");
+            bandeau.avis("image copiée, " + image.largeur + " × " + image.hauteur + " pixels");
         }
     }
 

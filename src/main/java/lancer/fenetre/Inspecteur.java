@@ -288,11 +288,11 @@ final class Inspecteur extends JDialog {
         if (image == null) {
             return "L'image n'est pas achevée : rien encore à quoi comparer.";
         }
-        int k = pixel.y * image.getLargeur() + pixel.x;
-        float[] vu = image.getLineaire();
-        boolean pareil = image.getCodes()[k] == couleur.getCode() && (vu == null || vu[3 * k] == (float) couleur.r
+        int k = pixel.y * image.largeur + pixel.x;
+        float[] vu = image.lineaire;
+        boolean pareil = image.codes[k] == couleur.getCode() && (vu == null || vu[3 * k] == (float) couleur.r
                 && vu[3 * k + 1] == (float) couleur.v && vu[3 * k + 2] == (float) couleur.b);
-        String dessine = String.format("#%06X", image.getCodes()[k] & 0xFFFFFF);
+        String dessine = String.format("#%06X", image.codes[k] & 0xFFFFFF);
         return pareil ? "Au bit près, la couleur du pixel dessiné : " + dessine
                 : "Différent du pixel dessiné, qui est " + dessine
                         + (vu == null ? "" : " = " + vu[3 * k] + " " + vu[3 * k + 1] + " " + vu[3 * k + 2]);

@@ -130,8 +130,8 @@ final class PanneauImage extends JPanel {
             if (loupe > 0 && souris != null) {
                 Point avant = souris;
                 placer(e);
-                centrer(centreX - (souris.x - avant.x) / (double) (loupe * montree.getLargeur()),
-                        centreY - (souris.y - avant.y) / (double) (loupe * montree.getHauteur()));
+                centrer(centreX - (souris.x - avant.x) / (double) (loupe * montree.largeur),
+                        centreY - (souris.y - avant.y) / (double) (loupe * montree.hauteur));
             }
         }
 
@@ -213,16 +213,16 @@ final class PanneauImage extends JPanel {
     /** Où va cette image ; à la loupe, elle déborde. */
     private Rectangle getPlace(ImageMemoire image) {
         Dimension libre = getLibre();
-        Dimension max = getTailleMax(image.getLargeur(), image.getHauteur());
-        int l = loupe > 0 ? loupe * image.getLargeur() : Math.min(image.getLargeur(), max.width);
-        int h = loupe > 0 ? loupe * image.getHauteur() : Math.min(image.getHauteur(), max.height);
+        Dimension max = getTailleMax(image.largeur, image.hauteur);
+        int l = loupe > 0 ? loupe * image.largeur : Math.min(image.largeur, max.width);
+        int h = loupe > 0 ? loupe * image.hauteur : Math.min(image.hauteur, max.height);
         return new Rectangle((int) (libre.width / 2.0 - centreX * l), (int) (libre.height / 2.0 - centreY * h), l, h);
     }
 
     /** Le rapport de la taille à laquelle l'image est montrée à la sienne, du côté où il est le plus petit. */
     double getReduction(ImageMemoire image) {
         Rectangle place = getPlace(image);
-        return Math.min((double) place.width / image.getLargeur(), (double) place.height / image.getHauteur());
+        return Math.min((double) place.width / image.largeur, (double) place.height / image.hauteur);
     }
 
     /** Agrandit deux fois plus, ou deux fois moins, comme la molette, sans perdre de vue le pixel suivi. */
@@ -237,8 +237,8 @@ final class PanneauImage extends JPanel {
             return;
         }
         // une image qui ne tient qu'en réduction passe d'abord à sa taille, un pixel pour un
-        Dimension max = getTailleMax(montree.getLargeur(), montree.getHauteur());
-        int premiere = montree.getLargeur() > max.width || montree.getHauteur() > max.height ? 1 : 2;
+        Dimension max = getTailleMax(montree.largeur, montree.hauteur);
+        int premiere = montree.largeur > max.width || montree.hauteur > max.height ? 1 : 2;
         int autre = plus ? Math.max(premiere, Math.min(LOUPE_MAX, 2 * loupe)) : loupe <= premiere ? 0 : loupe / 2;
         Dimension libre = getLibre();
         Point ici = souris == null ? new Point(libre.width / 2, libre.height / 2) : souris;
@@ -260,7 +260,7 @@ final class PanneauImage extends JPanel {
             Rectangle place = getPlace(montree);
             Rectangle carre = new Rectangle(place.x + loupe * suivi.x, place.y + loupe * suivi.y, loupe, loupe);
             if (!new Rectangle(getLibre()).contains(carre)) {
-                centrer((suivi.x + 0.5) / montree.getLargeur(), (suivi.y + 0.5) / montree.getHauteur());
+                centrer((suivi.x + 0.5) / montree.largeur, (suivi.y + 0.5) / montree.hauteur);
             }
         }
     }
@@ -337,8 +337,8 @@ final class PanneauImage extends JPanel {
         // sur le tableau même des codes : rien n'est copié
         DirectColorModel couleurs = (DirectColorModel) ColorModel.getRGBdefault();
         BufferedImage pixels = new BufferedImage(couleurs, Raster.createPackedRaster(
-                new DataBufferInt(image.getCodes(), image.getCodes().length), image.getLargeur(), image.getHauteur(),
-                image.getLargeur(), couleurs.getMasks(), null), false, null);
+                new DataBufferInt(image.codes, image.codes.length), image.largeur, image.hauteur,
+                image.largeur, couleurs.getMasks(), null), false, null);
         Rectangle place = getPlace(image);
         if (loupe == 0) {
             g.drawImage(pixels, place.x, place.y, place.width, place.height, null);
@@ -347,8 +347,8 @@ final class PanneauImage extends JPanel {
         Dimension libre = getLibre();
         int x = Math.max(0, -place.x / loupe);
         int y = Math.max(0, -place.y / loupe);
-        int finX = Math.min(image.getLargeur(), (libre.width - place.x) / loupe + 1);
-        int finY = Math.min(image.getHauteur(), (libre.height - place.y) / loupe + 1);
+        int finX = Math.min(image.largeur, (libre.width - place.x) / loupe + 1);
+        int finY = Math.min(image.hauteur, (libre.height - place.y) / loupe + 1);
         g.drawImage(pixels, place.x + x * loupe, place.y + y * loupe, place.x + finX * loupe, place.y + finY * loupe,
                 x, y, finX, finY, null);
     }
@@ -374,15 +374,15 @@ final class PanneauImage extends JPanel {
             return null;
         }
         Point pixel = getPixel(image, souris);
-        return image.getCodes()[pixel.y * image.getLargeur() + pixel.x] == 0 ? null : pixel;
+        return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
     }
 
     /** Le pixel de cette image à cet endroit, ou le plus près. */
     private Point getPixel(ImageMemoire image, Point ou) {
         Rectangle place = getPlace(image);
-        long x = (long) (ou.x - place.x) * image.getLargeur() / place.width;
-        long y = (long) (ou.y - place.y) * image.getHauteur() / place.height;
-        return new Point((int) Math.max(0, Math.min(image.getLargeur() - 1, x)),
-                (int) Math.max(0, Math.min(image.getHauteur() - 1, y)));
+        long x = (long) (ou.x - place.x) * image.largeur / place.width;
+        long y = (long) (ou.y - place.y) * image.hauteur / place.height;
+        return new Point((int) Math.max(0, Math.min(image.largeur - 1, x)),
+                (int) Math.max(0, Math.min(image.hauteur - 1, y)));
     }
 }

@@ -104,7 +104,7 @@ final class PanneauVitesse extends JDialog {
         }
         graphique.repaint();
         ImageMemoire image = atelier.getImageComplete();
-        if (voulu != null && auto != null && image != null && image.getLineaire() != null && estPresent(voulu)) {
+        if (voulu != null && auto != null && image != null && image.lineaire != null && estPresent(voulu)) {
             if (atelier.direFautes() == null) {
                 mesurer(montre.traceur, image);
             } else {
@@ -117,7 +117,7 @@ final class PanneauVitesse extends JDialog {
     /** Ce dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
     private static List<Object> scene(Dessin dessin) {
         List<Object> scene = new ArrayList<>(Arrays.asList(dessin.traceur.getScene().getObjets(),
-                dessin.image.getLargeur(), dessin.image.getHauteur()));
+                dessin.image.largeur, dessin.image.hauteur));
         for (Variante variante : dessin.reglages.getVariantes()) {
             if (dessin.reglages.estBranchee(variante) && !libres(dessin.reglages).contains(variante)) {
                 scene.add(dessin.reglages.getSection(variante).toString());
@@ -178,14 +178,14 @@ final class PanneauVitesse extends JDialog {
         List<Object> scene = essayee;
         Auto fait = auto;
         Candidat reglage = voulu;
-        double rayons = lancer.getCompteurs().rayons() / (double) image.getCodes().length;
+        double rayons = lancer.getCompteurs().rayons() / (double) image.codes.length;
         etat.setText("mesure de l'image…");
         essais = Atelier.confier(fil, () -> {
             Toile controle = fait.surveiller((couleur, i, j) -> { });
-            float[] lineaire = image.getLineaire();
+            float[] lineaire = image.lineaire;
             for (int k = 0; k < lineaire.length / 3; k++) {
                 controle.drawPixel(new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]),
-                        k % image.getLargeur(), k / image.getLargeur());
+                        k % image.largeur, k / image.largeur);
             }
             double erreur = fait.getErreurMesuree();
             double incertitude = fait.getIncertitude();

@@ -34,16 +34,16 @@ public final class Comparaison {
      * @throws Echec si les images n'ont pas la même taille
      */
     public Comparaison(ImageMemoire a, ImageMemoire b, double tolerance, double part) {
-        if (a.getLargeur() != b.getLargeur() || a.getHauteur() != b.getHauteur()) {
+        if (a.largeur != b.largeur || a.hauteur != b.hauteur) {
             throw Echec.demande(String.format(
                     "images de tailles différentes : %dx%d et %dx%d ; attendu : la même taille",
-                    a.getLargeur(), a.getHauteur(), b.getLargeur(), b.getHauteur()));
+                    a.largeur, a.hauteur, b.largeur, b.hauteur));
         }
         this.a = a;
         this.b = b;
         this.part = part;
-        surHuitBits = a.getLineaire() == null || b.getLineaire() == null;
-        pixels = a.getCodes().length;
+        surHuitBits = a.lineaire == null || b.lineaire == null;
+        pixels = a.codes.length;
         double carres = 0;
         for (int p = 0; p < pixels; p++) {
             double max = 0;
@@ -67,8 +67,8 @@ public final class Comparaison {
 
     /** Une composante limitée à [0, 1], en niveaux de 255. */
     private double niveau(ImageMemoire image, int p, int k) {
-        return surHuitBits ? image.getCodes()[p] >> 16 - 8 * k & 255
-                : 255.0 * Math.min(1, Math.max(0, image.getLineaire()[3 * p + k]));
+        return surHuitBits ? image.codes[p] >> 16 - 8 * k & 255
+                : 255.0 * Math.min(1, Math.max(0, image.lineaire[3 * p + k]));
     }
 
     /** Vrai si les pixels dont une composante s'écarte plus que permis ne sont pas plus nombreux que permis. */
@@ -81,10 +81,10 @@ public final class Comparaison {
      * niveaux.
      */
     public ImageMemoire getDifferences() {
-        ImageMemoire image = new ImageMemoire(a.getLargeur(), a.getHauteur(), false);
+        ImageMemoire image = new ImageMemoire(a.largeur, a.hauteur, false);
         for (int p = 0; p < pixels; p++) {
             Couleur ecarts = new Couleur(ecart(p, 0), ecart(p, 1), ecart(p, 2)).div(BEAUCOUP);
-            image.drawPixel(ecarts, p % a.getLargeur(), p / a.getLargeur());
+            image.drawPixel(ecarts, p % a.largeur, p / a.largeur);
         }
         return image;
     }
@@ -96,7 +96,7 @@ public final class Comparaison {
                 : pire <= PEU ? "différentes, à l'arrondi près : --tolerance 1 les tient pour pareilles"
                 : "différentes";
         String permis = part > 0 ? String.format("%npixels au-delà de la tolérance: %d sur %d", auDela, pixels) : "";
-        String place = pire > 0 ? " en " + ou % a.getLargeur() + "," + ou / a.getLargeur() : "";
+        String place = pire > 0 ? " en " + ou % a.largeur + "," + ou / a.largeur : "";
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"
                 + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d%s",
                 verdict, rmse, pire, place, plusDUn, pixels, plusDeHuit, pixels, permis);

@@ -12,12 +12,12 @@ public final class FichierPfm implements Ecriture.Format {
     /** @param image une image qui a gardé ses couleurs non limitées */
     @Override
     public void ecrire(ImageMemoire image, OutputStream sortie) throws IOException {
-        int largeur = image.getLargeur();
+        int largeur = image.largeur;
         // le signe de l'échelle dit l'ordre des octets : négatif, petit-boutiste
-        sortie.write(("PF\n" + largeur + " " + image.getHauteur() + "\n-1.0\n").getBytes(StandardCharsets.US_ASCII));
+        sortie.write(("PF\n" + largeur + " " + image.hauteur + "\n-1.0\n").getBytes(StandardCharsets.US_ASCII));
         ByteBuffer ligne = ByteBuffer.allocate(3 * largeur * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
-        for (int j = image.getHauteur() - 1; j >= 0; j--) {
-            ligne.asFloatBuffer().put(image.getLineaire(), 3 * j * largeur, 3 * largeur);
+        for (int j = image.hauteur - 1; j >= 0; j--) {
+            ligne.asFloatBuffer().put(image.lineaire, 3 * j * largeur, 3 * largeur);
             sortie.write(ligne.array());
         }
         sortie.flush();

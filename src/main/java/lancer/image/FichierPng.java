@@ -26,7 +26,7 @@ public final class FichierPng implements Ecriture.Format {
     public void ecrire(ImageMemoire image, OutputStream fichier) throws IOException {
         DataOutputStream sortie = new DataOutputStream(fichier);
         sortie.write(SIGNATURE);
-        ByteBuffer entete = ByteBuffer.allocate(13).putInt(image.getLargeur()).putInt(image.getHauteur())
+        ByteBuffer entete = ByteBuffer.allocate(13).putInt(image.largeur).putInt(image.hauteur)
                 .put(HUIT_BITS).put(ROUGE_VERT_BLEU);
         bloc(sortie, "IHDR", entete.array(), entete.capacity());
         pixels(sortie, image);
@@ -37,18 +37,18 @@ public final class FichierPng implements Ecriture.Format {
     private static void pixels(DataOutputStream sortie, ImageMemoire image) throws IOException {
         Deflater compression = new Deflater(Deflater.BEST_SPEED);
         try {
-            int largeur = image.getLargeur();
+            int largeur = image.largeur;
             byte[] ligne = new byte[1 + 3 * largeur];
             ligne[0] = FILTRE_GAUCHE;
             byte[] tampon = new byte[BLOC];
             int remplis = 0;
-            for (int j = 0; j < image.getHauteur(); j++) {
-                filtrer(image.getCodes(), j * largeur, ligne);
+            for (int j = 0; j < image.hauteur; j++) {
+                filtrer(image.codes, j * largeur, ligne);
                 compression.setInput(ligne);
-                if (j == image.getHauteur() - 1) {
+                if (j == image.hauteur - 1) {
                     compression.finish();
                 }
-                while (!compression.needsInput() || j == image.getHauteur() - 1 && !compression.finished()) {
+                while (!compression.needsInput() || j == image.hauteur - 1 && !compression.finished()) {
                     remplis += compression.deflate(tampon, remplis, BLOC - remplis);
                     if (remplis == BLOC) {
                         bloc(sortie, "IDAT", tampon, remplis);

@@ -6,10 +6,14 @@ import lancer.contrat.Toile;
 /** Une image en mémoire : les codes à montrer, les couleurs non limitées, ou les deux. */
 public final class ImageMemoire implements Toile {
 
-    private final int largeur;
-    private final int hauteur;
-    private final int[] codes;
-    private final float[] lineaire;
+    public final int largeur;
+    public final int hauteur;
+
+    /** Les codes {@code 0xFFRRGGBB}, ligne par ligne depuis le haut, 0 où rien n'est dessiné ; null si non gardés. */
+    public final int[] codes;
+
+    /** Les couleurs non limitées, trois composantes par pixel, depuis le haut ; {@code null} si non gardées. */
+    public final float[] lineaire;
 
     /** @param avecLineaire vrai pour garder aussi les couleurs non limitées */
     public ImageMemoire(int largeur, int hauteur, boolean avecLineaire) {
@@ -35,26 +39,5 @@ public final class ImageMemoire implements Toile {
             lineaire[3 * k + 1] = (float) coul.v;
             lineaire[3 * k + 2] = (float) coul.b;
         }
-    }
-
-    public int getLargeur() {
-        return largeur;
-    }
-
-    public int getHauteur() {
-        return hauteur;
-    }
-
-    /**
-     * Les codes {@code 0xFFRRGGBB}, ligne par ligne depuis le haut : le tableau même, 0 là où rien n'est dessiné ;
-     * {@code null} si non gardés.
-     */
-    public int[] getCodes() {
-        return codes;
-    }
-
-    /** Les couleurs non limitées, trois composantes par pixel, depuis le haut ; {@code null} si non gardées. */
-    public float[] getLineaire() {
-        return lineaire;
     }
 }

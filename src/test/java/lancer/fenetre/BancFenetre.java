@@ -254,9 +254,9 @@ final class BancFenetre {
 
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> atelier.getImageComplete() != null && Arrays.equals(atelier.getImageComplete().getCodes(), codes));
+        attendre(quoi, () -> atelier.getImageComplete() != null && Arrays.equals(atelier.getImageComplete().codes, codes));
         attendre(quoi + ", à l'écran", () -> atelier.getImageComplete() != null
-                && trouver(codes, atelier.getImageComplete().getLargeur()) != null);
+                && trouver(codes, atelier.getImageComplete().largeur) != null);
     }
 
     static int[] codes(BufferedImage image) {

@@ -21,7 +21,7 @@ class FenetreAffichageTest extends EssaiFenetre {
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
             ImageMemoire image = banc.atelier.getImageComplete();
-            return image != null && image.getLargeur() == largeur && image.getHauteur() == hauteur;
+            return image != null && image.largeur == largeur && image.hauteur == hauteur;
         });
     }
 
@@ -62,7 +62,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         attendre("Échap en sort", () -> banc.cadre.getSize().equals(avant));
         // la faute en couvre le bas
         attendre("l'image revient à sa taille", () -> banc.atelier.getImageComplete() != null
-                && Arrays.equals(banc.atelier.getImageComplete().getCodes(), deuxReflets));
+                && Arrays.equals(banc.atelier.getImageComplete().codes, deuxReflets));
     }
 
     @Test
@@ -79,8 +79,8 @@ class FenetreAffichageTest extends EssaiFenetre {
     void laMoletteGrossitSansLisserNiRedessinerAutourDeLaSouris() throws Exception {
         ouvrir();
         ImageMemoire image = banc.imageAchevee();
-        banc.attendreImage("à l'écran", image.getCodes());
-        Point coin = BancFenetre.trouver(image.getCodes(), L);
+        banc.attendreImage("à l'écran", image.codes);
+        Point coin = BancFenetre.trouver(image.codes, L);
         attendre("la souris est là", () -> {
             banc.robot.mouseMove(coin.x + 51, coin.y + 60);
             banc.robot.mouseMove(coin.x + 50, coin.y + 60);
@@ -92,7 +92,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         attendre("le même pixel reste sous la souris", () -> banc.pixel.getText().startsWith("pixel 50, 60 : "));
         int[] grossie = new int[4 * 20 * 4 * 20];
         for (int k = 0; k < grossie.length; k++) {
-            grossie[k] = image.getCodes()[(60 + k / 80 / 4) * L + 50 + k % 80 / 4];
+            grossie[k] = image.codes[(60 + k / 80 / 4) * L + 50 + k % 80 / 4];
         }
         attendre("chaque pixel est un carré de quatre", () -> BancFenetre.trouver(grossie, 80) != null);
         for (int k = 0; k < 6; k++) {
@@ -102,7 +102,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         for (int k = 0; k < 4; k++) {
             banc.robot.mouseWheel(1);
         }
-        banc.attendreImage("et on en revient", image.getCodes());
+        banc.attendreImage("et on en revient", image.codes);
         assertSame(image, banc.atelier.getImageComplete());
     }
 }

@@ -44,7 +44,7 @@ class FenetreDessinTest extends EssaiFenetre {
         lancer.TracerBrouillon(brouillon, Constantes.REFLETS_BROUILLON, 1);
         banc = new BancFenetre(lente().lent());
         // le dernier pavé : l'image, ralentie, en est loin
-        int[] bas = Arrays.copyOfRange(brouillon.getCodes(), (H - 16) * L, H * L);
+        int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
         attendre("le brouillon est à l'écran", () -> BancFenetre.trouver(bas, L) != null);
         assertTrue(banc.atelier.enCours());
         assertNull(banc.atelier.getImageComplete());
@@ -55,7 +55,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void lImageEstCelleQuEcriraitLeProgrammeSansFenetre() throws Exception {
         banc = new BancFenetre(lente());
-        assertArrayEquals(attendue(L, H), banc.imageAchevee().getCodes());
+        assertArrayEquals(attendue(L, H), banc.imageAchevee().codes);
         banc.attendreImage("l'écran montre les mêmes pixels", attendue(L, H));
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         assertEquals("", texte(banc.sortie) + texte(banc.erreur));
@@ -235,7 +235,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void uneSceneLongueALireOuvreAussitotUneFenetreQuiLeDit() throws Exception {
         banc = new BancFenetre(lectureVue());
-        assertArrayEquals(attendue(L, H), banc.imageAchevee().getCodes());
+        assertArrayEquals(attendue(L, H), banc.imageAchevee().codes);
     }
 
     @Test

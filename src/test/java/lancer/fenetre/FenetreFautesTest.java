@@ -83,7 +83,7 @@ class FenetreFautesTest extends EssaiFenetre {
     void unPixelQuiEchoueEstEnDamierLeResteSeDessineEtLaFauteSeRaconte() throws Exception {
         ouvrirAvecUnMur(false);
         ImageMemoire image = banc.imageAchevee();
-        int[] codes = image.getCodes();
+        int[] codes = image.codes;
         int fautifs = 0;
         int premier = -1;
         for (int k = 0; k < codes.length; k++) {
@@ -120,7 +120,7 @@ class FenetreFautesTest extends EssaiFenetre {
 
     @Test
     void apresUneFauteEnregistreeLInspecteurRepondPourLImageQuiResteEtF3Aussi() throws Exception {
-        int[] codes = ouvrir().getCodes();
+        int[] codes = ouvrir().codes;
         cliquer(150, 100);
         JDialog inspecteur = composant("inspecteur", JDialog.class);
         JTextPane recit = composant("recit", JTextPane.class);
@@ -140,7 +140,7 @@ class FenetreFautesTest extends EssaiFenetre {
         JLabel etat = composant("vitesse.etat", JLabel.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
         assertFalse(surFilEvenements(banc.atelier::enCours));
-        assertEquals(codes, surFilEvenements(banc.atelier::getImageComplete).getCodes());
+        assertEquals(codes, surFilEvenements(banc.atelier::getImageComplete).codes);
     }
 
     private static String couleur(int code) {

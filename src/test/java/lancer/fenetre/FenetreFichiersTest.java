@@ -68,7 +68,7 @@ class FenetreFichiersTest extends EssaiFenetre {
         int[] avant = attendue(L, H);
         ecrire(FAUTIVE);
         banc.attendreMessage(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage());
-        assertArrayEquals(avant, banc.imageAchevee().getCodes());
+        assertArrayEquals(avant, banc.imageAchevee().codes);
         ecrire(BLEUE);
         banc.attendreMessage("");
         banc.attendreImage("la faute corrigée, l'image suit", attendue(L, H));

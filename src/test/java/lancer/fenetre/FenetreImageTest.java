@@ -35,7 +35,7 @@ class FenetreImageTest extends EssaiFenetre {
     void changerDeTailleGardeLImageDemandeeEtSesProportions() throws Exception {
         ImageMemoire image = ouvrir();
         retailler(banc.panneau.getWidth() + 151, banc.panneau.getHeight() + 83);
-        attendre("elle est à sa taille, au milieu", () -> BancFenetre.trouver(image.getCodes(), L) != null);
+        attendre("elle est à sa taille, au milieu", () -> BancFenetre.trouver(image.codes, L) != null);
         BufferedImage vue = peinte();
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(60, 20));
         retailler(L / 2, H);
@@ -43,7 +43,7 @@ class FenetreImageTest extends EssaiFenetre {
         vue = peinte();
         assertEquals(L / 2, vue.getWidth());
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(L / 4, H / 8));
-        Color milieu = new Color(image.getCodes()[H / 2 * L + L / 2]);
+        Color milieu = new Color(image.codes[H / 2 * L + L / 2]);
         assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
         attendre("la réduction se dit", () -> banc.resume.getText().startsWith("320 × 240 pixels montrés à 50 %, "));
         assertSame(image, banc.atelier.getImageComplete(), "rien n'est redessiné");
@@ -53,7 +53,7 @@ class FenetreImageTest extends EssaiFenetre {
     void uneTaillePlusGrandeQueLEcranEstDessineeEnEntierEtMontreeReduite() throws Exception {
         banc = new BancFenetre(new MainLent("--taille=2000x1500", scene.toString()));
         ImageMemoire image = banc.imageAchevee();
-        assertEquals("2000 x 1500", image.getLargeur() + " x " + image.getHauteur());
+        assertEquals("2000 x 1500", image.largeur + " x " + image.hauteur);
         double reduction = Math.min(banc.panneau.getWidth() / 2000.0, banc.panneau.getHeight() / 1500.0);
         assertTrue(reduction < 1, "l'écran du test est trop grand");
         String debut = "2000 × 1500 pixels montrés à " + (int) (100 * reduction) + " %, ";
@@ -78,7 +78,7 @@ class FenetreImageTest extends EssaiFenetre {
             attendre("× " + voulu, () -> banc.panneau.getReduction(image) == voulu);
             BufferedImage vue = peinte();
             Point milieu = banc.panneau.getPixelVise();
-            assertEquals(image.getCodes()[milieu.y * image.getLargeur() + milieu.x],
+            assertEquals(image.codes[milieu.y * image.largeur + milieu.x],
                     vue.getRGB(vue.getWidth() / 2, vue.getHeight() / 2), "× " + grossi);
             int gris = banc.panneau.getBackground().getRGB();
             assertTrue(Arrays.stream(BancFenetre.codes(vue)).noneMatch(c -> c == gris), "× " + grossi + " couvre le panneau");
@@ -98,7 +98,7 @@ class FenetreImageTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ENTER);
         JDialog inspecteur = composant("inspecteur", JDialog.class);
         attendre("son titre dit le pixel", () -> inspecteur.getTitle().startsWith("Rayons du pixel "));
-        boolean reduite = image.getCodes().length > 1;
+        boolean reduite = image.codes.length > 1;
         attendre("et le résumé si elle est réduite", () -> banc.resume.getText().contains("montrés à ") == reduite);
     }
 
@@ -153,10 +153,10 @@ class FenetreImageTest extends EssaiFenetre {
     void laBarreDitLePixelSousLaSourisEtLeCoutDeLImage() throws Exception {
         banc = new BancFenetre(lente("--statistiques"));
         ImageMemoire image = banc.imageAchevee();
-        banc.attendreImage("l'image est à l'écran", image.getCodes());
-        Point coin = BancFenetre.trouver(image.getCodes(), L);
+        banc.attendreImage("l'image est à l'écran", image.codes);
+        Point coin = BancFenetre.trouver(image.codes, L);
         int k = 100 * L + 160;
-        String debut = String.format("pixel 160, 100 : #%06X = ", image.getCodes()[k] & 0xFFFFFF);
+        String debut = String.format("pixel 160, 100 : #%06X = ", image.codes[k] & 0xFFFFFF);
         banc.robot.mouseMove(coin.x + 10, coin.y + 10);
         attendre("le pixel se dit", () -> {
             banc.robot.mouseMove(coin.x + 160, coin.y + 100);
@@ -174,8 +174,8 @@ class FenetreImageTest extends EssaiFenetre {
     @Test
     void lePixelNeSeDitPlusQuandLaFenetreBougeSousLaSouris() throws Exception {
         banc = new BancFenetre(lente());
-        banc.attendreImage("à l'écran", banc.imageAchevee().getCodes());
-        Point coin = BancFenetre.trouver(banc.imageAchevee().getCodes(), L);
+        banc.attendreImage("à l'écran", banc.imageAchevee().codes);
+        Point coin = BancFenetre.trouver(banc.imageAchevee().codes, L);
         attendre("la souris est là", () -> {
             banc.robot.mouseMove(coin.x + 101, coin.y + 60);
             banc.robot.mouseMove(coin.x + 100, coin.y + 60);

@@ -76,7 +76,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void unClicOuvreLaChaineDuPixelQuiEstCelleDeLaLigneDeCommandeArrondie() throws Exception {
-        int[] codes = ouvrir().getCodes();
+        int[] codes = ouvrir().codes;
         cliquer(150, 100);
         attendreTitre(150, 100);
         String recit = attendreRecit(couleur(codes[100 * L + 150]));
@@ -160,13 +160,13 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void ilSuitLeMemePixelQuandLaSceneChangeEtMarqueCeQuiAChange() throws Exception {
-        int[] rouge = ouvrir().getCodes().clone();
+        int[] rouge = ouvrir().codes.clone();
         cliquer(150, 110);
         attendreRecit(couleur(rouge[110 * L + 150]));
         ecrire(BLEUE);
         int[] bleue = attendue(L, H);
         attendre("la nouvelle image", () -> banc.atelier.getImageComplete() != null
-                && Arrays.equals(banc.atelier.getImageComplete().getCodes(), bleue));
+                && Arrays.equals(banc.atelier.getImageComplete().codes, bleue));
         String recit = attendreRecit(couleur(bleue[110 * L + 150]));
         attendreVerdict("Au bit près");
         long marques = Arrays.stream(recit.split("\n")).filter(ligne -> ligne.contains("   ← = ")).count();
@@ -182,7 +182,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.atelier.getImageComplete().getCodes(), "et pas dans l'image");
+        assertArrayEquals(codes, banc.atelier.getImageComplete().codes, "et pas dans l'image");
         ImageMemoire avant = banc.atelier.getImageComplete();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
@@ -205,7 +205,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
         presser(KeyEvent.VK_SUBTRACT);
         int[] deux = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=2");
         attendre("moins de réflexions", () -> banc.atelier.getImageComplete() != null
-                && Arrays.equals(deux, banc.atelier.getImageComplete().getCodes()));
+                && Arrays.equals(deux, banc.atelier.getImageComplete().codes));
         attendreVerdict("Au bit près");
     }
 
@@ -289,7 +289,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void unPixelDessineQuiNEstPasCeluiDesEquationsSeDit() throws Exception {
-        ouvrir().getCodes()[120 * L + 160] ^= 1;
+        ouvrir().codes[120 * L + 160] ^= 1;
         cliquer(160, 120);
         attendreVerdict("Différent du pixel dessiné, qui est #");
         presser(KeyEvent.VK_RIGHT);
@@ -311,7 +311,7 @@ class FenetreInspecteurTest extends EssaiFenetre {
 
     @Test
     void sansRienChoisirCtrlCCopieToutLeTexteEtNonLImage() throws Exception {
-        int[] codes = ouvrir().getCodes();
+        int[] codes = ouvrir().codes;
         cliquer(150, 100);
         String recit = attendreRecit(couleur(codes[100 * L + 150]));
         presser(KeyEvent.VK_CONTROL, KeyEvent.VK_C);

@@ -58,7 +58,7 @@ class FenetreScenesTest extends EssaiFenetre {
                 Arrays.asList(dossier.resolve("boule.ini").toString(), suivante.toString())));
         banc.frapper(KeyEvent.VK_PAGE_UP);
         banc.attendreMessage(dossier.resolve("abîmée.ini") + ", ligne 1 : ");
-        assertArrayEquals(rouge, banc.imageAchevee().getCodes(), "une scène qui ne se lit pas laisse l'image");
+        assertArrayEquals(rouge, banc.imageAchevee().codes, "une scène qui ne se lit pas laisse l'image");
         banc.fermer();
         banc = new BancFenetre(lente());
         attendre("les récentes se retrouvent à la fois suivante", () -> articles().contains(dossier.resolve("boule.ini").toString()));

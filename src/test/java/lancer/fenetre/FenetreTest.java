@@ -145,7 +145,7 @@ class FenetreTest extends EssaiFenetre {
         int proches = 0;
         for (int k = 0; k < 128 * 128; k++) {
             Color a = new Color(icone.getRGB(k % 128, k / 128));
-            Color b = new Color(dessinee.getCodes()[k]);
+            Color b = new Color(dessinee.codes[k]);
             proches += Math.abs(a.getRed() - b.getRed()) + Math.abs(a.getBlue() - b.getBlue()) < 8 ? 1 : 0;
         }
         assertTrue(proches > 128 * 128 * 3 / 4, "aux bords près, qu'elle a plus doux : " + proches);

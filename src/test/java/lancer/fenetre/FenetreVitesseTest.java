@@ -77,7 +77,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         frapper(KeyEvent.VK_ENTER);
         attendreEtat("Mesuré");
         assertEquals(1000, banc.atelier.getReglages().getReflets());
-        assertArrayEquals(moinsCherSansFenetre(), banc.imageAchevee().getCodes());
+        assertArrayEquals(moinsCherSansFenetre(), banc.imageAchevee().codes);
         String dit = surFilEvenements(etat::getText);
         Matcher m = Pattern.compile("Mesuré : (\\d+),\\d+ ± .*").matcher(dit);
         assertTrue(m.matches(), dit);
@@ -98,7 +98,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         attendreEtat("Mesuré");
         assertEquals(1000, banc.atelier.getReglages().getReflets());
-        assertArrayEquals(moinsCherSansFenetre(), banc.imageAchevee().getCodes());
+        assertArrayEquals(moinsCherSansFenetre(), banc.imageAchevee().codes);
     }
 
     @Test

@@ -196,12 +196,12 @@ class SortiesTest extends EssaiCommande {
         for (int[] taille : new int[][] {{1, 1}, {1, 100}, {100, 1}, {3, 2}, {257, 255}, {16384, 3}, {3, 16384}}) {
             ImageMemoire memoire = new ImageMemoire(taille[0], taille[1], false);
             Random hasard = new Random(taille[0]);
-            for (int k = 0; k < memoire.getCodes().length; k++) {
-                memoire.getCodes()[k] = 0xFF000000 | hasard.nextInt();
+            for (int k = 0; k < memoire.codes.length; k++) {
+                memoire.codes[k] = 0xFF000000 | hasard.nextInt();
             }
             new Ecriture(png.toString()).ecrire(memoire, new FichierPng());
             BufferedImage lue = ImageIO.read(png.toFile());
-            assertArrayEquals(memoire.getCodes(), lue.getRGB(0, 0, taille[0], taille[1], null, 0, taille[0]), Arrays.toString(taille));
+            assertArrayEquals(memoire.codes, lue.getRGB(0, 0, taille[0], taille[1], null, 0, taille[0]), Arrays.toString(taille));
         }
     }
 

@@ -38,7 +38,7 @@ class PreparerTest {
         ImageMemoire image = new ImageMemoire(64, 48, true);
         Scene scene = new Scene(SCENE.toString());
         Dessinateur.traceur(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
-        float[] preparee = image.getLineaire();
+        float[] preparee = image.lineaire;
         for (int j = 0; j < 48; j++) {
             // un fichier PFM commence par la ligne du bas
             float[] ligne = new float[3 * 64];

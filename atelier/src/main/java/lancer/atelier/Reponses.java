@@ -201,7 +201,7 @@ public final class Reponses {
 
     private static ImageMemoire blanche(int largeur, int hauteur) {
         ImageMemoire image = new ImageMemoire(largeur, hauteur, false);
-        Arrays.fill(image.getCodes(), -1);
+        Arrays.fill(image.codes, -1);
         return image;
     }
 }

@@ -110,7 +110,7 @@ class FenetreVariantesTest extends EssaiFenetre {
             banc.atelier.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
         });
         attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
-        int[] vue = banc.imageAchevee().getCodes().clone();
+        int[] vue = banc.imageAchevee().codes.clone();
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         attendre("la copie", () -> BancFenetre.copie().startsWith(debut));
         String[] copie = ("\n" + BancFenetre.copie()).split("\n; java -\\w+ \\S+ (lancer\\.Main )?");
@@ -123,7 +123,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         assertEquals("", Essai.executer(versFichier).erreur);
         assertArrayEquals(vue, BancFenetre.codes(ImageIO.read(png.toFile())));
         banc = new BancFenetre(commande);
-        assertArrayEquals(vue, banc.imageAchevee().getCodes());
+        assertArrayEquals(vue, banc.imageAchevee().codes);
     }
 
     @Test
@@ -142,7 +142,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     @Test
     void unReglageImpossibleSeLitEtLImageReste() throws Exception {
         ouvrir();
-        int[] avant = banc.imageAchevee().getCodes();
+        int[] avant = banc.imageAchevee().codes;
         placer(glissiere("Brume.fin"), 4);
         attendre("fin est réglée", () -> !banc.atelier.enCours());
         int[] cinq = sansFenetre(ROUGE + "[Brume]\nfin=5\n");
@@ -224,7 +224,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     @Test
     void unGesteDeGlissiereEstUnSeulChangement() throws Exception {
         ouvrir();
-        int[] avant = banc.imageAchevee().getCodes();
+        int[] avant = banc.imageAchevee().codes;
         JSlider fin = glissiere("Brume.fin");
         faire(() -> fin.setValueIsAdjusting(true));
         for (int cran : new int[] {25, 20, 15, 10}) {

@@ -73,7 +73,7 @@ final class Besoin {
         ImageMemoire image = new ImageMemoire(taille.largeur, taille.hauteur, false);
         // sans témoins : seuls se comptent les rayons de l'image
         lancer.parcourir(lancer.getScene().getModele().getEchantillonnage(), image, profondeur, taille.fils);
-        return image.getCodes();
+        return image.codes;
     }
 
     /**
