@@ -43,7 +43,7 @@ class FautesTest extends JuryEssai {
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Lancer.java"));
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Brume.java"),
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Brume.java"));
-        resultats = juger(rendus, dossier.resolve("travail"), Confinement.essayer(), PATIENTES);
+        resultats = juger(rendus, Confinement.essayer(), PATIENTES);
     }
 
     private static void verifier(String faute, String... etapes) {

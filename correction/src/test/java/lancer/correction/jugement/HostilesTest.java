@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -59,9 +60,9 @@ class HostilesTest extends JuryEssai {
         for (String nom : List.of("memoire", "memoire-native")) {
             Files.move(rendus.resolve(nom), gourmands.resolve(nom));
         }
-        Map<String, Resultat> resultats = juger(rendus, dossier.resolve("travail"), confinement, COURTES);
+        Map<String, Resultat> resultats = juger(rendus, confinement, COURTES);
         assertEquals(new TreeSet<>(List.of(rendus.toFile().list())), new TreeSet<>(resultats.keySet()), "une ligne chacun");
-        resultats.putAll(juger(gourmands, dossier.resolve("travail"), confinement, PATIENTES));
+        resultats.putAll(juger(gourmands, confinement, PATIENTES));
 
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
         assertTrue(imageJuste(resultats.get("ordinaire")));
@@ -127,7 +128,7 @@ class HostilesTest extends JuryEssai {
         assumeTrue(confinement.confine, confinement.manque);
         Path seuls = Files.createDirectories(dossier.resolve("seuls"));
         temoins(seuls);
-        Map<String, Resultat> attendus = juger(seuls, dossier.resolve("travail"), confinement, PATIENTES);
+        Map<String, Resultat> attendus = juger(seuls, confinement, PATIENTES);
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         temoins(rendus);
         // sans rien qu'un nom de paquet n'ait : ce serait bien un chemin, à son point près
@@ -163,7 +164,7 @@ class HostilesTest extends JuryEssai {
         ecrireCorrige(rendus.resolve("liens"));
         Files.createSymbolicLink(rendus.resolve("liens/Secret.java"), Path.of("/etc/passwd"));
         Files.createSymbolicLink(rendus.resolve("liens/racine"), Path.of("/"));
-        Map<String, Resultat> resultats = juger(rendus, dossier.resolve("travail"), confinement, PATIENTES);
+        Map<String, Resultat> resultats = juger(rendus, confinement, PATIENTES);
         for (String temoin : attendus.keySet()) {
             assertEquals(etats(attendus.get(temoin)), etats(resultats.get(temoin)), temoin);
         }
@@ -176,7 +177,7 @@ class HostilesTest extends JuryEssai {
         assertTrue(resultats.get("paquet").aRegarder.toString().contains("arrêté : "), resultats.get("paquet").aRegarder.toString());
         Resultat curieux = resultats.get("curieux");
         String vu = curieux.verdicts.get(SOUSTRACTION).message;
-        assertTrue(vu.contains("vu{") && !vu.contains(dossier.getFileName().toString()), vu);
+        assertTrue(vu.contains("vu{") && Stream.of(dossier, travail).noneMatch(lieu -> vu.contains(lieu.getFileName().toString())), vu);
         assertEquals(new TreeSet<>(), ratees(resultats.get("ecrit")), "rien ne s'y écrit");
         for (String nom : List.of("paquet", "fin", "tabulation", "liens")) {
             assertEquals(new TreeSet<>(), ratees(resultats.get(nom)), nom + " est par ailleurs achevé");
@@ -188,11 +189,16 @@ class HostilesTest extends JuryEssai {
     void unRenduQuiPrendToutLeTempsDuCorrecteurNEstPasCorrigeEtRienNEnEstRetenu() throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
-        Path travail = dossier.resolve("travail");
-        Resultat presse = juger(rendus, travail, Confinement.aucun(), new Limites(10, 60, 160, 0)).get("un");
-        assertTrue(presse.nonCorrige);
-        assertTrue(presse.refus.get(0).startsWith("non corrigé : arrêté : plus de 0 s"), presse.refus.toString());
-        Resultat ensuite = juger(rendus, travail, Confinement.aucun(), PATIENTES).get("un");
+        Path travail = Files.createDirectories(dossier.resolve("travail"));
+        List<Resultat> resultats = new ArrayList<>();
+        for (Limites limites : List.of(new Limites(10, 60, 160, 0), PATIENTES)) {
+            try (Jury jury = new Jury(travail, Confinement.aucun(), limites)) {
+                resultats.add(juger(jury, rendus, travail).get("un"));
+            }
+        }
+        assertTrue(resultats.get(0).nonCorrige);
+        assertTrue(resultats.get(0).refus.get(0).startsWith("non corrigé : arrêté : plus de 0 s"), resultats.get(0).refus.toString());
+        Resultat ensuite = resultats.get(1);
         assertFalse(ensuite.nonCorrige);
         assertEquals(new TreeSet<>(), ratees(ensuite));
     }

@@ -4,16 +4,21 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.correction.ClasseEssai;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
 import lancer.correction.modele.Modele;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.io.TempDir;
 
 /** De quoi juger des rendus d'essai, sans pages ni notes. */
 abstract class JuryEssai extends ClasseEssai {
@@ -24,16 +29,46 @@ abstract class JuryEssai extends ClasseEssai {
     /** Pour des rendus dont chacun finit : une machine où d'autres travaillent peut les faire attendre, ou calculer plus. */
     static final Limites PATIENTES = new Limites(10, 60, 160, 60);
 
-    /** Juge tous les rendus de ce dossier ; les résultats par nom. */
-    static Map<String, Resultat> juger(Path rendus, Path travail, Confinement confinement, Limites limites) throws IOException {
-        Files.createDirectories(travail);
-        List<Rendu> liste = Depot.lire(rendus, travail);
-        Map<String, Resultat> resultats = new LinkedHashMap<>();
-        try (Jury jury = new Jury(travail.toRealPath(), confinement, limites)) {
-            List<Resultat> tous = jury.juger(liste, (rang, resultat) -> { });
-            for (int k = 0; k < tous.size(); k++) {
-                resultats.put(liste.get(k).nom, tous.get(k));
+    /** Dossier de travail des jurys de ces essais. */
+    @TempDir
+    static Path travail;
+
+    /** Les jurys de ces essais, par ce qui les distingue : juger le corrigé dure autant que juger quelques rendus. */
+    private static final Map<String, Jury> JURYS = new HashMap<>();
+
+    @AfterAll
+    static void fermer() {
+        JURYS.values().forEach(Jury::close);
+        JURYS.clear();
+    }
+
+    private static Path travail(Confinement confinement, Limites limites) {
+        return travail.resolve(confinement.confine + " " + limites);
+    }
+
+    static Jury jury(Confinement confinement, Limites limites) throws IOException {
+        Path ici = Files.createDirectories(travail(confinement, limites)).toRealPath();
+        return JURYS.computeIfAbsent(ici.toString(), nom -> new Jury(ici, confinement, limites));
+    }
+
+    /** Juge tous les rendus de ce dossier, sans souvenir d'aucun ; les résultats par nom. */
+    static Map<String, Resultat> juger(Path rendus, Confinement confinement, Limites limites) throws IOException {
+        Jury jury = jury(confinement, limites);
+        Path ici = travail(confinement, limites);
+        try (Stream<Path> souvenirs = Files.list(ici.resolve("souvenirs"))) {
+            for (Path souvenir : souvenirs.collect(Collectors.toList())) {
+                Files.delete(souvenir);
             }
+        }
+        return juger(jury, rendus, ici);
+    }
+
+    static Map<String, Resultat> juger(Jury jury, Path rendus, Path travail) throws IOException {
+        List<Rendu> liste = Depot.lire(rendus, travail);
+        List<Resultat> tous = jury.juger(liste, (rang, resultat) -> { });
+        Map<String, Resultat> resultats = new LinkedHashMap<>();
+        for (int k = 0; k < tous.size(); k++) {
+            resultats.put(liste.get(k).nom, tous.get(k));
         }
         return resultats;
     }

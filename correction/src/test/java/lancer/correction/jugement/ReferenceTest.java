@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -30,7 +29,7 @@ class ReferenceTest extends JuryEssai {
     @Test
     void leCorrigeDessineNotreImageEtPasseTout() throws IOException {
         ecrireCorrige(dossier.resolve("rendus/corrige"));
-        Map<String, Resultat> resultats = juger(dossier.resolve("rendus"), dossier.resolve("travail"), Confinement.essayer(), PATIENTES);
+        Map<String, Resultat> resultats = juger(dossier.resolve("rendus"), Confinement.essayer(), PATIENTES);
         Resultat corrige = resultats.get("corrige");
         assertEquals(new TreeSet<>(), ratees(corrige));
         assertTrue(corrige.verdicts.values().stream().allMatch(Verdict::compte));
@@ -53,11 +52,9 @@ class ReferenceTest extends JuryEssai {
 
     @Test
     void leProjetACompleterNePasseQueCeQuiNeComptePas() throws IOException {
-        Path travail = Files.createDirectories(dossier.resolve("autre"));
-        try (Jury jury = new Jury(travail, Confinement.essayer(), PATIENTES)) {
-            assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
-                    jury.reference.verifications.stream().filter(v -> !jury.reference.compte(v)).map(Verification::id)
-                            .collect(Collectors.toCollection(TreeSet::new)));
-        }
+        Reference reference = jury(Confinement.essayer(), PATIENTES).reference;
+        assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
+                reference.verifications.stream().filter(v -> !reference.compte(v)).map(Verification::id)
+                        .collect(Collectors.toCollection(TreeSet::new)));
     }
 }
