@@ -186,11 +186,14 @@ class ClasseTest extends ClasseEssai {
     }
 
     @Test
-    void lesPointsDonnesALaMainSurviventEtUneLigneFausseNeCouteQuElle() throws IOException {
+    void niLesPointsNiLaNoteDonnesALaMainNeSontPerdusEtUneLigneFausseNeCouteQuElle() throws IOException {
         Path fichier = dossier.resolve("ajustements.csv");
         String lignes = "id,critère,points,commentaire\n101,sphere,2.5,vu en TP\n999,sphere,1,\n102,flou,1,\n101,sphere,1,encore\n";
         Files.writeString(fichier, lignes);
-        Essai essai = executer("--sortie", dossier, "--sans-confinement", RENDUS.resolve("classe"));
+        Path feuille = dossier.resolve("crlf.csv");
+        String entete = "Identifiant,Note,Dernière modification (note),Feedback par commentaires\r\n";
+        Files.writeString(feuille, entete + "Participant106,\"8,50\",-,\r\nParticipant104,,-,\r\n");
+        Essai essai = executer("--sortie", dossier, "--sans-confinement", "--notes", feuille, RENDUS.resolve("classe"));
         contient(essai.erreur, "ligne 3 : l'étudiant « 999 » n'existe pas", "ligne 4 : le critère « flou » n'existe pas",
                 "ligne 5 : « sphere » a déjà été donné à « 101 » plus haut");
         assertEquals(Double.parseDouble(classe.get("101").get("note")) + 2.5, Double.parseDouble(classe(dossier).get("101").get("note")),
@@ -199,14 +202,7 @@ class ClasseTest extends ClasseEssai {
         contient(page(dossier, "101"), "Donné par l&#39;enseignant : vu en TP");
         assertEquals(lignes, Files.readString(fichier), "la relance n'y touche pas");
         Files.delete(fichier);
-    }
 
-    @Test
-    void uneNoteQueNousNAvonsPasEcriteResteEtLesFinsDeLignesAussi() throws IOException {
-        Path feuille = dossier.resolve("crlf.csv");
-        String entete = "Identifiant,Note,Dernière modification (note),Feedback par commentaires\r\n";
-        Files.writeString(feuille, entete + "Participant106,\"8,50\",-,\r\nParticipant104,,-,\r\n");
-        executer("--sortie", dossier, "--sans-confinement", "--notes", feuille, RENDUS.resolve("classe"));
         String ecrit = Files.readString(dossier.resolve("notes-a-deposer.csv"));
         contient(ecrit, "Participant106,\"8,50\",-,", "Participant104," + classe.get("104").get("note") + ",-,");
         assertEquals(-1, ecrit.replace("\r\n", "").indexOf('\n'), "CRLF reste CRLF");
