@@ -8,8 +8,8 @@ import lancer.contrat.Ecoute;
  */
 final class Lumiere {
 
-    /** Auditeur de la scène ; d'ordinaire {@code null}. */
-    private final Ecoute ecoute;
+    /** Récit de ce contact ; d'ordinaire {@code null}. */
+    private final Ecoute.Etape recit;
     private final double seuil;
     private double r;
     private double v;
@@ -20,11 +20,12 @@ final class Lumiere {
      * @param R miroir du rayon incident
      * @param seuil au-dessous duquel le produit des Ks ne vaut pas un reflet
      */
-    Lumiere(Ecoute ecoute, Vecteur N, Vecteur R, double seuil) {
-        this.ecoute = ecoute;
+    Lumiere(Ecoute.Etape recit, Vecteur N, Vecteur R, double seuil) {
+        this.recit = recit;
         this.seuil = seuil;
-        if (ecoute != null) {
-            ecoute.auContact(new Vecteur(N.x, N.y, N.z), new Vecteur(R.x, R.y, R.z));
+        if (recit != null) {
+            recit.N = new Vecteur(N.x, N.y, N.z);
+            recit.R = new Vecteur(R.x, R.y, R.z);
         }
     }
 
@@ -34,8 +35,8 @@ final class Lumiere {
      * @param devant N·(lampe − contact), qui n'est pas normalisé : le signe seul compte
      */
     boolean estDevant(Lampe lampe, double devant) {
-        if (ecoute != null) {
-            ecoute.aLaLampe(lampe, devant);
+        if (recit != null) {
+            recit.lampes.add(new Ecoute.Eclairage(lampe, devant));
         }
         return devant > 0;
     }
@@ -44,25 +45,30 @@ final class Lumiere {
     Couleur apport(Couleur diffus, double cosinus, Couleur speculaire, double eclat) {
         Couleur lambert = diffus.mul(cosinus);
         Couleur reflet = speculaire.mul(eclat);
-        if (ecoute != null) {
-            ecoute.aLEclairement(cosinus, eclat, new Couleur(lambert.r, lambert.v, lambert.b),
-                    new Couleur(reflet.r, reflet.v, reflet.b));
+        if (recit != null) {
+            Ecoute.Eclairage dit = recit.enCours();
+            dit.cosinus = cosinus;
+            dit.eclat = eclat;
+            dit.diffus = new Couleur(lambert.r, lambert.v, lambert.b);
+            dit.reflet = new Couleur(reflet.r, reflet.v, reflet.b);
         }
         return lambert.add(reflet);
     }
 
     /** Dit si un rayon réfléchi vaut d'être lancé : la plus grande composante du produit des Ks atteint le seuil. */
     boolean vautUnReflet(Couleur produitKs) {
-        if (ecoute != null) {
-            ecoute.auPoids(new Couleur(produitKs.r, produitKs.v, produitKs.b));
+        if (recit != null) {
+            recit.poids = new Couleur(produitKs.r, produitKs.v, produitKs.b);
         }
         return produitKs.max() >= seuil;
     }
 
-    /** Ajoute l'apport d'une lampe qui n'est pas cachée, ou ce que renvoie un reflet. */
+    /** Ajoute l'apport d'une lampe qui n'est pas cachée, ou, une fois pesé, ce que renvoie un reflet. */
     void ajouter(Couleur c) {
-        if (ecoute != null) {
-            ecoute.aLaSomme(new Couleur(c.r, c.v, c.b));
+        if (recit != null && recit.poids != null) {
+            recit.reflet = new Couleur(c.r, c.v, c.b);
+        } else if (recit != null) {
+            recit.enCours().apport = new Couleur(c.r, c.v, c.b);
         }
         r += c.r;
         v += c.v;

@@ -60,7 +60,8 @@ public class Vecteur extends Tuple {
     /** Longueur du vecteur, juste aussi là où son carré n'est pas représentable (1e-200, 1e200). */
     public double norme() {
         double carre = x * x + y * y + z * z;
-        return carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX ? Math.sqrt(carre) : Math.hypot(Math.hypot(x, y), z);
+        return carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX ? Math.sqrt(carre)
+                : Math.hypot(Math.hypot(x, y), z);
     }
 
     /**

@@ -1,59 +1,143 @@
 package lancer.contrat;
 
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.PointContact;
 import lancer.Vecteur;
 
 /**
- * Récit d'un pixel, que font les classes du cours en le calculant, à qui le demande ; d'ordinaire personne,
- * et {@code e} est {@code null}. Un rayon se dit dans l'ordre : son contact, les lampes, le reflet (donc le rayon
- * suivant, en entier), et enfin ce qu'il voit.
+ * Récit d'un point de l'écran, que font les classes du cours en calculant sa couleur, à qui le demande ; d'ordinaire
+ * personne, et {@code e} est {@code null}. Un rayon se dit dans l'ordre : son contact, les lampes, le reflet (donc le
+ * rayon suivant, en entier), et enfin ce qu'il voit. Ce qui n'a pas été calculé reste {@code null}.
  *
- * <p>Qui écoute reçoit des copies : un objet qu'on lui donnerait n'aurait plus le droit de ne vivre que dans les
+ * <p>Un récit ne garde que des copies : un objet qu'on lui donnerait n'aurait plus le droit de ne vivre que dans les
  * registres, même quand personne n'écoute.
  */
-public interface Ecoute {
+public final class Ecoute {
 
-    /** Un rayon de direction V, et ce qu'il rencontre d'abord : {@code null} si c'est le ciel. */
-    void auRayon(Vecteur V, PointContact contact);
+    /** Rayons, dans l'ordre où ils sont partis. */
+    public final List<Etape> etapes = new ArrayList<>();
+    private final Deque<Etape> ouvertes = new ArrayDeque<>();
 
-    /** La normale à ce contact, et le miroir du rayon ; une forme qui se colore à sa façon n'en dit rien. */
-    void auContact(Vecteur N, Vecteur R);
+    /** Vue d'un rayon : un contact et ses lampes, ou le ciel. */
+    public static final class Etape {
 
-    /** Une lampe est-elle devant la surface ? {@code devant} est N·(lampe − contact), qui n'est pas normalisé. */
-    void aLaLampe(Lampe lampe, double devant);
+        /** Rang dans la chaîne, 1 pour le rayon parti de l'écran. */
+        public final int numero;
 
-    /** Lumière que donnerait cette lampe, qui est devant, si rien ne la cachait. */
-    void aLEclairement(double cosinus, double eclat, Couleur diffus, Couleur reflet);
+        /** Direction du rayon. */
+        public final Vecteur V;
 
-    /** Question d'un rayon d'ombre : une lampe est-elle cachée ? {@code L} va du contact à la lampe. */
-    void aLOmbre(Vecteur L, double distance);
+        /** Contact rencontré, {@code null} pour le ciel. */
+        public final PointContact contact;
 
-    /** Un terme de la somme du contact : une lampe qui n'est pas cachée, puis le reflet des objets. */
-    void aLaSomme(Couleur terme);
+        public final List<Eclairage> lampes = new ArrayList<>();
 
-    /** Produit des Ks, qui dit si le reflet vaut d'être suivi. */
-    void auPoids(Couleur produitKs);
+        /** Normale, et miroir du rayon ; une forme qui se colore à sa façon n'en dit rien. */
+        public Vecteur N;
+        public Vecteur R;
 
-    /** Couleur que voit enfin ce rayon : la somme de son contact, ou le ciel, puis à travers l'air. */
-    void aLaVue(Couleur somme, Couleur vue);
+        /** Produit des Ks, si un reflet était permis ; et ce reflet, Ks ⊗ ce que voit l'étape suivante. */
+        public Couleur poids;
+        public Couleur reflet;
 
-    static void rayon(Ecoute e, Vecteur V, PointContact contact) {
-        if (e != null) {
-            e.auRayon(new Vecteur(V.x, V.y, V.z), contact);
+        /** Somme du contact, ou ciel ; et ce qu'en voit le rayon, à travers l'air. */
+        public Couleur somme;
+        public Couleur vue;
+
+        Etape(int numero, Vecteur V, PointContact contact) {
+            this.numero = numero;
+            this.V = V;
+            this.contact = contact;
+        }
+
+        /** Lampe dont il est question. */
+        public Eclairage enCours() {
+            return lampes.get(lampes.size() - 1);
+        }
+
+        /** Longueur du rayon, +∞ si c'est le ciel. */
+        public double distance() {
+            return contact == null ? Constantes.INFINI : contact.distance;
+        }
+
+        /** Direction du reflet, {@code null} s'il n'a pas été suivi. */
+        public Vecteur getReflechi() {
+            return reflet == null ? null : R;
         }
     }
 
-    static void ombre(Ecoute e, Vecteur L, double distance) {
-        if (e != null) {
-            e.aLOmbre(new Vecteur(L.x, L.y, L.z), distance);
+    /** Lampe, vue d'un contact. */
+    public static final class Eclairage {
+
+        public final Lampe lampe;
+
+        /** Produit N·(lampe − contact) : la lampe est devant la surface s'il est positif. */
+        public final double devant;
+
+        public double cosinus;
+        public double eclat;
+        public Couleur diffus;
+        public Couleur reflet;
+
+        /** Direction de la lampe, et sa distance, si un rayon d'ombre a été demandé. */
+        public Vecteur L;
+        public double distance;
+
+        /** Terme de la somme, si la lampe n'est pas cachée. */
+        public Couleur apport;
+
+        /** Contact de l'objet le plus proche de la lampe qui la cache, si quelqu'un l'a cherché. */
+        public PointContact cache;
+
+        public Eclairage(Lampe lampe, double devant) {
+            this.lampe = lampe;
+            this.devant = devant;
+        }
+
+        /** Dit si la lampe compte dans la somme. */
+        public boolean eclaire() {
+            return apport != null;
         }
     }
 
-    static void vue(Ecoute e, Couleur somme, Couleur vue) {
+    /** Étape du rayon dont se calcule la couleur. */
+    public static Etape enCours(Ecoute e) {
+        return e == null ? null : e.ouvertes.peek();
+    }
+
+    /** Dit un rayon de direction V, et ce qu'il rencontre d'abord : {@code null} si c'est le ciel. */
+    public static void rayon(Ecoute e, Vecteur V, PointContact contact) {
         if (e != null) {
-            e.aLaVue(new Couleur(somme.r, somme.v, somme.b), new Couleur(vue.r, vue.v, vue.b));
+            if (e.ouvertes.isEmpty()) {
+                e.etapes.clear();
+            }
+            e.ouvertes.push(new Etape(e.etapes.size() + 1, new Vecteur(V.x, V.y, V.z), contact));
+            e.etapes.add(e.ouvertes.peek());
+        }
+    }
+
+    /** Dit la question d'un rayon d'ombre. {@code L} va du contact à la lampe. */
+    public static void ombre(Ecoute e, Vecteur L, double distance) {
+        // une forme qui se colore à sa façon demande ses ombres sans nommer la lampe
+        if (e != null && !enCours(e).lampes.isEmpty()) {
+            Eclairage lampe = enCours(e).enCours();
+            lampe.L = new Vecteur(L.x, L.y, L.z);
+            lampe.distance = distance;
+        }
+    }
+
+    /** Dit ce que voit enfin le rayon : la somme de son contact, ou le ciel, puis à travers l'air. */
+    public static void vue(Ecoute e, Couleur somme, Couleur vue) {
+        if (e != null) {
+            Etape etape = e.ouvertes.pop();
+            etape.somme = new Couleur(somme.r, somme.v, somme.b);
+            etape.vue = new Couleur(vue.r, vue.v, vue.b);
         }
     }
 }

@@ -12,8 +12,12 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
+import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
+import lancer.contrat.Ecoute;
+import lancer.contrat.Ecoute.Eclairage;
+import lancer.contrat.Ecoute.Etape;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
@@ -37,7 +41,7 @@ public final class Inspection implements Vue, Toile {
     public final int profondeur;
     public final int x;
     public final int y;
-    private final Chaine chaine = new Chaine();
+    private final Ecoute ecoute = new Ecoute();
     private final Equipe equipe = new Equipe("lancer");
     private final Vue vue;
     private Couleur couleur;
@@ -65,7 +69,7 @@ public final class Inspection implements Vue, Toile {
         this.profondeur = profondeur;
         this.x = x;
         this.y = y;
-        vue = new Regard(equipe, new Lancer(scene.avec(scene.getModele().ecoute(chaine)), camera), profondeur, null);
+        vue = new Regard(equipe, new Lancer(scene.avec(scene.getModele().ecoute(ecoute)), camera), profondeur, null);
     }
 
     /** Explique, une fois, l'échantillon le plus proche du centre. @throws CancellationException si on l'arrête */
@@ -84,7 +88,7 @@ public final class Inspection implements Vue, Toile {
             faire(rang);
         } catch (PixelFautif e) {
             faute = e;
-            chaine.chercher(scene.avec(scene.getModele()), getDepart());
+            chercherLesObstacles();
         }
     }
 
@@ -102,8 +106,32 @@ public final class Inspection implements Vue, Toile {
             choisi = rang == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))
                     : echantillons.get(Math.min(rang, echantillons.size() - 1));
             vue.couleur(choisi.xe, choisi.ye);
-            chaine.chercher(scene.avec(scene.getModele()), getDepart());
+            chercherLesObstacles();
         }
+    }
+
+    /** Cherche quel objet cache chaque lampe cachée : pour la somme, personne n'a eu à le dire. */
+    private void chercherLesObstacles() {
+        Scene sienne = scene.avec(scene.getModele());
+        for (Etape etape : ecoute.etapes) {
+            etape.lampes.stream().filter(lampe -> lampe.L != null && !lampe.eclaire())
+                    .forEach(lampe -> lampe.cache = obstacle(lampe, etape.contact, sienne));
+        }
+    }
+
+    private static PointContact obstacle(Eclairage cachee, PointContact contact, Scene scene) {
+        boolean lointaine = Scene.estLointaine(cachee.lampe);
+        double portee = lointaine ? cachee.distance / 2 : cachee.distance;
+        Rayon ombre = Rayon.dOmbre(cachee.lampe.getPosition(), cachee.L.neg());
+        PointContact depuisLaLampe = scene.getClosestIntersection(ombre, contact.objet);
+        if (ombre.getDistance() < portee || !lointaine) {
+            return depuisLaLampe;
+        }
+        Rayon versLampe = Rayon.dOmbre(contact, cachee.L);
+        return scene.getObjets().stream()
+                .filter(objet -> objet != contact.objet && objet.getIntersectionDistance(versLampe) < portee)
+                .map(objet -> versLampe.calcContact()).max(Comparator.comparingDouble(dernier -> dernier.distance))
+                .orElse(null);
     }
 
     public void arreter() {
@@ -138,7 +166,7 @@ public final class Inspection implements Vue, Toile {
 
     /** Le premier contact, puis ses reflets. */
     public List<Etape> getEtapes() {
-        return chaine.etapes;
+        return ecoute.etapes;
     }
 
     /** Nom, de la forme {@code [Sphere ambre] ligne 52}, ou le rang dans la scène s'il n'y a pas de fichier. */

@@ -2,13 +2,21 @@ package lancer.inspection;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
+import lancer.Constantes;
 import lancer.Couleur;
+import lancer.Objet3D;
 import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Sphere;
 import lancer.Tuple;
+import lancer.Vecteur;
+import lancer.contrat.Ecoute.Eclairage;
+import lancer.contrat.Ecoute.Etape;
 import lancer.contrat.Specularite;
 import lancer.texte.Texte;
 
@@ -67,9 +75,13 @@ public final class Recit {
         if (pixel.getEchantillons().size() > 1) {
             dire(pixel.getEchantillons());
         }
+        Rayon rayon = pixel.getDepart();
+        Objet3D depart = null;
         for (Etape suivante : pixel.getEtapes()) {
             etape = suivante.numero;
-            dire(suivante);
+            dire(suivante, rayon, depart);
+            rayon = rayon == null || suivante.R == null ? null : new Rayon(suivante.contact, suivante.R);
+            depart = rayon == null ? null : suivante.contact.objet;
         }
         etape = 0;
         if (pixel.getFaute() != null) {
@@ -124,21 +136,22 @@ public final class Recit {
         dire("chaîne de l'échantillon %s", pixel.getChoisi());
     }
 
-    private void dire(Etape etape) {
+    /** @param rayon celui de l'étape, parti de cet objet ; {@code null} si une forme se colore à sa façon */
+    private void dire(Etape etape, Rayon rayon, Objet3D depart) {
         if (etape.contact == null) {
             dire("%d  ciel", etape.numero);
         } else {
             dire("%d  %s  d = %s", etape.numero, pixel.nom(etape.contact.objet), etape.contact.distance);
             dire("   contact = %s", etape.contact);
             if (etape.N != null) {
-                direLaSurface(etape);
+                direLaSurface(etape, rayon, depart);
             }
         }
         if (etape.somme == null) {
             return;
         }
         dire("   somme %d = %s", etape.numero, etape.somme);
-        if (etape.aTraversLAir()) {
+        if (aTraversLAir(etape)) {
             direLAir(etape);
         }
         if (etape.reflet == null) {
@@ -146,17 +159,14 @@ public final class Recit {
         }
     }
 
-    private void direLaSurface(Etape etape) {
+    private void direLaSurface(Etape etape, Rayon rayon, Objet3D depart) {
         dire("   N = %s", etape.N);
         for (Eclairage lampe : etape.lampes) {
             dire(etape, lampe);
         }
         String details = "   demi-corde, rivaux et directions des lampes";
-        if (!Double.isNaN(etape.h)) {
-            replier(details, "     demi-corde h = %s", etape.h);
-        }
-        for (PointContact rival : etape.rivaux) {
-            replier(details, "     rival %s  d = %s", pixel.nom(rival.objet), rival.distance);
+        if (rayon != null) {
+            direLesRivaux(details, etape.contact, rayon, depart);
         }
         for (Eclairage lampe : etape.lampes) {
             if (lampe.L != null) {
@@ -166,13 +176,26 @@ public final class Recit {
         if (etape.reflet != null) {
             dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids, etape.numero + 1);
             dire("       Ks (%s) ⊗ %s = %s", etape.contact.objet.getKs(),
-                    pixel.getEtapes().get(etape.numero).nomDeLaVue(), etape.reflet);
+                    nomDeLaVue(pixel.getEtapes().get(etape.numero)), etape.reflet);
         }
     }
 
+    /** Dit la demi-corde d'une sphère, et les deux plus proches des autres objets, trouvés par les boucles du cours. */
+    private void direLesRivaux(String details, PointContact contact, Rayon rayon, Objet3D depart) {
+        if (contact.objet instanceof Sphere) {
+            // cours : d = b ± h, b étant la distance jusqu'au milieu de la corde
+            Vecteur f = new Vecteur(rayon.getP(), ((Sphere) contact.objet).getCentre());
+            replier(details, "     demi-corde h = %s", Math.abs(contact.distance - f.dot(rayon.getV())));
+        }
+        pixel.scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart
+                && objet.getIntersectionDistance(rayon) < Constantes.INFINI).map(objet -> rayon.calcContact())
+                .sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(2)
+                .forEach(rival -> replier(details, "     rival %s  d = %s", pixel.nom(rival.objet), rival.distance));
+    }
+
     private void dire(Etape etape, Eclairage e) {
-        long pareilles = etape.lampes.stream().filter(autre -> autre.sort().equals(e.sort())).count();
-        String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + e.sort();
+        long pareilles = etape.lampes.stream().filter(autre -> sort(autre).equals(sort(e))).count();
+        String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + sort(e);
         if (e.diffus == null) {
             replier(repli, "     %s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", pixel.nom(e.lampe),
                     e.devant);
@@ -191,6 +214,12 @@ public final class Recit {
         }
     }
 
+    /** Sort d'une lampe et de ses pareilles. */
+    private static String sort(Eclairage e) {
+        return e.eclaire() ? "éclairées" : e.diffus == null ? "dans le dos"
+                : e.L == null ? "sans effet sur cette matière" : "cachées";
+    }
+
     /** La base et l'exposant de l'éclat d'une lampe, s'il a été calculé et les dit ; sinon l'éclat lui-même. */
     private String eclat(Etape etape, Eclairage e) {
         Specularite specularite = pixel.scene.getModele().getSpecularite();
@@ -200,16 +229,29 @@ public final class Recit {
                 + ecrire(specularite.exposant(etape.contact.objet.getNs()));
     }
 
+    /** Part de l'air dans cette vue, NaN s'il n'en dit rien. */
+    private double k(Etape etape) {
+        return pixel.scene.getModele().getAtmosphere().k(etape.distance());
+    }
+
+    /** Dit si ce que voit le rayon n'est pas la somme telle quelle. */
+    private boolean aTraversLAir(Etape etape) {
+        return !Double.isNaN(k(etape)) || !etape.vue.equals(etape.somme);
+    }
+
+    private String nomDeLaVue(Etape etape) {
+        return (aTraversLAir(etape) ? "vue " : "somme ") + etape.numero;
+    }
+
     private void direLAir(Etape etape) {
-        if (!Double.isNaN(etape.k)) {
-            dire("     air : k = %s", etape.k);
+        double k = k(etape);
+        if (!Double.isNaN(k)) {
+            dire("     air : k = %s", k);
             dire("       k · air = %s",
                     pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance()));
-            dire("       + (1 − k) · somme %d = %s", etape.numero, etape.somme.mul(1 - etape.k));
+            dire("       + (1 − k) · somme %d = %s", etape.numero, etape.somme.mul(1 - k));
         }
-        if (etape.vue != null) {
-            dire("   vue %d = %s", etape.numero, etape.vue);
-        }
+        dire("   vue %d = %s", etape.numero, etape.vue);
     }
 
     private void direLArret(Etape etape) {

@@ -19,6 +19,8 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Ecoute.Eclairage;
+import lancer.contrat.Ecoute.Etape;
 import lancer.contrat.Modele;
 import lancer.contrat.Specularite;
 import lancer.essai.Essai;

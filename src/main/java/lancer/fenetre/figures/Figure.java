@@ -21,8 +21,8 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.inspection.Eclairage;
-import lancer.inspection.Etape;
+import lancer.contrat.Ecoute.Eclairage;
+import lancer.contrat.Ecoute.Etape;
 import lancer.inspection.Inspection;
 
 /** La chaîne d'un pixel par-dessus l'image : contacts, rayons, lampes. Calculée une fois, peinte souvent. */
@@ -95,9 +95,9 @@ public final class Figure {
         Point position = lampe.lampe.getPosition();
         if (lampe.eclaire()) {
             tracer(contact, position, LAMPE, false);
-        } else if (lampe.getCache() != null) {
-            tracer(lampe.getCache(), position, Color.BLACK, false);
-            tracer(contact, lampe.getCache(), OMBRE, false);
+        } else if (lampe.cache != null) {
+            tracer(lampe.cache, position, Color.BLACK, false);
+            tracer(contact, lampe.cache, OMBRE, false);
         }
     }
 

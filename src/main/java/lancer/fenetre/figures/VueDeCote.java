@@ -25,8 +25,8 @@ import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.inspection.Eclairage;
-import lancer.inspection.Etape;
+import lancer.contrat.Ecoute.Eclairage;
+import lancer.contrat.Ecoute.Etape;
 import lancer.inspection.Inspection;
 
 /** La figure du cours : l'œil, l'écran, les sphères rencontrées et les rayons, vus de côté (z à droite, y en haut). */
@@ -155,9 +155,9 @@ public final class VueDeCote extends JPanel {
 
     /** Une lampe, et ce qui la cache ; en tirets jusqu'à celle-ci, si l'on regarde ce rebond de près. */
     private void eclairer(Graphics2D g, Point contact, Eclairage lampe) {
-        entourer(g, lampe.getCache());
+        entourer(g, lampe.cache);
         g.setColor(LAMPE);
-        if (lampe.eclaire() || lampe.getCache() != null && seul > 0) {
+        if (lampe.eclaire() || lampe.cache != null && seul > 0) {
             Stroke plein = g.getStroke();
             g.setStroke(lampe.eclaire() ? plein : TIRETE);
             g.draw(ligne(contact, lampe.lampe.getPosition()));
