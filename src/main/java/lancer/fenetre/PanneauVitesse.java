@@ -61,7 +61,7 @@ final class PanneauVitesse extends JDialog {
         point.setRows(2);
         bas.add(point, BorderLayout.CENTER);
         bas.add(etat, BorderLayout.PAGE_END);
-        graphique.setPreferredSize(new Dimension(560, 400));
+        graphique.setPreferredSize(new Dimension(550, 400));
         add(graphique, BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
         pack();

@@ -108,7 +108,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         JTextArea point = composant("vitesse.point", JTextArea.class);
         frapper(KeyEvent.VK_RIGHT);
         attendre("il se dit", () -> point.getText().matches("un rayon par pixel, reflets : 1000 — \\d+,\\d rayons par pixel, "
-                + "erreur (de|d'au plus) \\d+,\\d\\d.* niveaux? ; au lieu du présent, .* de rayons et .* d'erreur"));
+                + "erreur (de|d'au plus) \\d+,\\d\\d.* niveaux?\u00A0; au lieu du présent, .* de rayons et .* d'erreur"));
         assertEquals(point.getText(), surFilEvenements(() -> graphique.getAccessibleContext().getAccessibleDescription()));
     }
 

@@ -163,7 +163,7 @@ public final class GraphiqueVitesse extends JPanel {
     /** Le réglage en mots, son prix, et ce qu'on y gagne sur le présent. */
     private String legende(Candidat p) {
         String gain = points.stream().filter(estPresent).findFirst().filter(autre -> autre != p)
-                .map(autre -> String.format(Locale.FRANCE, " ; au lieu du présent, %s de rayons et %s d'erreur",
+                .map(autre -> String.format(Locale.FRANCE, "\u00A0; au lieu du présent, %s de rayons et %s d'erreur",
                         fois(p.prix / autre.prix), fois(p.erreur / autre.erreur))).orElse("");
         String erreur = auPlus(p) ? String.format(Locale.FRANCE, "d'au plus %.2f", p.auPlus)
                 : String.format(Locale.FRANCE, "de %.2f à %.2f", p.auMoins, p.auPlus);
