@@ -254,6 +254,8 @@ final class Inspecteur extends JDialog {
                 ajouter(document, ARRONDI, vues.get(k));
             }
         }
+        // coupées aux blancs seuls : ce que Swing fait d'un texte latin, et non d'un qui a des signes comme ⊗
+        document.putProperty("multiByte", false);
         texte.setForeground(Color.BLACK);
         texte.setDocument(document);
         EventQueue.invokeLater(() -> ascenseur.getViewport().setViewPosition(place));

@@ -135,6 +135,27 @@ class FenetreInspecteurTest extends EssaiFenetre {
         assertTrue(lignesEnVue(recit) >= 14, lignesEnVue(recit) + " lignes en vue sur un écran dense");
     }
 
+    @Test
+    void aucunNombreNEstCoupeAuBoutDUneLigne() throws Exception {
+        ouvrir();
+        cliquer(160, 120);
+        attendreVerdict("Au bit près");
+        JTextPane recit = composant("recit", JTextPane.class);
+        String texte = surFilEvenements(recit::getText);
+        assertTrue(texte.contains("e-15 "), texte);
+        int[] lignes = surFilEvenements(() -> {
+            int[] hauteurs = new int[texte.length()];
+            for (int k = 0; k < hauteurs.length; k++) {
+                hauteurs[k] = recit.modelToView(k).y;
+            }
+            return hauteurs;
+        });
+        for (int k = 1; k < lignes.length; k++) {
+            boolean dansUnMot = texte.charAt(k) > ' ' && texte.charAt(k - 1) > ' ';
+            assertFalse(dansUnMot && lignes[k] != lignes[k - 1], texte.substring(Math.max(0, k - 30), k + 1));
+        }
+    }
+
     private static int lignesEnVue(JTextPane recit) throws Exception {
         return surFilEvenements(() -> recit.getVisibleRect().height / recit.getFontMetrics(recit.getFont()).getHeight());
     }
