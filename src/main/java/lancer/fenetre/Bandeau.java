@@ -21,9 +21,8 @@ import lancer.texte.Texte;
  * Ce que dit la fenêtre, par-dessus le bas de l'image, en entier quelle que soit sa longueur ; invisible s'il n'y a
  * rien à dire. La faute de la scène reste tant qu'elle y est, et le dernier message vient dessous.
  */
+@SuppressWarnings("serial")
 final class Bandeau extends JTextArea {
-
-    private static final long serialVersionUID = 1;
 
     private static final Color FOND_ERREUR = new Color(0xA61B1B);
     private static final Color FOND_AVIS = new Color(0xFFE9A8);

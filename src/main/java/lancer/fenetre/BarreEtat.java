@@ -16,9 +16,8 @@ import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 
 /** Le bas de la fenêtre : le pixel sous la souris, l'image, l'avancement, et un bouton pour arrêter ou reprendre. */
+@SuppressWarnings("serial")
 final class BarreEtat extends JPanel {
-
-    private static final long serialVersionUID = 1;
 
     private static final int MARGE = 6;
     private static final int INTERLIGNE = 4;

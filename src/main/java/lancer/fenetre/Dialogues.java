@@ -57,6 +57,7 @@ final class Dialogues {
     static void preparer() {
         // l'apparence de secours, Metal, mettrait tout en gras, et l'avancement en blanc sur bleu pâle
         UIManager.put("swing.boldMetal", false);
+        UIManager.put("MenuItem.acceleratorDelimiter", "+");
         UIManager.put("ProgressBar.selectionForeground", Color.BLACK);
         UIManager.put("ProgressBar.selectionBackground", Color.BLACK);
         try {

@@ -192,9 +192,8 @@ public final class Fenetre {
     }
 
     /** Ouvre la scène dont on dépose le fichier sur la fenêtre. */
+    @SuppressWarnings("serial")
     private final class Depot extends TransferHandler {
-
-        private static final long serialVersionUID = 1;
 
         @Override
         public boolean canImport(TransferSupport depot) {

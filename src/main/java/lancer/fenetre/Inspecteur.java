@@ -44,9 +44,8 @@ import lancer.inspection.Recit;
  * Pourquoi un pixel a sa couleur, dans une fenêtre à côté de l'image, qui suit ce pixel d'un dessin à l'autre. Tout se
  * calcule dans un fil à part.
  */
+@SuppressWarnings("serial")
 final class Inspecteur extends JDialog {
-
-    private static final long serialVersionUID = 1;
 
     private static final int MARGE = 6;
     private static final int LARGEUR = 520;
@@ -58,17 +57,17 @@ final class Inspecteur extends JDialog {
     private static final Color LIEN = new Color(0x0050A0);
     private static final String ARRONDI = "(nombres arrondis à cinq chiffres ; --pixel les écrit en entier)";
 
-    private final transient Atelier atelier;
+    private final Atelier atelier;
     private final PanneauImage panneau;
     private final JTextPane texte = new JTextPane();
     private final JScrollPane ascenseur = new JScrollPane(texte);
     private final JLabel verdict = new JLabel(" ");
     private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
     private final VueDeCote vue = new VueDeCote(this::isoler);
-    private final transient ExecutorService fil = Atelier.unFil("lancer-inspection");
-    private final transient Depliage depliage = new Depliage();
-    private transient List<Recit.Ligne> vues = Collections.emptyList();
-    private transient Inspection enCours;
+    private final ExecutorService fil = Atelier.unFil("lancer-inspection");
+    private final Depliage depliage = new Depliage();
+    private List<Recit.Ligne> vues = Collections.emptyList();
+    private Inspection enCours;
     private Point pixel;
     private int rang = Inspection.AU_CENTRE;
     /** Le numéro du seul rebond que montrent les figures ; 0 : tous. */

@@ -30,9 +30,8 @@ import lancer.image.ImageMemoire;
  * réduite, ses proportions gardées, là où la place manque. Les places et la souris sont en pixels de l'écran, qui sont
  * plusieurs par point s'il est dense.
  */
+@SuppressWarnings("serial")
 final class PanneauImage extends JPanel {
-
-    private static final long serialVersionUID = 1;
 
     private static final Color GRIS = new Color(0x777777);
     private static final int LOUPE_MAX = 16;
@@ -42,15 +41,15 @@ final class PanneauImage extends JPanel {
 
     final Bandeau bandeau = new Bandeau();
     /** L'image montrée, et celle qui se dessine par-dessus tant que son brouillon n'est pas complet. */
-    private transient ImageMemoire montree;
-    private transient ImageMemoire naissante;
+    private ImageMemoire montree;
+    private ImageMemoire naissante;
     /** L'image d'avant, tant qu'on la tient à la place des autres. */
-    private transient ImageMemoire tenue;
+    private ImageMemoire tenue;
     /** Ce qui se peint par-dessus l'image ; {@code null} : rien. */
-    private transient Figure dessus;
-    private transient IntConsumer siNumero;
-    private final transient Runnable siBouge;
-    private final transient Runnable siClique;
+    private Figure dessus;
+    private IntConsumer siNumero;
+    private final Runnable siBouge;
+    private final Runnable siClique;
     private Point souris;
     private Point appui = new Point();
     private Point suivi;

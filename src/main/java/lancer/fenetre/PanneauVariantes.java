@@ -23,21 +23,20 @@ import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
 
 /** Les variantes présentes et leurs paramètres, dans une petite fenêtre à côté : l'image suit ce qu'on y change. */
+@SuppressWarnings("serial")
 final class PanneauVariantes extends JDialog {
-
-    private static final long serialVersionUID = 1;
 
     private static final int MARGE = 8;
 
     /** Deux pas d'une glissière plus rapprochés que cela, au clavier, sont d'un même geste. */
     private static final long GESTE_NS = 1_000_000_000;
 
-    private final transient Atelier atelier;
+    private final Atelier atelier;
     private final JPanel grille = new JPanel(new GridBagLayout());
-    private final transient List<Runnable> ajustements = new ArrayList<>();
+    private final List<Runnable> ajustements = new ArrayList<>();
     /** Vrai pendant que le panneau se met où sont les réglages : ce n'est pas l'utilisateur. */
     private boolean miseAJour;
-    private transient Parametre dernier;
+    private Parametre dernier;
     private long dernierNs;
 
     /** À créer quand une scène est lue. */
@@ -132,9 +131,8 @@ final class PanneauVariantes extends JDialog {
     }
 
     /** Une glissière qui dit à un lecteur d'écran la valeur du paramètre, et non le numéro de son cran. */
+    @SuppressWarnings("serial")
     private static final class Glissiere extends JSlider {
-
-        private static final long serialVersionUID = 1;
 
         Glissiere(Parametre parametre) {
             super(0, parametre.crans, 0);

@@ -31,25 +31,24 @@ import lancer.image.ImageMemoire;
  * « Vitesse ou précision » : les réglages que {@code --auto} essaierait sur la scène montrée, chacun à son prix et à
  * son erreur attendue. Un fil à part les essaie, et le dit à mesure ; fermer l'arrête, changer de scène recommence.
  */
+@SuppressWarnings("serial")
 final class PanneauVitesse extends JDialog {
-
-    private static final long serialVersionUID = 1;
 
     private static final int MARGE = 8;
 
-    private final transient Atelier atelier;
+    private final Atelier atelier;
     private final JLabel etat = new JLabel(" ");
     /** Le point où mènent la souris et les flèches, en mots. */
     private final JTextArea point = Bandeau.etiquette("vitesse.point");
     private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, point::setText, this::estPresent);
-    private final transient ExecutorService fil = Atelier.unFil("lancer-vitesse");
-    private transient Future<?> essais;
+    private final ExecutorService fil = Atelier.unFil("lancer-vitesse");
+    private Future<?> essais;
     /** La scène essayée, telle que rien de ce panneau ne la change ; {@code null} s'il n'y en a pas. */
-    private transient List<Object> essayee;
+    private List<Object> essayee;
     /** Ses essais, une fois finis. */
-    private transient Auto auto;
+    private Auto auto;
     /** Le point dessiné, s'il n'est pas encore mesuré. */
-    private transient Candidat voulu;
+    private Candidat voulu;
 
     PanneauVitesse(JFrame cadre, Atelier atelier) {
         super(cadre, "Vitesse ou précision");

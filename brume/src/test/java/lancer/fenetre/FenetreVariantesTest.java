@@ -41,6 +41,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     private JSlider glissiere(String nom) throws Exception {
         if (chercher(nom, JSlider.class) == null) {
             banc.frapper(KeyEvent.VK_F2);
+            BancFenetre.mettreDevant(SwingUtilities.getWindowAncestor(composant(nom, JSlider.class)));
         }
         return composant(nom, JSlider.class);
     }

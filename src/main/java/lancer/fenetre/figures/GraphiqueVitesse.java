@@ -27,9 +27,8 @@ import javax.swing.JPanel;
 import lancer.auto.Candidat;
 
 /** Des réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
+@SuppressWarnings("serial")
 public final class GraphiqueVitesse extends JPanel {
-
-    private static final long serialVersionUID = 1;
 
     /** L'erreur que fait l'écran seul en arrondissant à un niveau entier. */
     private static final double ARRONDI = 1 / Math.sqrt(12);
@@ -47,12 +46,12 @@ public final class GraphiqueVitesse extends JPanel {
     private static final Color FRONT = new Color(0x1F5FA8);
     private static final Color MESURE = new Color(0xC0392B);
 
-    private final transient Consumer<String> siAtteint;
-    private final transient Predicate<Candidat> estPresent;
-    private transient List<Candidat> points = Collections.emptyList();
+    private final Consumer<String> siAtteint;
+    private final Predicate<Candidat> estPresent;
+    private List<Candidat> points = Collections.emptyList();
     /** Ceux que rien ne domine, du moins cher au plus cher. */
-    private transient List<Candidat> front = Collections.emptyList();
-    private final transient List<double[]> mesures = new ArrayList<>();
+    private List<Candidat> front = Collections.emptyList();
+    private final List<double[]> mesures = new ArrayList<>();
     private int choisi = -1;
     private double xMin;
     private double xMax;
@@ -118,7 +117,7 @@ public final class GraphiqueVitesse extends JPanel {
         if (ici != null && points.stream().noneMatch(estPresent)) {
             points.add(ici);
         }
-        front = essayes.stream().filter(p -> essayes.stream().noneMatch(q -> q.prix < p.prix && q.erreur <= p.erreur))
+        front = points.stream().filter(p -> points.stream().noneMatch(q -> q.prix < p.prix && q.erreur <= p.erreur))
                 .sorted(Comparator.comparingDouble(p -> p.prix)).collect(Collectors.toList());
         choisi = Math.min(choisi, front.size() - 1);
         DoubleSummaryStatistics prix = points.stream().mapToDouble(p -> p.prix).summaryStatistics();

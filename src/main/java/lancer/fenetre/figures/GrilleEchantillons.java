@@ -13,12 +13,11 @@ import lancer.inspection.Echantillon;
 import lancer.inspection.Inspection;
 
 /** Les échantillons d'un pixel, chacun à sa place et de sa couleur ; cliquer sur l'un le choisit. */
+@SuppressWarnings("serial")
 public final class GrilleEchantillons extends JPanel {
 
-    private static final long serialVersionUID = 1;
-
-    private transient List<Echantillon> echantillons = Collections.emptyList();
-    private transient Inspection pixel;
+    private List<Echantillon> echantillons = Collections.emptyList();
+    private Inspection pixel;
     /** L'écart de deux voisins, et la largeur de tout, en pixels de l'image. */
     private double pas;
     private double etendue;

@@ -30,9 +30,8 @@ import lancer.contrat.Ecoute.Etape;
 import lancer.inspection.Inspection;
 
 /** La figure du cours : l'œil, l'écran, les sphères rencontrées et les rayons, vus de côté (z à droite, y en haut). */
+@SuppressWarnings("serial")
 public final class VueDeCote extends JPanel {
-
-    private static final long serialVersionUID = 1;
 
     private static final int MARGE = 14;
     private static final Stroke TIRETE = new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
@@ -41,11 +40,11 @@ public final class VueDeCote extends JPanel {
     private static final Color SPHERE = new Color(0x909090);
     private static final Color LAMPE = new Color(0xC08000);
 
-    private transient Inspection pixel;
+    private Inspection pixel;
     /** Le numéro du seul rebond montré ; 0 : tous. */
     private int seul;
     /** Où se lit le numéro de chaque contact. */
-    private final transient Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
+    private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
     private double echelle;
     private double y0;
     private double z0;
@@ -105,6 +104,9 @@ public final class VueDeCote extends JPanel {
         y0 = (y.getMin() + y.getMax()) / 2;
         echelle = Math.min((getWidth() - 2 * MARGE) / (z.getMax() + marge - z0),
                 (getHeight() - 2 * MARGE) / (y.getMax() - y.getMin() + 2 * marge));
+        if (seul > 0) {
+            z0 = (z.getMin() + z.getMax()) / 2 - (getWidth() / 2.0 - MARGE) / echelle;
+        }
     }
 
     private double demiEcran() {
