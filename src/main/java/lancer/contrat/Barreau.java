@@ -6,7 +6,7 @@ public final class Barreau {
     /** Les valeurs du réglage, pour {@link Variante#installer}. */
     public final Section section;
 
-    /** L'erreur qu'il fait d'ordinaire, en niveaux, et ce qu'il coûte, en fois le prix d'un rayon par pixel. */
+    /** Erreur ordinaire de ce réglage, en niveaux, et son prix, en fois celui d'un rayon par pixel. */
     public final double erreur;
     public final double prix;
 

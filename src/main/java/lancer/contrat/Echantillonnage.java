@@ -32,9 +32,7 @@ public interface Echantillonnage {
         return tracer(pave, pave, vue, toile);
     }
 
-    /**
-     * Échantillonnage pour ces objets, vus de cette caméra : demandé au début de chaque dessin. Par défaut, celui-ci.
-     */
+    /** Échantillonnage pour ces objets, vus de cette caméra : demandé à chaque dessin ; lui-même si rien n'y change. */
     default Echantillonnage pour(List<Objet3D> objets, Camera camera) {
         return this;
     }

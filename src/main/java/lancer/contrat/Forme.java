@@ -14,7 +14,7 @@ public interface Forme {
     String getSection();
 
     /**
-     * Les clés que demande {@link #lire}. Celles de la matière (Kd, Ks ou Kr, ns) n'en sont pas : toute forme les a, et
+     * Les clés que demande {@link #lire}. La matière (Kd, Ks ou Kr, ns) n'en est pas : toute forme a ces clés, et
      * elles se lisent sans elle. Toute autre clé est refusée.
      */
     String[] getCles();

@@ -23,7 +23,7 @@ public final class Parametre {
     /** La clé qui ne va pas avec celle-ci, {@code null} s'il n'y en a pas. */
     public final String autre;
 
-    /** Le nombre de pas d'un bout à l'autre d'un nombre. */
+    /** Nombre de pas d'un bout à l'autre de l'intervalle d'un nombre. */
     public final int crans;
     private final BigDecimal min;
     private final BigDecimal pas;

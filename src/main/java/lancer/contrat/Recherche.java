@@ -32,7 +32,7 @@ public interface Recherche {
     /** Recherche d'un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
 
-    /** Le temps qu'elle a passé à construire, préparation comprise, ce que des rayons ont demandé, en nanosecondes. */
+    /** Temps qu'une recherche a mis à construire, préparation et demandes des rayons comprises, en nanosecondes. */
     default long getConstructionNs() {
         return 0;
     }

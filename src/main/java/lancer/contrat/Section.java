@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.StringTokenizer;
+import java.util.stream.Collectors;
 import lancer.Couleur;
 import lancer.Point;
 import lancer.SceneFautive;
@@ -265,11 +266,8 @@ public final class Section {
 
     /** Texte de la section, comme dans un fichier, {@code separateur} entre deux clés. */
     public String ecrire(String separateur) {
-        StringBuilder s = new StringBuilder("[" + nom + "]");
-        for (Entree entree : entrees) {
-            s.append(separateur).append(entree.cle).append('=').append(entree.valeur);
-        }
-        return s.toString();
+        return entrees.stream().map(entree -> separateur + entree.cle + '=' + entree.valeur)
+                .collect(Collectors.joining("", "[" + nom + "]", ""));
     }
 
     /** La valeur de cette clé, telle qu'écrite, {@code null} si elle n'est pas donnée ; ce n'est pas la demander. */

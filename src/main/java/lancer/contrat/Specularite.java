@@ -53,12 +53,12 @@ public interface Specularite {
         return Double.NaN;
     }
 
-    /** Exposant de cette puissance. */
+    /** Exposant de la {@link #puissance} qu'est cet éclat. */
     default double exposant(double ns) {
         return ns;
     }
 
-    /** Nom de sa base. */
+    /** Nom de la base de la {@link #puissance} qu'est cet éclat. */
     default String nomDeLaBase() {
         return "R·L";
     }

@@ -29,7 +29,7 @@ public final class Ecriture {
     private final String nom;
     private final Path cible;
 
-    /** Le fichier d'à côté : court, car le nom de la cible peut déjà être aussi long que le système le permet. */
+    /** Fichier provisoire, à côté de la cible, dont le nom peut déjà être le plus long que permette le système. */
     private Path provisoire;
 
     /** @throws Echec s'il est clair dès maintenant que le fichier de ce nom ne pourra être écrit */

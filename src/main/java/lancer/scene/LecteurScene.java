@@ -234,7 +234,7 @@ public class LecteurScene implements DoubleConsumer {
         }
     }
 
-    /** La matière se lit de même pour tout objet ; ce que la section n'en dit pas reste tel que l'objet est né. */
+    /** Lit la matière d'un objet ; ce que la section n'en dit pas reste tel que l'objet est né. */
     private void lireMatiere(Objet3D lu) {
         lu.setKd(commune(courante.couleur("Kd", lu.getKd(), 1)));
         if (courante.contient("Ks") && courante.contient("Kr")) {
@@ -252,7 +252,7 @@ public class LecteurScene implements DoubleConsumer {
         return deja != null ? deja : couleur;
     }
 
-    /** Le message d'ini4j est anglais, et ne dit pas pourquoi. */
+    /** Refus d'une ligne qu'ini4j ne sait pas lire : son message est anglais, et ne dit pas pourquoi. */
     private SceneFautive illisible(String texte) {
         String cite = " : " + Texte.cite(texte);
         if (texte.startsWith("[")) {

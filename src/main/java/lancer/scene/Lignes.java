@@ -1,6 +1,5 @@
 package lancer.scene;
 
-import java.io.BufferedInputStream;
 import java.io.BufferedReader;
 import java.io.FilterInputStream;
 import java.io.IOException;
@@ -21,9 +20,6 @@ import lancer.texte.Texte;
  * {@link Texte} le montre : ini4j le ferait disparaître au bout d'une clé ou d'une valeur.
  */
 final class Lignes extends Reader {
-
-    /** Taille des lectures, en octets. */
-    private static final int TAMPON = 1 << 16;
 
     /** Plus longue ligne, en octets et en caractères : de quoi s'arrêter devant {@code /dev/zero}, qui n'en a pas. */
     static final int LIGNE_MAX = 1 << 23;
@@ -57,8 +53,7 @@ final class Lignes extends Reader {
                 return lus;
             }
         };
-        octets = new BufferedReader(new InputStreamReader(new BufferedInputStream(suivie, TAMPON),
-                StandardCharsets.ISO_8859_1));
+        octets = new BufferedReader(new InputStreamReader(suivie, StandardCharsets.ISO_8859_1));
     }
 
     /** Le numéro de la dernière ligne donnée, à partir de 1. */
@@ -120,7 +115,7 @@ final class Lignes extends Reader {
         return true;
     }
 
-    /** Dit si elle est toute en ASCII visible. */
+    /** Dit si cette ligne est toute en ASCII visible. */
     private static boolean estSimple(String lue) {
         for (int i = 0; i < lue.length(); i++) {
             char c = lue.charAt(i);

@@ -29,7 +29,7 @@ public final class Services {
     /** La fin de ce que dit Java d'une classe qui n'est pas là : « contrat: Provider classe not found ». */
     private static final String INTROUVABLE = " not found";
 
-    /** La forme de la base : lue comme les autres, mais connue d'avance. */
+    /** La sphère, forme de la base, qu'aucun fichier de services n'inscrit. */
     private static final Forme SPHERE = new Forme() {
         @Override
         public String getSection() {

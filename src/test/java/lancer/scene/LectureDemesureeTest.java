@@ -124,7 +124,7 @@ class LectureDemesureeTest {
             }
         }.lire(fichier.toString());
         assertTrue(parts.size() >= 6, parts.toString());
-        assertEquals(65536.0 / Files.size(fichier), parts.get(0));
+        assertTrue(parts.get(0) > 0 && parts.get(0) <= 65536.0 / Files.size(fichier), parts.toString());
         assertEquals(1, parts.get(parts.size() - 1));
         List<Double> croissantes = new ArrayList<>(parts);
         Collections.sort(croissantes);
