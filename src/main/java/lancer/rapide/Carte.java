@@ -16,13 +16,6 @@ import lancer.precision.Intersection;
  */
 final class Carte implements Intersections, Occultations {
 
-    /** Une sphère dont le point est aussi près de la surface est notée dans toutes les cases. */
-    private static final double CONTRE_LA_SURFACE = 1e-9;
-
-    /** Entre ces distances, les carrés se calculent sans détour. */
-    private static final double LOIN_MIN = 1e-120;
-    private static final double LOIN_MAX = 1e140;
-
     /** Cases examinées, par place permise, au-delà desquelles la carte coûte plus qu'elle ne rendra. */
     private static final long TRAVAIL = 16;
 
@@ -44,9 +37,11 @@ final class Carte implements Intersections, Occultations {
      * Première entrée de chaque case, et pour chaque entrée une sphère et une distance qu'aucun de ses points ne
      * précède.
      */
-    int[] debut;
+    private final int[] debut;
     int[] entrees;
-    float[] pres;
+    private float[] pres;
+    /** Places encore permises, pendant que la carte se fait. */
+    private long libres;
 
     /** Pour chaque case, la distance de coupe (+∞ sans coupe) et la sphère qui coupe. */
     final float[] coupe;
@@ -61,119 +56,103 @@ final class Carte implements Intersections, Occultations {
      * @return {@code null} si elles débordent, ou en ont trop chacune : les sphères sont trop serrées, vues de ce point
      */
     static Carte de(Spheres spheres, Point origine, boolean deLOeil, Face[] faces, Arbre secours, long places) {
-        Carte carte = new Carte(spheres, origine, deLOeil, faces, secours);
-        return carte.remplir(origine.x, origine.y, origine.z, places) ? carte : null;
+        Carte carte = new Carte(spheres, origine, deLOeil, faces, secours, places);
+        return carte.remplir() ? carte : null;
     }
 
-    private Carte(Spheres spheres, Point origine, boolean deLOeil, Face[] faces, Arbre secours) {
+    private Carte(Spheres spheres, Point origine, boolean deLOeil, Face[] faces, Arbre secours, long places) {
         this.spheres = spheres;
         this.origine = origine;
         this.deLOeil = deLOeil;
         this.faces = faces;
         this.secours = secours;
+        libres = places;
         parFace = faces[0].colonnes * faces[0].lignes;
         coupe = new float[faces.length * parFace];
         coupeuse = new int[coupe.length];
+        debut = new int[coupe.length + 1];
         Arrays.fill(coupe, Float.POSITIVE_INFINITY);
     }
 
     /** Note chaque sphère dans les cases où elle peut se voir ; faux si c'est trop de places, ou trop de travail. */
-    private boolean remplir(double ox, double oy, double oz, long places) {
-        int n = spheres.nombre;
-        int cases = coupe.length;
-        Entrees liste = new Entrees(cases);
-        long travail = TRAVAIL * (places + cases);
-        double[] g = spheres.geometrie;
-        long[] ordre = parDistance(spheres, ox, oy, oz);
-        for (int o = 0; o < n; o++) {
-            Recherche.obeir();
-            if (liste.nombre > places || travail < 0) {
-                return false;
-            }
-            int k = (int) ordre[o];
-            float proche = Float.intBitsToFloat((int) (ordre[o] >>> 32));
-            int s = Spheres.PAS * k;
-            double x = g[s] - ox;
-            double y = g[s + 1] - oy;
-            double z = g[s + 2] - oz;
-            double loin = Math.sqrt(x * x + y * y + z * z);
-            double r = g[s + 3] / loin;
-            if (!(loin > LOIN_MIN && loin < LOIN_MAX && r < 1 - CONTRE_LA_SURFACE)) {
-                // le point y est, ou presque : à examiner partout, d'abord
-                for (int c = 0; c < cases && liste.nombre <= places; c++) {
-                    liste.noter(c, k, 0);
-                }
-                continue;
-            }
-            x /= loin;
-            y /= loin;
-            z /= loin;
-            // nul rayon n'entre dans une sphère plus loin que ceux qui la frôlent
-            float tangente = enHaut(loin * Math.sqrt(1 - r * r) * (1 + MARGE_COUPE));
-            // ce qui coupe l'écran n'en couvre rien
-            boolean peutCouper = !deLOeil || g[s + 2] - g[s + 3] > 1e-9 * (loin + g[s + 3]);
-            for (int f = 0; f < faces.length; f++) {
-                if (faces[f].silhouette(x, y, z, r)) {
-                    travail -= noter(liste, f, k, proche, peutCouper ? tangente : Float.POSITIVE_INFINITY);
-                }
-            }
+    private boolean remplir() {
+        long[] ordre = parDistance();
+        long travail = TRAVAIL * (libres + coupe.length);
+        for (int o = 0; o < ordre.length && libres >= 0 && travail >= 0; o++) {
+            travail -= noter(ordre[o]);
         }
-        if (liste.nombre > places) {
+        if (libres < 0 || travail < 0) {
             return false;
         }
-        garder(liste);
-        return !estEncombree(n);
+        int total = 0;
+        for (int c = 0; c < debut.length; c++) {
+            total += debut[c];
+            debut[c] = total;
+        }
+        entrees = new int[total];
+        pres = new float[total];
+        // de la plus lointaine à la plus proche : chaque case se remplit par la fin, et son début recule
+        for (int o = ordre.length - 1; o >= 0; o--) {
+            noter(ordre[o]);
+        }
+        return !estEncombree();
     }
 
     /**
-     * Note la sphère k dans les cases de la face f que touche sa silhouette, où aucune autre ne la cache.
+     * Compte une sphère dans chaque case que touche sa silhouette, où une plus proche ne la cache pas, ou l'y place si
+     * {@link #entrees} existe. Ce qui est compté avant une coupe est plus proche qu'elle : elle n'en ôte rien.
      *
-     * @param proche distance qu'aucun de ses points ne précède
-     * @param tangente distance au-delà de laquelle ce qu'elle couvre est caché, +∞ si elle ne cache rien
+     * @param cle voir {@link #parDistance}
      * @return le nombre de cases regardées
      */
-    private long noter(Entrees liste, int f, int k, float proche, float tangente) {
-        Face face = faces[f];
+    private long noter(long cle) {
+        Recherche.obeir();
+        int k = (int) cle;
+        float proche = Float.intBitsToFloat((int) (cle >>> 32));
+        double[] g = spheres.geometrie;
+        int s = Spheres.PAS * k;
+        double x = g[s] - origine.x;
+        double y = g[s + 1] - origine.y;
+        double z = g[s + 2] - origine.z;
+        double loin = Math.sqrt(x * x + y * y + z * z);
+        double r = g[s + 3] / loin;
+        // nul rayon n'entre dans une sphère plus loin que ceux qui la frôlent ; ce qui coupe l'écran n'en couvre rien
+        float tangente = deLOeil && g[s + 2] - g[s + 3] <= 1e-9 * (loin + g[s + 3]) ? Float.POSITIVE_INFINITY
+                : enHaut(loin * Math.sqrt(1 - r * r) * (1 + MARGE_COUPE));
         long regardees = 0;
-        for (int j = face.ligne0; j <= face.ligne1; j++) {
-            int ligne = f * parFace + j * face.colonnes;
-            int a = face.a[j];
-            regardees += 1 + Math.max(0, a - face.de[j]);
-            for (int i = face.de[j]; i <= a; i++) {
-                int c = ligne + i;
-                if (proche > coupe[c]) {
-                    continue;
-                }
-                liste.noter(c, k, proche);
-                if (tangente < coupe[c] && i >= face.couvertDe[j] && i <= face.couvertA[j]) {
-                    coupe[c] = tangente;
-                    coupeuse[c] = k;
+        for (int f = 0; f < faces.length; f++) {
+            Face face = faces[f];
+            if (!face.silhouette(x, y, z, g[s + 3])) {
+                continue;
+            }
+            for (int j = face.ligne0; j <= face.ligne1; j++) {
+                int ligne = f * parFace + j * face.colonnes;
+                regardees += 1 + Math.max(0, face.a[j] - face.de[j]);
+                for (int i = face.de[j]; i <= face.a[j]; i++) {
+                    int c = ligne + i;
+                    if (proche > coupe[c]) {
+                        continue;
+                    }
+                    if (entrees == null) {
+                        debut[c]++;
+                        libres--;
+                    } else {
+                        entrees[--debut[c]] = k;
+                        pres[debut[c]] = proche;
+                    }
+                    if (tangente < coupe[c] && i >= face.couvertDe[j] && i <= face.couvertA[j]) {
+                        coupe[c] = tangente;
+                        coupeuse[c] = k;
+                    }
                 }
             }
         }
         return regardees;
     }
 
-    /** Range à plat les entrées qu'aucune coupe ne cache. */
-    private void garder(Entrees liste) {
-        int cases = coupe.length;
-        entrees = new int[liste.nombre];
-        pres = new float[liste.nombre];
-        debut = new int[cases + 1];
-        int e = 0;
-        for (int c = 0; c < cases; c++) {
-            debut[c] = e;
-            // ce qu'une sphère venue plus tard a fini par couvrir ne sert plus
-            for (int q = liste.tete[c]; q >= 0 && liste.proche[q] <= coupe[c]; q = liste.apres(q, c)) {
-                entrees[e] = liste.sphere[q];
-                pres[e++] = liste.proche[q];
-            }
-        }
-        debut[cases] = e;
-    }
-
     /** Vrai si une sphère prise au hasard a trop de voisines dans ses cases. */
-    private boolean estEncombree(int n) {
+    private boolean estEncombree() {
+        int n = spheres.nombre;
         long[] voisines = new long[n];
         int[] places = new int[n];
         for (int c = 0; c < coupe.length; c++) {
@@ -196,18 +175,18 @@ final class Carte implements Intersections, Occultations {
     /**
      * Les numéros des sphères dans la moitié basse, par distance croissante ; celle-ci, arrondie vers 0, dans la haute.
      */
-    private static long[] parDistance(Spheres spheres, double ox, double oy, double oz) {
+    private long[] parDistance() {
         double[] g = spheres.geometrie;
         long[] ordre = new long[spheres.nombre];
         for (int k = 0; k < ordre.length; k++) {
             int s = Spheres.PAS * k;
-            double x = g[s] - ox;
-            double y = g[s + 1] - oy;
-            double z = g[s + 2] - oz;
+            double x = g[s] - origine.x;
+            double y = g[s + 1] - origine.y;
+            double z = g[s + 2] - origine.z;
             double d = Math.sqrt(x * x + y * y + z * z);
             double r = g[s + 3];
             double proche = d - r - 1e-9 * (d + r);
-            ordre[k] = (long) Float.floatToRawIntBits(proche > 0 && d < LOIN_MAX ? enBas(proche) : 0) << 32 | k;
+            ordre[k] = (long) Float.floatToRawIntBits(proche > 0 && d < Face.LOIN_MAX ? enBas(proche) : 0) << 32 | k;
         }
         return Tri.parMoitieHaute(ordre);
     }
@@ -319,46 +298,5 @@ final class Carte implements Intersections, Occultations {
         }
         int f = Faces.duCube(x, y, z);
         return f * parFace + faces[f].caseDe(x, y, z);
-    }
-
-    /** Les entrées de chaque case, chaînées dans l'ordre où elles viennent : leur nombre n'est pas connu d'avance. */
-    private static final class Entrees {
-
-        int nombre;
-        final int[] tete;
-        private final int[] queue;
-        int[] sphere;
-        float[] proche;
-        private int[] suivante;
-
-        Entrees(int cases) {
-            tete = new int[cases];
-            queue = new int[cases];
-            Arrays.fill(tete, -1);
-            sphere = new int[cases + 64];
-            proche = new float[cases + 64];
-            suivante = new int[cases + 64];
-        }
-
-        void noter(int c, int k, float p) {
-            if (nombre == sphere.length) {
-                int places = nombre + (nombre >> 1);
-                sphere = Arrays.copyOf(sphere, places);
-                proche = Arrays.copyOf(proche, places);
-                suivante = Arrays.copyOf(suivante, places);
-            }
-            sphere[nombre] = k;
-            proche[nombre] = p;
-            if (tete[c] < 0) {
-                tete[c] = nombre;
-            } else {
-                suivante[queue[c]] = nombre;
-            }
-            queue[c] = nombre++;
-        }
-
-        int apres(int q, int c) {
-            return q == queue[c] ? -1 : suivante[q];
-        }
     }
 }

@@ -21,6 +21,13 @@ final class Face {
     private static final double ECART = MARGE / 4 * Camera.FOCALE;
     private static final double PAR_FOCALE = 1 / Camera.FOCALE;
 
+    /** Une sphère dont le point est aussi près de la surface, en part de sa distance, se voit de partout. */
+    private static final double CONTRE_LA_SURFACE = 1e-9;
+
+    /** Entre ces distances, les carrés se calculent sans détour. */
+    static final double LOIN_MIN = 1e-120;
+    static final double LOIN_MAX = 1e140;
+
     /** Une sphère dont z dépasse r de moins de cette part de sa distance n'a pas d'ellipse pour silhouette. */
     private static final double RASANTE = 1e-3;
 
@@ -102,11 +109,19 @@ final class Face {
     /**
      * Cherche les cases que touche cette sphère, et parmi elles celles qu'elle couvre tout entières.
      *
-     * @param x le centre, vu du point, toutes les longueurs divisées par sa distance ; x² + y² + z² = 1
-     * @param r le rayon, moins de 1
+     * @param dx le centre, moins le point
      * @return faux si elle n'en touche aucune
      */
-    boolean silhouette(double x, double y, double z, double r) {
+    boolean silhouette(double dx, double dy, double dz, double rayon) {
+        double loin = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double r = rayon / loin;
+        if (!(loin > LOIN_MIN && loin < LOIN_MAX && r < 1 - CONTRE_LA_SURFACE)) {
+            return partout();
+        }
+        // toutes les longueurs divisées par celle-ci : la direction du centre est de longueur 1
+        double x = dx / loin;
+        double y = dy / loin;
+        double z = dz / loin;
         double cx = e[0] * x + e[1] * y + e[2] * z;
         double cy = e[3] * x + e[4] * y + e[5] * z;
         double cz = e[6] * x + e[7] * y + e[8] * z;
@@ -116,8 +131,7 @@ final class Face {
                 || cy - v1 * cz > rm * Math.sqrt(1 + v1 * v1) || v0 * cz - cy > rm * Math.sqrt(1 + v0 * v0)) {
             return false;
         }
-        boolean ellipse = cz > r + RASANTE;
-        return ellipse ? ellipse(cx, cy, cz, r) : partout();
+        return cz > r + RASANTE ? ellipse(cx, cy, cz, r) : partout();
     }
 
     /**

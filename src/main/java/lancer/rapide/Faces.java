@@ -94,7 +94,7 @@ final class Faces {
     /** Trois directions perpendiculaires, la troisième celle-ci ; {@code null} si elle n'en est pas une. */
     private static double[] repere(double x, double y, double z) {
         double n = Math.sqrt(x * x + y * y + z * z);
-        if (!(n > 1e-120 && n < 1e140)) {
+        if (!(n > Face.LOIN_MIN && n < Face.LOIN_MAX)) {
             return null;
         }
         x /= n;

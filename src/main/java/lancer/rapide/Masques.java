@@ -63,16 +63,11 @@ final class Masques implements Intersections {
     private void noterTuiles(int k) {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
-        double x = g[s];
-        double y = g[s + 1];
-        double z = g[s + 2] + Camera.FOCALE;
-        double loin = Math.sqrt(x * x + y * y + z * z);
-        boolean dehors = g[s + 3] < (1 - MARGE) * loin;
-        if (dehors && !image.silhouette(x / loin, y / loin, z / loin, g[s + 3] / loin)) {
+        if (!image.silhouette(g[s], g[s + 1], g[s + 2] + Camera.FOCALE, g[s + 3])) {
             return;
         }
-        for (int j = dehors ? image.ligne0 : 0; j <= (dehors ? image.ligne1 : image.lignes - 1); j++) {
-            for (int i = dehors ? image.de[j] : 0; i <= (dehors ? image.a[j] : image.colonnes - 1); i++) {
+        for (int j = image.ligne0; j <= image.ligne1; j++) {
+            for (int i = image.de[j]; i <= image.a[j]; i++) {
                 parTuile[j * image.colonnes + i] |= 1L << k;
             }
         }

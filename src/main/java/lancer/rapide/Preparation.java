@@ -18,11 +18,10 @@ import lancer.fils.Equipe;
  * dessin : la place des objets et les lampes sont celles du moment où elle est faite. Un mauvais choix ne coûte qu'une
  * construction : ce que les structures examinent est compté, rayon par rayon ({@link Parcours}).
  *
- * <p>Mémoire, pour N sphères : 44 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
+ * <p>Mémoire, pour N sphères : 40 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
  * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8
- * octets et autant de cases, de 12 octets, que de tuiles de l'image et que {@value #CASES_PAR_SPHERE} N ; une carte en
- * prend trois fois plus pendant qu'elle se fait. Les masques d'une petite scène en prennent 100 ko, et ceux de ses
- * ombres 1 Mo au plus.
+ * octets et autant de cases, de 12 octets, que de tuiles de l'image et que {@value #CASES_PAR_SPHERE} N. Les masques
+ * d'une petite scène en prennent 100 ko, et ceux de ses ombres 1 Mo au plus.
  */
 public final class Preparation {
 
