@@ -9,7 +9,7 @@ import lancer.precision.Intersection;
 /**
  * Un arbre de boîtes, parcouru de la plus proche à la plus lointaine : rarement le meilleur ici, mais ni les tailles,
  * ni les places, ni les distances ne le mettent en défaut. Il répond là où le compte d'une structure est vide, et aux
- * rayons qui ne sont pas de ceux d'une carte. {@link ConstructionArbre} ne le fait qu'à la première question.
+ * rayons qui ne sont pas de ceux d'une carte. Ses {@link Noeuds} ne se font qu'à la première question.
  *
  * <p>Une boîte n'est passée que si aucune de ses sphères ne peut l'emporter, arrondis compris. La distance calculée par
  * {@link Intersection#distance} est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53,
@@ -63,7 +63,7 @@ final class Arbre implements Intersections, Occultations {
         try {
             if (noeuds == null) {
                 long debut = System.nanoTime();
-                noeuds = new ConstructionArbre(spheres).construire();
+                noeuds = new Noeuds(spheres);
                 constructionNs = System.nanoTime() - debut;
             }
             return noeuds;
