@@ -118,7 +118,7 @@ final class Carte implements Intersections, Occultations {
         double r = g[s + 3] / loin;
         // nul rayon n'entre dans une sphère plus loin que ceux qui la frôlent ; ce qui coupe l'écran n'en couvre rien
         float tangente = deLOeil && g[s + 2] - g[s + 3] <= 1e-9 * (loin + g[s + 3]) ? Float.POSITIVE_INFINITY
-                : enHaut(loin * Math.sqrt(1 - r * r) * (1 + MARGE_COUPE));
+                : Math.nextUp((float) (loin * Math.sqrt(1 - r * r) * (1 + MARGE_COUPE)));
         long regardees = 0;
         for (int f = 0; f < faces.length; f++) {
             Face face = faces[f];
@@ -185,8 +185,8 @@ final class Carte implements Intersections, Occultations {
             double z = g[s + 2] - origine.z;
             double d = Math.sqrt(x * x + y * y + z * z);
             double r = g[s + 3];
-            double proche = d - r - 1e-9 * (d + r);
-            ordre[k] = (long) Float.floatToRawIntBits(proche > 0 && d < Face.LOIN_MAX ? enBas(proche) : 0) << 32 | k;
+            float proche = Math.max(0, Math.nextDown((float) (d - r - 1e-9 * (d + r))));
+            ordre[k] = (long) Float.floatToRawIntBits(proche) << 32 | k;
         }
         return Tri.parMoitieHaute(ordre);
     }
@@ -255,40 +255,21 @@ final class Carte implements Intersections, Occultations {
             // ou bien le contact est sur la sphère qui coupe, un rien plus loin qu'elle par un arrondi
             return coupeuse[c] != sauf || secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
-        double[] g = spheres.geometrie;
         int premiere = debut[c];
         int derniere = debut[c + 1];
         long credit = parcours.credit + Parcours.PAR_RAYON;
         int fin = derniere - premiere <= credit ? derniere : premiere + (int) credit;
-        int tests = 0;
         int e = premiere;
         boolean cachee = false;
         for (; e < fin && !cachee && pres[e] < distance; e++) {
             int k = entrees[e];
             if (k != sauf) {
-                tests++;
-                int s = Spheres.PAS * k;
-                double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                cachee = d < distance && (d >= 0 || Intersection.auMoins(d) < distance
-                        && parcours.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance);
+                cachee = parcours.touche(spheres, k, px, py, pz, vx, vy, vz, distance);
             }
         }
-        parcours.compteurs.testsSpheres += tests;
         parcours.credit = credit - (e - premiere);
         return cachee || e >= fin && e < derniere && pres[e] < distance
                 && secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
-    }
-
-    /** Le flottant juste au-dessous, ou égal. */
-    private static float enBas(double x) {
-        float f = (float) x;
-        return f <= x ? f : Math.nextDown(f);
-    }
-
-    /** Le flottant juste au-dessus, ou égal. */
-    private static float enHaut(double x) {
-        float f = (float) x;
-        return f >= x ? f : Math.nextUp(f);
     }
 
     /** La case de cette direction, -1 si aucune sphère ne peut y être. */

@@ -13,15 +13,14 @@ final class Demesurees {
     private static final double ECARTEE = 64;
     private static final int ECHANTILLON = 1000;
 
-    private Demesurees() {
-    }
+    private final double[] g;
+    private final double[] milieu = new double[Spheres.PAS];
+    private final double loin;
 
-    /** Les numéros, croissants, des sphères bien plus grosses, ou bien plus loin, que la plupart. */
-    static int[] parmi(Spheres spheres) {
-        double[] g = spheres.geometrie;
+    Demesurees(Spheres spheres) {
+        g = spheres.geometrie;
         int pas = 1 + spheres.nombre / ECHANTILLON;
         double[] valeurs = new double[(spheres.nombre + pas - 1) / pas];
-        double[] milieu = new double[Spheres.PAS];
         for (int axe = 0; axe < Spheres.PAS; axe++) {
             for (int i = 0; i < valeurs.length; i++) {
                 valeurs[i] = g[Spheres.PAS * pas * i + axe];
@@ -29,18 +28,15 @@ final class Demesurees {
             milieu[axe] = mediane(valeurs);
         }
         for (int i = 0; i < valeurs.length; i++) {
-            valeurs[i] = ecart(g, Spheres.PAS * pas * i, milieu);
+            valeurs[i] = ecart(Spheres.PAS * pas * i);
         }
-        double loin = ECARTEE * mediane(valeurs);
-        int[] grosses = new int[spheres.nombre];
-        int n = 0;
-        for (int k = 0; k < spheres.nombre; k++) {
-            int s = Spheres.PAS * k;
-            if (g[s + 3] > GROSSE * milieu[3] || ecart(g, s, milieu) > loin) {
-                grosses[n++] = k;
-            }
-        }
-        return Arrays.copyOf(grosses, n);
+        loin = ECARTEE * mediane(valeurs);
+    }
+
+    /** Vrai si cette sphère est bien plus grosse, ou bien plus loin, que la plupart. */
+    boolean contient(int k) {
+        int s = Spheres.PAS * k;
+        return g[s + 3] > GROSSE * milieu[3] || ecart(s) > loin;
     }
 
     private static double mediane(double[] valeurs) {
@@ -48,7 +44,7 @@ final class Demesurees {
         return valeurs[valeurs.length / 2];
     }
 
-    private static double ecart(double[] g, int s, double[] milieu) {
+    private double ecart(int s) {
         return Math.max(Math.abs(g[s] - milieu[0]),
                 Math.max(Math.abs(g[s + 1] - milieu[1]), Math.abs(g[s + 2] - milieu[2])));
     }

@@ -91,21 +91,24 @@ final class Grille implements Intersections {
      * @return {@code null} si elles occupent trop de cases, ou si trop d'entre elles sont démesurées
      */
     static Grille de(Spheres spheres, Arbre secours) {
-        int[] grosses = Demesurees.parmi(spheres);
-        if (grosses.length > GROSSES_MAX || grosses.length == spheres.nombre) {
-            return null;
-        }
-        int[] lesquelles = spheres.toutes();
+        Demesurees demesurees = new Demesurees(spheres);
+        int[] lesquelles = new int[spheres.nombre];
+        int[] grosses = new int[GROSSES_MAX];
         int m = 0;
-        for (int k = 0, q = 0; k < spheres.nombre; k++) {
-            if (q < grosses.length && grosses[q] == k) {
-                q++;
-            } else {
+        for (int k = 0; k < spheres.nombre; k++) {
+            if (!demesurees.contient(k)) {
                 lesquelles[m++] = k;
+            } else if (k - m == GROSSES_MAX) {
+                return null;
+            } else {
+                grosses[k - m] = k;
             }
         }
+        if (m == 0) {
+            return null;
+        }
         lesquelles = Arrays.copyOf(lesquelles, m);
-        Grille grille = new Grille(spheres, lesquelles, grosses, secours);
+        Grille grille = new Grille(spheres, lesquelles, Arrays.copyOf(grosses, spheres.nombre - m), secours);
         return grille.remplir(lesquelles) ? grille : null;
     }
 

@@ -227,21 +227,12 @@ final class Masques implements Intersections {
                 double z = pz + distance * vz - g[s + 2];
                 if (x * x + y * y + z * z <= limitesIci[sauf]) {
                     parcours.compteurs.noeudsVisites++;
-                    int tests = 0;
-                    long masque = parSphere[sauf];
-                    for (; masque != 0; masque &= masque - 1) {
-                        int k = Long.numberOfTrailingZeros(masque);
-                        tests++;
-                        s = Spheres.PAS * k;
-                        double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz,
-                                g[s], g[s + 1], g[s + 2], g[s + 3]);
-                        if (d < distance && (d >= 0 || Intersection.auMoins(d) < distance
-                                && parcours.trancher(spheres, k, px, py, pz, vx, vy, vz) < distance)) {
-                            break;
+                    for (long masque = parSphere[sauf]; masque != 0; masque &= masque - 1) {
+                        if (parcours.touche(spheres, Long.numberOfTrailingZeros(masque), px, py, pz, vx, vy, vz, distance)) {
+                            return true;
                         }
                     }
-                    parcours.compteurs.testsSpheres += tests;
-                    return masque != 0;
+                    return false;
                 }
             }
             return secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
