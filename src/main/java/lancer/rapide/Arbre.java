@@ -38,7 +38,8 @@ final class Arbre implements Intersections, Occultations {
     private final Spheres spheres;
     private final ReentrantLock construction = new ReentrantLock();
     private volatile Noeuds noeuds;
-    private volatile long constructionNs;
+    /** Le temps de la construction, en nanosecondes ; 0 tant qu'elle n'est pas faite. */
+    volatile long constructionNs;
 
     Arbre(Spheres spheres) {
         this.spheres = spheres;
@@ -70,11 +71,6 @@ final class Arbre implements Intersections, Occultations {
         } finally {
             construction.unlock();
         }
-    }
-
-    /** Le temps de la construction, en nanosecondes ; 0 tant qu'elle n'est pas faite. */
-    long getConstructionNs() {
-        return constructionNs;
     }
 
     @Override

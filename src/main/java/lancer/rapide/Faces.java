@@ -23,12 +23,9 @@ final class Faces {
         if (seule != null) {
             return new Face[] {seule};
         }
-        return cube((int) Math.ceil(Math.sqrt(cases / 6.0)));
-    }
-
-    /** Les six faces d'un cube, dans l'ordre +x, −x, +y, −y, +z, −z. */
-    static Face[] cube(int cote) {
+        // les six faces d'un cube, dans l'ordre +x, −x, +y, −y, +z, −z
         Face[] faces = new Face[CUBE.length];
+        int cote = (int) Math.ceil(Math.sqrt(cases / 6.0));
         double bord = 1 + Face.MARGE;
         for (int f = 0; f < faces.length; f++) {
             faces[f] = new Face(CUBE[f], -bord, -bord, bord, bord, cote, cote);

@@ -3,7 +3,6 @@ package lancer.rapide;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
-import lancer.precision.Intersection;
 
 /**
  * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque
@@ -138,32 +137,12 @@ final class Masques implements Intersections {
             masque = parDirection[CUBES * sauf + (k * COTE + j) * COTE + i];
         }
         parcours.compteurs.noeudsVisites++;
-        double distance = Constantes.INFINI;
-        int trouvee = -1;
-        int tests = 0;
-        // dans l'ordre de la scène : de deux contacts à la même distance, le premier reste
+        parcours.distance = Constantes.INFINI;
+        parcours.trouvee = -1;
         for (; masque != 0; masque &= masque - 1) {
-            int k = Long.numberOfTrailingZeros(masque);
-            tests++;
-            int s = Spheres.PAS * k;
-            double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-            if (d < distance) {
-                if (d < 0) {
-                    if (Intersection.auMoins(d) > distance) {
-                        continue;
-                    }
-                    d = parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
-                    if (!(d < distance)) {
-                        continue;
-                    }
-                }
-                distance = d;
-                trouvee = k;
-            }
+            parcours.examiner(spheres, Long.numberOfTrailingZeros(masque), px, py, pz, vx, vy, vz);
         }
-        parcours.compteurs.testsSpheres += tests;
-        parcours.distance = distance;
-        return trouvee;
+        return parcours.trouvee;
     }
 
     /** Ce qui peut cacher cette lampe. */

@@ -79,12 +79,7 @@ public final class Preparation {
         pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
-    /**
-     * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
-     *
-     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
-     * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
-     */
+    /** Une recherche que personne ne suit : voir {@link #pour(Scene, Camera, DoubleConsumer)}. */
     public static Recherche pour(Scene scene, Camera camera) {
         return pour(scene, camera, part -> { });
     }
@@ -93,6 +88,7 @@ public final class Preparation {
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
      * @param suivi à qui se dit la part faite, de 0 à 1, après chaque étape
+     * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {

@@ -171,7 +171,7 @@ public final class RechercheRapide implements Recherche {
 
     /** Le temps passé à construire ce dont les rayons ont eu besoin, avant le dessin ou pendant, en nanosecondes. */
     public long getConstructionNs() {
-        return structures.arbre.getConstructionNs();
+        return structures.arbre.constructionNs;
     }
 
     @Override
