@@ -257,7 +257,7 @@ final class Grille implements Intersections {
         double sautX = cote * Math.abs(ix);
         double sautY = cote * Math.abs(iy);
         double sautZ = cote * Math.abs(iz);
-        long credit = parcours.credit;
+        int permis = (int) Math.min(parcours.credit, Integer.MAX_VALUE);
         int tests = 0;
         int cases = 0;
         int reponse = TERMINEE;
@@ -266,11 +266,10 @@ final class Grille implements Intersections {
             // les sphères de la case
             int e = debut[c];
             int fin = debut[c + 1];
-            if (credit <= fin - e) {
+            if (tests + cases + fin - e >= permis) {
                 reponse = COMPTE_VIDE;
                 break;
             }
-            credit -= 1 + fin - e;
             cases++;
             for (; e < fin; e++) {
                 int k = entrees[e];
@@ -318,7 +317,7 @@ final class Grille implements Intersections {
                 c += pasZ;
             }
         }
-        parcours.credit = credit;
+        parcours.credit -= tests + cases;
         parcours.compteurs.testsSpheres += tests;
         parcours.compteurs.noeudsVisites += cases;
         parcours.distance = distance;

@@ -207,7 +207,8 @@ final class Masques implements Intersections {
                 if (x * x + y * y + z * z <= limitesIci[sauf]) {
                     parcours.compteurs.noeudsVisites++;
                     for (long masque = parSphere[sauf]; masque != 0; masque &= masque - 1) {
-                        if (parcours.touche(spheres, Long.numberOfTrailingZeros(masque), px, py, pz, vx, vy, vz, distance)) {
+                        int k = Long.numberOfTrailingZeros(masque);
+                        if (parcours.touche(spheres, k, px, py, pz, vx, vy, vz, distance)) {
                             return true;
                         }
                     }

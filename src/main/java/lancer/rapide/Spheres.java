@@ -9,8 +9,9 @@ import lancer.Point;
 import lancer.Sphere;
 
 /**
- * Les sphères d'une scène recopiées à plat, chacune sous un numéro, dans l'ordre de la scène : 32 octets de géométrie, qui tiennent dans une
- * moitié de ligne de cache. Les objets d'une autre classe, filles de {@link Sphere} comprises, sont à part.
+ * Les sphères d'une scène recopiées à plat, chacune sous un numéro, dans l'ordre de la scène : 32 octets de géométrie,
+ * qui tiennent dans une moitié de ligne de cache. Les objets d'une autre classe, filles de {@link Sphere} comprises,
+ * sont à part.
  */
 final class Spheres {
 
