@@ -22,18 +22,17 @@ public final class Sonde {
         return Base64.getEncoder().encodeToString(octets.array());
     }
 
-    /** @param a largeur, hauteur, profondeur, décalage en x et en y */
+    /** @param a largeur, hauteur, profondeur */
     public static String dessiner(String fichier, String... a) {
         Scene scene = new Scene(fichier);
         int largeur = Integer.parseInt(a[0]);
         int hauteur = Integer.parseInt(a[1]);
         int profondeur = Integer.parseInt(a[2]);
-        double decalage = Double.parseDouble(a[3]);
         Camera camera = new Camera(largeur, hauteur);
         // par getCouleurPixel ; s'il n'existe pas sous cette forme, par les méthodes qu'il appelle
         boolean parLancer = true;
         try {
-            parLancer(scene, camera, 0, 0, profondeur, decalage);
+            parLancer(scene, camera, 0, 0, profondeur);
         } catch (Error e) {
             parLancer = false;
         }
@@ -41,19 +40,14 @@ public final class Sonde {
         for (int p = 0; p < pixels.length; p++) {
             int xe = p % largeur;
             int ye = p / largeur;
-            pixels[p] = parLancer ? parLancer(scene, camera, xe, ye, profondeur, decalage)
-                    : parRayon(scene, camera.getRayon(xe + decalage, ye + decalage), profondeur);
+            pixels[p] = parLancer ? parLancer(scene, camera, xe, ye, profondeur)
+                    : parRayon(scene, camera.getRayon(xe, ye), profondeur);
         }
         return coder(pixels);
     }
 
-    private static Couleur parLancer(Scene scene, Camera camera, int xe, int ye, int profondeur, double decalage) {
-        return decalage == 0 ? parEntiers(scene, camera, xe, ye, profondeur)
-                : new Lancer(scene, camera).getCouleurPixel(xe + decalage, ye + decalage, profondeur);
-    }
-
     /** Des entiers : {@code getCouleurPixel} peut les vouloir. */
-    private static Couleur parEntiers(Scene scene, Camera camera, int xe, int ye, int profondeur) {
+    private static Couleur parLancer(Scene scene, Camera camera, int xe, int ye, int profondeur) {
         return new Lancer(scene, camera).getCouleurPixel(xe, ye, profondeur);
     }
 
@@ -105,7 +99,7 @@ public final class Sonde {
         }
         Objet3D objet = contact.objet;
         dire("objet rencontré, son rang dans la scène", scene.getObjets().indexOf(objet) + 1);
-        dire("distance", contact.distance);
+        dire("distance", (float) contact.distance);
         dire("point de contact", contact);
         dire("normale N", objet.getNormale(contact));
         Couleur Ks = objet.getKs();
@@ -122,14 +116,15 @@ public final class Sonde {
         }
     }
 
+    /** Sept chiffres : de quoi comparer, à l'œil aussi. */
     private void dire(String nom, Object valeur) {
         String nombres = String.valueOf(valeur).replaceAll("[\\p{Cntrl}=]", " ");
         if (valeur instanceof Tuple) {
             Tuple t = (Tuple) valeur;
-            nombres = t.x + " " + t.y + " " + t.z;
+            nombres = (float) t.x + " " + (float) t.y + " " + (float) t.z;
         } else if (valeur instanceof Couleur) {
             Couleur c = (Couleur) valeur;
-            nombres = c.r + " " + c.v + " " + c.b;
+            nombres = (float) c.r + " " + (float) c.v + " " + (float) c.b;
         }
         texte.append(texte.length() > 0 ? "\t" : "").append(nom).append('=').append(nombres);
     }

@@ -6,8 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Collection;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Depot;
@@ -27,14 +30,38 @@ import lancer.correction.page.Pages;
 /** Le programme : note les rendus d'une classe, ou écrit le projet à compléter. */
 public final class Correction {
 
-    private final Demande demande;
+    private static final String RENDUS = "RENDUS";
+    private static final List<String> AVEC_VALEUR =
+            List.of("--notes", "--sortie", "--bareme", "--corrige", "--variante", "--squelette");
+
+    /** Les options données, et ce qui suit chacune, vide si rien ne doit la suivre ; {@code RENDUS}, ce qu'il faut noter. */
+    private final Map<String, String> demande = new HashMap<>();
     private final PrintStream sortie;
     private final PrintStream suivi;
 
-    private Correction(Demande demande, PrintStream sortie, PrintStream suivi) {
-        this.demande = demande;
+    /** @throws Panne si un argument ne va pas */
+    private Correction(String[] arguments, PrintStream sortie, PrintStream suivi) {
         this.sortie = sortie;
         this.suivi = suivi;
+        for (int k = 0; k < arguments.length && !demande.containsKey("--aide"); k++) {
+            String nom = arguments[k];
+            if (List.of("--aide", "--help", "-h", "--sans-confinement").contains(nom)) {
+                demande.put(nom.matches("--help|-h") ? "--aide" : nom, "");
+            } else if (AVEC_VALEUR.contains(nom)) {
+                if (++k >= arguments.length || arguments[k].isEmpty()) {
+                    throw new Panne(2, "option sans sa valeur : " + nom);
+                }
+                demande.put(nom, arguments[k]);
+            } else if (nom.startsWith("-")) {
+                throw new Panne(2, "option inconnue : « " + nom + " » ; attendu : une de celles que montre --aide");
+            } else if (demande.putIfAbsent(RENDUS, nom) != null) {
+                throw new Panne(2, "plusieurs rendus : « " + demande.get(RENDUS) + " » et « " + nom
+                        + " » ; attendu : un dossier, ou une archive");
+            }
+        }
+        if (Collections.disjoint(demande.keySet(), List.of(RENDUS, "--aide", "--squelette", "--corrige"))) {
+            throw new Panne(2, "aucun rendu à noter ; attendu : un dossier, ou l'archive de Moodle");
+        }
     }
 
     /** @param args voir {@code --aide} */
@@ -48,21 +75,21 @@ public final class Correction {
     /** @return le statut de sortie ; pour 1 et 2, une ligne a été écrite sur {@code erreur} */
     static int executer(String[] args, PrintStream sortie, PrintStream erreur) {
         try {
-            Demande demande = new Demande(args);
-            if (demande.aide) {
+            Correction correction = new Correction(args, sortie, erreur);
+            Map<String, String> demande = correction.demande;
+            if (demande.containsKey("--aide")) {
                 sortie.print(Modele.ressource("aide.txt"));
-            } else if (demande.valeur("--squelette") != null) {
-                Squelette.ecrire(demande.valeur("--squelette"), null, sortie);
-            } else if (demande.valeur("--corrige") != null) {
-                String variante = demande.valeur("--variante");
-                Squelette.ecrire(demande.valeur("--corrige"), variante == null ? "" : variante, sortie);
+            } else if (demande.containsKey("--squelette")) {
+                Squelette.ecrire(demande.get("--squelette"), null, sortie);
+            } else if (demande.containsKey("--corrige")) {
+                Squelette.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
             } else {
-                new Correction(demande, sortie, erreur).corriger();
+                correction.corriger();
             }
             return 0;
         } catch (Panne e) {
             erreur.println("correction : " + e.getMessage().replaceAll("\\s+", " "));
-            return e.getCode();
+            return e.code;
         } catch (IOException e) {
             erreur.println("correction : lecture ou écriture impossible : " + e);
             return 1;
@@ -74,14 +101,13 @@ public final class Correction {
     }
 
     private void corriger() throws IOException {
-        Path dossier = Files.createDirectories(demande.chemin("--sortie", Paths.get("correction", "classe"))).toRealPath();
+        Path dossier = Files.createDirectories(Paths.get(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
         // une feuille de notes qui ne convient pas se dit tout de suite, pas après avoir tout jugé
-        Path notes = demande.chemin("--notes", null);
-        FeuilleMoodle feuille = notes == null ? null : new FeuilleMoodle(notes);
-        List<Rendu> rendus = Depot.lire(demande.rendus, travail);
+        FeuilleMoodle feuille = demande.containsKey("--notes") ? new FeuilleMoodle(Paths.get(demande.get("--notes"))) : null;
+        List<Rendu> rendus = Depot.lire(Paths.get(demande.get(RENDUS)), travail);
         Confinement confinement = Confinement.essayer();
-        if (!confinement.confine && !demande.sansConfinement) {
+        if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
             throw new Panne(1, "rien n'a été exécuté : " + confinement.manque
                     + " ; pour exécuter quand même le code des étudiants, qui pourra lire et écrire vos fichiers : "
                     + "SANS_CONFINEMENT=1 (--sans-confinement)");
@@ -90,7 +116,7 @@ public final class Correction {
                 + " ; le corrigé d'abord");
         try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES)) {
             Grille grille = new Grille(jury.reference);
-            Bareme bareme = new Bareme(demande.chemin("--bareme", dossier.resolve("bareme.ini")), grille);
+            Bareme bareme = new Bareme(Paths.get(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
             List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
             criteres.addAll(bareme.libres);
             Ajustements ajustements = new Ajustements(dossier.resolve("ajustements.csv"),

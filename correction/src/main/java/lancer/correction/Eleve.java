@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Rendu;
 import lancer.correction.jugement.Resultat;
@@ -29,7 +28,7 @@ public final class Eleve {
         this.page = page;
         aRegarder = new ArrayList<>(illisible() ? resultat.refus : resultat.aRegarder);
         if (note.perduSansJuger > 0) {
-            aRegarder.add(String.format(Locale.FRANCE, "%.2f points perdus par ce qui n'a pu être évalué",
+            aRegarder.add(String.format(Locale.FRANCE, "points perdus par ce qui n'a pu être évalué : %.2f",
                     note.perduSansJuger));
         }
     }
@@ -41,9 +40,10 @@ public final class Eleve {
 
     /** Ajoute à ce qu'il faut regarder ce qu'on ne voit qu'en comparant : deux rendus pareils, une classe donnée que l'un a changée. */
     static void comparer(List<Eleve> eleves) {
-        Map<Map<String, String>, List<Eleve>> pareils = eleves.stream()
+        Map<List<String>, List<Eleve>> pareils = eleves.stream()
                 .filter(e -> e.resultat.empreintes.containsKey("Objet3D"))
-                .collect(Collectors.groupingBy(e -> duTravail(e)));
+                .collect(Collectors.groupingBy(e -> Modele.A_COMPLETER.stream().map(e.resultat.empreintes::get)
+                .collect(Collectors.toList())));
         pareils.values().stream().filter(p -> p.size() > 1).forEach(p -> p.forEach(e -> e.aRegarder.add(
                 "pareil, aux noms de variables et à la présentation près, à : " + p.stream().filter(a -> a != e)
                 .map(a -> a.rendu.nom).collect(Collectors.joining(", ")))));
@@ -55,11 +55,5 @@ public final class Eleve {
             textes.values().stream().filter(t -> t.size() < 3 || 2 * t.size() < eleves.size()).forEach(t -> t.forEach(e ->
                     e.aRegarder.add("la classe donnée " + classe + " a été changée")));
         }
-    }
-
-    private static Map<String, String> duTravail(Eleve eleve) {
-        Map<String, String> siennes = new TreeMap<>(eleve.resultat.empreintes);
-        siennes.keySet().retainAll(Modele.A_COMPLETER);
-        return siennes;
     }
 }

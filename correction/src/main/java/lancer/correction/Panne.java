@@ -5,15 +5,11 @@ public final class Panne extends RuntimeException {
 
     private static final long serialVersionUID = 1;
 
-    private final int code;
+    /** Le statut de sortie : 1, la machine n'a pas pu ; 2, la demande était fausse. */
+    public final int code;
 
-    /** @param code statut de sortie : 1, la machine n'a pas pu ; 2, la demande était fausse */
     public Panne(int code, String message) {
         super(message);
         this.code = code;
-    }
-
-    public int getCode() {
-        return code;
     }
 }

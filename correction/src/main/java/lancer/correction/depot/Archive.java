@@ -4,11 +4,12 @@ import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.RandomAccessFile;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 
@@ -17,15 +18,51 @@ final class Archive implements AutoCloseable {
 
     private static final int LIEN = 0xA000;
     private static final int SORTE = 0xF000;
+    /** La fin de l'archive, où est le répertoire central, et qui suffit à l'avoir tout entier. */
+    private static final int QUEUE_MAX = 64 << 20;
+    private static final int FIN = 22;
+    private static final int SIGNATURE_DE_FIN = 0x06054b50;
+    private static final int ENTREE = 46;
+    private static final int SIGNATURE_D_ENTREE = 0x02014b50;
+
+    /** Un fichier, un dossier ou un lien de ce qui est rendu, du disque ou d'une archive. */
+    static final class Entree {
+
+        /** Depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / ». */
+        final String chemin;
+        final boolean lien;
+        /** En octets, telle qu'elle est annoncée ; négative si elle ne l'est pas. */
+        final long taille;
+        final Contenu contenu;
+
+        /** De quoi le lire. */
+        interface Contenu {
+            InputStream ouvrir() throws IOException;
+        }
+
+        Entree(String chemin, boolean lien, long taille, Contenu contenu) {
+            this.chemin = chemin;
+            this.lien = lien;
+            this.taille = taille;
+            this.contenu = contenu;
+        }
+
+        /** Le premier nom de son chemin. */
+        String premier() {
+            return chemin.replaceFirst("(?s)/.*", "");
+        }
+    }
 
     private final ZipFile zip;
-    private final List<Entree> entrees = new ArrayList<>();
+    final List<Entree> entrees = new ArrayList<>();
 
     /** @throws IOException si ce n'est pas une archive zip lisible */
     Archive(Path fichier) throws IOException {
         zip = ouvrir(fichier.toFile());
         List<Boolean> liens = liens(fichier);
-        zip.stream().forEach(e -> entrees.add(entree(e, entrees.size() < liens.size() && liens.get(entrees.size()))));
+        // des « / » même si l'archive vient de Windows
+        zip.stream().forEach(e -> entrees.add(new Entree(e.getName().replace('\\', '/'), entrees.size() < liens.size()
+                && liens.get(entrees.size()), e.getSize(), () -> zip.getInputStream(e))));
     }
 
     private static ZipFile ouvrir(File fichier) throws IOException {
@@ -37,53 +74,26 @@ final class Archive implements AutoCloseable {
         }
     }
 
-    private Entree entree(ZipEntry e, boolean lien) {
-        // des « / » même si l'archive vient de Windows
-        return new Entree(e.getName().replace('\\', '/'), lien, e.getSize()) {
-            @Override
-            InputStream ouvrir() throws IOException {
-                return zip.getInputStream(e);
-            }
-        };
-    }
-
-    List<Entree> entrees() {
-        return entrees;
-    }
-
     /** Ce que java.util.zip ne dit pas : les droits Unix, dans le répertoire central (PKWARE, APPNOTE, § 4.3.12). */
     private static List<Boolean> liens(Path fichier) throws IOException {
         List<Boolean> liens = new ArrayList<>();
+        byte[] octets;
         try (RandomAccessFile f = new RandomAccessFile(fichier.toFile(), "r")) {
-            long fin = f.length();
-            int portee = (int) Math.min(fin, 22 + 0xFFFF);
-            byte[] queue = new byte[portee];
-            f.seek(fin - portee);
-            f.readFully(queue);
-            int fiche = portee - 22;
-            while (fiche >= 0 && entier(queue, fiche, 4) != 0x06054b50L) {
-                fiche--;
-            }
-            byte[] tete = new byte[46];
-            for (long p = fiche < 0 ? fin : Math.max(0, fin - portee + fiche - entier(queue, fiche + 12, 4)); p + tete.length <= fin;) {
-                f.seek(p);
-                f.readFully(tete);
-                if (entier(tete, 0, 4) != 0x02014b50L) {
-                    break;
-                }
-                liens.add(((entier(tete, 38, 4) >>> 16) & SORTE) == LIEN);
-                p += tete.length + entier(tete, 28, 2) + entier(tete, 30, 2) + entier(tete, 32, 2);
-            }
+            octets = new byte[(int) Math.min(f.length(), QUEUE_MAX)];
+            f.seek(f.length() - octets.length);
+            f.readFully(octets);
+        }
+        ByteBuffer queue = ByteBuffer.wrap(octets).order(ByteOrder.LITTLE_ENDIAN);
+        int fin = octets.length - FIN;
+        while (fin >= 0 && queue.getInt(fin) != SIGNATURE_DE_FIN) {
+            fin--;
+        }
+        int p = fin < 0 ? octets.length : Math.max(0, fin - queue.getInt(fin + 12));
+        while (p + ENTREE <= octets.length && queue.getInt(p) == SIGNATURE_D_ENTREE) {
+            liens.add((queue.getShort(p + 40) & SORTE) == LIEN);
+            p += ENTREE + queue.getChar(p + 28) + queue.getChar(p + 30) + queue.getChar(p + 32);
         }
         return liens;
-    }
-
-    private static long entier(byte[] octets, int debut, int longueur) {
-        long n = 0;
-        for (int k = longueur - 1; k >= 0; k--) {
-            n = n << 8 | octets[debut + k] & 0xFF;
-        }
-        return n;
     }
 
     @Override

@@ -2,11 +2,10 @@ package lancer.correction.depot;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.FileVisitResult;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.SimpleFileVisitor;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -17,7 +16,9 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.correction.Panne;
+import lancer.correction.depot.Archive.Entree;
 
 /**
  * Les rendus d'une classe : un dossier, l'archive de Moodle telle quelle, ou un seul rendu. Chaque étudiant a sa ligne,
@@ -65,10 +66,10 @@ public final class Depot {
             } else if (!Files.isRegularFile(rendus)) {
                 throw new Panne(2, "aucun rendu à cet endroit : " + rendus + " ; attendu : un dossier, ou un .zip");
             } else if (AUTRE_ARCHIVE.matcher(nom).matches()) {
-                depot.seul(nom).refus.add(refusDuFormat(nom));
+                depot.prendre(depot.seul(nom), nom, new Entree(nom, false, 0, null), 0);
             } else {
                 try (Archive archive = new Archive(rendus)) {
-                    depot.repartir(nom, archive.entrees());
+                    depot.repartir(nom, archive.entrees);
                 }
             }
         } catch (IOException e) {
@@ -83,43 +84,30 @@ public final class Depot {
         return liste;
     }
 
-    /** Tout ce que contient un dossier, dans l'ordre ; un lien n'est pas suivi. */
-    private static List<Entree> duDossier(Path dossier) throws IOException {
+    /** Tout ce que contient un dossier, dans l'ordre. */
+    private static List<Entree> duDossier(Path dossier) {
         List<Entree> entrees = new ArrayList<>();
-        Files.walkFileTree(dossier, new SimpleFileVisitor<Path>() {
-            private void ajouter(Path f, String fin, boolean lien, long taille) {
-                String chemin = dossier.relativize(f).toString().replace('\\', '/') + fin;
-                entrees.add(new Entree(chemin, lien, taille) {
-                    @Override
-                    InputStream ouvrir() throws IOException {
-                        return Files.newInputStream(f);
-                    }
-                });
-            }
-
-            @Override
-            public FileVisitResult preVisitDirectory(Path d, BasicFileAttributes attributs) {
-                if (!d.equals(dossier)) {
-                    ajouter(d, "/", false, 0);
-                }
-                return FileVisitResult.CONTINUE;
-            }
-
-            @Override
-            public FileVisitResult visitFile(Path f, BasicFileAttributes attributs) {
-                ajouter(f, "", !attributs.isRegularFile(), attributs.size());
-                return FileVisitResult.CONTINUE;
-            }
-
-            @Override
-            public FileVisitResult visitFileFailed(Path f, IOException e) {
-                // ce qui s'y lit mal ne coûte qu'à lui, à sa lecture
-                ajouter(f, "", false, 0);
-                return FileVisitResult.CONTINUE;
-            }
-        });
+        ajouter(dossier, dossier, entrees);
         entrees.sort(Comparator.comparing(e -> e.chemin));
         return entrees;
+    }
+
+    /** Un lien n'est pas suivi ; ce qui se lit mal ne coûte qu'à lui, à sa lecture. */
+    private static void ajouter(Path racine, Path dossier, List<Entree> entrees) {
+        try (Stream<Path> flux = Files.list(dossier)) {
+            for (Path f : flux.collect(Collectors.toList())) {
+                String chemin = racine.relativize(f).toString().replace('\\', '/');
+                if (Files.isDirectory(f, LinkOption.NOFOLLOW_LINKS)) {
+                    entrees.add(new Entree(chemin + "/", false, 0, null));
+                    ajouter(racine, f, entrees);
+                } else {
+                    boolean lien = !Files.isRegularFile(f, LinkOption.NOFOLLOW_LINKS);
+                    entrees.add(new Entree(chemin, lien, lien ? 0 : f.toFile().length(), () -> Files.newInputStream(f)));
+                }
+            }
+        } catch (IOException | UncheckedIOException e) {
+            // le reste se lit quand même
+        }
     }
 
     /** Donne chaque entrée à l'étudiant que dit le premier nom de son chemin, ou toutes au même. */
@@ -177,10 +165,6 @@ public final class Depot {
         return a.isEmpty() ? b : b.isEmpty() ? a : a + "/" + b;
     }
 
-    private static String refusDuFormat(String nom) {
-        return nom + " : format non pris en charge ; attendu : un dossier, ou un .zip";
-    }
-
     /** Prend une entrée, si c'est une source ou une archive ; ce qui s'y lit mal ne coûte qu'à elle. */
     private void prendre(Rendu rendu, String chemin, Entree entree, int niveau) {
         Matcher outil = OUTIL.matcher(chemin);
@@ -189,7 +173,7 @@ public final class Depot {
         }
         boolean source = chemin.toLowerCase(Locale.ROOT).endsWith(".java");
         // ce qu'on lit pèse ce qu'on en lit, quoi qu'il annonce
-        if (DEBRIS.matcher(chemin).matches() || entree.estDossier()
+        if (DEBRIS.matcher(chemin).matches() || entree.chemin.endsWith("/")
                 || !rendu.compter(source || estArchive(chemin) ? 0 : Math.max(0, entree.taille))) {
             return;
         }
@@ -199,11 +183,11 @@ public final class Depot {
         } else if (entree.lien) {
             rendu.refus.add("lien refusé : " + brut.replaceFirst("(?s).*/", ""));
         } else if (AUTRE_ARCHIVE.matcher(chemin).matches()) {
-            rendu.refus.add(refusDuFormat(chemin));
+            rendu.refus.add(chemin + " : format non pris en charge ; attendu : un dossier, ou un .zip");
         } else if (source) {
-            try (InputStream flux = entree.ouvrir()) {
+            try (InputStream flux = entree.contenu.ouvrir()) {
                 byte[] octets = flux.readNBytes(SOURCE_MAX + 1);
-                rendu.peser(octets.length);
+                rendu.octets += octets.length;
                 if (octets.length > SOURCE_MAX) {
                     rendu.remarques.add(chemin + " : plus d'un mégaoctet de source, laissé de côté");
                 } else if (chemin.length() > CHEMIN_MAX || !rendu.ajouter(chemin, octets)) {
@@ -224,11 +208,11 @@ public final class Depot {
         }
         try {
             Path copie = Files.createTempFile(temporaire, "emboitee", null);
-            try (InputStream flux = entree.ouvrir()) {
+            try (InputStream flux = entree.contenu.ouvrir()) {
                 Files.write(copie, flux.readNBytes((int) Rendu.OCTETS_MAX));
-                rendu.peser(Files.size(copie));
+                rendu.octets += Files.size(copie);
                 try (Archive archive = new Archive(copie)) {
-                    archive.entrees().forEach(e -> prendre(rendu, joindre(sansFin(chemin), e.chemin), e, niveau + 1));
+                    archive.entrees.forEach(e -> prendre(rendu, joindre(sansFin(chemin), e.chemin), e, niveau + 1));
                 }
             } finally {
                 Files.delete(copie);

@@ -3,7 +3,7 @@ package lancer.correction.depot;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.regex.Matcher;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -22,7 +22,7 @@ final class Methode {
     final String nom;
     final List<String> types;
 
-    private Methode(Matcher m) {
+    private Methode(MatchResult m) {
         rend = m.group(1);
         nom = m.group(2);
         types = Arrays.stream(m.group(3).split(",")).map(p -> p.replaceAll("\\bfinal\\b", "").trim().split("\\s+")[0])
@@ -31,11 +31,7 @@ final class Methode {
 
     /** Celles que déclare un texte. */
     static List<Methode> de(String texte) {
-        return DECLARATION.matcher(Source.sansCommentaires(texte)).results().map(r -> {
-            Matcher m = DECLARATION.matcher(r.group());
-            m.matches();
-            return new Methode(m);
-        }).collect(Collectors.toList());
+        return DECLARATION.matcher(Source.sansCommentaires(texte)).results().map(Methode::new).collect(Collectors.toList());
     }
 
     /**

@@ -21,8 +21,6 @@ import lancer.correction.modele.Modele;
  */
 public final class Projet {
 
-    public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
-
     public static final String NOMS = "noms";
     public static final String OUTILS = "outils";
     public static final String TEXTE = "texte";
@@ -53,6 +51,8 @@ public final class Projet {
     public final List<String> remarques;
     /** Ce qu'il y a changé des noms du cours. */
     public final Renommage noms;
+    /** Les classes du cours qui ne sont plus celles du projet à compléter, parmi celles qu'il a rendues. */
+    public final Set<String> changees;
     /** Ce qui n'est pas comme l'énoncé le demande : par consigne, ce qu'on en dit. */
     public final Map<String, String> ecarts = new TreeMap<>();
     /** Pourquoi l'enseignant doit regarder ce rendu lui-même. */
@@ -67,6 +67,8 @@ public final class Projet {
         this.remarques.addAll(noms.changes);
         aRegarder.addAll(noms.changes);
         noms.changes.forEach(c -> noter(NOMS, c));
+        changees = Modele.classes().stream().filter(c -> texte(c) != null
+                && !Source.memeCode(texte(c), noms.dans(Modele.squelette(c)))).collect(Collectors.toSet());
     }
 
     /** Chaque copie du projet que contient un rendu, de celle où il y a le plus de travail à celle où il y en a le moins. */
@@ -88,7 +90,7 @@ public final class Projet {
             }
         }
         Map<String, Map<String, String>> variantes = new LinkedHashMap<>();
-        for (String nom : VARIANTES) {
+        for (String nom : Modele.VARIANTES) {
             if (groupes.containsKey(nom)) {
                 variantes.put(nom, choisir(groupes.get(nom), remarques, dites).values().iterator().next());
             }
@@ -116,7 +118,7 @@ public final class Projet {
             }
             copies.add(projet);
         });
-        copies.sort(Comparator.comparing((Projet p) -> -p.changees()));
+        copies.sort(Comparator.comparing((Projet p) -> -p.changees.size()));
         return copies;
     }
 
@@ -172,12 +174,6 @@ public final class Projet {
             }
         }
         return copies;
-    }
-
-    /** Combien de classes du cours ne sont plus celles du projet à compléter. */
-    private long changees() {
-        return Modele.A_COMPLETER.stream().filter(c -> texte(c) != null
-                && !Source.memeCode(texte(c), noms.dans(Modele.squelette(c)))).count();
     }
 
     /** Le texte d'une classe du cours, sous le nom qu'il lui donne ; {@code null} si elle n'est pas rendue. */

@@ -16,7 +16,6 @@ public final class Rendu {
     private static final int FICHIERS_MAX = 20_000;
     private static final int SOURCES_MAX = 500;
     private static final int PESEE_MAX = 6 << 20;
-    private static final int DITS_MAX = 30;
 
     /** Ce qui le distingue des autres : le numéro de Moodle, ou à défaut le nom du dossier. */
     public final String id;
@@ -28,7 +27,8 @@ public final class Rendu {
     public final List<String> remarques = new ArrayList<>();
     /** Les fichiers et les dossiers que les outils ajoutent, et qu'il fallait enlever. */
     public final Set<String> outils = new TreeSet<>();
-    private long octets;
+    /** Ce qu'il pèse, une fois déplié. */
+    long octets;
     private int fichiers;
     private long pesee;
 
@@ -62,23 +62,14 @@ public final class Rendu {
         } else if (refus.isEmpty()) {
             refus.add("aucun fichier .java dans ce rendu");
         }
-        for (List<String> liste : List.of(refus, remarques)) {
-            liste.replaceAll(Echange::protege);
-            if (liste.size() > DITS_MAX) {
-                liste.subList(DITS_MAX, liste.size()).clear();
-                liste.add("…");
-            }
-        }
+        Echange.abreger(refus);
+        Echange.abreger(remarques);
     }
 
     /** Compte un fichier de plus. @return faux si c'en est un de trop, ou si tout ce qui est rendu, une fois déplié, est trop gros */
     boolean compter(long deplus) {
-        peser(deplus);
+        octets += deplus;
         fichiers++;
         return octets <= OCTETS_MAX && fichiers <= FICHIERS_MAX;
-    }
-
-    void peser(long deplus) {
-        octets += deplus;
     }
 }

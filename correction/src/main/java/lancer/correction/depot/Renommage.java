@@ -5,9 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -31,8 +31,7 @@ public final class Renommage {
             Set<String> attendues = nommees(Methode.de(Modele.squelette(classe)));
             if (texte(classe) == null && attendues.size() > 3) {
                 seul(siennes.keySet().stream().map(c -> c.replace("lancer/", "")).filter(c -> texte(c) != null
-                        && !Modele.classes().contains(c) && nommees(Methode.de(texte(c))).containsAll(attendues)),
-                        sien -> {
+                        && !Modele.classes().contains(c) && nommees(Methode.de(texte(c))).containsAll(attendues))).ifPresent(sien -> {
                     noms.put(classe, sien);
                     changes.add("la classe " + classe + " s'appelle " + sien);
                 });
@@ -54,16 +53,16 @@ public final class Renommage {
                 continue;
             }
             List<String> types = m.types.stream().map(this::dans).collect(Collectors.toList());
-            boolean trouvee = seul(lesSiennes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(types)
-                    && s.rend.equals(dans(m.rend))).map(s -> s.nom).distinct(), sien -> {
+            Optional<String> sienne = seul(lesSiennes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(types)
+                    && s.rend.equals(dans(m.rend))).map(s -> s.nom).distinct());
+            if (sienne.isPresent()) {
                 if (ailleurs(m.nom).count() == 0) {
-                    noms.put(m.nom, sien);
+                    noms.put(m.nom, sienne.get());
                 }
-                changes.add("la méthode " + classe + "." + m.nom + " s'appelle " + sien);
-            });
-            if (!trouvee) {
-                seul(ailleurs(m.nom).filter(c -> !nommees(Methode.de(Modele.squelette(c))).contains(m.nom)),
-                        autre -> changes.add("la méthode " + m.nom + " est dans " + autre + ", au lieu de " + classe));
+                changes.add("la méthode " + classe + "." + m.nom + " s'appelle " + sienne.get());
+            } else {
+                seul(ailleurs(m.nom).filter(c -> !nommees(Methode.de(Modele.squelette(c))).contains(m.nom)))
+                        .ifPresent(autre -> changes.add("la méthode " + m.nom + " est dans " + autre + ", au lieu de " + classe));
             }
         }
     }
@@ -74,13 +73,10 @@ public final class Renommage {
                 && nommees(Methode.de(texte(classe(c)))).contains(methode));
     }
 
-    /** S'il n'y en a qu'un, en fait cela. */
-    private static boolean seul(Stream<String> flux, Consumer<String> suite) {
+    /** Celui-là, s'il n'y en a qu'un. */
+    private static Optional<String> seul(Stream<String> flux) {
         List<String> liste = flux.limit(2).collect(Collectors.toList());
-        if (liste.size() == 1) {
-            suite.accept(liste.get(0));
-        }
-        return liste.size() == 1;
+        return liste.size() == 1 ? Optional.of(liste.get(0)) : Optional.empty();
     }
 
     private String texte(String classe) {

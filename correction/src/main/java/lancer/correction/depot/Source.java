@@ -159,7 +159,7 @@ public final class Source {
             if (!paquet.equals("lancer")) {
                 continue;
             }
-            if (List.of(Modele.APPELS, Modele.SONDE).contains(m.group(1))) {
+            if (List.of("Appels", "Sonde").contains(m.group(1))) {
                 return "il déclare une classe " + m.group(1) + " qui cacherait celle de la correction";
             }
             try {

@@ -26,6 +26,7 @@ public final class Echange {
     public static final int GROSSE_REPONSE_MAX = 8 << 20;
 
     private static final int TEXTE_MAX = 2000;
+    private static final int LIGNES_MAX = 30;
 
     private Echange() {
     }
@@ -162,5 +163,14 @@ public final class Echange {
     public static String protege(String texte) {
         String court = texte.length() > TEXTE_MAX ? texte.substring(0, TEXTE_MAX) + "…" : texte;
         return court.replaceAll("[\\p{Cntrl}\\s]+", " ").trim();
+    }
+
+    /** Fait d'une liste peu de lignes, chacune pas trop longue : de quoi tenir dans une page, quoi qu'un rendu contienne. */
+    public static void abreger(List<String> liste) {
+        liste.replaceAll(Echange::protege);
+        if (liste.size() > LIGNES_MAX) {
+            liste.subList(LIGNES_MAX, liste.size()).clear();
+            liste.add("…");
+        }
     }
 }

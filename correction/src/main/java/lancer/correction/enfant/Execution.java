@@ -13,11 +13,13 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.UndeclaredThrowableException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -53,31 +55,33 @@ public final class Execution {
         this.classes = classes;
     }
 
-    /** Les classes du rendu. Toutes sont définies d'abord, puis leurs octets oubliés : aucune ne peut lire les autres. */
-    private static final class Classes extends ClassLoader {
+    /**
+     * De quoi charger des classes, avant celles d'ailleurs qui auraient le même nom. Toutes sont définies d'abord, puis leurs
+     * octets oubliés : aucune ne peut lire les autres.
+     */
+    public static final class Classes extends ClassLoader {
 
         private final Map<String, byte[]> octets;
 
-        Classes(Map<String, byte[]> octets) {
-            super(Execution.class.getClassLoader());
-            this.octets = octets;
-            for (String nom : new ArrayList<>(octets.keySet())) {
+        /** @param octets ceux de chaque classe, par son nom complet ; @param pere d'où viennent les autres */
+        public Classes(Map<String, byte[]> octets, ClassLoader pere) {
+            super(pere);
+            this.octets = new HashMap<>(octets);
+            for (String nom : octets.keySet()) {
                 try {
                     loadClass(nom);
                 } catch (ClassNotFoundException | LinkageError e) {
                     // il n'est rien resté de cette classe : ce qui la nomme le dira
                 }
             }
-            octets.clear();
         }
 
         @Override
-        protected Class<?> findClass(String nom) throws ClassNotFoundException {
-            byte[] classe = octets.remove(nom);
-            if (classe == null) {
-                throw new ClassNotFoundException(nom);
+        protected Class<?> loadClass(String nom, boolean resoudre) throws ClassNotFoundException {
+            synchronized (getClassLoadingLock(nom)) {
+                byte[] classe = octets.remove(nom);
+                return classe == null ? super.loadClass(nom, resoudre) : defineClass(nom, classe, 0, classe.length);
             }
-            return defineClass(nom, classe, 0, classe.length);
         }
     }
 
@@ -98,7 +102,7 @@ public final class Execution {
                 char sorte = demande.readChar();
                 byte[] reponse = new byte[0];
                 if (sorte == CLASSES) {
-                    execution = new Execution(new Classes(Echange.lireTout(demande)));
+                    execution = new Execution(new Classes(Echange.lireTout(demande), Execution.class.getClassLoader()));
                     Thread.currentThread().setContextClassLoader(execution.classes);
                 } else {
                     reponse = execution.repondre(sorte, demande);
@@ -137,7 +141,7 @@ public final class Execution {
             }
         } catch (Throwable e) {
             octets.reset();
-            cause(e, reponse);
+            cause(e instanceof UndeclaredThrowableException ? e.getCause() : e, reponse);
         }
         return octets.toByteArray();
     }
@@ -180,16 +184,10 @@ public final class Execution {
         try {
             return Class.forName(classe, true, classes).getMethod(methode, types).invoke(null, arguments);
         } catch (InvocationTargetException e) {
-            throw Execution.<RuntimeException>tel(e.getCause());
+            throw new UndeclaredThrowableException(e.getCause());
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException(e);
         }
-    }
-
-    /** Lance une exception telle quelle, même de celles qu'il faudrait déclarer. */
-    @SuppressWarnings("unchecked")
-    private static <E extends Throwable> E tel(Throwable e) throws E {
-        throw (E) e;
     }
 
     /** Une exception du rendu : son nom, la première ligne de son code ; une faute de compilation, ce qu'elle est. */

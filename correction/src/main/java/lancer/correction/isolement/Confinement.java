@@ -21,13 +21,15 @@ public final class Confinement {
     private static final int DISQUE = 64 << 20;
     private static final int BLOC = 512;
     private static final int ESSAI_SECONDES = 20;
+    /** Où est Java : Linux en dit le vrai chemin, sans lien. */
+    private static final String JAVA = System.getProperty("java.home");
     private static final String BOITE = "/boite.jar";
 
     public final boolean confine;
     /** Ce qui manque pour confiner, vide si rien. */
     public final String manque;
 
-    private Confinement(boolean confine, String manque) {
+    public Confinement(boolean confine, String manque) {
         this.confine = confine;
         this.manque = manque;
     }
@@ -52,11 +54,6 @@ public final class Confinement {
             Thread.currentThread().interrupt();
             return new Confinement(false, "interrompu");
         }
-    }
-
-    /** Aucun confinement, quoi que la machine permette. */
-    public static Confinement aucun() {
-        return new Confinement(false, "confinement non demandé");
     }
 
     /**
@@ -87,7 +84,7 @@ public final class Confinement {
             // à défaut d'un disque à part, au moins pas de fichier sans fin
             commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; exec \"$@\"", "sh"));
         }
-        commande.addAll(List.of(accueil() + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m",
+        commande.addAll(List.of(JAVA + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m",
                 "-XX:MaxDirectMemorySize=32m",
                 "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
                 "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData", "-XX:+DisplayVMOutputToStderr",
@@ -97,14 +94,6 @@ public final class Confinement {
                 "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire), "-cp", classes,
                 principale.getName()));
         return commande;
-    }
-
-    private static String accueil() {
-        try {
-            return Paths.get(System.getProperty("java.home")).toRealPath().toString();
-        } catch (IOException e) {
-            return System.getProperty("java.home");
-        }
     }
 
     private static List<String> enveloppe() {
@@ -128,11 +117,11 @@ public final class Confinement {
         } catch (IOException e) {
             // pas de /etc : rien à montrer
         }
-        if (!accueil().startsWith("/usr/")) {
-            commande.addAll(List.of("--ro-bind", accueil(), accueil()));
+        if (!JAVA.startsWith("/usr/")) {
+            commande.addAll(List.of("--ro-bind", JAVA, JAVA));
         }
         // de /proc, Java n'a besoin que de savoir où il est ; le vrai dirait d'où vient ce qu'on voit
-        commande.addAll(List.of("--dir", "/proc/self", "--symlink", accueil() + "/bin/java", "/proc/self/exe",
+        commande.addAll(List.of("--dir", "/proc/self", "--symlink", JAVA + "/bin/java", "/proc/self/exe",
                 "--dev", "/dev", "--size", String.valueOf(DISQUE), "--tmpfs", "/tmp"));
         return commande;
     }

@@ -13,9 +13,9 @@ public final class Limites {
     /** Temps de processeur, en secondes, de la machine virtuelle et de tout ce qu'elle a lancé. */
     public final double calcul;
     /** Temps sans rien calculer ni répondre, en secondes : au-delà, il est bloqué. */
-    final double attente;
+    public final double attente;
     /** Mémoire de Java, en mégaoctets. */
-    final int memoire;
+    public final int memoire;
     /** Temps de processeur, en secondes, que le correcteur lui-même passe sur un rendu. */
     public final double propre;
 
@@ -24,10 +24,5 @@ public final class Limites {
         this.attente = attente;
         this.memoire = memoire;
         this.propre = propre;
-    }
-
-    @Override
-    public String toString() {
-        return calcul + " " + attente + " " + memoire;
     }
 }

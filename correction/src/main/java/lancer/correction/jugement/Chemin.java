@@ -1,9 +1,13 @@
 package lancer.correction.jugement;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
@@ -42,13 +46,12 @@ public final class Chemin {
         this.y = y;
         this.reference = reference;
         this.etudiant = etudiant;
-        Map<String, String> siens = decouper(etudiant);
         Map<String, String> attendus = decouper(reference);
-        for (Map.Entry<String, String> attendu : attendus.entrySet()) {
-            String obtenu = siens.remove(attendu.getKey());
-            pas.add(new Pas(attendu.getKey(), attendu.getValue(), obtenu == null ? "(pas de réponse)" : obtenu));
-        }
-        siens.forEach((nom, obtenu) -> pas.add(new Pas(nom, "(pas de réponse)", obtenu)));
+        Map<String, String> siens = decouper(etudiant);
+        Set<String> noms = new LinkedHashSet<>(attendus.keySet());
+        noms.addAll(siens.keySet());
+        noms.forEach(nom -> pas.add(new Pas(nom, attendus.getOrDefault(nom, "(pas de réponse)"),
+                siens.getOrDefault(nom, "(pas de réponse)"))));
     }
 
     /** La première réponse qui s'écarte, {@code null} s'il n'y en a pas. */
@@ -62,14 +65,8 @@ public final class Chemin {
     }
 
     private static Map<String, String> decouper(String texte) {
-        Map<String, String> reponses = new LinkedHashMap<>();
-        for (String reponse : texte.split("\t")) {
-            int egal = reponse.indexOf('=');
-            if (egal > 0) {
-                reponses.put(reponse.substring(0, egal), reponse.substring(egal + 1));
-            }
-        }
-        return reponses;
+        return Arrays.stream(texte.split("\t")).map(reponse -> reponse.split("=", 2)).filter(deux -> deux.length == 2)
+                .collect(Collectors.toMap(deux -> deux[0], deux -> deux[1], (a, b) -> b, LinkedHashMap::new));
     }
 
     private static boolean pareil(String a, String b) {

@@ -23,7 +23,7 @@ public final class Dialogue {
     private final Machines.Rendue machine;
     private final Map<Integer, Doublure> doublures = new HashMap<>();
     /** Pourquoi plus rien n'est demandé à la machine, {@code null} si rien ne l'empêche. */
-    private String refus;
+    String refus;
     private Panne panne;
 
     Dialogue(Machines.Rendue machine) {
@@ -61,27 +61,12 @@ public final class Dialogue {
         return arret;
     }
 
-    /** Ne demande plus rien à la machine. */
-    void refuser(String pourquoi) {
-        refus = pourquoi;
-    }
-
     /** Le rendu n'a pas répondu comme on peut l'attendre : le message dit en quoi. */
     static final class Echec extends RuntimeException {
 
         private static final long serialVersionUID = 1;
 
         Echec(String message) {
-            super(message);
-        }
-    }
-
-    /** La même chose pour des appels sans fin, que les vérifications attrapent. */
-    private static final class Debordement extends StackOverflowError {
-
-        private static final long serialVersionUID = 1;
-
-        Debordement(String message) {
             super(message);
         }
     }
@@ -198,7 +183,8 @@ public final class Dialogue {
         String ou = Echange.protege(Echange.lireTexte(reponse));
         String quoi = Echange.protege(Echange.lireTexte(reponse));
         if (sorte == Execution.SANS_FIN) {
-            throw new Debordement(ou);
+            // ce que les vérifications des reflets attrapent
+            throw new StackOverflowError(ou);
         }
         throw new Echec(sorte == Execution.FAUTE ? Juge.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi))
                 : ou);

@@ -16,6 +16,7 @@ import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import lancer.correction.enfant.Execution;
 import lancer.correction.modele.Modele;
 
 /**
@@ -47,8 +48,8 @@ final class Doublures {
     /** @param classes les classes compilées du projet à compléter */
     Doublures(Map<String, byte[]> classes) {
         try {
-            ClassLoader chargeur = Verifications.chargeur(classes, ClassLoader.getPlatformClassLoader());
-            sources.put("lancer/Tests", Modele.tests());
+            ClassLoader chargeur = new Execution.Classes(classes, ClassLoader.getPlatformClassLoader());
+            sources.put("lancer/Tests", Modele.ressource("modele/lancer/Tests.java"));
             for (String nom : CLASSES) {
                 doubler(nom, chargeur.loadClass("lancer." + nom));
             }

@@ -3,6 +3,7 @@ package lancer.correction.jugement;
 import java.util.ArrayList;
 import java.util.List;
 import lancer.correction.depot.Projet;
+import lancer.correction.modele.Modele;
 
 /**
  * Ce qui se note : les étapes de l'énoncé, dans son ordre, l'image, puis les variantes ; et pour chacune, ce qui
@@ -32,6 +33,8 @@ public final class Grille {
 
         public final String nom;
         public final String titre;
+        /** Son titre là où l'on sait déjà que c'est une extension. */
+        public final String court;
         /** Vrai pour une variante, que l'on fait si l'on veut, dans l'ordre que l'on veut. */
         public final boolean extension;
         /** Vrai pour une étape de l'énoncé, que l'on fait dans l'ordre : ni l'image, ni une extension. */
@@ -40,14 +43,10 @@ public final class Grille {
 
         Etape(String nom, String titre) {
             this.nom = nom;
-            this.titre = titre;
-            this.extension = Projet.VARIANTES.contains(nom);
+            this.court = titre;
+            this.extension = Modele.VARIANTES.contains(nom);
+            this.titre = (extension ? "Extension : " : "") + titre;
             this.duCours = !extension && !nom.equals(IMAGE) && !nom.equals(CONSIGNES);
-        }
-
-        /** Son titre là où l'on sait déjà que c'est une extension. */
-        public String court() {
-            return titre.replaceFirst("^Extension : ", "");
         }
     }
 
@@ -66,14 +65,10 @@ public final class Grille {
         }
         Reference.SCENES.keySet().forEach(scene -> etape(IMAGE, "L'image entière").criteres.add(new Critere(IMAGE + "." + scene, "",
                 "la scène « " + scene + " », par toutes les classes du rendu, est celle du corrigé", true)));
-        Variante.TITRES.forEach((nom, titre) -> etape(nom, "Extension : " + titre[0]).criteres
-                .add(new Critere(nom + ".image", "", titre[1], true)));
+        Modele.VARIANTES.forEach(nom -> etape(nom, Variante.TITRES.get(nom)[0]).criteres
+                .add(new Critere(nom + ".image", "", Variante.TITRES.get(nom)[1], true)));
         Projet.CONSIGNES.forEach((nom, titre) -> etape(CONSIGNES, "Consignes de rendu").criteres
-                .add(new Critere(consigne(nom), "", titre, true)));
-    }
-
-    static String consigne(String nom) {
-        return CONSIGNES + "." + nom;
+                .add(new Critere(CONSIGNES + "." + nom, "", titre, true)));
     }
 
     /** La dernière étape, si c'est celle-là, sinon une de plus. */

@@ -3,51 +3,69 @@ package lancer.correction.jugement;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.Base64;
+import java.util.stream.IntStream;
 
 /** Une image, en couleurs non limitées. */
 public final class Image {
 
     private static final double PRES = 1e-6;
 
+    /** À partir d'autant de niveaux, un pixel est faux. */
+    private static final int FAUX = 2;
+
+    /** Part de pixels faux que les arrondis, aux bords des boules et des ombres, suffisent à expliquer. */
+    private static final double PART_PERMISE = 0.005;
+
     public final int largeur;
     public final int hauteur;
+    final String texte;
     private final float[] rvb;
 
-    Image(int largeur, int hauteur, float[] rvb) {
+    /**
+     * @param texte ce que répond la sonde : les couleurs, en flottants, en base 64
+     * @throws Dialogue.Echec si ce n'en est pas
+     */
+    Image(int largeur, int hauteur, String texte) {
         this.largeur = largeur;
         this.hauteur = hauteur;
-        this.rvb = rvb;
-    }
-
-    /** @param texte ce que répond {@code SondeImage} */
-    static Image lire(int largeur, int hauteur, String texte) {
-        float[] rvb = new float[largeur * hauteur * 3];
+        this.texte = texte;
+        rvb = new float[largeur * hauteur * 3];
         try {
             ByteBuffer.wrap(Base64.getDecoder().decode(texte)).asFloatBuffer().get(rvb);
         } catch (IllegalArgumentException | BufferUnderflowException e) {
             throw new Dialogue.Echec("réponse incompréhensible au lieu d'une image");
         }
-        return new Image(largeur, hauteur, rvb);
     }
 
     /** Une composante, limitée à [0, 1], en niveaux de 255 ; 0 si ce n'est pas un nombre. */
-    double niveau(int pixel, int composante) {
+    private double niveau(int pixel, int composante) {
         float x = rvb[3 * pixel + composante];
         return x > 0 ? 255 * Math.min(1, x) : 0;
     }
 
-    double brut(int pixel, int composante) {
-        return rvb[3 * pixel + composante];
+    /** Ce qui sépare un pixel de celui d'une autre image, en niveaux : la plus grande différence d'une composante. */
+    double ecart(Image autre, int pixel) {
+        return IntStream.range(0, 3).mapToDouble(k -> Math.abs(niveau(pixel, k) - autre.niveau(pixel, k))).max().getAsDouble();
     }
 
-    /** Combien de pixels ont la même couleur dans les deux images, à quelques arrondis près. */
-    int pareils(Image autre) {
-        int n = 0;
-        for (int p = 0; p < pixels(); p++) {
-            n += Math.abs(brut(p, 0) - autre.brut(p, 0)) < PRES && Math.abs(brut(p, 1) - autre.brut(p, 1)) < PRES
-                    && Math.abs(brut(p, 2) - autre.brut(p, 2)) < PRES ? 1 : 0;
-        }
-        return n;
+    private long faux(Image autre) {
+        return IntStream.range(0, pixels()).filter(p -> ecart(autre, p) > FAUX).count();
+    }
+
+    /** Vrai si c'est la même image, à des arrondis près. */
+    boolean pareille(Image autre) {
+        return faux(autre) <= PART_PERMISE * pixels();
+    }
+
+    /** « 1 pixel faux sur 4800, de plus de 2 niveaux », « 12 pixels faux… ». */
+    String combien(Image autre) {
+        long faux = faux(autre);
+        return faux + (faux > 1 ? " pixels faux" : " pixel faux") + " sur " + pixels() + ", de plus de " + FAUX + " niveaux";
+    }
+
+    /** Combien de composantes sont les mêmes dans les deux images, à quelques arrondis près. */
+    long pareilles(Image autre) {
+        return IntStream.range(0, rvb.length).filter(k -> Math.abs(rvb[k] - autre.rvb[k]) < PRES).count();
     }
 
     /**
@@ -59,7 +77,7 @@ public final class Image {
         double carres = 0;
         double attendus = 0;
         for (int k = 0; k < 3 * sans.pixels(); k++) {
-            if (Ecart.ecart(sans, ciel, k / 3) > 0) {
+            if (sans.ecart(ciel, k / 3) > 0) {
                 double effet = image.niveau(k / 3, k % 3) - sans.niveau(k / 3, k % 3);
                 double attendu = attendue.niveau(k / 3, k % 3) - sans.niveau(k / 3, k % 3);
                 produits += effet * attendu;
@@ -68,18 +86,6 @@ public final class Image {
             }
         }
         return carres > 0 && attendus > 0 ? produits / Math.sqrt(carres * attendus) : 0;
-    }
-
-    /** De quoi la relire. */
-    String texte() {
-        ByteBuffer octets = ByteBuffer.allocate(4 * rvb.length);
-        octets.asFloatBuffer().put(rvb);
-        return largeur + " " + hauteur + " " + Base64.getEncoder().encodeToString(octets.array());
-    }
-
-    static Image relire(String texte) {
-        String[] mots = texte.split(" ");
-        return lire(Integer.parseInt(mots[0]), Integer.parseInt(mots[1]), mots[2]);
     }
 
     int pixels() {

@@ -8,8 +8,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.security.GeneralSecurityException;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -60,8 +60,8 @@ public final class Jury implements AutoCloseable {
         try {
             Files.createDirectories(souvenirs);
             machines = new Machines(confinement, limites, travail.resolve("machines"));
-            regles = confinement.confine + " " + Runtime.version() + " " + limites + " "
-                    + Files.getLastModifiedTime(Paths.get(Machines.lieu(Machines.class)));
+            regles = List.of(confinement.confine, Runtime.version(), limites.calcul, limites.attente, limites.memoire,
+                    Files.getLastModifiedTime(Paths.get(Machines.lieu(Machines.class)))).toString();
             reference = new Reference(machines);
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
@@ -155,7 +155,7 @@ public final class Jury implements AutoCloseable {
         }
     }
 
-    private Resultat juger(Rendu rendu, Machines.Compilation compilation) throws IOException {
+    private Resultat juger(Rendu rendu, Machines.Compilation compilation) throws IOException, GeneralSecurityException {
         if (!rendu.refus.isEmpty()) {
             return refuse(rendu, rendu.refus);
         }
@@ -175,7 +175,9 @@ public final class Jury implements AutoCloseable {
         } catch (Arret e) {
             return refuse(rendu, List.of(e.getMessage() + " (à la compilation)"));
         }
-        resultat.abreger();
+        Echange.abreger(resultat.remarques);
+        Echange.abreger(resultat.aRegarder);
+        Echange.abreger(resultat.fautes);
         resultat.ecrire(souvenir);
         return resultat;
     }
@@ -193,16 +195,12 @@ public final class Jury implements AutoCloseable {
         return resultat;
     }
 
-    private String empreinte(Rendu rendu) {
+    private String empreinte(Rendu rendu) throws GeneralSecurityException {
         StringBuilder tout = new StringBuilder(regles + rendu.remarques + rendu.outils);
         rendu.sources.forEach((nom, texte) -> tout.append("\0").append(nom).append("\0")
                 .append(new String(texte, StandardCharsets.ISO_8859_1)));
-        try {
-            byte[] calcul = MessageDigest.getInstance("SHA-256").digest(tout.toString().getBytes(StandardCharsets.UTF_8));
-            return String.format("%064x", new BigInteger(1, calcul));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException(e);
-        }
+        byte[] calcul = MessageDigest.getInstance("SHA-256").digest(tout.toString().getBytes(StandardCharsets.UTF_8));
+        return String.format("%064x", new BigInteger(1, calcul));
     }
 
     @Override

@@ -12,14 +12,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
+import java.util.ServiceLoader;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import javax.tools.JavaCompiler;
 import lancer.correction.Panne;
 import lancer.correction.enfant.Compilateur;
 import lancer.correction.enfant.Echange;
@@ -72,17 +72,10 @@ final class Machines {
      * chemin des classes.
      */
     private static String chemin() {
-        Set<String> lieux = new LinkedHashSet<>();
-        for (String nom : List.of(Execution.class.getName(), Ini.class.getName(), Test.class.getName(),
-                AssertionFailedError.class.getName(), JUnitException.class.getName(),
-                "org.eclipse.jdt.internal.compiler.tool.EclipseCompiler")) {
-            try {
-                lieux.add(lieu(Class.forName(nom, false, Machines.class.getClassLoader())));
-            } catch (ClassNotFoundException e) {
-                throw new IllegalStateException(e);
-            }
-        }
-        return String.join(File.pathSeparator, lieux);
+        return Stream.concat(Stream.of(Execution.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
+                ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
+                .filter(c -> c.getName().startsWith("org.eclipse."))).map(Machines::lieu).distinct()
+                .collect(Collectors.joining(File.pathSeparator));
     }
 
     /** Là d'où vient une classe : une archive, ou un dossier. */
@@ -139,6 +132,8 @@ final class Machines {
 
         final Map<String, byte[]> classes;
         final List<Faute> fautes;
+        /** Vrai si une vérification n'y a pas fini. */
+        boolean arrete;
 
         Assemblage(Map<String, byte[]> classes, List<Faute> fautes) {
             this.classes = classes;
@@ -188,20 +183,15 @@ final class Machines {
     /** Où tourne un rendu, qui n'a que les classes de son assemblage. */
     final class Rendue extends Machine {
 
-        private final Map<String, byte[]> classes;
+        final Map<String, byte[]> classes;
 
         Rendue(Map<String, byte[]> classes) {
             this.classes = classes;
         }
 
-        /** Temps de processeur ordinairement permis à une demande, en secondes. */
-        double calcul() {
-            return limites.calcul;
-        }
-
         /** Ce qui suit est une autre demande, et n'a plus besoin des objets rendus à la précédente. */
         void oublier() throws Arret {
-            commencer(limites.calcul);
+            commencer(1);
             int fils = demander(m -> m.writeChar(Execution.OUBLI), Echange.REPONSE_MAX, reponse -> {
                 reponse.readChar();
                 return reponse.readInt();
@@ -209,15 +199,15 @@ final class Machines {
             if (fils != 0) {
                 // des fils courent encore : une machine neuve
                 close();
-                commencer(limites.calcul);
+                commencer(1);
             }
         }
 
         /**
-         * @param calcul temps de processeur permis à ce qui suit, en secondes
+         * @param fois combien de fois le temps ordinaire d'une demande est permis à ce qui suit
          * @throws Panne si une machine neuve n'a pu prendre les classes : rien du rendu n'y a encore tourné
          */
-        void commencer(double calcul) {
+        void commencer(double fois) {
             if (enfant == null) {
                 enfant = new Enfant(confinement.java(Execution.class, outillage.toString(), false,
                         outillage.getParent(), limites), limites);
@@ -231,7 +221,7 @@ final class Machines {
                     throw new Panne(1, "une machine virtuelle n'a pas pris les classes du rendu : " + e.getMessage());
                 }
             }
-            enfant.commencer(calcul);
+            enfant.commencer(fois * limites.calcul);
         }
 
         /** Ce que répond la sonde sur cette scène. @param max ce que la réponse peut peser, en octets */

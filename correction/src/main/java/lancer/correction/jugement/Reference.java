@@ -30,12 +30,13 @@ public final class Reference implements AutoCloseable {
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
     final String appels;
-    private final Map<String, Verdict> duSquelette;
-    private final Map<String, Image> coins = new HashMap<>();
-    private final Map<String, Image> centres = new HashMap<>();
+    /** Ce que donne le projet à compléter, par vérification. */
+    final Map<String, Verdict> duSquelette;
+    /** Par scène, l'image du corrigé aux coordonnées entières, et au centre des pixels. */
+    private final Map<String, List<Image>> images = new HashMap<>();
     /** Le corrigé, compilé, et qui l'interroge. */
     private final Assemblage assemblage;
-    private final Juge corrige;
+    private final Juge juge;
 
     Reference(Machines machines) throws Arret {
         Projet projet = new Projet(Modele.tout(Modele::squelette), Map.of(), List.of());
@@ -43,30 +44,22 @@ public final class Reference implements AutoCloseable {
             // les vérifications sont compilées contre les doublures des classes du projet à compléter
             Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
             appels = doublures.getAppels();
-            junit = new Verifications(juste(compilation.compiler(doublures.sources)).classes);
+            junit = new Verifications(compilation.compiler(doublures.sources).classes);
             verifications = junit.lister();
-            corrige = new Juge(this, compilation, machines, projet);
-            assemblage = juste(corrige.assembler(Modele.tout(Modele::corrige)));
+            juge = new Juge(this, compilation, machines, projet);
+            assemblage = juge.assembler(Modele.tout(Modele::corrige));
             for (String scene : SCENES.keySet()) {
-                coins.put(scene, corrige.image(assemblage, scene, 0));
-                centres.put(scene, corrige.image(assemblage, scene, 0.5));
+                int[] taille = SCENES.get(scene);
+                images.put(scene, List.of(juge.images.dessiner(assemblage, scene),
+                        juge.images.tracer(assemblage, Modele.scene(scene), taille[0], taille[1], taille[2])));
             }
-            try (Juge juge = new Juge(this, compilation, machines, projet)) {
-                duSquelette = juge.lancer(juge.assembler(projet.base), verifications);
-                for (String classe : Modele.A_COMPLETER) {
-                    List<Verification> siennes = verifications.stream().filter(v -> v.classe.equals(classe) && compte(v))
-                            .collect(Collectors.toList());
-                    duSquelette.putAll(juge.lancer(juge.seule(classe), siennes));
-                }
+            duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
+            for (String classe : Modele.A_COMPLETER) {
+                List<Verification> siennes = verifications.stream().filter(v -> v.classe.equals(classe) && compte(v))
+                        .collect(Collectors.toList());
+                duSquelette.putAll(juge.lancer(juge.seule(classe), siennes).verdicts);
             }
         }
-    }
-
-    private static Assemblage juste(Assemblage assemblage) {
-        if (!assemblage.fautes.isEmpty()) {
-            throw new IllegalStateException("le corrigé ou les vérifications ne se compilent pas : " + assemblage.fautes.get(0));
-        }
-        return assemblage;
     }
 
     /** Vrai si le projet à compléter ne la passe pas : elle compte. */
@@ -74,22 +67,18 @@ public final class Reference implements AutoCloseable {
         return duSquelette.get(v.id()).etat != Etat.REUSSI;
     }
 
-    String messageDuSquelette(Verification v) {
-        return duSquelette.get(v.id()).message;
-    }
-
     /** L'image du corrigé, aux coordonnées entières ou au centre des pixels. */
     public Image getImage(String scene, boolean auCentre) {
-        return (auCentre ? centres : coins).get(scene);
+        return images.get(scene).get(auCentre ? 1 : 0);
     }
 
     /** Ce que répondent, en chemin, les méthodes du corrigé. */
     synchronized String chemin(String scene, double x, double y) throws Arret {
-        return corrige.chemin(assemblage, scene, x, y);
+        return juge.images.decrire(assemblage, scene, x, y);
     }
 
     @Override
     public void close() {
-        corrige.close();
+        juge.close();
     }
 }

@@ -9,13 +9,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lancer.correction.enfant.Echange;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVParser;
+import org.apache.commons.csv.CSVPrinter;
+import org.apache.commons.csv.CSVRecord;
 
 /** Tout ce qu'on a trouvé d'un rendu ; la note n'en est pas, qui dépend du barème. */
 public final class Resultat {
-
-    private static final int REMARQUES_MAX = 30;
-    private static final char FIN_DE_LIGNE = '\u2028';
 
     /** Pourquoi rien n'a pu être jugé ; vide sinon. */
     public final List<String> refus = new ArrayList<>();
@@ -51,16 +51,6 @@ public final class Resultat {
     /** Les classes qui, seules parmi celles du corrigé, changent l'image. */
     public final List<String> classesFautives = new ArrayList<>();
 
-    /** Ce qu'on en dit tient en peu de lignes, quoi que le rendu contienne. */
-    void abreger() {
-        for (List<String> liste : List.of(remarques, aRegarder)) {
-            liste.replaceAll(Echange::protege);
-            if (liste.size() > REMARQUES_MAX) {
-                liste.subList(REMARQUES_MAX, liste.size()).clear();
-            }
-        }
-    }
-
     /** Ajoute une raison de regarder ce rendu, une fois. */
     void regarder(String raison) {
         if (!aRegarder.contains(raison)) {
@@ -82,48 +72,48 @@ public final class Resultat {
         return Map.of("remarque", remarques, "faute", fautes, "regarder", aRegarder, "fautive", classesFautives);
     }
 
-    /** Le garde dans un fichier : une chose par ligne, sa sorte, son nom et sa valeur. */
-    void ecrire(Path fichier) throws IOException {
-        List<String> lignes = new ArrayList<>();
-        listes().forEach((sorte, liste) -> liste.forEach(texte -> ligne(lignes, sorte, "", texte)));
-        verdicts.forEach((id, v) -> ligne(lignes, "verdict", id, v.etat + " " + v.part + " " + v.message));
-        empreintes.forEach((classe, texte) -> ligne(lignes, "empreinte", classe, texte));
-        methodes.forEach((id, texte) -> ligne(lignes, "methode", id, texte));
-        images.forEach((scene, image) -> ligne(lignes, "image", scene, image.texte()));
-        ligne(lignes, "centre", "", "" + centre);
-        if (chemin != null) {
-            ligne(lignes, "chemin", chemin.x + " " + chemin.y, chemin.reference + FIN_DE_LIGNE + chemin.etudiant);
-        }
-        // deux rendus identiques peuvent s'écrire en même temps
-        Path neuf = Files.createTempFile(fichier.getParent(), "neuf", null);
-        Files.write(neuf, String.join("\n", lignes).getBytes(StandardCharsets.UTF_8));
-        Files.move(neuf, fichier, StandardCopyOption.REPLACE_EXISTING);
+    private Map<String, Map<String, String>> textes() {
+        return Map.of("empreinte", empreintes, "methode", methodes);
     }
 
-    private static void ligne(List<String> lignes, String sorte, String nom, String valeur) {
-        lignes.add(sorte + "\t" + nom + "\t" + valeur.replace('\n', FIN_DE_LIGNE).replace('\r', ' '));
+    /** Le garde dans un fichier : une chose par ligne, sa sorte, puis ses valeurs. */
+    void ecrire(Path fichier) throws IOException {
+        List<List<?>> lignes = new ArrayList<>();
+        listes().forEach((sorte, liste) -> liste.forEach(texte -> lignes.add(List.of(sorte, texte))));
+        textes().forEach((sorte, textes) -> textes.forEach((nom, texte) -> lignes.add(List.of(sorte, nom, texte))));
+        verdicts.forEach((id, v) -> lignes.add(List.of("verdict", id, v.etat, v.message, v.part)));
+        images.forEach((scene, image) -> lignes.add(List.of("image", scene, image.largeur, image.hauteur, image.texte)));
+        lignes.add(List.of("centre", centre));
+        if (chemin != null) {
+            lignes.add(List.of("chemin", chemin.x, chemin.y, chemin.reference, chemin.etudiant));
+        }
+        StringBuilder texte = new StringBuilder();
+        new CSVPrinter(texte, CSVFormat.DEFAULT).printRecords(lignes);
+        // deux rendus identiques peuvent s'écrire en même temps
+        Path neuf = Files.createTempFile(fichier.getParent(), "neuf", null);
+        Files.write(neuf, texte.toString().getBytes(StandardCharsets.UTF_8));
+        Files.move(neuf, fichier, StandardCopyOption.REPLACE_EXISTING);
     }
 
     static Resultat lire(Path fichier) throws IOException {
         Resultat resultat = new Resultat();
-        for (String ligne : Files.readAllLines(fichier)) {
-            String[] mots = ligne.split("\t", 3);
-            String valeur = mots[2].replace(FIN_DE_LIGNE, '\n');
-            if (resultat.listes().containsKey(mots[0])) {
-                resultat.listes().get(mots[0]).add(valeur);
-            } else if (mots[0].equals("verdict")) {
-                String[] trois = valeur.split(" ", 3);
-                resultat.verdicts.put(mots[1], new Verdict(Verdict.Etat.valueOf(trois[0]), trois[2], Double.parseDouble(trois[1])));
-            } else if (mots[0].equals("image")) {
-                resultat.images.put(mots[1], Image.relire(valeur));
-            } else if (mots[0].equals("centre")) {
-                resultat.centre = Boolean.parseBoolean(valeur);
-            } else if (mots[0].equals("chemin")) {
-                String[] point = mots[1].split(" ");
-                String[] deux = valeur.split("\n", 2);
-                resultat.chemin = new Chemin(Integer.parseInt(point[0]), Integer.parseInt(point[1]), deux[0], deux[1]);
+        for (CSVRecord ligne : CSVParser.parse(Files.readString(fichier), CSVFormat.DEFAULT)) {
+            String sorte = ligne.get(0);
+            if (resultat.listes().containsKey(sorte)) {
+                resultat.listes().get(sorte).add(ligne.get(1));
+            } else if (resultat.textes().containsKey(sorte)) {
+                resultat.textes().get(sorte).put(ligne.get(1), ligne.get(2));
+            } else if (sorte.equals("verdict")) {
+                resultat.verdicts.put(ligne.get(1), new Verdict(Verdict.Etat.valueOf(ligne.get(2)), ligne.get(3),
+                        Double.parseDouble(ligne.get(4))));
+            } else if (sorte.equals("image")) {
+                resultat.images.put(ligne.get(1), new Image(Integer.parseInt(ligne.get(2)), Integer.parseInt(ligne.get(3)),
+                        ligne.get(4)));
+            } else if (sorte.equals("centre")) {
+                resultat.centre = Boolean.parseBoolean(ligne.get(1));
             } else {
-                (mots[0].equals("methode") ? resultat.methodes : resultat.empreintes).put(mots[1], valeur);
+                resultat.chemin = new Chemin(Integer.parseInt(ligne.get(1)), Integer.parseInt(ligne.get(2)), ligne.get(3),
+                        ligne.get(4));
             }
         }
         return resultat;

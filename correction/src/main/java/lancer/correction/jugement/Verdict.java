@@ -36,11 +36,6 @@ public final class Verdict {
         this.part = part;
     }
 
-    /** @param part ce qu'elle rapporte de ses points, de 0 à 1 */
-    static Verdict mesure(double part, String message) {
-        return new Verdict(part >= 1 ? Etat.REUSSI : part > 0 ? Etat.PARTIEL : Etat.RATE, message, part);
-    }
-
     /** Vrai si la vérification rapporte ses points. */
     public boolean compte() {
         return part == 1;

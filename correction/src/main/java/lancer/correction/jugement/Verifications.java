@@ -8,16 +8,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Execution;
 import lancer.correction.jugement.Verdict.Etat;
 import org.junit.platform.engine.DiscoverySelector;
 import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.engine.support.descriptor.MethodSource;
-import org.junit.platform.launcher.Launcher;
 import org.junit.platform.launcher.LauncherDiscoveryRequest;
 import org.junit.platform.launcher.TestExecutionListener;
 import org.junit.platform.launcher.TestIdentifier;
 import org.junit.platform.launcher.TestPlan;
-import org.junit.platform.launcher.core.LauncherConfig;
 import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
 import org.junit.platform.launcher.core.LauncherFactory;
 
@@ -36,38 +35,7 @@ final class Verifications {
 
     /** @param classes les vérifications et les doublures, compilées, par nom complet */
     Verifications(Map<String, byte[]> classes) {
-        chargeur = chargeur(classes, Verifications.class.getClassLoader());
-    }
-
-    /** De quoi charger ces classes, avant celles qui auraient le même nom. */
-    static ClassLoader chargeur(Map<String, byte[]> classes, ClassLoader pere) {
-        return new ClassLoader(pere) {
-            @Override
-            protected Class<?> loadClass(String nom, boolean resoudre) throws ClassNotFoundException {
-                byte[] octets = classes.get(nom);
-                if (octets == null) {
-                    return super.loadClass(nom, resoudre);
-                }
-                synchronized (getClassLoadingLock(nom)) {
-                    Class<?> connue = findLoadedClass(nom);
-                    return connue != null ? connue : defineClass(nom, octets, 0, octets.length);
-                }
-            }
-        };
-    }
-
-    private Class<?> classe(String nom) {
-        try {
-            return Class.forName(nom, false, chargeur);
-        } catch (ClassNotFoundException e) {
-            throw new IllegalStateException(e);
-        }
-    }
-
-    private static Launcher lanceur() {
-        return LauncherFactory.create(LauncherConfig.builder().enableTestEngineAutoRegistration(true)
-                .enableTestExecutionListenerAutoRegistration(false).enableLauncherSessionListenerAutoRegistration(false)
-                .build());
+        chargeur = new Execution.Classes(classes, Verifications.class.getClassLoader());
     }
 
     /** Sans les réglages de JUnit qui traîneraient là : les doublures parlent au nom du fil qui lance. */
@@ -77,7 +45,7 @@ final class Verifications {
     }
 
     List<Verification> lister() {
-        TestPlan plan = lanceur().discover(demande(List.of(selectClass(classe(TESTS)))));
+        TestPlan plan = LauncherFactory.create().discover(demande(List.of(selectClass(chargeur, TESTS))));
         return plan.getRoots().stream().flatMap(racine -> plan.getDescendants(racine).stream()).filter(TestIdentifier::isTest)
                 .map(test -> new Verification((MethodSource) test.getSource().get(), plan.getParent(test).get().getDisplayName(), test))
                 .collect(Collectors.toList());
@@ -120,7 +88,7 @@ final class Verifications {
                 arrets++;
                 pourquoi = arret;
                 if (coupe()) {
-                    dialogue.refuser("non lancé, ce qui précède n'ayant pas fini : " + arret);
+                    dialogue.refus = "non lancé, ce qui précède n'ayant pas fini : " + arret;
                 }
             }
             verdicts.put(ids.get(source.getClassName() + source.getMethodName()), arret != null ? new Verdict(Etat.RATE, arret)
@@ -142,8 +110,8 @@ final class Verifications {
     Bilan lancer(List<Verification> verifications, Machines.Rendue machine) {
         Dialogue dialogue = new Dialogue(machine);
         Bilan bilan = new Bilan(verifications, dialogue);
-        dialogue.mener(() -> lanceur().execute(demande(verifications.stream()
-                .map(v -> selectNestedMethod(List.of(classe(TESTS)), classe(v.classeJava), v.methode))
+        dialogue.mener(() -> LauncherFactory.create().execute(demande(verifications.stream()
+                .map(v -> selectNestedMethod(chargeur, List.of(TESTS), v.classeJava, v.methode))
                 .collect(Collectors.toList())), bilan));
         return bilan;
     }

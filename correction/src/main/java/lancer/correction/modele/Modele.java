@@ -26,15 +26,8 @@ public final class Modele {
     public static final List<String> DONNEES =
             List.of("Tuple", "Couleur", "Lampe", "PointContact", "Constantes", "LecteurScene", "Toile", "Main");
 
-    /** Les extensions du cours, et les classes que chacune ajoute aux autres. */
-    public static final Map<String, List<String>> VARIANTES =
-            Map.of("brume", List.of("Brume"), "antialias", List.of(), "blinn", List.of());
-
-    /** Ce qui interroge les classes d'un étudiant, compilé contre elles. */
-    public static final String SONDE = "Sonde";
-
-    /** Ce qui appelle ses méthodes, écrit au moment de noter. */
-    public static final String APPELS = "Appels";
+    /** Les extensions du cours, dans son ordre. */
+    public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
     public static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
             "tournesol");
@@ -95,14 +88,6 @@ public final class Modele {
         return resultat.toString();
     }
 
-    public static String tests() {
-        return ressource("modele/lancer/Tests.java");
-    }
-
-    public static String sonde() {
-        return ressource("sondes/lancer/" + SONDE + ".java");
-    }
-
     /** Toutes les classes du projet, par nom complet : {@code lancer/Vecteur} et son texte. */
     public static Map<String, String> tout(UnaryOperator<String> texte) {
         return classes().stream().collect(Collectors.toMap(c -> "lancer/" + c, texte));
@@ -112,7 +97,9 @@ public final class Modele {
     public static Map<String, String> ajoutees(String variante) {
         Map<String, String> siennes = tout(c -> corrige(c, variante));
         siennes.values().removeAll(tout(Modele::corrige).values());
-        VARIANTES.getOrDefault(variante, List.of()).forEach(c -> siennes.put("lancer/" + c, corrige(c, variante)));
+        if (variante.equals("brume")) {
+            siennes.put("lancer/Brume", corrige("Brume"));
+        }
         return siennes;
     }
 

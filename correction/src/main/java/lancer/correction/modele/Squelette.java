@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import lancer.correction.Panne;
 
 /**
@@ -37,9 +36,9 @@ public final class Squelette {
             Modele.tout(Modele::squelette).forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
             fichiers.put("LISEZMOI.md", Modele.ressource("projet/LISEZMOI.md"));
         } else {
-            if (!variante.isEmpty() && !Modele.VARIANTES.containsKey(variante)) {
+            if (!variante.isEmpty() && !Modele.VARIANTES.contains(variante)) {
                 throw new Panne(2, "extension inconnue : « " + variante + " » ; attendu : "
-                        + String.join(", ", new TreeSet<>(Modele.VARIANTES.keySet())));
+                        + String.join(", ", new TreeSet<>(Modele.VARIANTES)));
             }
             Map<String, String> classes = Modele.tout(Modele::corrige);
             classes.putAll(Modele.ajoutees(variante));
@@ -50,18 +49,14 @@ public final class Squelette {
                 fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
             }
         }
-        fichiers.put("src/test/java/lancer/Tests.java", Modele.tests());
+        fichiers.put("src/test/java/lancer/Tests.java", Modele.ressource("modele/lancer/Tests.java"));
         Modele.SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", Modele.scene(scene)));
         PROJET.forEach(fichier -> fichiers.put(fichier, Modele.ressource("projet/" + fichier)));
         Path racine = Paths.get(dossier);
         try {
-            if (Files.exists(racine)) {
-                try (Stream<Path> contenu = Files.list(racine)) {
-                    if (contenu.findAny().isPresent()) {
-                        throw new Panne(2, "le dossier n'est pas vide : " + dossier
-                                + " ; attendu : un dossier vide, ou qui n'existe pas");
-                    }
-                }
+            String[] contenu = racine.toFile().list();
+            if (contenu != null && contenu.length > 0) {
+                throw new Panne(2, "le dossier n'est pas vide : " + dossier + " ; attendu : un dossier vide, ou qui n'existe pas");
             }
             for (Map.Entry<String, String> fichier : fichiers.entrySet()) {
                 Path chemin = racine.resolve(fichier.getKey());

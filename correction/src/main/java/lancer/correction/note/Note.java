@@ -76,7 +76,7 @@ public final class Note {
             } else if (etape.duCours) {
                 avant.add(etape);
             } else if (part.complete() && etape.extension) {
-                extensions.add(etape.court());
+                extensions.add(etape.court);
             }
         }
         for (String libre : bareme.libres) {

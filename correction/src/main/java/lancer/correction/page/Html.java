@@ -8,13 +8,12 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.IntBinaryOperator;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lancer.correction.modele.Modele;
 
 /** De quoi écrire du HTML où rien de ce que vient d'un étudiant ne soit pris pour du HTML. */
 final class Html {
-
-    private static final int MONTREES = 30;
 
     private final StringBuilder texte = new StringBuilder();
 
@@ -39,8 +38,8 @@ final class Html {
     void liste(String titre, List<String> textes) {
         if (!textes.isEmpty()) {
             element("h2", titre).brut("<ul>");
-            textes.stream().limit(MONTREES).forEach(texte -> element("li", texte));
-            brut(textes.size() > MONTREES ? "<li>…</li></ul>\n" : "</ul>\n");
+            textes.forEach(texte -> element("li", texte));
+            brut("</ul>\n");
         }
     }
 
@@ -58,11 +57,8 @@ final class Html {
     /** Une image, dans la page même. @param pixel de (x, y), 0xRRVVBB */
     static String image(int largeur, int hauteur, IntBinaryOperator pixel, String legende) {
         BufferedImage image = new BufferedImage(largeur, hauteur, BufferedImage.TYPE_INT_RGB);
-        for (int y = 0; y < hauteur; y++) {
-            for (int x = 0; x < largeur; x++) {
-                image.setRGB(x, y, pixel.applyAsInt(x, y));
-            }
-        }
+        image.setRGB(0, 0, largeur, hauteur, IntStream.range(0, largeur * hauteur)
+                .map(p -> pixel.applyAsInt(p % largeur, p / largeur)).toArray(), 0, largeur);
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
         try {
             ImageIO.write(image, "png", octets);

@@ -1,29 +1,27 @@
 package lancer.correction.page;
 
+import java.util.HashSet;
 import java.util.Locale;
+import java.util.Set;
 import java.util.function.IntBinaryOperator;
-import java.util.regex.Pattern;
 import lancer.correction.Eleve;
-import lancer.correction.depot.Projet;
 import lancer.correction.jugement.Chemin;
-import lancer.correction.jugement.Ecart;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
+import lancer.correction.modele.Modele;
 import lancer.correction.note.Note;
 
 /** La page d'un rendu : où il en est, ce qui ne va pas, avec un exemple, et les images. */
 final class PageEleve {
 
-    private static final Pattern NOMBRE = Pattern.compile("(?<!\\S)-?\\d+\\.\\d+(?:E-?\\d+)?(?!\\S)");
-
     private final Pages classe;
     private final Eleve eleve;
     private final Html html = new Html();
-    /** Ce qui explique le dernier échec montré : déplié là, pas aux suivants qui disent la même chose. */
-    private String deplie = "";
+    /** Les messages et les méthodes déjà dépliés : ils ne le sont pas de nouveau. */
+    private final Set<String> deplies = new HashSet<>();
 
     PageEleve(Pages classe, Eleve eleve) {
         this.classe = classe;
@@ -44,17 +42,12 @@ final class PageEleve {
                 .dire(" ; étape atteinte : ").element("strong", eleve.note.atteinte).brut("</p>\n");
         classe.aReprendre(eleve, html, "<p class=\"avis\">À reprendre d'abord : ", "</p>\n");
         html.liste("Remarques", resultat.remarques);
-        fautes();
+        html.liste("Fautes de compilation : chacune ne coûte que la méthode où elle est, ou sa classe si elle n'est dans aucune",
+                resultat.fautes);
         etapes();
         images();
         chemin();
         return html.page(eleve.rendu.nom);
-    }
-
-    private void fautes() {
-        int n = eleve.resultat.fautes.size();
-        html.liste(n == 1 ? "Une faute de compilation" : n + " fautes de compilation : chacune ne coûte que la méthode où elle est, ou "
-                + "sa classe si elle n'est dans aucune", eleve.resultat.fautes);
     }
 
     private void etapes() {
@@ -90,18 +83,15 @@ final class PageEleve {
     private void critere(Grille.Critere critere) {
         Verdict verdict = eleve.resultat.verdict(critere);
         Verdict.Etat etat = verdict.etat;
-        String css = etat == Verdict.Etat.REUSSI ? "reussi" : etat == Verdict.Etat.CACHE ? "cache"
-                : etat == Verdict.Etat.PARTIEL ? "partiel" : etat == Verdict.Etat.RATE ? "rate" : "vide";
         boolean muet = verdict.message.isEmpty();
-        boolean ouvert = etat == Verdict.Etat.RATE && !muet && !verdict.message.equals(deplie);
-        deplie = ouvert ? verdict.message : deplie;
+        boolean ouvert = Set.of(Verdict.Etat.RATE, Verdict.Etat.PARTIEL).contains(etat) && !muet && deplies.add(verdict.message);
         String methode = eleve.resultat.methodes.get(critere.id);
         html.brut(muet ? "<div>" : "<details" + (ouvert ? " open" : "") + "><summary>")
-                .brut("<span class=\"e " + css + "\">").dire(etat.texte).brut("</span> ").dire(critere.titre)
+                .element("span class=\"e " + etat.name().toLowerCase(Locale.ROOT) + "\"", etat.texte).dire(" " + critere.titre)
                 .dire(critere.compte ? "" : " (ne compte pas : déjà dans le projet à compléter)");
         if (!muet) {
             html.brut("</summary>").element("code", verdict.message);
-            html.brut(methode != null && ouvert ? "<pre>" + Html.echappe(methode) + "</pre>" : "");
+            html.brut(methode != null && ouvert && deplies.add(methode) ? "<pre>" + Html.echappe(methode) + "</pre>" : "");
         }
         html.brut(muet ? "</div>" : "</details>");
     }
@@ -118,24 +108,22 @@ final class PageEleve {
             html.brut("<p>").dire("Ce qui diffère vient de ").element("strong", String.join(", ", resultat.classesFautives))
                     .dire(" (une classe est en cause si, seule parmi celles du corrigé, elle change l'image).").brut("</p>\n");
         }
+        if (resultat.centre) {
+            html.element("p", "Vos rayons passent un demi-pixel plus loin que (xe, ye), au centre du pixel : ici, ceux du corrigé aussi.");
+        }
         for (String scene : Reference.SCENES.keySet()) {
+            Verdict verdict = resultat.verdicts.get(Grille.IMAGE + "." + scene);
+            html.element("p", "« " + scene + " », " + verdict.etat.texte + " : " + verdict.message);
             Image lui = resultat.images.get(scene);
-            Image nous = classe.reference.getImage(scene, resultat.centre);
             if (lui == null) {
-                html.element("p", "« " + scene + " » n'a pas pu être dessinée : "
-                        + resultat.verdicts.get(Grille.IMAGE + "." + scene).message);
                 continue;
             }
-            Ecart ecart = new Ecart(nous, lui);
-            html.element("p", "« " + scene + " » : " + (ecart.memeImage() ? "la même image que celle du corrigé"
-                    : "une autre image que celle du corrigé") + " ; " + ecart.combien() + " (plus de 2 niveaux)"
-                    + (resultat.centre ? ". Votre getCouleurPixel vise un demi-pixel plus loin que (xe, ye), au centre du pixel : le "
-                    + "corrigé aussi, ici." : ""));
+            Image nous = classe.reference.getImage(scene, resultat.centre);
             figure("la vôtre", lui, lui::code);
             figure("celle du corrigé", nous, nous::code);
             figure("leur différence, quatre fois plus forte", lui, (x, y) -> difference(lui.code(x, y), nous.code(x, y)));
         }
-        Projet.VARIANTES.stream().filter(resultat.images::containsKey).forEach(nom -> figure("l'extension « " + nom + " »",
+        Modele.VARIANTES.stream().filter(resultat.images::containsKey).forEach(nom -> figure("l'extension « " + nom + " »",
                 resultat.images.get(nom), resultat.images.get(nom)::code));
     }
 
@@ -165,14 +153,9 @@ final class PageEleve {
                 .brut("\n<table><tr><th>réponse<th>corrigé<th>rendu</tr>\n");
         for (Chemin.Pas pas : chemin.pas) {
             html.brut(pas == premier ? "<tr class=\"ecart\"><td>" : "<tr><td>").dire(pas.nom).brut("<td>")
-                    .element("code", abrege(pas.attendu)).brut("<td>")
-                    .element(pas.pareil ? "span class=\"gris\"" : "code", pas.pareil ? "la même" : abrege(pas.obtenu)).brut("</tr>\n");
+                    .element("code", pas.attendu).brut("<td>")
+                    .element(pas.pareil ? "span class=\"gris\"" : "code", pas.pareil ? "la même" : pas.obtenu).brut("</tr>\n");
         }
         html.brut("</table>\n");
-    }
-
-    /** Les nombres à six chiffres : on les compare à l'œil. */
-    private static String abrege(String nombres) {
-        return NOMBRE.matcher(nombres).replaceAll(m -> String.format(Locale.ROOT, "%.6g ", Double.parseDouble(m.group())));
     }
 }

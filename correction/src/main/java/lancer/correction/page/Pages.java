@@ -98,8 +98,7 @@ public final class Pages {
                 .average().orElse(0)) + " sur " + Html.nombre(bareme.total())));
         avis.forEach(a -> html.element("p class=\"avis\"", a));
         if (!confinement.confine) {
-            html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : "
-                    + confinement.manque
+            html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + confinement.manque
                     + ". Il a pu lire et écrire les fichiers de cette machine, ces résultats compris.");
         }
         aRegarder(html, eleves);
@@ -109,7 +108,7 @@ public final class Pages {
                 .brut(vignette(reference.getImage("scene1", false), "l'image du corrigé")).brut("celle du corrigé"
                 + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total())).brut("<th>étape atteinte");
         for (Grille.Etape etape : grille.etapes) {
-            html.brut("<th class=\"debout\"><span>").dire(etape.court()).brut("</span>");
+            html.brut("<th class=\"debout\"><span>").dire(etape.court).brut("</span>");
         }
         bareme.libres.forEach(l -> html.brut("<th class=\"debout\"><span>").dire(l).brut("</span>"));
         html.brut("</tr>\n");
@@ -168,7 +167,7 @@ public final class Pages {
         }
         html.brut("<td>");
         nommer(html, eleve);
-        html.brut("<br><span class=\"petit gris\">").dire(eleve.rendu.id).brut("</span>");
+        html.brut("<br>").element("span class=\"petit gris\"", eleve.rendu.id.equals(eleve.rendu.nom) ? "" : eleve.rendu.id);
         int colonnes = grille.etapes.size() + bareme.libres.size();
         if (eleve.illisible()) {
             html.brut("<td class=\"n\">–<td colspan=\"" + (colonnes + 1) + "\">")
@@ -205,12 +204,12 @@ public final class Pages {
         html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; gris, pas commencé"
                 + "<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
         for (Grille.Etape etape : grille.etapes) {
-            html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"barre\">");
+            html.brut("<tr><td>").dire(etape.titre).brut("<td><div class=\"barre\">");
             for (String sorte : List.of("complet", "partiel", "rate", "vide")) {
                 long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.note.parts.get(etape.nom)))).count();
-                html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"width:" + 100 * n / eleves.size() + "%\">" + n
-                        + "</span>");
+                html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"flex:" + n + "\">" + n + "</span>");
             }
+            html.brut("</div>");
             for (boolean finie : new boolean[] {true, false}) {
                 List<Eleve> siens = eleves.stream().filter(e -> finie ? e.note.parts.get(etape.nom).complete()
                         : e.note.arret.equals(etape.nom)).collect(Collectors.toList());

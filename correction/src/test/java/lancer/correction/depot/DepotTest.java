@@ -360,7 +360,7 @@ class DepotTest {
 
     @Test
     void rienEstRefuseEnUnePhrase() {
-        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(dossier.resolve("absent"), travail)).getCode());
-        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(rendus, travail)).getCode());
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(dossier.resolve("absent"), travail)).code);
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(rendus, travail)).code);
     }
 }

@@ -87,7 +87,7 @@ class EnfantTest {
 
     @Test
     void uneReponseEstCelleDeSaDemandeQuoiQuElleContienne() throws Exception {
-        try (Enfant enfant = echo(Confinement.aucun())) {
+        try (Enfant enfant = echo(new Confinement(false, ""))) {
             for (String texte : List.of("", "\n\n", "FIN\n", "\t\u0000\u0001", "réponse\tR\t1", "é".repeat(30_000))) {
                 repete(enfant, texte);
             }
@@ -97,12 +97,12 @@ class EnfantTest {
     @Test
     void ceQuiNEstPasLaReponseAttendueArrete() throws Exception {
         for (String texte : List.of("autre numéro", "trop long", "négatif", "x".repeat(Echange.REPONSE_MAX + 1))) {
-            try (Enfant enfant = echo(Confinement.aucun())) {
+            try (Enfant enfant = echo(new Confinement(false, ""))) {
                 assertEquals("arrêté : a répondu ce qu'on ne lui demandait pas",
                         assertThrows(Arret.class, () -> demander(enfant, texte)).getMessage(), texte);
             }
         }
-        try (Enfant enfant = echo(Confinement.aucun())) {
+        try (Enfant enfant = echo(new Confinement(false, ""))) {
             repete(enfant, "deux fois");
             Arret arret = assertThrows(Arret.class, () -> {
                 demander(enfant, "ensuite");
@@ -116,7 +116,7 @@ class EnfantTest {
     void desOctetsAuHasardNeSontJamaisUneReponse() throws Exception {
         for (int graine = 1; graine <= 4; graine++) {
             String texte = "brut" + graine;
-            try (Enfant enfant = echo(Confinement.aucun())) {
+            try (Enfant enfant = echo(new Confinement(false, ""))) {
                 Arret arret = assertThrows(Arret.class, () -> demander(enfant, texte));
                 assertTrue(arret.getMessage().startsWith("arrêté"), arret.getMessage());
             }
@@ -125,7 +125,7 @@ class EnfantTest {
 
     @Test
     void quiNeLitPasSesDemandesNeBloqueQueLui() throws Exception {
-        try (Enfant enfant = echo(Confinement.aucun())) {
+        try (Enfant enfant = echo(new Confinement(false, ""))) {
             String gros = "dormir";
             assertThrows(Arret.class, () -> demander(enfant, gros));
         }

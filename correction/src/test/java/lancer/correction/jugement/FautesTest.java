@@ -10,9 +10,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.isolement.Confinement;
+import lancer.correction.modele.Modele;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
@@ -43,7 +46,15 @@ class FautesTest extends JuryEssai {
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Lancer.java"));
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Brume.java"),
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Brume.java"));
+        ecrireCorrige(rendus.resolve("extensions"));
+        variante(rendus.resolve("extensions/brume"), Modele.corrige("Lancer").replace("getColor(scene, initial, contact, profondeur)",
+                "getColor(scene, initial, contact, profondeur).mul(0.5).add(new Couleur(0.4, 0.4, 0.4))"));
+        variante(rendus.resolve("extensions/antialias"), Modele.corrige("Lancer", "antialias").replace("+ 0.5) / N", "+ 0.5) / N + 0.5"));
         resultats = juger(rendus, Confinement.essayer(), PATIENTES);
+    }
+
+    private static void variante(Path projet, String lancer) throws IOException {
+        Files.writeString(Files.createDirectories(projet.resolve("src/main/java/lancer")).resolve("Lancer.java"), lancer);
     }
 
     private static void verifier(String faute, String... etapes) {
@@ -90,16 +101,31 @@ class FautesTest extends JuryEssai {
         assertEquals("rayon, départ P", resultats.get("image-renversee").chemin.getPremierEcart().nom);
     }
 
+    /** Ce qu'une extension change est mesuré, dit, et fait sa part des points. */
+    private static void mesurer(String rendu, String extension, int auMoins, int auPlus, double part) {
+        Verdict verdict = resultats.get(rendu).verdicts.get(extension + ".image");
+        Matcher dit = Pattern.compile("mesuré sur « \\w+ » : ce que votre extension change à votre base ressemble à (\\d+) % à ce qu'on "
+                + "attend ; tous les points à partir de 80 %, aucun jusqu'à 40 %, .*").matcher(verdict.message);
+        assertTrue(dit.matches(), verdict.message);
+        int mesure = Integer.parseInt(dit.group(1));
+        assertTrue(auMoins <= mesure && mesure <= auPlus, verdict.message);
+        assertEquals(part, verdict.part, verdict.message);
+    }
+
     @Test
-    void ceQuUneExtensionChangeEstMesureEtDit() {
-        String dit = resultats.get("racine-negative").verdicts.get("brume.image").message;
-        assertTrue(dit.matches("mesuré sur « brume » : ce que votre extension change à votre base ressemble à \\d+ % .*"), dit);
+    void uneBrumeQuiNeDependPasDeLaDistanceNAPasTousLesPoints() {
+        mesurer("extensions", "brume", 60, 79, 0.75);
+    }
+
+    @Test
+    void unAnticrenelageDecaleDUnDemiPixelALaMoitieDesPoints() {
+        mesurer("extensions", "antialias", 55, 69, 0.5);
     }
 
     @Test
     void uneFauteDeLaBaseNeCachePasSesVariantes() {
-        Verdict verdict = resultats.get("image-renversee").verdicts.get("brume.image");
-        assertEquals(Verdict.Etat.REUSSI, verdict.etat, verdict.message);
+        mesurer("image-renversee", "brume", 90, 99, 1);
+        mesurer("racine-negative", "brume", 90, 99, 1);
     }
 
     @Test
@@ -116,6 +142,7 @@ class FautesTest extends JuryEssai {
     void uneNormaleALEnversEstUneFauteDeLambertQuelQueSoitLePointVisePourChaquePixel() {
         verifier("normale-a-l-envers", "lambert");
         assertTrue(resultats.get("normale-a-l-envers").centre, "getCouleurPixel vise le centre du pixel");
+        assertEquals("normale N", resultats.get("normale-a-l-envers").chemin.getPremierEcart().nom, "et non le rayon, qui est juste");
         assertEquals(List.of("Sphere"), resultats.get("normale-a-l-envers").classesFautives);
     }
 

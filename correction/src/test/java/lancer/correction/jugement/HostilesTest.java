@@ -43,7 +43,7 @@ class HostilesTest extends JuryEssai {
 
     @Test
     void sansConfinementNonPlus() throws IOException {
-        verifier(Confinement.aucun());
+        verifier(new Confinement(false, ""));
     }
 
     private void verifier(Confinement confinement) throws IOException {
@@ -192,7 +192,7 @@ class HostilesTest extends JuryEssai {
         Path travail = Files.createDirectories(dossier.resolve("travail"));
         List<Resultat> resultats = new ArrayList<>();
         for (Limites limites : List.of(new Limites(10, 60, 160, 0), PATIENTES)) {
-            try (Jury jury = new Jury(travail, Confinement.aucun(), limites)) {
+            try (Jury jury = new Jury(travail, new Confinement(false, ""), limites)) {
                 resultats.add(juger(jury, rendus, travail).get("un"));
             }
         }

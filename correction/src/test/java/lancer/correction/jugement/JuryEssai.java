@@ -43,7 +43,7 @@ abstract class JuryEssai extends ClasseEssai {
     }
 
     private static Path travail(Confinement confinement, Limites limites) {
-        return travail.resolve(confinement.confine + " " + limites);
+        return travail.resolve(confinement.confine + " " + limites.calcul);
     }
 
     static Jury jury(Confinement confinement, Limites limites) throws IOException {

@@ -1,0 +1,140 @@
+package lancer.correction.jugement;
+
+import java.util.Comparator;
+import java.util.stream.IntStream;
+import lancer.correction.enfant.Echange;
+import lancer.correction.isolement.Arret;
+import lancer.correction.jugement.Machines.Assemblage;
+import lancer.correction.jugement.Verdict.Etat;
+import lancer.correction.modele.Modele;
+
+/** Fait dessiner des classes, et juge l'image d'un rendu : est-ce celle du corrigé, sinon d'où vient qu'elle en diffère ? */
+final class JugeImage {
+
+    /** Combien de fois le temps d'une vérification est permis à un dessin. */
+    private static final double TEMPS = 4;
+
+    /** Pixels où l'on cherche d'où vient la faute. */
+    private static final int PIXELS_ESSAYES = 200;
+
+    private final Juge juge;
+    private final Reference reference;
+    final Resultat resultat;
+
+    JugeImage(Juge juge, Reference reference) {
+        this.juge = juge;
+        this.reference = reference;
+        this.resultat = juge.resultat;
+    }
+
+    /**
+     * Une scène dont on juge l'image, par la méthode {@code getCouleurPixel} de ces classes.
+     *
+     * @throws Dialogue.Echec si elles ne savent pas dessiner, avec pourquoi
+     */
+    Image dessiner(Assemblage assemblage, String scene) throws Arret {
+        int[] taille = Reference.SCENES.get(scene);
+        // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
+        return new Image(taille[0], taille[1], sonder(assemblage, taille[2] > 5 ? 1 : TEMPS, "dessiner",
+                Modele.scene(scene), taille[0], taille[1], taille[2]));
+    }
+
+    /** Une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec de même */
+    Image tracer(Assemblage assemblage, String texteDeScene, int largeur, int hauteur, int profondeur) throws Arret {
+        return new Image(largeur, hauteur, sonder(assemblage, TEMPS, "tracer", texteDeScene, largeur, hauteur, profondeur));
+    }
+
+    /** Ce que répondent, en chemin, les méthodes de ces classes. */
+    String decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
+        int[] taille = Reference.SCENES.get(scene);
+        return sonder(assemblage, TEMPS, "decrire", Modele.scene(scene), taille[0], taille[1], xe, ye, Math.min(5, taille[2]));
+    }
+
+    private String sonder(Assemblage assemblage, double temps, String methode, String scene, Object... arguments) throws Arret {
+        Machines.Rendue ici = juge.machine(assemblage);
+        ici.commencer(temps);
+        try {
+            return ici.sonder(methode.equals("decrire") ? Echange.REPONSE_MAX : Echange.GROSSE_REPONSE_MAX, methode, scene, arguments);
+        } catch (StackOverflowError e) {
+            throw new Dialogue.Echec(e.getMessage());
+        }
+    }
+
+    /** Dessine chaque scène et compare ; de la première qui diffère, cherche d'où cela vient. */
+    void juger() {
+        String fausse = null;
+        for (String scene : Reference.SCENES.keySet()) {
+            Verdict verdict = juger(scene);
+            resultat.verdicts.put(Grille.IMAGE + "." + scene, verdict);
+            fausse = fausse == null && verdict.etat == Etat.RATE && resultat.images.containsKey(scene) ? scene : fausse;
+        }
+        if (fausse != null) {
+            try {
+                chercherLaFaute(fausse);
+            } catch (Arret | Dialogue.Echec e) {
+                resultat.remarques.add("la recherche de la faute dans l'image s'est arrêtée : " + e.getMessage());
+            }
+        }
+    }
+
+    private Verdict juger(String scene) {
+        try {
+            Image image = dessiner(juge.ensemble, scene);
+            // là où le rendu a raison, au ciel au moins, il l'a à un demi-pixel près : c'est là qu'on voit lequel
+            resultat.centre = resultat.images.isEmpty() ? image.pareilles(reference.getImage(scene, true))
+                    > image.pareilles(reference.getImage(scene, false)) : resultat.centre;
+            resultat.images.put(scene, image);
+            Image attendue = reference.getImage(scene, resultat.centre);
+            return new Verdict(image.pareille(attendue) ? Etat.REUSSI : commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
+                    image.combien(attendue));
+        } catch (Arret e) {
+            resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
+            return new Verdict(Etat.RATE, e.getMessage());
+        } catch (Dialogue.Echec e) {
+            return new Verdict(Etat.RATE, e.getMessage());
+        }
+    }
+
+    /** Faux pour l'image d'une seule couleur du projet à compléter. */
+    private static boolean commencee(Image image) {
+        return IntStream.range(1, image.pixels()).anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
+    }
+
+    private void chercherLaFaute(String scene) throws Arret {
+        Image image = resultat.images.get(scene);
+        Image attendue = reference.getImage(scene, resultat.centre);
+        int pire = IntStream.range(0, image.pixels()).boxed().max(Comparator.comparing(p -> image.ecart(attendue, p))).get();
+        resultat.chemin = chemin(scene, pire % image.largeur, pire / image.largeur);
+        // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où cela vient
+        int pas = Math.max(1, image.pixels() / PIXELS_ESSAYES);
+        for (int p = pas / 2; p < image.pixels(); p += pas) {
+            if (image.ecart(attendue, p) > 1) {
+                Chemin autre = chemin(scene, p % image.largeur, p / image.largeur);
+                resultat.chemin = autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart() ? autre : resultat.chemin;
+            }
+        }
+        for (String classe : juge.changees(Modele.A_COMPLETER)) {
+            if (changent(scene, juge.seule(classe))) {
+                resultat.classesFautives.add(classe);
+            }
+        }
+    }
+
+    /** Vrai si cet assemblage ne dessine pas l'image du corrigé. */
+    private boolean changent(String scene, Assemblage assemblage) {
+        try {
+            Image image = assemblage.arrete ? null : dessiner(assemblage, scene);
+            return image == null || !image.pareille(reference.getImage(scene, false))
+                    && !image.pareille(reference.getImage(scene, true));
+        } catch (Arret | Dialogue.Echec e) {
+            return true;
+        }
+    }
+
+    /** Au même point de l'écran pour les deux : celui que vise, pour ce pixel, le {@code getCouleurPixel} du rendu. */
+    private Chemin chemin(String scene, int x, int y) throws Arret {
+        double decalage = resultat.centre ? 0.5 : 0;
+        return new Chemin(x, y, reference.chemin(scene, x + decalage, y + decalage),
+                decrire(juge.ensemble, scene, x + decalage, y + decalage));
+    }
+}
