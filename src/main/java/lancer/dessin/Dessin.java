@@ -10,12 +10,12 @@ public final class Dessin {
     /** Le fichier de la scène. */
     public final String fichier;
 
-    /** D'où viennent ses objets et ses lampes. */
+    /** Origines, dans ce fichier, des objets et des lampes de la scène. */
     public final Origines origines;
     public final ReglagesDessin reglages;
     public final ImageMemoire image;
 
-    /** Ce qui dessine, sa scène et sa caméra comprises. */
+    /** Traceur de l'image, avec la scène réglée et la caméra. */
     public final Traceur traceur;
 
     /** @param image {@code null}, comme {@code traceur}, tant que la scène n'est que lue */

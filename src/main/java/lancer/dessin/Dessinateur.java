@@ -41,7 +41,7 @@ public final class Dessinateur {
 
     private static final double NS_PAR_MS = 1e6;
 
-    final Programme programme;
+    public final Programme programme;
     final Options options;
     final PrintStream sortie;
     final PrintStream erreur;
@@ -120,7 +120,7 @@ public final class Dessinateur {
         }
     }
 
-    /** Le dessin d'avant n'est pas celui de la nouvelle scène, même avant qu'elle ne se prépare. */
+    /** Oublie le dessin d'avant : il n'est pas celui de cette scène ainsi réglée, même tant qu'elle n'est que lue. */
     private void remplacer(String fichier, Origines origines, ReglagesDessin reglages) {
         avancement = 0;
         dessin = new Dessin(fichier, origines, reglages, null, null);
@@ -155,11 +155,6 @@ public final class Dessinateur {
     public Dessin getDessin() {
         Dessin present = dessin;
         return present.image == null ? null : present;
-    }
-
-    /** Fait dessiner la scène au programme. */
-    public void doTracerImage(int largeur, int hauteur) {
-        programme.doTracerImage(largeur, hauteur);
     }
 
     /** Prépare la scène lue pour une image de cette taille, que garde la fenêtre. */

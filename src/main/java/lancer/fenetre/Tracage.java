@@ -88,7 +88,7 @@ final class Tracage extends SwingWorker<Void, Void> {
                 }
                 reglages = dessinateur.getReglages();
                 dessine = true;
-                dessinateur.doTracerImage(taille.width, taille.height);
+                dessinateur.programme.doTracerImage(taille.width, taille.height);
             }
         } catch (RuntimeException | Error e) {
             panne = isCancelled() ? null : e;

@@ -50,7 +50,7 @@ public final class Fautes {
         return (x + y) % 2 == 0 ? MAGENTA : new Couleur();
     }
 
-    /** Peint ceux de ce pavé, que d'autres échantillons ont pu mêler à leurs voisins. */
+    /** Peint les pixels fautifs de ce pavé, que d'autres échantillons ont pu mêler à leurs voisins. */
     synchronized void peindre(Pave pave, Toile toile) {
         for (int j = pave.j0; j < pave.j1 && premiere != null; j++) {
             int fin = j * largeur + pave.i1;
@@ -64,7 +64,7 @@ public final class Fautes {
         return pixels.cardinality();
     }
 
-    /** La première dans l'ordre de la lecture, {@code null} s'il n'y en a pas. */
+    /** Première faute, dans l'ordre de la lecture, {@code null} s'il n'y en a pas. */
     public synchronized PixelFautif getPremiere() {
         return premiere;
     }

@@ -12,7 +12,7 @@ public class Regard implements Vue {
     private final Equipe equipe;
     private final Lancer lancer;
     private final int profondeur;
-    /** Où noter les pixels qui échouent ; {@code null} s'ils sont refusés. */
+    /** Registre des pixels qui échouent ; {@code null} s'ils sont refusés. */
     private final Fautes fautes;
     private boolean reussi;
 

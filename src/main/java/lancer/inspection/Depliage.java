@@ -71,7 +71,7 @@ public final class Depliage {
                 changee);
     }
 
-    /** Ce dont parle une ligne, qui le reste d'un dessin à l'autre. */
+    /** Sujet d'une ligne, qui le reste d'un dessin à l'autre. */
     private static String sujet(Recit.Ligne ligne) {
         return ligne.etape == 0 && ligne.texte.startsWith("somme ") ? "somme"
                 : ligne.etape + " " + ligne.texte.replaceFirst("^(\\s*\\S.*?)( = |  |, | \\().*", "$1");

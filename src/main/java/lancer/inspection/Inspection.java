@@ -138,7 +138,7 @@ public final class Inspection implements Vue, Toile {
         equipe.arreter();
     }
 
-    /** Ce qui a empêché de calculer ce pixel ; {@code null} s'il a une couleur. */
+    /** Échec qui a empêché de calculer ce pixel ; {@code null} s'il a une couleur. */
     public PixelFautif getFaute() {
         return faute;
     }

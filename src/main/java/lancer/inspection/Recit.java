@@ -39,7 +39,7 @@ public final class Recit {
         /** Le numéro du rayon dont elle parle, 0 si c'est du pixel. */
         final int etape;
 
-        /** Ce qui tient lieu de cette ligne et de ses pareilles tant qu'on ne les demande pas ; {@code null} : rien. */
+        /** Titre qui remplace cette ligne et ses pareilles, tant qu'on ne les demande pas ; {@code null} : aucun. */
         public final String repli;
 
         /** Dit si elle n'est pas ce qu'elle était au dessin d'avant. */
@@ -64,7 +64,7 @@ public final class Recit {
         this.nombre = nombre;
     }
 
-    /** Toutes, en texte ; la dernière est {@code somme R V B = #RRGGBB}. */
+    /** Lignes de la chaîne, en texte ; la dernière est {@code somme R V B = #RRGGBB}. */
     public List<String> lignes() {
         return raconter().stream().map(ligne -> ligne.texte).collect(Collectors.toList());
     }
