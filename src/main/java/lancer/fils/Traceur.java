@@ -200,7 +200,7 @@ public final class Traceur implements Boucle {
         @Override
         public void accept(int rang) {
             Pave pave = Pave.eparpille(rang, getCamera().getLargeur(), getCamera().getHauteur(), Pave.COTE);
-            sien.getScene().getCompteurs().pixelsRaffines += echantillonnage.tracer(pave, regard, toile);
+            sien.getScene().getCompteurs().pixelsRaffines += echantillonnage.tracer(pave, pave, regard, toile);
             if (fautes != null) {
                 fautes.peindre(pave, toile);
             }
