@@ -5,9 +5,7 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.ButtonGroup;
@@ -27,7 +25,6 @@ final class MenuDessin {
     final JMenu menu = Menus.menu("Dessin");
     private final JMenu reflexions = Menus.menu("Réflexions");
     private final ButtonGroup nombres = new ButtonGroup();
-    private final Map<String, JCheckBoxMenuItem> cases = new LinkedHashMap<>();
     private final Atelier atelier;
     private final JMenuItem arreter;
     private Window parametres;
@@ -47,11 +44,13 @@ final class MenuDessin {
         reflexions.setMnemonic('x');
         reflexions.setToolTipText("touches + et −");
         for (String nom : variantes) {
-            cases.put(nom, Menus.siScene(atelier, Menus.coche(menu, nom, null, () -> {
+            JCheckBoxMenuItem coche = Menus.siScene(atelier, Menus.coche(menu, nom, null, () -> {
                 ReglagesDessin reglages = atelier.getReglages();
                 Variante variante = reglages.getVariante(nom);
                 atelier.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);
-            })));
+            }));
+            atelier.prevenir(() -> coche.setSelected(atelier.getReglages() != null
+                    && atelier.getReglages().estBranchee(atelier.getReglages().getVariante(nom))));
         }
         if (!variantes.isEmpty()) {
             Menus.siScene(atelier, menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), () -> {
@@ -106,7 +105,5 @@ final class MenuDessin {
         for (int k = 0; k < REFLEXIONS.length && reglages != null; k++) {
             reflexions.getItem(k).setSelected(REFLEXIONS[k] == reglages.getReflets());
         }
-        cases.forEach((nom, coche) ->
-                coche.setSelected(reglages != null && reglages.estBranchee(reglages.getVariante(nom))));
     }
 }

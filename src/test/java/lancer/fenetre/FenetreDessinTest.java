@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.chercher;
+import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static lancer.fenetre.BancFenetre.texte;
@@ -10,13 +11,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static lancer.fenetre.BancFenetre.composant;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.event.KeyEvent;
-import lancer.SceneFautive;
-import javax.swing.JProgressBar;
 import java.awt.Window;
+import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,10 +22,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
+import javax.swing.JLabel;
+import javax.swing.JProgressBar;
+import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Scene;
+import lancer.SceneFautive;
 import lancer.dessin.Dessin;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
@@ -267,10 +269,20 @@ class FenetreDessinTest extends EssaiFenetre {
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("la lecture est arrêtée", () -> banc.avancement.getString().startsWith("lecture arrêtée — "));
+        inspecter();
         lecture.countDown();
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 est à la scène montrée", attendue(L, H));
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+    }
+
+    /** Un clic sur l'image montrée dit ses rayons, quoi qu'il arrive à la suivante. */
+    private void inspecter() throws Exception {
+        cliquer(150, 100);
+        JLabel verdict = composant("verdict", JLabel.class);
+        attendre("l'inspecteur répond", () -> verdict.getText().startsWith("Au bit près"));
+        banc.frapper(SwingUtilities.getWindowAncestor(verdict), KeyEvent.VK_ESCAPE);
+        attendre("puis se ferme", () -> !verdict.isShowing());
     }
 
     /** Un programme dont la préparation ne finit pas d'elle-même, une fois retenue. */
@@ -306,6 +318,7 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("elle se prépare", () -> banc.avancement.getString().startsWith("préparation "));
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("la préparation est arrêtée", () -> banc.avancement.getString().startsWith("préparation arrêtée — "));
+        inspecter();
         programme.suite.countDown();
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         assertEquals(avant, surFilEvenements(banc.resume::getText));
