@@ -25,8 +25,8 @@ import lancer.fils.Traceur;
 final class Tirage {
 
     /** Combien en tirer de chaque strate, au plus ; moins que le dernier, ce n'est pas la peine. */
-    private static final int TIRES = 400;
-    private static final int PETITS = 120;
+    private static final int TIRES = 260;
+    private static final int PETITS = 80;
     private static final int TIRES_MIN = 12;
 
     /** Erreur que promet tout pixel, rapporté à la moyenne des contrastes ; et, en niveaux, d'une image unie. */
