@@ -133,8 +133,7 @@ public final class Reponses {
     /** La scène des étapes : une boule, une autre qui lui fait de l'ombre et s'y reflète, un sol. */
     private static Scene scene(boolean brillante) {
         List<Sphere> boules = Arrays.asList(new Sphere(new Point(0.35, 0, 7), 1.1),
-                new Sphere(new Point(-1.3, -0.35, 5.8), 0.5),
-                new Sphere(new Point(0, -1001.1, 7), 1000));
+                new Sphere(new Point(-1.3, -0.35, 5.8), 0.5), new Sphere(new Point(0, -1001.1, 7), 1000));
         Couleur[] Kd = {new Couleur(0.75, 0.12, 0.1), new Couleur(0.1, 0.3, 0.75), new Couleur(0.6, 0.55, 0.45)};
         for (int k = 0; k < boules.size(); k++) {
             boules.get(k).setKd(Kd[k]);

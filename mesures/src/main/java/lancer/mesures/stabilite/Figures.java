@@ -130,13 +130,10 @@ public final class Figures {
                     .map(r -> Marque.en(r.x, r.erreurRelative)).collect(Collectors.toList())));
         }
         return new Planche("Chaque reflet entre petites boules prend " + nombre("reflets.perte") + " chiffre : le dernier d'un double part "
-                + "au "
-                + nombre("reflets.double") + "e, d'un float au " + nombre("reflets.float") + "e", "Erreur médiane de "
-                + Style.nombre(bilan.de(Reflets.FIGURE, "double").get(0).essais)
-                + " chaînes de boules de rayon 1, à des distances de 5 à 40, "
-                + "jugées à 140 chiffres. Aucune formule n'y peut rien : le contact, une fois rangé dans un double, n'y est qu'à un "
-                + "arrondi "
-                + "près, et le reflet suivant multiplie cet arrondi. make mesures").volet(volet);
+                + "au " + nombre("reflets.double") + "e, d'un float au " + nombre("reflets.float") + "e", "Erreur médiane de "
+                + Style.nombre(bilan.de(Reflets.FIGURE, "double").get(0).essais) + " chaînes de boules de rayon 1, à des distances de 5 "
+                + "à 40, jugées à 140 chiffres. Aucune formule n'y peut rien : le contact, une fois rangé dans un double, n'y est qu'à "
+                + "un arrondi près, et le reflet suivant multiplie cet arrondi. make mesures").volet(volet);
     }
 
     /** Chaque méthode. @param juste vrai pour ne tracer que là où elle touche et manque encore comme il faut */
@@ -144,8 +141,7 @@ public final class Figures {
         for (Formule methode : Mesures.DES_COURBES) {
             volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, true, bilan.de(figure, methode).stream()
                     .filter(r -> !juste || Bilan.estClasse(r))
-                    .map(r -> Marque.en(r.x, Math.max(Double.MIN_NORMAL, y.applyAsDouble(r))))
-                    .collect(Collectors.toList())));
+                    .map(r -> Marque.en(r.x, Math.max(Double.MIN_NORMAL, y.applyAsDouble(r)))).collect(Collectors.toList())));
         }
     }
 }

@@ -15,8 +15,7 @@ final class Etiquettes {
 
     /** Directions essayées, par préférence : à droite, au-dessus à droite, puis de loin en loin. */
     private static final double[][] DIRECTIONS = {{1, 0}, {1, -1}, {-1, 0}, {1, 1}, {0, -1}, {-1, -1}, {0, 1}, {-1, 1}};
-    private static final double[] DISTANCES = {16, 24, 40, 60, 84};
-    private static final double[] PRES = {16};
+    private static final double[] DISTANCES = {16, 24, 40, 60, 84, 120, 160};
 
     /** Au-delà, un fil relie le nom au point. */
     private static final double FIL = 30;
@@ -24,6 +23,7 @@ final class Etiquettes {
     private final Graphics2D g;
     private final Rectangle2D cadre;
     private final List<Rectangle2D> pris = new ArrayList<>();
+    private final List<Rectangle2D> ecrits = new ArrayList<>();
 
     Etiquettes(Graphics2D g, Rectangle2D cadre) {
         this.g = g;
@@ -53,21 +53,23 @@ final class Etiquettes {
         String[] lignes = texte.split("\n");
         double largeur = Arrays.stream(lignes).mapToInt(mesures::stringWidth).max().orElse(0);
         double hauteur = mesures.getAscent() + (lignes.length - 1) * mesures.getHeight();
-        for (double distance : loin ? DISTANCES : PRES) {
+        for (double distance : Arrays.copyOf(DISTANCES, loin ? DISTANCES.length : 1)) {
             for (double[] d : DIRECTIONS) {
                 double norme = Math.hypot(d[0], d[1]);
                 double cx = x + d[0] / norme * (distance + depart) + d[0] * largeur / 2;
                 double cy = y + d[1] / norme * (distance + depart) + d[1] * hauteur / 2;
                 Rectangle2D place = new Rectangle2D.Double(cx - largeur / 2 - 2, cy - hauteur / 2, largeur + 4, hauteur);
-                if (cadre.contains(place) && pris.stream().noneMatch(p -> p.intersects(place))) {
+                Line2D fil = new Line2D.Double(x, y, Math.max(place.getMinX(), Math.min(place.getMaxX(), x)),
+                        Math.max(place.getMinY(), Math.min(place.getMaxY(), y)));
+                if (cadre.contains(place) && pris.stream().noneMatch(p -> p.intersects(place))
+                        && ecrits.stream().noneMatch(e -> e.intersectsLine(fil))) {
                     pris.add(place);
+                    ecrits.add(place);
                     g.setFont(police);
                     g.setColor(couleur);
                     if (distance > FIL) {
-                        double px = Math.max(place.getMinX(), Math.min(place.getMaxX(), x));
-                        double py = Math.max(place.getMinY(), Math.min(place.getMaxY(), y));
                         g.setStroke(Style.TRAIT_FIN);
-                        g.draw(new Line2D.Double(px + 0.6 * (x - px), py + 0.6 * (y - py), px, py));
+                        g.draw(fil);
                     }
                     for (int k = 0; k < lignes.length; k++) {
                         g.drawString(lignes[k], (float) (cx - largeur / 2),

@@ -1,7 +1,6 @@
 package lancer.mesures.trace;
 
 import java.awt.Color;
-import java.awt.Stroke;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -13,7 +12,6 @@ public final class Serie {
     final FormeDePoint forme;
     final boolean reliee;
     final List<Marque> marques;
-    final Stroke trait;
 
     /** Ce qui est écrit près de la dernière marque, vide si rien. */
     String bout = "";
@@ -25,7 +23,6 @@ public final class Serie {
         this.forme = forme;
         this.reliee = reliee;
         this.marques = new ArrayList<>(marques);
-        trait = couleur == Style.FRONT ? Style.TRAIT_FRONT : Style.TRAIT;
     }
 
     /** Ce nom-là est écrit au bout du trait. */

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
@@ -219,7 +220,8 @@ public final class Volet {
                 setSeriesLinesVisible(s, Boolean.valueOf(serie.reliee));
                 setSeriesShapesVisible(s, points);
                 setSeriesShape(s, serie.forme.dessin);
-                setSeriesStroke(s, serie.trait);
+                // derrière les autres traits, un plus large se voit encore
+                setSeriesStroke(s, points ? Style.TRAIT : Style.TRAIT_FRONT);
                 setSeriesOutlineStroke(s, Style.TRAIT);
                 setDrawXError(points);
                 setDrawYError(points);
@@ -236,9 +238,9 @@ public final class Volet {
     /** Cercle les réglages par défaut, et nomme les points : les plus importants d'abord. */
     private void annoter(Graphics2D g, Rectangle2D cadre) {
         Etiquettes noms = new Etiquettes(g, cadre);
-        for (int s = 0; s < series.size(); s++) {
+        for (Serie serie : Stream.concat(fonds.stream(), series.stream()).toArray(Serie[]::new)) {
             double[] avant = null;
-            for (Marque m : series.get(s).marques) {
+            for (Marque m : serie.marques) {
                 double[] ici = {px(m.x.valeur, cadre), py(m.y.valeur, cadre)};
                 noms.reserver(ici[0], ici[1], FormeDePoint.DEMI_COTE);
                 if (m.cerclee) {
@@ -248,7 +250,7 @@ public final class Volet {
                     g.draw(FormeDePoint.ANNEAU);
                     g.translate(-ici[0], -ici[1]);
                 }
-                if (series.get(s).reliee && avant != null) {
+                if (serie.reliee && avant != null) {
                     noms.reserver(avant[0], avant[1], ici[0], ici[1]);
                 }
                 noms.reserver(px(m.x.min, cadre), ici[1], px(m.x.max, cadre), ici[1]);

@@ -26,8 +26,7 @@ import lancer.dessin.Dessinateur;
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
-            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_utiles", "ombres_inutiles",
-            "structures", "octets");
+            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_utiles", "ombres_inutiles", "structures", "octets");
 
     private final Taille taille;
     private final String nom;

@@ -38,6 +38,7 @@ final class Catalogue {
     static final String SEUIL = "seuil";
     static final String ENSEMBLE = "ensemble";
     static final String POVRAY = "POV-Ray";
+    static final String AUTO = "auto";
     static final String EMBREE = "Embree";
     static final String TELLE_QUELLE = "telle quelle";
     static final String PROGRAMME = "programme";

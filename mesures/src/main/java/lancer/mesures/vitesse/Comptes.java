@@ -78,7 +78,9 @@ final class Comptes {
             Path fichier = Scenes.fichier(groupe.scene, dossier);
             Gabarit gabarit = new Gabarit(Scenes.lire(fichier), taille.largeur, taille.hauteur, pas(fichier));
             Map<Releve, ImageLineaire> images = new LinkedHashMap<>();
-            for (Methode methode : groupe.methodes) {
+            List<Methode> methodes = new ArrayList<>(groupe.methodes);
+            methodes.add(new Methode(Catalogue.AUTO, "1 niveau"));
+            for (Methode methode : methodes) {
                 if (povray != null || !methode.povray) {
                     ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
                     Releve releve = new Releve(compter(groupe.scene, fichier, methode, gabarit, image));
@@ -93,10 +95,9 @@ final class Comptes {
 
     /** L'erreur se mesure sur tous les pixels, ou sur assez peu pour qu'une vérité ne coûte pas plus que cela. */
     private int pas(Path fichier) {
-        Methode.Dessin dessin = new Methode("", "").limitee(Gabarit.PROFONDEUR, 0).new Dessin(Scenes.lire(fichier), taille.largeur,
-                taille.hauteur);
-        dessin.faire((couleur, i, j) -> { }, taille.fils);
-        return (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * dessin.lancer.getCompteurs().rayons() / VERITE));
+        long rayons = new Methode("", "").limitee(Gabarit.PROFONDEUR, 0).new Dessin(Scenes.lire(fichier), taille.largeur, taille.hauteur)
+                .faire((couleur, i, j) -> { }, taille.fils).rayons();
+        return (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * rayons / VERITE));
     }
 
     private Map<String, String> compter(String nom, Path fichier, Methode methode, Gabarit gabarit, ImageLineaire image)
@@ -111,9 +112,8 @@ final class Comptes {
             double[] dessinee = jugee.image(rouge, methode.options).getComposantes();
             System.arraycopy(dessinee, 0, image.getComposantes(), 0, dessinee.length);
         } else {
-            Methode.Dessin dessin = methode.new Dessin(scene, taille.largeur, taille.hauteur);
-            dessin.faire(image, taille.fils);
-            Compteurs c = dessin.lancer.getCompteurs();
+            Compteurs c = methode.nom.equals(Catalogue.AUTO) ? MesureAuto.dessiner(scene, taille, 1, image).traceur.getCompteurs()
+                    : methode.new Dessin(scene, taille.largeur, taille.hauteur).faire(image, taille.fils);
             champs.putAll(Releve.champs("primaires", c.primaires, "ombre", c.ombre, "reflechis", c.reflechis, "rayons", c.rayons()));
         }
         Intervalle erreur = Intervalle.deLaRacine(gabarit.carres(image));

@@ -143,8 +143,7 @@ final class Constats {
 
     /** Le plus juste de POV-Ray, et ce qui le bat chez nous. */
     private String povray(String scene) {
-        return methodes(scene).methode(Catalogue.POVRAY).get().stream()
-                .min(Comparator.comparingDouble(r -> r.erreur().valeur))
+        return methodes(scene).methode(Catalogue.POVRAY).get().stream().min(Comparator.comparingDouble(r -> r.erreur().valeur))
                 .map(r -> Noms.methode(r) + " : " + duel(scene, r)).orElse("POV-Ray n'était pas installé");
     }
 

@@ -130,10 +130,8 @@ public final class MesureAuto {
         Oracle oracle = new Oracle(scene, taille, voulues[0], image -> Intervalle.deLaRacine(gabarit.carres(image)).valeur);
         List<String> lignes = new ArrayList<>();
         for (double voulue : voulues) {
-            Auto auto = Auto.choisir(Dessinateur.traceur(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
-                    taille.fils, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-            auto.traceur.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
+            Auto auto = dessiner(scene, taille, voulue, image);
             Oracle.Essai mieux = oracle.leMoinsCher(voulue);
             lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.choisi, nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur),
                     auto.getVerdict().replaceAll(" ;.*", ""), nombre((double) auto.traceur.getCompteurs().rayons() / taille.pixels()),
@@ -141,6 +139,13 @@ public final class MesureAuto {
                     nombre((double) auto.getRayonsDesEssais() / taille.pixels())));
         }
         return lignes;
+    }
+
+    static Auto dessiner(Scene scene, Taille taille, double voulue, ImageLineaire image) {
+        Auto auto = Auto.choisir(Dessinateur.traceur(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
+                taille.fils, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
+        auto.traceur.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
+        return auto;
     }
 
     /** Ce qu'en dit la page. */

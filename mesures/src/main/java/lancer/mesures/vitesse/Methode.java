@@ -3,6 +3,7 @@ package lancer.mesures.vitesse;
 import java.util.function.UnaryOperator;
 import lancer.Constantes;
 import lancer.Scene;
+import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
 import lancer.fils.Traceur;
@@ -81,8 +82,9 @@ final class Methode {
         }
 
         /** Une fois, par le chemin du programme. */
-        void faire(Toile toile, int fils) {
+        Compteurs faire(Toile toile, int fils) {
             lancer.TracerPixels(toile, profondeur, fils);
+            return lancer.getCompteurs();
         }
 
         /** Par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */

@@ -26,6 +26,7 @@ final class Noms {
         {Catalogue.COINS, "coins", "coins, %s", "coins, %s", Style.ORANGE, FormeDePoint.TRIANGLE},
         {Catalogue.PARTAGE, "partage", "partage, %s", "partage, %s", Style.VERT, FormeDePoint.LOSANGE},
         {Catalogue.ENSEMBLE, "partage, tous les reflets", "partage, %s", "partage, %s", Style.VERT, FormeDePoint.LOSANGE},
+        {Catalogue.AUTO, "", "--auto, %s", "--auto, %s voulu", Style.POURPRE, FormeDePoint.POINTE},
         {Catalogue.POVRAY, "", "POV-Ray, %s", "POV-Ray, %s", Style.CIEL, FormeDePoint.TRIANGLE}};
 
     private Noms() {
@@ -43,12 +44,12 @@ final class Noms {
     /** Dans une phrase. */
     static String methode(Releve r) {
         return String.format((String) de(r)[2], parametres(r, "$1 rayons là où c'est utile (seuil $2)",
-                "$1 × $1 où quatre coins diffèrent"));
+                "$1 × $1 où quatre coins diffèrent")).replaceFirst("\\b1 reflets", "1 reflet");
     }
 
     /** Près d'un point. */
     static String etiquette(Releve r) {
-        return String.format((String) de(r)[3], parametres(r, "$1 rayons, seuil $2", "$1 × $1"));
+        return String.format((String) de(r)[3], parametres(r, "$1 rayons, seuil $2", "$1 × $1")).replaceFirst("\\b1 reflets", "1 reflet");
     }
 
     private static String parametres(Releve r, String partage, String coins) {

@@ -85,8 +85,7 @@ final class Oracle {
     private Essai dessiner(Essai essai) {
         return dessines.computeIfAbsent(essai.toString(), nom -> {
             Traceur lancer = Dessinateur.traceur(scene.avec(scene.getModele().avec(Antialias.partage(essai.n, essai.seuil),
-                    essai.seuilDesReflets)),
-                    taille.largeur, taille.hauteur, false);
+                    essai.seuilDesReflets)), taille.largeur, taille.hauteur, false);
             essai.erreur = erreur.applyAsDouble(ImageLineaire.de(lancer, essai.reflets, taille.fils));
             essai.prix = (double) lancer.getCompteurs().rayons() / taille.pixels();
             return essai;

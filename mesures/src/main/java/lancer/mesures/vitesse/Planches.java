@@ -2,7 +2,6 @@ package lancer.mesures.vitesse;
 
 import java.awt.Color;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -51,7 +50,7 @@ final class Planches {
             siens.methode((String) s[0]).get().stream().sorted(PAR_PRIX).forEach(r -> {
                 Marque m = new Marque(Intervalle.exact(constats.prix(r)), r.erreur());
                 m = nommes.contains(r) ? m.nommee(nom(r)) : m;
-                m = front.contains(r) ? m : m.creuse();
+                m = front.contains(r) || s[0].equals(Catalogue.AUTO) ? m : m.creuse();
                 erreurs.add(estParDefaut(r) ? m.cerclee() : m);
                 parts.add(Marque.en(constats.prix(r), 100 * Math.max(0.5 / pixels, r.nombre("visibles"))));
             });
@@ -77,14 +76,12 @@ final class Planches {
         return Noms.etiquette(r) + (estParDefaut(r) ? " (défaut)" : "") + (temps.isEmpty() ? "" : "\n" + temps);
     }
 
-    /** Les défauts, ce que dit le titre, les bouts de chaque méthode, puis le front. */
+    /** Les défauts, ce que dit le titre, le moins cher de chaque méthode, --auto, POV-Ray, puis le front. */
     private static List<Releve> nommes(Releves siens, List<Releve> front, Releve choisi) {
-        Stream<Releve> bouts = Stream.of(Catalogue.GRILLE, Catalogue.PARTAGE, Catalogue.ENSEMBLE).flatMap(nom -> {
-            List<Releve> suite = siens.methode(nom).get();
-            return suite.isEmpty() ? Stream.empty() : Stream.of(Collections.min(suite, PAR_PRIX), Collections.max(suite, PAR_PRIX));
-        });
-        return Stream.of(siens.get().stream().filter(Planches::estParDefaut), Stream.of(choisi), bouts,
-                siens.methode(Catalogue.POVRAY).get().stream(), front.stream())
+        Stream<Releve> premiers = Stream.of(Catalogue.GRILLE, Catalogue.PARTAGE, Catalogue.ENSEMBLE)
+                .flatMap(nom -> siens.methode(nom).get().stream().sorted(PAR_PRIX).limit(1));
+        return Stream.of(siens.get().stream().filter(Planches::estParDefaut), Stream.of(choisi), premiers,
+                siens.methode(Catalogue.AUTO, Catalogue.POVRAY).get().stream(), front.stream())
                 .flatMap(s -> s).distinct().limit(NOMMES).collect(Collectors.toList());
     }
 

@@ -91,9 +91,9 @@ final class Releves {
         return tous.stream().mapToDouble(r -> r.nombre("reference_ms")).filter(t -> !Double.isNaN(t)).min().orElse(Double.NaN);
     }
 
-    /** Les nôtres : POV-Ray n'est là que pour comparer. */
+    /** Les réglages du catalogue : POV-Ray, et ce que choisit {@code --auto}, ne sont là que pour comparer. */
     Releves aNous() {
-        return tels(r -> !r.methode.equals(Catalogue.POVRAY));
+        return tels(r -> !r.methode.equals(Catalogue.POVRAY) && !r.methode.equals(Catalogue.AUTO));
     }
 
     /** Du moins cher au plus juste, ce qui se trompe moins, à coup sûr, que tout ce qui est moins cher que lui. */

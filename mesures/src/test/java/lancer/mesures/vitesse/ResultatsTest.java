@@ -59,8 +59,7 @@ class ResultatsTest {
 
     @Test
     void lesComptesDesReglagesSontEncoreCeuxDuProgramme() throws IOException {
-        List<Releve> tous = Releves.lire(RESULTATS).get().stream()
-                .filter(r -> !r.famille.equals(Catalogue.SPHERES) && !r.methode.equals(Catalogue.POVRAY)).collect(Collectors.toList());
+        List<Releve> tous = Releves.lire(RESULTATS).aNous().tels(r -> !r.famille.equals(Catalogue.SPHERES)).get();
         for (Releve r : auSort(tous, LIGNES)) {
             Methode methode = Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres);
             Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
