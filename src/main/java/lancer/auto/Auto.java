@@ -136,8 +136,9 @@ public final class Auto {
     private Candidat essayer(Barreau barreau, Echantillonnage echantillonnage, Estimation attendue, Limite limite) {
         double promis = barreau.prix * limite.rayons;
         tirage.dessiner(echantillonnage, limite, reste(CHOISIR, promis));
-        return new Candidat(barreau.section, echantillonnage, limite,
-                tirage.mesure() ? attendue.corrigee(tirage.erreur()) : attendue, tirage.mesure() ? tirage.prix() : promis);
+        return tirage.mesure()
+                ? new Candidat(barreau.section, echantillonnage, limite, attendue.corrigee(tirage.erreur()), tirage.prix())
+                : new Candidat(barreau.section, echantillonnage, limite, attendue, promis);
     }
 
     /** Candidat que fait la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */

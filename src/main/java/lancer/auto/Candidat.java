@@ -6,7 +6,7 @@ import lancer.contrat.Section;
 /** Façon de dessiner : un échantillonnage et une limite des reflets, l'erreur attendue et le prix. Immuable. */
 public final class Candidat {
 
-    /** Écarts types entre ce qui est attendu et ce qui est promis : neuf fois sur dix, de part et d'autre, d'une loi normale. */
+    /** Écarts types de l'attendu au promis : neuf fois sur dix, de part et d'autre, d'une loi normale. */
     static final double PRUDENCE = 1.64;
 
     /** Le nombre de réflexions d'un rayon, et sous quel produit des Ks un reflet n'est plus suivi. */

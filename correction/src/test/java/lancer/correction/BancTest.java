@@ -135,7 +135,8 @@ class BancTest extends ClasseEssai {
                 assertTrue(rangee.contains(essai.dit), essai.nom + " : « " + essai.dit + " » n'est pas dans " + rangee);
                 String page = page(dossier.resolve("notes"), essai.nom);
                 assertTrue(!page.contains("en partie") || page.matches("(?s).*<details open><summary><span class=\"e partiel\">en partie"
-                        + "</span>[^<]*</summary><code>mesuré sur [^<]* ressemble à \\d+ %.*"), "la mesure d'une part se lit sans rien déplier");
+                        + "</span>[^<]*</summary><code>mesuré sur [^<]* ressemble à \\d+ %.*"),
+                        "la mesure d'une part se lit sans rien déplier");
             }));
         }
         return verifications;
