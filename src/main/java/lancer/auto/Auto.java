@@ -137,7 +137,8 @@ public final class Auto {
         double promis = barreau.prix * limite.rayons;
         tirage.dessiner(echantillonnage, limite, reste(CHOISIR, promis));
         return tirage.mesure()
-                ? new Candidat(barreau.section, echantillonnage, limite, attendue.corrigee(tirage.erreur()), tirage.prix())
+                ? new Candidat(barreau.section, echantillonnage, limite, attendue.corrigee(tirage.erreur()),
+                        tirage.prix())
                 : new Candidat(barreau.section, echantillonnage, limite, attendue, promis);
     }
 
