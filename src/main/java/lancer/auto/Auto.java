@@ -136,10 +136,9 @@ public final class Auto {
     private Candidat essayer(Barreau barreau, Echantillonnage echantillonnage, Estimation attendue, Limite limite) {
         double promis = barreau.prix * limite.rayons;
         tirage.dessiner(echantillonnage, limite, reste(CHOISIR, promis));
-        return tirage.mesure()
-                ? new Candidat(barreau.section, echantillonnage, limite, attendue.corrigee(tirage.erreur()),
-                        tirage.prix())
-                : new Candidat(barreau.section, echantillonnage, limite, attendue, promis);
+        boolean mesure = tirage.mesure();
+        return new Candidat(barreau.section, echantillonnage, limite,
+                mesure ? attendue.corrigee(tirage.erreur()) : attendue, mesure ? tirage.prix() : promis);
     }
 
     /** Candidat que fait la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */

@@ -9,11 +9,11 @@ import java.util.Map;
 import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import lancer.Camera;
 import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
-import lancer.fils.Traceur;
 
 /**
  * Quelques pixels d'un semis, tirés avec une probabilité qui croît avec leur contraste (tirage systématique à
@@ -124,14 +124,14 @@ final class Tirage {
 
     /** Dessine ces pixels, ou les premiers si ces rayons n'y suffisent pas. */
     void dessiner(Echantillonnage echantillonnage, Limite limite, double permis) {
-        Traceur scene = essais.prepare;
-        Echantillonnage prepare = echantillonnage.pour(scene.getScene().getObjets(), scene.getCamera());
+        Camera camera = essais.prepare.getCamera();
+        Echantillonnage prepare = echantillonnage.pour(essais.prepare.getScene().getObjets(), camera);
         dessines = essais.passer(justes, limite.reflets, limite.seuil, permis, (k, vue) -> {
             Pixel pixel = pixels.get(k);
             int i = pixel.rang % semis.largeur;
             int j = pixel.rang / semis.largeur;
             Pave pave = Pave.deRang(j / Pave.COTE * Pave.nombre(semis.largeur, 1, Pave.COTE) + i / Pave.COTE,
-                    semis.largeur, essais.prepare.getCamera().getHauteur(), Pave.COTE);
+                    semis.largeur, camera.getHauteur(), Pave.COTE);
             pixel.lances = 0;
             // ce qui entoure le pixel ne se compte pas
             Vue comptee = (xe, ye) -> {

@@ -212,8 +212,7 @@ final class Dialogues {
         String[] reponses = {"Remplacer", "Annuler"};
         int reponse = JOptionPane.showOptionDialog(parent,
                 "Le fichier « " + Texte.echappe(fichier.getName()) + " » existe déjà. Le remplacer ?",
-                TITRE_IMAGE,
-                JOptionPane.DEFAULT_OPTION, JOptionPane.WARNING_MESSAGE, null, reponses, reponses[1]);
+                TITRE_IMAGE, JOptionPane.DEFAULT_OPTION, JOptionPane.WARNING_MESSAGE, null, reponses, reponses[1]);
         parent.requestFocus();
         return reponse == 0;
     }

@@ -292,8 +292,7 @@ public final class Fenetre {
     /** La fenêtre d'à côté qui a le clavier ; {@code null} s'il est à une autre. */
     private Window aCote() {
         Window devant = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow();
-        boolean aCote = devant instanceof JDialog && devant.getOwner() == cadre && !((JDialog) devant).isModal();
-        return aCote ? devant : null;
+        return devant instanceof JDialog && devant.getOwner() == cadre && !((JDialog) devant).isModal() ? devant : null;
     }
 
     /** Une touche dont la fenêtre d'à côté n'a rien fait est pour le cadre, mais n'y ouvre pas un menu. */
