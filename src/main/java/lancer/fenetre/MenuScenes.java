@@ -58,7 +58,7 @@ final class MenuScenes {
     void montrer(Tracage tracage) {
         montree = tracage;
         String fichier = tracage == null ? null : tracage.fichier;
-        fil.execute(() -> {
+        Atelier.confier(fil, () -> {
             if (tracage != null) {
                 tracage.attendreDEtreVu();
             }
@@ -69,7 +69,7 @@ final class MenuScenes {
                     remplir(scenes, recentes);
                 }
             });
-        });
+        }, menu::setToolTipText);
     }
 
     /** Les scènes du même dossier, et ce qui se lit de chacune. */

@@ -175,6 +175,6 @@ class LignesTest {
         }
         assertEquals("  rayon=1\n".length(), plusLongue);
         assertTrue(lignes.getNumero() > 6_000_000);
-        assertEquals(1 << 16, plusGrandeLecture[0], "le tampon a grandi");
+        assertTrue(plusGrandeLecture[0] <= 1 << 16, "le tampon a grandi : " + plusGrandeLecture[0]);
     }
 }
