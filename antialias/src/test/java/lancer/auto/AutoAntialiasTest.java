@@ -117,8 +117,10 @@ class AutoAntialiasTest {
             Essai essai = Essai.executerAvec(Arrays.asList(Essai.origine(Antialias.class)), "--taille=120x90", "--auto=erreur=" + voulue,
                     "--statistiques", "--lineaire=" + dossier.resolve("auto.pfm"), scene.toString());
             assertFalse(rapport(essai).get("mesuré").endsWith("erreur voulue dépassée"), essai.erreur);
-            double mesuree = Double.parseDouble(rapport(essai).get("mesuré").replaceAll("erreur de ([0-9.]+) .*", "$1"));
-            assertTrue(mesuree <= Double.parseDouble(voulue) && mesuree < erreur, voulue + " : " + mesuree + " après " + erreur);
+            String[] mesure = rapport(essai).get("mesuré").replaceAll("erreur de ([0-9.]+) ± ([0-9.]+) .*", "$1 $2").split(" ");
+            double mesuree = Double.parseDouble(mesure[0]);
+            assertTrue(mesuree - Double.parseDouble(mesure[1]) <= Double.parseDouble(voulue), essai.erreur);
+            assertTrue(mesuree < erreur, voulue + " : " + mesuree + " après " + erreur);
             long lances = essai.statistique("rayons.primaires") + essai.statistique("rayons.ombre")
                     + essai.statistique("rayons.reflechis");
             assertTrue(lances > rayons, voulue);
