@@ -69,7 +69,7 @@ captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
 	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
-	@$(call capture,800x688,blinn,fenetre-reglages) "Paramètres des variantes…" variantes "" --sans=Brume,Antialias scenes/bowling.ini
+	@$(call capture,800x688,blinn,fenetre-reglages) "Paramètres des variantes…" Blinn "" --sans=Brume,Antialias scenes/bowling.ini
 	@$(call capture,1280x688,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
 	@$(call capture,1360x688,antialias,vitesse-ou-precision) "Vitesse ou précision…" vitesse.etat "Un clic" scenes/scene1.ini
 	@$(call actualiser,target/captures,images)

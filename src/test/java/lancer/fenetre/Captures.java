@@ -29,6 +29,7 @@ import lancer.Main;
 final class Captures {
 
     private static final int PERIODE_MS = 100;
+    private static final int PATIENCE = 600;
     private static final int PEINTURE_MS = 1000;
 
     private Captures() {
@@ -48,8 +49,10 @@ final class Captures {
     private static void agir(Component image, String action) {
         if (action.matches("\\d+,\\d+")) {
             int[] xy = Arrays.stream(action.split(",")).mapToInt(Integer::parseInt).toArray();
-            image.dispatchEvent(new MouseEvent(image, MouseEvent.MOUSE_CLICKED, 0, InputEvent.BUTTON1_DOWN_MASK, xy[0], xy[1], 1,
-                    false, MouseEvent.BUTTON1));
+            for (int geste : new int[] {MouseEvent.MOUSE_MOVED, MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED}) {
+                image.dispatchEvent(new MouseEvent(image, geste, 0, InputEvent.BUTTON1_DOWN_MASK, xy[0], xy[1], 1, false,
+                        MouseEvent.BUTTON1));
+            }
             return;
         }
         JMenuBar menus = ((JFrame) SwingUtilities.getWindowAncestor(image)).getJMenuBar();
@@ -68,7 +71,7 @@ final class Captures {
 
     /** Le composant de ce nom, une fois à l'écran, et ce texte dedans. */
     private static Component attendre(String nom, String texte) throws InterruptedException {
-        while (true) {
+        for (int fois = 0; fois < PATIENCE; fois++) {
             for (Window fenetre : Window.getWindows()) {
                 Component trouve = fenetre.isShowing() ? dans(fenetre, nom) : null;
                 if (trouve != null && (texte.isEmpty() || lire(trouve).contains(texte))) {
@@ -77,6 +80,9 @@ final class Captures {
             }
             Thread.sleep(PERIODE_MS);
         }
+        System.err.println("Rien ne se nomme « " + nom + " » en disant « " + texte + " »");
+        System.exit(1);
+        return null;
     }
 
     private static String lire(Component texte) {
