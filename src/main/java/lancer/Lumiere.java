@@ -8,8 +8,8 @@ import lancer.contrat.Ecoute;
  */
 final class Lumiere {
 
-    /** Récit de ce contact ; d'ordinaire {@code null}. */
-    private final Ecoute.Etape recit;
+    /** Récit du point de l'écran ; d'ordinaire {@code null}. */
+    private final Ecoute ecoute;
     private final double seuil;
     private double r;
     private double v;
@@ -20,12 +20,12 @@ final class Lumiere {
      * @param R miroir du rayon incident
      * @param seuil au-dessous duquel le produit des Ks ne vaut pas un reflet
      */
-    Lumiere(Ecoute.Etape recit, Vecteur N, Vecteur R, double seuil) {
-        this.recit = recit;
+    Lumiere(Ecoute ecoute, Vecteur N, Vecteur R, double seuil) {
+        this.ecoute = ecoute;
         this.seuil = seuil;
-        if (recit != null) {
-            recit.N = new Vecteur(N.x, N.y, N.z);
-            recit.R = new Vecteur(R.x, R.y, R.z);
+        if (ecoute != null) {
+            ecoute.enCours().N = new Vecteur(N.x, N.y, N.z);
+            ecoute.enCours().R = new Vecteur(R.x, R.y, R.z);
         }
     }
 
@@ -35,8 +35,8 @@ final class Lumiere {
      * @param devant N·(lampe − contact), qui n'est pas normalisé : le signe seul compte
      */
     boolean estDevant(Lampe lampe, double devant) {
-        if (recit != null) {
-            recit.lampes.add(new Ecoute.Eclairage(lampe, devant));
+        if (ecoute != null) {
+            ecoute.enCours().lampes.add(new Ecoute.Eclairage(lampe, devant));
         }
         return devant > 0;
     }
@@ -45,8 +45,8 @@ final class Lumiere {
     Couleur apport(Couleur diffus, double cosinus, Couleur speculaire, double eclat) {
         Couleur lambert = diffus.mul(cosinus);
         Couleur reflet = speculaire.mul(eclat);
-        if (recit != null) {
-            Ecoute.Eclairage dit = recit.enCours();
+        if (ecoute != null) {
+            Ecoute.Eclairage dit = ecoute.enCours().enCours();
             dit.cosinus = cosinus;
             dit.eclat = eclat;
             dit.diffus = new Couleur(lambert.r, lambert.v, lambert.b);
@@ -57,18 +57,18 @@ final class Lumiere {
 
     /** Dit si un rayon réfléchi vaut d'être lancé : la plus grande composante du produit des Ks atteint le seuil. */
     boolean vautUnReflet(Couleur produitKs) {
-        if (recit != null) {
-            recit.poids = new Couleur(produitKs.r, produitKs.v, produitKs.b);
+        if (ecoute != null) {
+            ecoute.enCours().poids = new Couleur(produitKs.r, produitKs.v, produitKs.b);
         }
         return produitKs.max() >= seuil;
     }
 
     /** Ajoute l'apport d'une lampe qui n'est pas cachée, ou, une fois pesé, ce que renvoie un reflet. */
     void ajouter(Couleur c) {
-        if (recit != null && recit.poids != null) {
-            recit.reflet = new Couleur(c.r, c.v, c.b);
-        } else if (recit != null) {
-            recit.enCours().apport = new Couleur(c.r, c.v, c.b);
+        if (ecoute != null && ecoute.enCours().poids != null) {
+            ecoute.enCours().reflet = new Couleur(c.r, c.v, c.b);
+        } else if (ecoute != null) {
+            ecoute.enCours().enCours().apport = new Couleur(c.r, c.v, c.b);
         }
         r += c.r;
         v += c.v;

@@ -121,7 +121,7 @@ public final class Scene {
 
     /** La somme des lumières d'un contact de normale N, où le rayon a R pour miroir : noire au début. */
     Lumiere getLumiere(Vecteur N, Vecteur R) {
-        return new Lumiere(Ecoute.enCours(modele.getEcoute()), N, R, modele.getSeuil());
+        return new Lumiere(modele.getEcoute(), N, R, modele.getSeuil());
     }
 
     /** Les objets, dans l'ordre du fichier ; la liste ne change pas. */

@@ -16,7 +16,8 @@ import lancer.Vecteur;
  * rayon suivant, en entier), et enfin ce qu'il voit. Ce qui n'a pas été calculé reste {@code null}.
  *
  * <p>Un récit ne garde que des copies : un objet qu'on lui donnerait n'aurait plus le droit de ne vivre que dans les
- * registres, même quand personne n'écoute.
+ * registres, même quand personne n'écoute. Et qui calcule ne nomme pas {@link Etape} dans ses signatures : tant que
+ * personne n'écoute, cette classe n'est pas chargée, et ce qui la nomme ne se compile pas avec ce qui l'appelle.
  */
 public final class Ecoute {
 
@@ -107,8 +108,8 @@ public final class Ecoute {
     }
 
     /** Étape du rayon dont se calcule la couleur. */
-    public static Etape enCours(Ecoute e) {
-        return e == null ? null : e.ouvertes.peek();
+    public Etape enCours() {
+        return ouvertes.peek();
     }
 
     /** Dit un rayon de direction V, et ce qu'il rencontre d'abord : {@code null} si c'est le ciel. */
@@ -125,8 +126,8 @@ public final class Ecoute {
     /** Dit la question d'un rayon d'ombre. {@code L} va du contact à la lampe. */
     public static void ombre(Ecoute e, Vecteur L, double distance) {
         // une forme qui se colore à sa façon demande ses ombres sans nommer la lampe
-        if (e != null && !enCours(e).lampes.isEmpty()) {
-            Eclairage lampe = enCours(e).enCours();
+        if (e != null && !e.enCours().lampes.isEmpty()) {
+            Eclairage lampe = e.enCours().enCours();
             lampe.L = new Vecteur(L.x, L.y, L.z);
             lampe.distance = distance;
         }

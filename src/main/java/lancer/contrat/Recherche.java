@@ -32,6 +32,11 @@ public interface Recherche {
     /** Recherche d'un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
 
+    /** Recherche où l'autre répond ; de cette classe, pour que quelques témoins ne coûtent rien aux autres rayons. */
+    default Recherche remplacee(Recherche autre) {
+        return autre;
+    }
+
     /** Temps qu'une recherche a mis à construire, préparation et demandes des rayons comprises, en nanosecondes. */
     default long getConstructionNs() {
         return 0;

@@ -17,7 +17,7 @@ public final class Fautes {
     private final int largeur;
     private final BitSet pixels = new BitSet();
     private PixelFautif premiere;
-    private boolean reussi;
+    private volatile boolean reussi;
 
     /** @param largeur celle de l'image, en pixels */
     Fautes(int largeur) {
@@ -25,8 +25,10 @@ public final class Fautes {
     }
 
     /** Note qu'un pixel au moins a pu être calculé. */
-    synchronized void reussir() {
-        reussi = true;
+    void reussir() {
+        if (!reussi) {
+            reussi = true;
+        }
     }
 
     /**

@@ -14,7 +14,6 @@ public class Regard implements Vue {
     private final int profondeur;
     /** Registre des pixels qui échouent ; {@code null} s'ils sont refusés. */
     private final Fautes fautes;
-    private boolean reussi;
 
     /**
      * @param equipe celle dont l'arrêt est observé avant chaque rayon de l'écran
@@ -39,8 +38,7 @@ public class Regard implements Vue {
         equipe.verifier();
         try {
             Couleur vue = PixelFautif.verifier(lancer.getCouleurPixel(xe, ye, profondeur), xe, ye);
-            if (fautes != null && !reussi) {
-                reussi = true;
+            if (fautes != null) {
                 fautes.reussir();
             }
             return vue;

@@ -196,7 +196,7 @@ public final class Temoins implements IntConsumer {
         Bornee(Recherche bornee) {
             recherche = bornee.pourUnFil(compteurs);
             Scene vue = scene.avec(scene.getModele());
-            vue.getModele().setRecherche(this);
+            vue.getModele().setRecherche(scene.getModele().getRecherche().remplacee(this));
             regard = new Regard(equipe, new Lancer(vue, camera), profondeur, null);
         }
 

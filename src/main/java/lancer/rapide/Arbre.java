@@ -51,9 +51,8 @@ final class Arbre implements Intersections, Occultations {
      * @throws CancellationException si ce fil est interrompu
      */
     Noeuds noeuds() {
-        Noeuds faits = noeuds;
-        if (faits != null) {
-            return faits;
+        if (noeuds != null) {
+            return noeuds;
         }
         try {
             construction.lockInterruptibly();
@@ -158,14 +157,17 @@ final class Arbre implements Intersections, Occultations {
         double psy = 2 * py - pey;
         double psz = 2 * pz - pez;
         double[] q = arbre.boites;
+        double[] g = spheres.geometrie;
         int[] pile = parcours.pile;
         double[] entrees = parcours.entrees;
+        double distance = parcours.distance;
+        int trouvee = parcours.trouvee;
         int haut = parcours.haut;
         int tests = 0;
         int visites = 0;
         while (haut > 0 && tests + visites < permis) {
             // à la même distance, une sphère qui vient avant dans la scène peut encore l'emporter
-            if (entrees[--haut] > parcours.distance) {
+            if (entrees[--haut] > distance) {
                 continue;
             }
             int n = pile[haut];
@@ -177,12 +179,12 @@ final class Arbre implements Intersections, Occultations {
                 double e0 = Math.max(Math.max((q[b + ex] - pex) * ix, (q[b + ey] - pey) * iy),
                         Math.max((q[b + ez] - pez) * iz, 0));
                 double s0 = Math.min(Math.min((q[b + sx] - psx) * ix, (q[b + sy] - psy) * iy),
-                        Math.min((q[b + sz] - psz) * iz, parcours.distance));
+                        Math.min((q[b + sz] - psz) * iz, distance));
                 b += Noeuds.PAS;
                 double e1 = Math.max(Math.max((q[b + ex] - pex) * ix, (q[b + ey] - pey) * iy),
                         Math.max((q[b + ez] - pez) * iz, 0));
                 double s1 = Math.min(Math.min((q[b + sx] - psx) * ix, (q[b + sy] - psy) * iy),
-                        Math.min((q[b + sz] - psz) * iz, parcours.distance));
+                        Math.min((q[b + sz] - psz) * iz, distance));
                 n = e0 <= s0 ? s : e1 <= s1 ? s + 1 : -1;
                 if (e0 <= s0 && e1 <= s1) {
                     boolean premier = e0 <= e1;
@@ -191,38 +193,34 @@ final class Arbre implements Intersections, Occultations {
                     n = premier ? s : s + 1;
                 }
             }
-            if (n >= 0) {
-                tests += arbre.compte[n];
-                if (feuille(parcours, arbre, n, px, py, pz, vx, vy, vz, sauf, premiereVenue)) {
-                    haut = 0;
+            // les sphères de la feuille
+            for (int f = n < 0 ? 0 : arbre.suite[n], fin = n < 0 ? 0 : f + arbre.compte[n]; f < fin; f++) {
+                int k = arbre.feuilles[f];
+                if (k == sauf) {
+                    continue;
+                }
+                tests++;
+                int i = Spheres.PAS * k;
+                double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
+                if (d < 0) {
+                    d = parcours.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
+                }
+                if (premiereVenue ? d < distance : d <= distance && Spheres.avant(d, k, distance, trouvee)) {
+                    distance = d;
+                    trouvee = k;
+                    if (premiereVenue) {
+                        haut = 0;
+                        break;
+                    }
                 }
             }
         }
+        parcours.compteurs.testsSpheres += tests;
         parcours.compteurs.noeudsVisites += visites;
+        parcours.distance = distance;
+        parcours.trouvee = trouvee;
         parcours.haut = haut;
-        return haut > 0 ? SUSPENDUE : parcours.trouvee;
-    }
-
-    /** Examine les sphères d'une feuille. @return vrai s'il n'y a plus rien à chercher */
-    private boolean feuille(Parcours parcours, Noeuds arbre, int n, double px, double py, double pz, double vx,
-            double vy, double vz, int sauf, boolean premiereVenue) {
-        double[] g = spheres.geometrie;
-        int debut = arbre.suite[n];
-        for (int f = debut; f < debut + arbre.compte[n]; f++) {
-            int k = arbre.feuilles[f];
-            if (k == sauf) {
-                continue;
-            }
-            if (premiereVenue) {
-                if (parcours.touche(spheres, k, px, py, pz, vx, vy, vz, parcours.distance)) {
-                    parcours.trouvee = k;
-                    return true;
-                }
-            } else {
-                parcours.examiner(spheres, k, px, py, pz, vx, vy, vz);
-            }
-        }
-        return false;
+        return haut > 0 ? SUSPENDUE : trouvee;
     }
 
     static double inverse(double v) {

@@ -222,8 +222,7 @@ final class Carte implements Intersections, Occultations {
             int s = Spheres.PAS * k;
             double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
             if (d < 0) {
-                d = Intersection.auMoins(d) > distance ? Constantes.INFINI
-                        : parcours.trancher(spheres, k, px, py, pz, vx, vy, vz);
+                d = parcours.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
             }
             if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
                 distance = d;
@@ -257,8 +256,7 @@ final class Carte implements Intersections, Occultations {
         }
         int premiere = debut[c];
         int derniere = debut[c + 1];
-        long credit = parcours.credit + Parcours.PAR_RAYON;
-        int fin = derniere - premiere <= credit ? derniere : premiere + (int) credit;
+        int fin = derniere - premiere <= parcours.credit ? derniere : premiere + (int) parcours.credit;
         int e = premiere;
         boolean cachee = false;
         for (; e < fin && !cachee && pres[e] < distance; e++) {
@@ -267,7 +265,7 @@ final class Carte implements Intersections, Occultations {
                 cachee = parcours.touche(spheres, k, px, py, pz, vx, vy, vz, distance);
             }
         }
-        parcours.credit = credit - (e - premiere);
+        parcours.credit -= e - premiere;
         return cachee || e >= fin && e < derniere && pres[e] < distance
                 && secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
     }

@@ -197,14 +197,15 @@ final class Grille implements Intersections {
         parcours.credit += Parcours.PAR_RAYON - grosses.length;
         for (int grosse : grosses) {
             if (grosse != sauf) {
-                parcours.examiner(spheres, grosse, px, py, pz, vx, vy, vz);
+                parcours.compteurs.testsSpheres++;
+                parcours.retenir(spheres, grosse, px, py, pz, vx, vy, vz);
             }
         }
         parcours.haut = 0;
         int k = marcher(parcours, px, py, pz, vx, vy, vz, sauf);
         while (k >= 0 && parcours.haut < parcours.pile.length) {
             parcours.pile[parcours.haut++] = k;
-            parcours.retenir(spheres, k, parcours.doute, px, py, pz, vx, vy, vz);
+            parcours.retenir(spheres, k, px, py, pz, vx, vy, vz);
             k = marcher(parcours, px, py, pz, vx, vy, vz, sauf);
         }
         if (k != TERMINEE) {
@@ -288,7 +289,6 @@ final class Grille implements Intersections {
                         if (t >= 0 || Intersection.auMoins(d) > distance) {
                             continue;
                         }
-                        parcours.doute = d;
                         reponse = k;
                         break marche;
                     }

@@ -3,6 +3,7 @@ package lancer.rapide;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
+import lancer.precision.Intersection;
 
 /**
  * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque
@@ -137,21 +138,27 @@ final class Masques implements Intersections {
             masque = parDirection[CUBES * sauf + (k * COTE + j) * COTE + i];
         }
         parcours.compteurs.noeudsVisites++;
-        parcours.distance = Constantes.INFINI;
-        parcours.trouvee = -1;
+        parcours.compteurs.testsSpheres += Long.bitCount(masque);
+        double distance = Constantes.INFINI;
+        int trouvee = -1;
         for (; masque != 0; masque &= masque - 1) {
-            parcours.examiner(spheres, Long.numberOfTrailingZeros(masque), px, py, pz, vx, vy, vz);
+            int k = Long.numberOfTrailingZeros(masque);
+            int s = Spheres.PAS * k;
+            double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
+            if (d < 0) {
+                d = parcours.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
+            }
+            if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
+                distance = d;
+                trouvee = k;
+            }
         }
-        return parcours.trouvee;
-    }
-
-    /** Ce qui peut cacher cette lampe. */
-    Occultations ombres(Point lampe) {
-        return new Ombres(lampe);
+        parcours.distance = distance;
+        return trouvee;
     }
 
     /** Pour une lampe et chaque sphère éclairée A, les sphères que touche un segment de la lampe à un point de A. */
-    private final class Ombres implements Occultations {
+    final class Ombres implements Occultations {
 
         private final long[] parSphere = new long[spheres.nombre];
         private final double[] limitesIci = new double[spheres.nombre];
@@ -208,7 +215,12 @@ final class Masques implements Intersections {
                     parcours.compteurs.noeudsVisites++;
                     for (long masque = parSphere[sauf]; masque != 0; masque &= masque - 1) {
                         int k = Long.numberOfTrailingZeros(masque);
-                        if (parcours.touche(spheres, k, px, py, pz, vx, vy, vz, distance)) {
+                        parcours.compteurs.testsSpheres++;
+                        int i = Spheres.PAS * k;
+                        double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2],
+                                g[i + 3]);
+                        if (d < distance && (d >= 0
+                                || parcours.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz) < distance)) {
                             return true;
                         }
                     }

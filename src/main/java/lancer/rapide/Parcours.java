@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import lancer.Constantes;
 import lancer.contrat.Compteurs;
 import lancer.precision.Intersection;
 
@@ -36,9 +37,6 @@ final class Parcours {
     final double[] entrees = new double[Noeuds.PROFONDEUR_MAX];
     int haut;
 
-    /** Doute de la sphère sur laquelle une marche dans une {@link Grille} s'est arrêtée. */
-    double doute;
-
     final Compteurs compteurs;
 
     Parcours(Compteurs compteurs) {
@@ -51,26 +49,13 @@ final class Parcours {
         bloqueur = -1;
     }
 
-    /** Examine la sphère k, et la retient si elle passe avant celle que le parcours retient. */
-    void examiner(Spheres spheres, int k, double px, double py, double pz, double vx, double vy, double vz) {
-        compteurs.testsSpheres++;
+    /** Retient la sphère k si elle passe avant celle que le parcours retient. */
+    void retenir(Spheres spheres, int k, double px, double py, double pz, double vx, double vy, double vz) {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
-        retenir(spheres, k, Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]),
-                px, py, pz, vx, vy, vz);
-    }
-
-    /**
-     * Retient la sphère k si elle passe avant celle que le parcours retient.
-     *
-     * @param d réponse de {@link Intersection#distanceOuDoute} pour elle
-     */
-    void retenir(Spheres spheres, int k, double d, double px, double py, double pz, double vx, double vy, double vz) {
+        double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
         if (d < 0) {
-            if (Intersection.auMoins(d) > distance) {
-                return;
-            }
-            d = trancher(spheres, k, px, py, pz, vx, vy, vz);
+            d = trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
         }
         if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
             distance = d;
@@ -85,12 +70,15 @@ final class Parcours {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
         double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-        return d < auPlus && (d >= 0 || Intersection.auMoins(d) < auPlus
-                && trancher(spheres, k, px, py, pz, vx, vy, vz) < auPlus);
+        return d < auPlus && (d >= 0 || trancher(spheres, k, d, auPlus, px, py, pz, vx, vy, vz) < auPlus);
     }
 
-    /** La distance de la sphère k, que {@link Intersection#distanceOuDoute} a laissée en doute. */
-    double trancher(Spheres spheres, int k, double px, double py, double pz, double vx, double vy, double vz) {
+    /** Distance de la sphère k, que {@link Intersection#distanceOuDoute} a laissée en doute ; +∞ si c'est trop. */
+    double trancher(Spheres spheres, int k, double doute, double auPlus, double px, double py, double pz, double vx,
+            double vy, double vz) {
+        if (Intersection.auMoins(doute) > auPlus) {
+            return Constantes.INFINI;
+        }
         compteurs.testsPrecis++;
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;

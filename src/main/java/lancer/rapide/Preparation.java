@@ -100,7 +100,7 @@ public final class Preparation {
         Preparation preparation = new Preparation(scene, camera);
         suivi.accept(PART_COPIE);
         preparation.faire(impose, suivi);
-        return new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs());
+        return new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs(), null);
     }
 
     private void faire(Genre impose, DoubleConsumer suivi) {
@@ -125,7 +125,7 @@ public final class Preparation {
         for (int l = 0; assez && l < Math.min(LAMPES_MASQUEES, lampes.size()); l++) {
             Recherche.obeir();
             if (!Scene.estLointaine(lampes.get(l))) {
-                structures.ombres[l] = parBits.ombres(lampes.get(l).getPosition());
+                structures.ombres[l] = parBits.new Ombres(lampes.get(l).getPosition());
             }
         }
     }
@@ -134,20 +134,17 @@ public final class Preparation {
     private void construire(DoubleConsumer suivi) {
         int nombre = 2 + structures.ombres.length;
         Equipe equipe = new Equipe("preparation");
-        IntConsumer construction = new IntConsumer() {
-            @Override
-            public void accept(int k) {
-                Recherche.obeir();
-                if (k == 0) {
-                    Grille grille = Grille.de(spheres, structures.arbre);
-                    structures.suivants = grille == null ? structures.arbre : grille;
-                } else if (k <= structures.ombres.length) {
-                    structures.ombres[k - 1] = deLaLampe(lampes.get(k - 1));
-                } else {
-                    structures.premiers = deLOeil();
-                }
-                suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / nombre);
+        IntConsumer construction = k -> {
+            Recherche.obeir();
+            if (k == 0) {
+                Grille grille = Grille.de(spheres, structures.arbre);
+                structures.suivants = grille == null ? structures.arbre : grille;
+            } else if (k <= structures.ombres.length) {
+                structures.ombres[k - 1] = deLaLampe(lampes.get(k - 1));
+            } else {
+                structures.premiers = deLOeil();
             }
+            suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / nombre);
         };
         int fils = spheres.nombre < SPHERES_PAR_FIL ? 1 : Math.min(nombre, Runtime.getRuntime().availableProcessors());
         equipe.faire(nombre, Collections.nCopies(fils, construction));

@@ -24,9 +24,6 @@ public final class RechercheRapide implements Recherche {
     /** Ce dont le carré de la longueur d'une direction peut s'écarter de 1 : au-delà, les boucles du cours. */
     private static final double UNITE = 1e-10;
 
-    /** Rayons entre deux regards à l'interruption du fil, moins un. */
-    private static final int PAS = 7;
-
     final Structures structures;
     private final List<Objet3D> objets;
     /** Nombre d'objets qui ne sont pas des sphères, parmi les {@link #PREMIERS}. */
@@ -37,21 +34,22 @@ public final class RechercheRapide implements Recherche {
     private final Lampe[] lampes;
     private final Occultations[] ombres;
     private final Parcours parcours;
-    private final RechercheSimple boucles;
+    /** Ce qui répond aux directions qui ne sont pas de longueur 1 ; à toutes, si cette recherche est remplacée. */
+    private final Recherche boucles;
+    private final boolean remplacee;
 
     /**
      * Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon
      * suivant.
      */
     private int derniere = -1;
+    private Objet3D rencontree;
 
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
 
-    private int questions;
-
-    /** @param objets ceux de la scène, dans son ordre */
-    RechercheRapide(Structures structures, List<Objet3D> objets, Compteurs compteurs) {
+    /** @param autre celle qui répond à la place de celle-ci, {@code null} d'ordinaire */
+    RechercheRapide(Structures structures, List<Objet3D> objets, Compteurs compteurs, Recherche autre) {
         this.structures = structures;
         this.objets = objets;
         spheres = structures.spheres;
@@ -60,7 +58,8 @@ public final class RechercheRapide implements Recherche {
         lampes = structures.lampes;
         ombres = structures.ombres;
         parcours = new Parcours(compteurs);
-        boucles = new RechercheSimple(objets, compteurs);
+        remplacee = autre != null;
+        boucles = remplacee ? autre : new RechercheSimple(objets, compteurs);
         int n = 0;
         while (n < spheres.autres.length && spheres.rangAutres[n] < PREMIERS) {
             n++;
@@ -72,23 +71,23 @@ public final class RechercheRapide implements Recherche {
     public void plusProche(Rayon incident, Objet3D saufLui) {
         Point P = incident.getP();
         Vecteur V = incident.getV();
-        if ((++questions & PAS) == 0) {
-            Recherche.obeir();
-        }
-        if (!estUnitaire(V)) {
+        if (remplacee || !estUnitaire(V)) {
             boucles.plusProche(incident, saufLui);
             return;
         }
         if (saufLui == null) {
             parcours.ouvrir();
-        }
-        int k = saufLui == null ? premiers.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, -1)
-                : suivants.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
-        derniere = k;
-        if (spheres.autres.length > 0) {
-            avecLesAutres(incident, k, saufLui);
+            derniere = premiers.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, -1);
         } else {
-            incident.setContact(k < 0 ? null : spheres.objets[k], parcours.distance);
+            // qui dessine observe l'interruption avant chaque rayon de l'écran
+            Recherche.obeir();
+            derniere = suivants.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
+        }
+        rencontree = derniere < 0 ? null : spheres.objets[derniere];
+        if (spheres.autres.length > 0) {
+            avecLesAutres(incident, saufLui);
+        } else {
+            incident.setContact(rencontree, parcours.distance);
         }
     }
 
@@ -97,22 +96,19 @@ public final class RechercheRapide implements Recherche {
     }
 
     private int numero(Objet3D objet) {
-        return derniere >= 0 && objet == spheres.objets[derniere] ? derniere : spheres.numero(objet);
+        return objet == rencontree ? derniere : spheres.numero(objet);
     }
 
     @Override
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-        if (!estUnitaire(V)) {
+        // V n'a d'ordinaire à exister que dans les registres : qui ne s'y compile pas en a une copie
+        if (remplacee || !estUnitaire(V)) {
             return boucles.estCachee(lampe, P, new Vecteur(V.x, V.y, V.z), distance, objet);
         }
-        Occultations ombre = ombresDe(lampe);
-        if (ombre == structures.arbre) {
-            // une autre structure ajoute elle-même ce qu'un rayon permet, là où elle examine
-            parcours.credit += Parcours.PAR_RAYON;
-        }
-        return unAutreCache(0, dAbord, P, V, distance, objet)
-                || ombre.cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
-                || unAutreCache(dAbord, spheres.autres.length, P, V, distance, objet);
+        parcours.credit += Parcours.PAR_RAYON;
+        return spheres.autres.length > 0
+                ? cacheeAvecLesAutres(lampe, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet)
+                : ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet));
     }
 
     /** Ce qui cache cette lampe ; si elle n'est pas de la scène, l'arbre. */
@@ -126,15 +122,11 @@ public final class RechercheRapide implements Recherche {
         return structures.arbre;
     }
 
-    /**
-     * Retient dans le rayon, de la sphère k et des objets qui ne sont pas des sphères, celui qu'il rencontre d'abord.
-     *
-     * @param k numéro de la sphère à {@code parcours.distance}, ou -1
-     */
-    private void avecLesAutres(Rayon incident, int k, Objet3D saufLui) {
-        Objet3D plusProche = k < 0 ? null : spheres.objets[k];
+    /** Retient, de la sphère rencontrée et des autres objets, celui que le rayon rencontre d'abord. */
+    private void avecLesAutres(Rayon incident, Objet3D saufLui) {
+        Objet3D plusProche = rencontree;
         double distance = parcours.distance;
-        int rang = k < 0 ? Integer.MAX_VALUE : spheres.rang[k];
+        int rang = derniere < 0 ? Integer.MAX_VALUE : spheres.rang[derniere];
         for (int a = 0; a < spheres.autres.length; a++) {
             Objet3D autre = spheres.autres[a];
             if (autre != saufLui) {
@@ -150,13 +142,16 @@ public final class RechercheRapide implements Recherche {
         incident.setContact(plusProche, distance);
     }
 
+    private boolean cacheeAvecLesAutres(Lampe lampe, Rayon ombre, double distance, Objet3D objet) {
+        Point P = ombre.getP();
+        Vecteur V = ombre.getV();
+        return unAutreCache(0, dAbord, ombre, distance, objet)
+                || ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
+                || unAutreCache(dAbord, spheres.autres.length, ombre, distance, objet);
+    }
+
     /** Vrai si cache la lampe un des objets qui ne sont pas des sphères, de {@code debut} à {@code fin} exclu. */
-    private boolean unAutreCache(int debut, int fin, Point P, Vecteur V, double distance, Objet3D objet) {
-        if (debut == fin) {
-            return false;
-        }
-        // une copie de V, qui n'a sinon pas à exister hors des registres
-        Rayon ombre = Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z));
+    private boolean unAutreCache(int debut, int fin, Rayon ombre, double distance, Objet3D objet) {
         for (int a = debut; a < fin; a++) {
             Objet3D autre = spheres.autres[a];
             if (autre != objet) {
@@ -175,8 +170,13 @@ public final class RechercheRapide implements Recherche {
     }
 
     @Override
+    public Recherche remplacee(Recherche autre) {
+        return new RechercheRapide(structures, objets, parcours.compteurs, autre);
+    }
+
+    @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheRapide(structures, objets, compteurs);
+        return new RechercheRapide(structures, objets, compteurs, null);
     }
 
     /** Ce que {@link Preparation} a choisi pour cette scène. */

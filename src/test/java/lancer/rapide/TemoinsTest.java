@@ -43,7 +43,7 @@ class TemoinsTest {
             plates.geometrie[Spheres.PAS * k + 3] *= part;
         }
         Structures structures = new Structures(plates, autre.getLampes());
-        autre.getModele().setRecherche(new RechercheRapide(structures, autre.getObjets(), new Compteurs()));
+        autre.getModele().setRecherche(new RechercheRapide(structures, autre.getObjets(), new Compteurs(), null));
         return autre;
     }
 
