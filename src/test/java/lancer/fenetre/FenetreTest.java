@@ -94,7 +94,9 @@ class FenetreTest extends EssaiFenetre {
     void lesPanneauxSeRangentACoteDuCadreEtSansSeRecouvrir() throws Exception {
         ouvrir();
         Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
-        // la place du cadre est sue de Java quand une souris l'a visé
+        attendre("Java sait où le cadre s'est ouvert : au milieu", () -> Math.abs(banc.cadre.getBounds().getCenterX()
+                - ecran.getCenterX()) <= 1);
+        // et le reste su quand une souris l'a visé
         banc.viser(banc.panneau, 5, 5);
         banc.frapper(KeyEvent.VK_F3);
         // du panneau même, où elle ne sert à rien tant qu'aucun point n'est choisi
