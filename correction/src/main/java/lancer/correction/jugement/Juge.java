@@ -35,8 +35,8 @@ final class Juge implements AutoCloseable {
     private final Machines.Compilation compilation;
     private final Machines machines;
     private final Projet projet;
-    /** La machine d'un seul assemblage : un rendu n'y a ni le corrigé de ce qu'on y juge, ni ses autres essais. */
-    private Machines.Rendue machine;
+    /** La machine de l'ensemble, et celle d'un autre assemblage : chacune n'a que ses classes. */
+    private final Machines.Rendue[] vives;
     final Resultat resultat = new Resultat();
     final JugeImage images;
     /** Toutes les classes de l'étudiant. */
@@ -50,6 +50,7 @@ final class Juge implements AutoCloseable {
         this.compilation = compilation;
         this.machines = machines;
         this.projet = projet;
+        vives = new Machines.Rendue[] {machines.new Rendue(Map.of()), machines.new Rendue(Map.of())};
         images = new JugeImage(this, reference);
         ensemble = assembler(base(Map.of()));
     }
@@ -71,19 +72,19 @@ final class Juge implements AutoCloseable {
     }
 
     Machines.Rendue machine(Assemblage assemblage) {
-        if (machine == null || machine.classes != assemblage.classes) {
-            close();
-            machine = machines.new Rendue(assemblage.classes);
+        int place = assemblage == ensemble ? 0 : 1;
+        if (vives[place].classes != assemblage.classes) {
+            vives[place].close();
+            vives[place] = machines.new Rendue(assemblage.classes);
         }
-        return machine;
+        return vives[place];
     }
 
-    /** Arrête la machine, s'il y en a une. */
+    /** Arrête les machines : celles d'après seront neuves. */
     @Override
     public void close() {
-        if (machine != null) {
-            machine.close();
-        }
+        vives[0].close();
+        vives[1].close();
     }
 
     Resultat juger() throws Arret {
@@ -158,7 +159,7 @@ final class Juge implements AutoCloseable {
         montrer(v, classe);
     }
 
-    private boolean aUneFaute(String classe) {
+    boolean aUneFaute(String classe) {
         return !verifications(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()).isEmpty();
     }
 
@@ -307,7 +308,9 @@ final class Juge implements AutoCloseable {
         if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
             return dependances.containsKey(v.classe)
                     ? new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe))
-                    : new Verdict(Etat.RATE, verdict.message + (verdict.message.contains(" : ") ? "" : causes(v.classe)));
+                    : new Verdict(Etat.RATE, verdict.message + (verdict.message.contains(" : ") ? ""
+                            : Stream.concat(this.ensemble.fautesDe(projet.noms.classe(v.classe)).stream().map(Faute::toString),
+                            resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("")));
         }
         return verdict.message.equals(reference.duSquelette.get(v.id()).message)
                 && !nommees(v).stream().allMatch(methodes(v.classe)::get)
@@ -330,10 +333,5 @@ final class Juge implements AutoCloseable {
     private boolean ecrite(Verification v, String message) {
         return !DANS_LA_MEME_METHODE.contains(v.etape) && methodes(v.classe).entrySet().stream()
                 .anyMatch(m -> m.getValue() && projet.noms.dans(message).contains(m.getKey()));
-    }
-
-    private String causes(String classe) {
-        return Stream.concat(ensemble.fautesDe(projet.noms.classe(classe)).stream().map(Faute::toString),
-                resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("");
     }
 }

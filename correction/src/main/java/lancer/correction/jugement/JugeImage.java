@@ -113,17 +113,19 @@ final class JugeImage {
                 resultat.chemin = autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart() ? autre : resultat.chemin;
             }
         }
-        for (String classe : juge.changees(Modele.A_COMPLETER)) {
-            if (changent(scene, juge.seule(classe))) {
-                resultat.classesFautives.add(classe);
+        // d'abord parmi celles qui ont raté des vérifications ; à défaut, parmi les autres
+        for (boolean faute : new boolean[] {true, false}) {
+            if (resultat.classesFautives.isEmpty()) {
+                juge.changees(Modele.A_COMPLETER).stream().filter(c -> juge.aUneFaute(c) == faute && change(scene, c))
+                        .forEach(resultat.classesFautives::add);
             }
         }
     }
 
-    /** Vrai si cet assemblage ne dessine pas l'image du corrigé. */
-    private boolean changent(String scene, Assemblage assemblage) {
+    /** Vrai si, avec cette classe, le corrigé ne dessine plus son image. */
+    private boolean change(String scene, String classe) {
         try {
-            Image image = assemblage.arrete ? null : dessiner(assemblage, scene);
+            Image image = juge.seule(classe).arrete ? null : dessiner(juge.seule(classe), scene);
             return image == null || !image.pareille(reference.getImage(scene, false))
                     && !image.pareille(reference.getImage(scene, true));
         } catch (Arret | Dialogue.Echec e) {
