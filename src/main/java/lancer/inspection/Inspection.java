@@ -103,7 +103,8 @@ public final class Inspection implements Vue, Toile {
                 .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
                 .collect(Collectors.toList());
         if (!echantillons.isEmpty()) {
-            choisi = rang == AU_CENTRE ? Collections.min(echantillons, Comparator.comparingDouble(this::ecart))
+            choisi = rang == AU_CENTRE ? Collections.min(echantillons,
+                    Comparator.comparingDouble(e -> Math.hypot(e.xe - x - 0.5, e.ye - y - 0.5)))
                     : echantillons.get(Math.min(rang, echantillons.size() - 1));
             vue.couleur(choisi.xe, choisi.ye);
             chercherLesObstacles();
@@ -201,10 +202,6 @@ public final class Inspection implements Vue, Toile {
             somme = laSomme;
             diviseur = nombre;
         }
-    }
-
-    private double ecart(Echantillon e) {
-        return Math.hypot(e.xe - x - 0.5, e.ye - y - 0.5);
     }
 
     @Override

@@ -175,8 +175,8 @@ public final class Recit {
         }
         if (etape.reflet != null) {
             dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids, etape.numero + 1);
-            dire("       Ks (%s) ⊗ %s = %s", etape.contact.objet.getKs(),
-                    nomDeLaVue(pixel.getEtapes().get(etape.numero)), etape.reflet);
+            dire("       Ks (%s) ⊗ %s %d = %s", etape.contact.objet.getKs(),
+                    aTraversLAir(pixel.getEtapes().get(etape.numero)) ? "vue" : "somme", etape.numero + 1, etape.reflet);
         }
     }
 
@@ -237,10 +237,6 @@ public final class Recit {
     /** Dit si ce que voit le rayon n'est pas la somme telle quelle. */
     private boolean aTraversLAir(Etape etape) {
         return !Double.isNaN(k(etape)) || !etape.vue.equals(etape.somme);
-    }
-
-    private String nomDeLaVue(Etape etape) {
-        return (aTraversLAir(etape) ? "vue " : "somme ") + etape.numero;
     }
 
     private void direLAir(Etape etape) {

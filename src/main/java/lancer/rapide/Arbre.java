@@ -87,13 +87,19 @@ final class Arbre implements Intersections, Occultations {
         return trouvee;
     }
 
-    /**
-     * {@inheritDoc} D'abord le dernier bloqueur, et l'arbre autant que le compte le permet ; puis tour à tour les
-     * boucles, dans l'ordre de la scène, et l'arbre : une lampe dans la première sphère de la scène ne coûte pas une
-     * descente.
-     */
     @Override
     public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+            double distance, int sauf) {
+        parcours.credit += Parcours.PAR_RAYON;
+        return reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+    }
+
+    /**
+     * {@link #cachee}, où une structure a déjà reçu ce qu'un rayon permet. D'abord le dernier bloqueur, et l'arbre
+     * autant que le compte le permet ; puis tour à tour les boucles, dans l'ordre de la scène, et l'arbre : une lampe
+     * dans la première sphère de la scène ne coûte pas une descente.
+     */
+    boolean reprendre(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
         long avant = parcours.compteurs.examens();
         int b = parcours.bloqueur;

@@ -243,7 +243,7 @@ final class Carte implements Intersections, Occultations {
     public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
         if (px != origine.x || py != origine.y || pz != origine.z) {
-            return secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+            return secours.reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
         int c = caseDe(vx, vy, vz);
         if (c < 0) {
@@ -252,10 +252,11 @@ final class Carte implements Intersections, Occultations {
         parcours.compteurs.noeudsVisites++;
         if (distance > coupe[c]) {
             // ou bien le contact est sur la sphère qui coupe, un rien plus loin qu'elle par un arrondi
-            return coupeuse[c] != sauf || secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+            return coupeuse[c] != sauf || secours.reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
         int premiere = debut[c];
         int derniere = debut[c + 1];
+        parcours.credit += Parcours.PAR_RAYON;
         int fin = derniere - premiere <= parcours.credit ? derniere : premiere + (int) parcours.credit;
         int e = premiere;
         boolean cachee = false;
@@ -267,7 +268,7 @@ final class Carte implements Intersections, Occultations {
         }
         parcours.credit -= e - premiere;
         return cachee || e >= fin && e < derniere && pres[e] < distance
-                && secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+                && secours.reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
     }
 
     /** La case de cette direction, -1 si aucune sphère ne peut y être. */

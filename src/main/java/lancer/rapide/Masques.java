@@ -227,7 +227,7 @@ final class Masques implements Intersections {
                     return false;
                 }
             }
-            return secours.cachee(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+            return secours.reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
         }
     }
 }

@@ -105,7 +105,6 @@ public final class RechercheRapide implements Recherche {
         if (remplacee || !estUnitaire(V)) {
             return boucles.estCachee(lampe, P, new Vecteur(V.x, V.y, V.z), distance, objet);
         }
-        parcours.credit += Parcours.PAR_RAYON;
         return spheres.autres.length > 0
                 ? cacheeAvecLesAutres(lampe, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet)
                 : ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet));

@@ -62,7 +62,9 @@ public final class Jury implements AutoCloseable {
             machines = new Machines(confinement, limites, travail.resolve("machines"));
             regles = List.of(confinement.confine, Runtime.version(), limites.calcul, limites.attente, limites.memoire,
                     Files.getLastModifiedTime(Paths.get(Machines.lieu(Machines.class)))).toString();
-            reference = new Reference(machines);
+            // chaud, ce qui a compilé le corrigé compile le premier rendu
+            compilations.add(machines.new Compilation());
+            reference = new Reference(machines, compilations.peek());
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
         } catch (Arret e) {
@@ -88,8 +90,6 @@ public final class Jury implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new Panne(1, "interrompu");
-        } finally {
-            compilations.forEach(Machines.Compilation::close);
         }
         return Arrays.asList(resultats);
     }
@@ -205,6 +205,7 @@ public final class Jury implements AutoCloseable {
 
     @Override
     public void close() {
+        compilations.forEach(Machines.Compilation::close);
         reference.close();
     }
 }

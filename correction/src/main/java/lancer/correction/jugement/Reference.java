@@ -38,27 +38,25 @@ public final class Reference implements AutoCloseable {
     private final Assemblage assemblage;
     private final Juge juge;
 
-    Reference(Machines machines) throws Arret {
+    Reference(Machines machines, Machines.Compilation compilation) throws Arret {
         Projet projet = new Projet(Modele.tout(Modele::squelette), Map.of(), List.of());
-        try (Machines.Compilation compilation = machines.new Compilation()) {
-            // les vérifications sont compilées contre les doublures des classes du projet à compléter
-            Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
-            appels = doublures.getAppels();
-            junit = new Verifications(compilation.compiler(doublures.sources).classes);
-            verifications = junit.lister();
-            juge = new Juge(this, compilation, machines, projet);
-            assemblage = juge.assembler(Modele.tout(Modele::corrige));
-            for (String scene : SCENES.keySet()) {
-                int[] taille = SCENES.get(scene);
-                images.put(scene, List.of(juge.images.dessiner(assemblage, scene),
-                        juge.images.tracer(assemblage, Modele.scene(scene), taille[0], taille[1], taille[2])));
-            }
-            duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
-            for (String classe : Modele.A_COMPLETER) {
-                List<Verification> siennes = verifications.stream().filter(v -> v.classe.equals(classe) && compte(v))
-                        .collect(Collectors.toList());
-                duSquelette.putAll(juge.lancer(juge.seule(classe), siennes).verdicts);
-            }
+        // les vérifications sont compilées contre les doublures des classes du projet à compléter
+        Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
+        appels = doublures.getAppels();
+        junit = new Verifications(compilation.compiler(doublures.sources).classes);
+        verifications = junit.lister();
+        juge = new Juge(this, compilation, machines, projet);
+        assemblage = juge.assembler(Modele.tout(Modele::corrige));
+        for (String scene : SCENES.keySet()) {
+            int[] taille = SCENES.get(scene);
+            images.put(scene, List.of(juge.images.dessiner(assemblage, scene),
+                    juge.images.tracer(assemblage, Modele.scene(scene), taille[0], taille[1], taille[2])));
+        }
+        duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
+        for (String classe : Modele.A_COMPLETER) {
+            List<Verification> siennes = verifications.stream().filter(v -> v.classe.equals(classe) && compte(v))
+                    .collect(Collectors.toList());
+            duSquelette.putAll(juge.lancer(juge.seule(classe), siennes).verdicts);
         }
     }
 
