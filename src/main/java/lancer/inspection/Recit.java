@@ -176,7 +176,8 @@ public final class Recit {
         if (etape.reflet != null) {
             dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids, etape.numero + 1);
             dire("       Ks (%s) ⊗ %s %d = %s", etape.contact.objet.getKs(),
-                    aTraversLAir(pixel.getEtapes().get(etape.numero)) ? "vue" : "somme", etape.numero + 1, etape.reflet);
+                    aTraversLAir(pixel.getEtapes().get(etape.numero)) ? "vue" : "somme", etape.numero + 1,
+                    etape.reflet);
         }
     }
 
