@@ -10,18 +10,14 @@ import java.time.temporal.ChronoUnit;
 /** Sur quoi et quand l'on mesure : sans cela, un temps ne se compare à aucun autre. */
 public final class Circonstances {
 
-    public final String machine = processeur();
+    public final String machine = premiereLigne("sh", "-c", "grep -q '^model name' /proc/cpuinfo"
+            + " && sed -n 's/^model name[^:]*: //p' /proc/cpuinfo || sysctl -n machdep.cpu.brand_string || uname -m");
     public final int coeurs = Runtime.getRuntime().availableProcessors();
     public final String jvm = System.getProperty("java.vm.name") + " " + System.getProperty("java.version");
     public final String date = LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString();
 
     /** Le commit mesuré, suivi de « + » si les sources ne sont plus les siennes. */
     public final String commit = commit();
-
-    private static String processeur() {
-        String nom = premiereLigne("sh", "-c", "sed -n 's/^model name[^:]*: //p' /proc/cpuinfo || sysctl -n machdep.cpu.brand_string");
-        return nom.isEmpty() ? System.getProperty("os.arch") : nom.trim();
-    }
 
     private static String commit() {
         String commit = premiereLigne("git", "rev-parse", "--short", "HEAD");

@@ -90,7 +90,8 @@ final class TraductionPov {
      */
     private Set<Objet3D> derriere() {
         Set<Objet3D> derriere = scene.getObjets().stream().map(Sphere.class::cast)
-                .filter(s -> s.getCentre().z - s.getRayon() < 0 && rayons().anyMatch(rayon -> estAvant(s, rayon)))
+                .filter(s -> s.getCentre().z - s.getRayon() < 0 && rayons().map(Rayon::getP).anyMatch(
+                        p -> s.getIntersectionDistance(new Rayon(Camera.OEIL, new Vecteur(Camera.OEIL, p))) <= distance(p)))
                 .collect(Collectors.toSet());
         Optional<PointContact> vu = derriere.isEmpty() ? Optional.empty()
                 : rayons().map(scene::getClosestIntersection).filter(c -> c != null && derriere.contains(c.objet)).findFirst();
@@ -104,12 +105,6 @@ final class TraductionPov {
     private Stream<Rayon> rayons() {
         int largeur = camera.getLargeur();
         return IntStream.range(0, largeur * camera.getHauteur()).mapToObj(k -> camera.getRayon(k % largeur + 0.5, k / largeur + 0.5));
-    }
-
-    /** Vrai si un rayon de l'œil rencontre cette sphère avant l'écran, d'où part celui-ci. */
-    private static boolean estAvant(Sphere sphere, Rayon rayon) {
-        Vecteur jusqua = new Vecteur(Camera.OEIL, rayon.getP());
-        return sphere.getIntersectionDistance(new Rayon(Camera.OEIL, jusqua)) <= jusqua.norme();
     }
 
     private static double echelle(Scene scene) {

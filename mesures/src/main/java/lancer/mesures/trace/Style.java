@@ -73,7 +73,10 @@ public final class Style {
      * @return sa hauteur
      */
     static double texte(Graphics2D g, String texte, Font police, Color couleur, double x, double y, double largeur, boolean vraiment) {
-        TextTitle titre = new TextTitle(insecable(texte), police, couleur, RectangleEdge.TOP, HorizontalAlignment.LEFT,
+        // ni un guillemet ni une ponctuation haute ne se séparent de leur mot, ni un nombre de ce qui le suit
+        String insecable = texte.replaceAll("« ", "«\u00A0").replaceAll(" ([»:;%?!×])", "\u00A0$1")
+                .replaceAll("; (?=[0-9])", ";\u00A0").replaceAll("([0-9×]) (?=[0-9×a-z])", "$1\u00A0");
+        TextTitle titre = new TextTitle(insecable, police, couleur, RectangleEdge.TOP, HorizontalAlignment.LEFT,
                 VerticalAlignment.TOP, RectangleInsets.ZERO_INSETS);
         titre.setTextAlignment(HorizontalAlignment.LEFT);
         double hauteur = texte.isEmpty() ? 0 : titre.arrange(g, RectangleConstraint.NONE.toFixedWidth(largeur)).getHeight();
@@ -81,12 +84,6 @@ public final class Style {
             titre.draw(g, new Rectangle2D.Double(x, y, largeur, hauteur));
         }
         return hauteur;
-    }
-
-    /** Ni un guillemet ni une ponctuation haute ne se séparent de leur mot, ni un nombre de ce qui le suit. */
-    private static String insecable(String texte) {
-        return texte.replaceAll("« ", "«\u00A0").replaceAll(" ([»:;%?!×])", "\u00A0$1").replaceAll("; (?=[0-9])", ";\u00A0")
-                .replaceAll("([0-9×]) (?=[0-9×a-z])", "$1\u00A0");
     }
 
     static BasicStroke trait(float epaisseur) {

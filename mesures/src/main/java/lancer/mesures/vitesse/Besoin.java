@@ -1,11 +1,13 @@
 package lancer.mesures.vitesse;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
+import java.lang.reflect.Array;
+import java.lang.reflect.Field;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -17,10 +19,10 @@ import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.dessin.Dessinateur;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.mesures.Gabarit;
-import lancer.dessin.Dessinateur;
 
 /** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
 final class Besoin {
@@ -34,11 +36,8 @@ final class Besoin {
     private final Compteurs compteurs;
     private final int[] codes;
 
-    /** Ce que préparer la scène a pris de mémoire au fil qui le fait. */
-    private final long octets;
-
-    /** Ce que la recherche a construit, par genres de rayons. */
-    private final String structures;
+    /** Celle qui a dessiné l'image, avec ce qu'elle a construit. */
+    private final Recherche recherche;
 
     /** Parmi les rayons utiles, ceux d'ombre dont la réponse contraire ne change rien à l'écran. */
     private long ombresInutiles;
@@ -47,20 +46,42 @@ final class Besoin {
         this.taille = taille;
         nom = fichier.getFileName().toString().replace(".ini", "");
         scene = Scenes.lire(fichier);
-        ThreadMXBean memoire = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long avant = memoire.getThreadAllocatedBytes(Thread.currentThread().getId());
         Traceur lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
-        octets = memoire.getThreadAllocatedBytes(Thread.currentThread().getId()) - avant;
         codes = codes(lancer, Constantes.MAX_REFLETS);
         compteurs = lancer.getCompteurs();
-        structures = lancer.getScene().getModele().getRecherche().toString();
+        recherche = lancer.getScene().getModele().getRecherche();
+    }
+
+    /** Les octets des tableaux de nombres que gardent cet objet et, s'il est de la recherche, ses champs. */
+    private static long octets(Object o, Set<Object> vus) {
+        long somme = 0;
+        if (o == null || !vus.add(o)) {
+            return somme;
+        }
+        if (o instanceof Object[]) {
+            for (Object element : (Object[]) o) {
+                somme += octets(element, vus);
+            }
+        } else if (o.getClass().isArray()) {
+            somme = Array.getLength(o) * (o instanceof double[] || o instanceof long[] ? 8L : o instanceof byte[] ? 1 : 4);
+        } else if (o.getClass().getName().startsWith("lancer.rapide.")) {
+            try {
+                for (Field champ : o.getClass().getDeclaredFields()) {
+                    champ.setAccessible(true);
+                    somme += champ.getType().isPrimitive() ? 0 : octets(champ.get(o), vus);
+                }
+            } catch (IllegalAccessException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+        return somme;
     }
 
     String ligne() {
         long utiles = rayonsUtiles();
         return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
                 lampesUtiles(), profondeurUtile(), Releve.reel((double) compteurs.testsSpheres / compteurs.rayons()),
-                compteurs.rayons(), utiles, ombresInutiles, structures, octets);
+                compteurs.rayons(), utiles, ombresInutiles, recherche, octets(recherche, new HashSet<>()));
     }
 
     private Traceur preparer(Scene copie, double seuil) {

@@ -64,7 +64,7 @@ final class Constats {
             valeurs.put("spheres.embree", plusViteQue(Catalogue.EMBREE));
             valeurs.put("spheres.boucles", plusViteQue(Catalogue.BOUCLES));
         }
-        valeurs.put("besoins.tableau", tableauDesBesoins());
+        valeurs.put("besoins.tableau", besoins.stream().map(this::table).collect(Collectors.joining("", "\n", "\n")));
         DoubleSummaryStatistics exces = besoins.stream().mapToDouble(Constats::exces).summaryStatistics();
         valeurs.put("parcimonie", "de " + Style.arrondi(100 * exces.getMin()) + " à " + Style.arrondi(100 * exces.getMax()) + " %");
         valeurs.put("besoins.taille", besoins.get(0).get("largeur") + " × " + besoins.get(0).get("hauteur"));
@@ -192,11 +192,7 @@ final class Constats {
 
     // ---- la parcimonie
 
-    /** Une table par scène : ce qu'elle demande, et ce que fait le programme. */
-    private String tableauDesBesoins() {
-        return "\n" + besoins.stream().map(this::table).collect(Collectors.joining()) + "\n";
-    }
-
+    /** Ce que demande une scène, et ce que fait le programme. */
     private String table(Map<String, String> b) {
         double pixels = nombre(b, "largeur") * nombre(b, "hauteur");
         double ms = releves.scene(b.get("scene")).tels(r -> r.nombre("reference_ms") > 0).referenceMs();
@@ -209,7 +205,7 @@ final class Constats {
             {"structures", Style.nombre(nombre(b, "spheres")) + (b.get("spheres").equals("1") ? " sphère" : " sphères"),
                 b.get("structures") + " ; " + Style.nombre(nombre(b, "tests_par_rayon")) + " sphères essayées par rayon"},
             {"octets", Style.arrondi(nombre(b, "spheres") * OCTETS_D_UNE_SPHERE) + " de sphères, " + Style.arrondi(4 * pixels)
-                + " d'image", Style.arrondi(nombre(b, "octets")) + " pris pour préparer"},
+                + " d'image", Style.arrondi(nombre(b, "octets")) + " gardés par la recherche"},
             {"millisecondes", "", Double.isNaN(ms) ? "non mesurées" : Style.arrondi(ms) + " par dessin, à chaud"}};
         return "\n### `" + b.get("scene") + "`\n\n| | demandé par la scène | fait par le programme |\n|---|---|---|\n"
                 + Arrays.stream(lignes).map(l -> "| " + String.join(" | ", l) + " |\n").collect(Collectors.joining());

@@ -164,8 +164,7 @@ final class Mesureur {
         }
 
         private double[] chronometrer(int combien) throws IOException {
-            String[] temps = demander(String.valueOf(combien)).split(" ");
-            return Arrays.stream(temps).mapToDouble(Double::parseDouble).toArray();
+            return Arrays.stream(demander(String.valueOf(combien)).split(" ")).mapToDouble(Double::parseDouble).toArray();
         }
     }
 
@@ -216,11 +215,6 @@ final class Mesureur {
         return new double[] {System.nanoTime() - debut, Double.NaN};
     }
 
-    /** Où noter une statistique du programme : « rayons.ombre » dans ombre, « tests.spheres » dans tests, « trace.ms » dans trace_ms. */
-    private static String colonne(String statistique) {
-        return statistique.replaceFirst("^(rayons|pixels)\\.", "").replaceFirst("\\.(spheres|visites)$", "").replace('.', '_');
-    }
-
     /** Du démarrage de Java au PNG écrit. */
     private final class Programme implements Manches.Echantillon {
 
@@ -245,7 +239,9 @@ final class Mesureur {
                 List<String> lignes = processus.lignes();
                 long duree = System.nanoTime() - debut;
                 statistiques = lignes.stream().map(l -> l.split(": ")).filter(l -> l.length == 2)
-                        .collect(Collectors.toMap(l -> colonne(l[0]), l -> l[1], (a, b) -> b));
+                        // « rayons.ombre » se note dans ombre, « tests.spheres » dans tests
+                        .collect(Collectors.toMap(l -> l[0].replaceAll("^(rayons|pixels)\\.|\\.(spheres|visites)$", ""), l -> l[1],
+                                (a, b) -> b));
                 return new double[] {duree, Double.NaN};
             }
         }
