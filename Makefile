@@ -73,7 +73,7 @@ captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 	@$(call capture,1280x688,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
 	@$(call capture,1360x688,antialias,vitesse-ou-precision) "Vitesse ou précision…" vitesse.etat "Un clic" scenes/scene1.ini
 	@$(call actualiser,target/captures,images)
-capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) -Djava.util.prefs.userRoot=target/captures \
+capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) \
 	-cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini

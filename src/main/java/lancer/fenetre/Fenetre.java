@@ -66,7 +66,6 @@ public final class Fenetre {
     private final Timer retaille;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
     private final KeyEventPostProcessor renvoi = this::renvoyer;
-    private final MenuScenes scenes;
     private JMenuItem remplir;
     private JCheckBoxMenuItem plein;
     /** Celle du cadre avant le plein écran. */
@@ -86,12 +85,11 @@ public final class Fenetre {
         atelier.prevenir(this::suivre);
         retaille = new Timer(REPOS_MS, e -> atelier.ajuster());
         enregistrement = new Enregistrement(atelier, panneau.bandeau);
-        scenes = new MenuScenes(atelier);
         JMenuBar menus = new JMenuBar();
         menus.add(menuFichier());
         menus.add(menuAffichage());
         menus.add(new MenuDessin(cadre, atelier, variantes).menu);
-        menus.add(scenes.menu);
+        menus.add(new MenuScenes(atelier).menu);
         JMenu aide = menus.add(Menus.menu("Aide"));
         // A est à Affichage
         aide.setMnemonic(KeyEvent.VK_I);
@@ -146,7 +144,6 @@ public final class Fenetre {
         ecouter();
         titrer();
         if (premier == null) {
-            scenes.montrer(null);
             panneau.dire("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini", true);
             EventQueue.invokeLater(this::choisirScene);
         } else {

@@ -56,15 +56,6 @@ final class BancFenetre {
     /** Bien plus que ce qu'il faut à une machine chargée : au-delà, cela n'arrivera plus. */
     private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(40);
 
-    static {
-        try {
-            // les scènes récentes de qui essaie le programme restent les siennes
-            System.setProperty("java.util.prefs.userRoot", Files.createTempDirectory("preferences").toString());
-        } catch (IOException e) {
-            throw new ExceptionInInitializerError(e);
-        }
-    }
-
     final ByteArrayOutputStream sortie;
     final ByteArrayOutputStream erreur;
     final CountDownLatch fin = new CountDownLatch(1);
