@@ -92,14 +92,14 @@ final class Mesureur {
      * en a moins, mais chacune est déjà une moyenne. C'est décidé avant la première.
      */
     private int voulues(Catalogue.Groupe groupe, double mancheNs) {
-        double tiennent = LONGUE_NS * (court ? 0.2 : groupe.lancements > 1 ? 2 : 3) / mancheNs;
+        double tiennent = LONGUE_NS * (court ? 0.2 : groupe.lancements > 1 ? 2 : 2.5) / mancheNs;
         int moins = groupe.lancements > 1 || mancheNs > 5 * LONGUE_NS ? 3 : mancheNs > LONGUE_NS ? 4 : 5;
         return agitee ? 2 : (int) Math.max(moins, Math.min(MANCHES_MAX, tiennent));
     }
 
     /** Les mêmes, de programmes entiers. */
     private int voulues(Methode methode, int spheres) {
-        boolean longue = methode.boucles ? spheres >= 1000 : methode.povray && spheres >= 100_000;
+        boolean longue = spheres >= (methode.boucles ? 1000 : methode.povray ? 100_000 : 1_000_000);
         return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2 : longue ? 3 : spheres > 10_000 ? 5 : 9;
     }
 

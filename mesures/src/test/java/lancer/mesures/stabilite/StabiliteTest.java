@@ -1,6 +1,5 @@
 package lancer.mesures.stabilite;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -26,11 +25,8 @@ class StabiliteTest {
     Path dossier;
 
     @Test
-    void refaitesLesCourbesSontLesMemesAuBitPresEtSeDessinentSansEcran() throws IOException {
-        Path deuxieme = Files.createDirectory(dossier.resolve("deux"));
+    void lesCourbesSeDessinentSansEcranEtDisentCeQueLaPageRaconte() throws IOException {
         new Mesures(true).ecrire(dossier);
-        new Mesures(true).ecrire(deuxieme);
-        assertArrayEquals(Files.readAllBytes(dossier.resolve(Mesures.CSV)), Files.readAllBytes(deuxieme.resolve(Mesures.CSV)));
         Figures.ecrire(dossier);
         for (String nom : new String[] {"loin", "ras", "sol", "petites", "reflets"}) {
             BufferedImage planche = ImageIO.read(dossier.resolve("stabilite-" + nom + ".png").toFile());

@@ -32,7 +32,7 @@ class ResultatsTest {
      * refaire.
      */
     private static final int LIGNES = 6;
-    private static final double RAYONS_MAX = 2e7;
+    private static final double RAYONS_MAX = 1e7;
 
     @TempDir
     Path dossier;
