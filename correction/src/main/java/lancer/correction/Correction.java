@@ -66,10 +66,7 @@ public final class Correction {
 
     /** @param args voir {@code --aide} */
     public static void main(String[] args) {
-        int code = executer(args, System.out, System.err);
-        if (code != 0) {
-            System.exit(code);
-        }
+        System.exit(executer(args, System.out, System.err));
     }
 
     /** @return le statut de sortie ; pour 1 et 2, une ligne a été écrite sur {@code erreur} */

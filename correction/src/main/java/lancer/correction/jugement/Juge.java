@@ -163,7 +163,7 @@ final class Juge implements AutoCloseable {
         return !verifications(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()).isEmpty();
     }
 
-    private List<Verification> verifications(Predicate<Verification> lesquelles) {
+    List<Verification> verifications(Predicate<Verification> lesquelles) {
         return reference.verifications.stream().filter(lesquelles).collect(Collectors.toList());
     }
 
@@ -283,7 +283,7 @@ final class Juge implements AutoCloseable {
         return bilan;
     }
 
-    private Verdict conclure(Verification v, Verdict ensemble, Verdict seule) {
+    private Verdict conclure(Verification v, Verdict ensemble, Verdict seule) throws Arret {
         if (ensemble.etat == Etat.REUSSI) {
             return ensemble;
         }
@@ -312,7 +312,7 @@ final class Juge implements AutoCloseable {
                             : Stream.concat(this.ensemble.fautesDe(projet.noms.classe(v.classe)).stream().map(Faute::toString),
                             resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("")));
         }
-        return verdict.message.equals(reference.duSquelette.get(v.id()).message)
+        return verdict.message.equals(reference.duSquelette(v).message)
                 && !nommees(v).stream().allMatch(methodes(v.classe)::get)
                 ? new Verdict(Etat.NON_COMMENCE, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }

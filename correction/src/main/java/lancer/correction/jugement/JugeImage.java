@@ -40,8 +40,8 @@ final class JugeImage {
     }
 
     /** Une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec de même */
-    Image tracer(Assemblage assemblage, String texteDeScene, int largeur, int hauteur, int profondeur) throws Arret {
-        return new Image(largeur, hauteur, sonder(assemblage, TEMPS, "tracer", texteDeScene, largeur, hauteur, profondeur));
+    Image tracer(Assemblage assemblage, String scene, int largeur, int hauteur, int profondeur) throws Arret {
+        return new Image(largeur, hauteur, sonder(assemblage, TEMPS, "tracer", scene, largeur, hauteur, profondeur));
     }
 
     /** Ce que répondent, en chemin, les méthodes de ces classes. */
@@ -85,7 +85,10 @@ final class JugeImage {
                     > image.pareilles(reference.getImage(scene, false)) : resultat.centre;
             resultat.images.put(scene, image);
             Image attendue = reference.getImage(scene, resultat.centre);
-            return new Verdict(image.pareille(attendue) ? Etat.REUSSI : commencee(image) ? Etat.RATE : Etat.NON_COMMENCE,
+            // d'une seule couleur, c'est celle du projet à compléter
+            boolean commencee = IntStream.range(1, image.pixels())
+                    .anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
+            return new Verdict(image.pareille(attendue) ? Etat.REUSSI : commencee ? Etat.RATE : Etat.NON_COMMENCE,
                     image.combien(attendue));
         } catch (Arret e) {
             resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
@@ -93,11 +96,6 @@ final class JugeImage {
         } catch (Dialogue.Echec e) {
             return new Verdict(Etat.RATE, e.getMessage());
         }
-    }
-
-    /** Faux pour l'image d'une seule couleur du projet à compléter. */
-    private static boolean commencee(Image image) {
-        return IntStream.range(1, image.pixels()).anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
     }
 
     private void chercherLaFaute(String scene) throws Arret {

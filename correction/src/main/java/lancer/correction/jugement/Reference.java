@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import lancer.correction.depot.Projet;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
@@ -30,8 +29,9 @@ public final class Reference implements AutoCloseable {
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
     final String appels;
-    /** Ce que donne le projet à compléter, par vérification. */
-    final Map<String, Verdict> duSquelette;
+    /** Ce que donne le projet à compléter, par vérification : ses classes ensemble, et l'une seule parmi le corrigé. */
+    private final Map<String, Verdict> duSquelette;
+    private final Map<String, Verdict> dUneClasse = new HashMap<>();
     /** Par scène, l'image du corrigé aux coordonnées entières, et au centre des pixels. */
     private final Map<String, List<Image>> images = new HashMap<>();
     /** Le corrigé, compilé, et qui l'interroge. */
@@ -54,10 +54,17 @@ public final class Reference implements AutoCloseable {
         }
         duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
         for (String classe : Modele.A_COMPLETER) {
-            List<Verification> siennes = verifications.stream().filter(v -> v.classe.equals(classe) && compte(v))
-                    .collect(Collectors.toList());
-            duSquelette.putAll(juge.lancer(juge.seule(classe), siennes).verdicts);
+            // après, ce qui compile est à un rendu
+            juge.seule(classe);
         }
+    }
+
+    /** Ce que la classe du projet à compléter, seule parmi celles du corrigé, répond à cette vérification. */
+    synchronized Verdict duSquelette(Verification v) throws Arret {
+        if (!dUneClasse.containsKey(v.id())) {
+            dUneClasse.putAll(juge.lancer(juge.seule(v.classe), juge.verifications(a -> a.classe.equals(v.classe))).verdicts);
+        }
+        return dUneClasse.get(v.id());
     }
 
     /** Vrai si le projet à compléter ne la passe pas : elle compte. */

@@ -69,10 +69,9 @@ final class Variante {
     private List<String> attendues() {
         List<String> scenes = new ArrayList<>(List.of(scene));
         if (nom.equals("blinn")) {
-            for (int facteur = 2; facteur <= 4; facteur += 2) {
-                int f = facteur;
+            for (int facteur : new int[] {2, 4}) {
                 scenes.add(Pattern.compile("(?m)^ns=(\\S+)").matcher(scene)
-                        .replaceAll(m -> "ns=" + f * Double.parseDouble(m.group(1))));
+                        .replaceAll(m -> "ns=" + facteur * Double.parseDouble(m.group(1))));
             }
         } else if (nom.equals("brume")) {
             for (int k = 0; k < 27; k++) {

@@ -13,6 +13,7 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
@@ -51,10 +52,13 @@ class ReferenceTest extends JuryEssai {
     }
 
     @Test
-    void leProjetACompleterNePasseQueCeQuiNeComptePas() throws IOException {
+    void leProjetACompleterNePasseQueCeQuiNeComptePas() throws IOException, Arret {
         Reference reference = jury(Confinement.essayer(), PATIENTES).reference;
         assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
                 reference.verifications.stream().filter(v -> !reference.compte(v)).map(Verification::id)
                         .collect(Collectors.toCollection(TreeSet::new)));
+        for (Verification v : reference.verifications) {
+            assertEquals(reference.compte(v), !reference.duSquelette(v).compte(), v.id() + " : seule parmi le corrigé, la classe de même");
+        }
     }
 }
