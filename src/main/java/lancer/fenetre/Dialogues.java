@@ -21,7 +21,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import javax.swing.JColorChooser;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
@@ -65,7 +64,6 @@ final class Dialogues {
         } catch (ReflectiveOperationException | UnsupportedLookAndFeelException | LinkageError e) {
             // celle de Java, déjà en place
         }
-        JComponent.setDefaultLocale(Locale.FRANCE);
     }
 
     /** Pose, avant le premier dialogue, les textes des siens : selon Java, il en manque en français. */

@@ -8,6 +8,7 @@ import java.awt.HeadlessException;
 import java.awt.Toolkit;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
+import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
@@ -34,6 +35,8 @@ public final class Ouverture {
      * @throws Echec s'il n'y a pas d'écran
      */
     public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
+        // avant qu'AWT ne se charge : ce que Java écrit lui-même, des touches des menus aux dialogues
+        Locale.setDefault(Locale.FRANCE);
         if (!ecranPresent()) {
             if (options.scene != null) {
                 // ce que la scène a de fautif d'abord

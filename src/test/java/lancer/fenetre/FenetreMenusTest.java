@@ -10,6 +10,9 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import java.awt.event.ActionListener;
 import java.awt.event.KeyEvent;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -19,6 +22,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
+import lancer.Main;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
@@ -130,5 +134,23 @@ class FenetreMenusTest extends EssaiFenetre {
         attendre("le clavier est au bouton", bouton::hasFocus);
         banc.frapper(KeyEvent.VK_SPACE);
         attendre("l'image est redessinée", () -> banc.atelier.getImageComplete() != null && banc.atelier.getImageComplete() != avant);
+    }
+
+    /** Le programme, ouvert, puis une touche telle que Java l'écrit. */
+    static final class Ailleurs {
+
+        public static void main(String[] args) {
+            Main.main(args);
+            System.out.println(KeyEvent.getKeyText(KeyEvent.VK_PAGE_DOWN));
+            System.exit(0);
+        }
+    }
+
+    @Test
+    void lesTouchesDesMenusSeLisentEnFrancaisQuelleQueSoitLaLangueDeLaMachine() throws Exception {
+        Path dit = dossier.resolve("dit.txt");
+        assertEquals(0, BancFenetre.processus(dit, "-Duser.language=en", "-cp", System.getProperty("java.class.path"),
+                Ailleurs.class.getName(), scene.toString()).start().waitFor());
+        assertEquals("Page suivante", new String(Files.readAllBytes(dit), StandardCharsets.UTF_8).trim());
     }
 }
