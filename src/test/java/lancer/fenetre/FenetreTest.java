@@ -93,7 +93,7 @@ class FenetreTest extends EssaiFenetre {
 
     @Test
     void lesPanneauxSeRangentACoteDuCadreEtSansSeRecouvrir() throws Exception {
-        ouvrir();
+        ImageMemoire image = ouvrir();
         Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
         // sans gestionnaire de fenêtres, il arrive que Java se trompe sur l'endroit où il l'a ouvert
         faire(() -> banc.cadre.setLocationRelativeTo(null));
@@ -102,6 +102,9 @@ class FenetreTest extends EssaiFenetre {
         // et le reste su quand une souris l'a visé
         banc.viser(banc.panneau, 5, 5);
         banc.frapper(KeyEvent.VK_F3);
+        composant("vitesse", JDialog.class);
+        // à l'écran, car Java se trompe aussi sur l'endroit du panneau
+        attendre("il ne cache pas l'image", () -> BancFenetre.trouver(image.codes, L) != null);
         // du panneau même, où elle ne sert à rien tant qu'aucun point n'est choisi
         banc.frapper(composant("vitesse", JDialog.class), KeyEvent.VK_ENTER);
         composant("inspecteur", JDialog.class);
@@ -111,8 +114,6 @@ class FenetreTest extends EssaiFenetre {
             return places.size() == 2 && places.stream().allMatch(p -> ecran.contains(p)
                     && places.stream().filter(p::intersects).count() == 1);
         });
-        JDialog vitesse = composant("vitesse", JDialog.class);
-        attendre("le premier ne cache pas l'image", () -> !vitesse.getBounds().intersects(banc.cadre.getBounds()));
     }
 
     @Test
