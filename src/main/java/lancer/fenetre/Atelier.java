@@ -47,7 +47,7 @@ final class Atelier {
 
     /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
     private String fichier;
-    /** Celui de la dernière scène lue sans faute, même si son dessin a été abandonné avant de se voir. */
+    /** Fichier de la dernière scène lue sans faute, même si son dessin a été abandonné avant de se voir. */
     private String lu;
     private Tracage courant;
     private Tracage adopte;

@@ -22,11 +22,11 @@ final class BarreEtat extends JPanel {
     private static final int MARGE = 6;
     private static final int INTERLIGNE = 4;
     private static final int POUR_MILLE = 1000;
-    /** Ce que le résumé a de large en chiffres, et ce que chaque variante y ajoute. */
+    /** Largeur du résumé en chiffres, et ce que chaque variante y ajoute. */
     private static final int LETTRES = 60;
     private static final int LETTRES_VARIANTE = 36;
 
-    /** Ce qu'il y a de plus long à y lire d'un pixel achevé fait la moindre largeur de la fenêtre. */
+    /** Le plus long texte d'un pixel achevé fait la moindre largeur de la fenêtre. */
     private final JLabel pixel = new JLabel("pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000");
     private final JTextArea resume = Bandeau.etiquette("resume");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
@@ -87,7 +87,7 @@ final class BarreEtat extends JPanel {
         bouton.setText(tracage.isDone() ? "Redessiner" : "Arrêter");
     }
 
-    /** Ce qu'a coûté un dessin. */
+    /** Rayons et temps d'un dessin. */
     static String cout(Traceur lancer) {
         // l'espace fine des nombres français manque à bien des polices
         String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
@@ -95,7 +95,7 @@ final class BarreEtat extends JPanel {
         return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", lancer.getDureeNs() / 1e9);
     }
 
-    /** Ce qui se lit de l'image montrée, {@code null} si elle n'est pas achevée, et de ce qu'elle a coûté. */
+    /** Résumé de l'image montrée, {@code null} si elle n'est pas achevée, et de ce qu'elle a coûté. */
     String resumer(ImageMemoire image, double reduction, String cout) {
         String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"

@@ -41,7 +41,7 @@ final class Dialogues {
 
     private static final String TITRE_IMAGE = "Enregistrer l'image";
 
-    /** Ce qu'un dialogue laisse d'un petit écran à son propre cadre. */
+    /** Place qu'un dialogue laisse, sur un petit écran, à son propre cadre. */
     private static final int BORDS = 40;
 
     private static final int MARGE = 16;
@@ -83,7 +83,7 @@ final class Dialogues {
         }
     }
 
-    /** Ce qu'une fenêtre peut prendre de l'écran. */
+    /** Place qu'une fenêtre peut prendre à l'écran. */
     static Rectangle ecran() {
         return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     }
@@ -200,7 +200,7 @@ final class Dialogues {
         return new Color(new Couleur(rvb[0], rvb[1], rvb[2]).getCode());
     }
 
-    /** Ce qu'en écrirait un fichier de scène. */
+    /** Couleur telle qu'un fichier de scène l'écrirait. */
     static String ecrire(Color couleur) {
         float[] rvb = couleur.getRGBColorComponents(null);
         return String.format(Locale.ROOT, "%.3f %.3f %.3f", rvb[0], rvb[1], rvb[2]);

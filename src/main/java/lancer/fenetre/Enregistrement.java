@@ -26,7 +26,7 @@ final class Enregistrement {
     /** Un fil qui retient le programme : fermer la fenêtre laisse finir d'écrire. */
     private final ExecutorService disque =
             Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
-    /** Ce que le prochain dialogue propose : le dossier du dernier enregistrement, ou le fichier qui a échoué. */
+    /** Propositions du prochain dialogue : le dossier du dernier enregistrement, ou le fichier qui a échoué. */
     private File dossier = new File("").getAbsoluteFile();
     private File echoue;
 

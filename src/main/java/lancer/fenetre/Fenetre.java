@@ -68,7 +68,7 @@ public final class Fenetre {
     private final KeyEventPostProcessor renvoi = this::renvoyer;
     private JMenuItem remplir;
     private JCheckBoxMenuItem plein;
-    /** Celle du cadre avant le plein écran. */
+    /** Place du cadre avant le plein écran. */
     private Rectangle place;
     /** L'inspecteur, dès qu'on l'a demandé ; {@code null} avant. */
     private Inspecteur inspecteur;

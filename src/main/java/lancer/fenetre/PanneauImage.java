@@ -45,7 +45,7 @@ final class PanneauImage extends JPanel {
     private ImageMemoire naissante;
     /** L'image d'avant, tant qu'on la tient à la place des autres. */
     private ImageMemoire tenue;
-    /** Ce qui se peint par-dessus l'image ; {@code null} : rien. */
+    /** Figure peinte par-dessus l'image ; {@code null} : aucune. */
     private Figure dessus;
     private IntConsumer siNumero;
     private final Runnable siBouge;
@@ -53,7 +53,7 @@ final class PanneauImage extends JPanel {
     private Point souris;
     private Point appui = new Point();
     private Point suivi;
-    /** Ce qui se lit sur le haut de l'image, et combien c'est opaque, de 0 à 1. */
+    /** Ligne qui se lit sur le haut de l'image, et son opacité, de 0 à 1. */
     String ligne = "";
     private float opacite;
     private final Timer fondu = new Timer(FONDU_MS, e -> estomper());
@@ -61,7 +61,7 @@ final class PanneauImage extends JPanel {
     /** Vrai dès qu'une image s'est vue. */
     boolean peinte;
 
-    /** Ce que la loupe agrandit, 0 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
+    /** Grossissement de la loupe, 0 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
     private int loupe;
     private double centreX = 0.5;
     private double centreY = 0.5;
@@ -184,7 +184,7 @@ final class PanneauImage extends JPanel {
         return tenue;
     }
 
-    /** Celle que désigne la souris : ce qui se dessine par-dessus ne cache l'autre que là où il a une couleur. */
+    /** Image que désigne la souris : celle qui se dessine ne cache l'autre que là où elle a une couleur. */
     ImageMemoire getImageSouris() {
         return tenue != null ? tenue : getPixelSouris(naissante) != null ? naissante : montree;
     }

@@ -28,7 +28,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     private final long debut = System.nanoTime();
     /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */
     volatile String version;
-    /** Ceux de la scène lue, et les réglages avec lesquels elle se dessine ; {@code null} tant qu'elle ne l'est pas. */
+    /** Avertissements de la scène lue, et réglages de son dessin ; {@code null} tant qu'elle ne l'est pas. */
     volatile List<String> avertissements;
     volatile ReglagesDessin reglages;
     private volatile long fin;
@@ -107,7 +107,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         fin = System.nanoTime();
     }
 
-    /** Ce qui a empêché ce dessin d'aller au bout ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
+    /** Panne qui a arrêté ce dessin ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
     Throwable getPanne() {
         return isDone() && !isCancelled() ? panne : null;
     }

@@ -17,7 +17,7 @@ final class Face {
      */
     static final double MARGE = 4e-12;
 
-    /** Ce que la direction d'un rayon peut s'écarter de celle de l'œil, en z = 1 : le quart de la marge. */
+    /** Écart permis entre la direction d'un rayon et celle de l'œil, en z = 1 : le quart de la marge. */
     private static final double ECART = MARGE / 4 * Camera.FOCALE;
     private static final double PAR_FOCALE = 1 / Camera.FOCALE;
 

@@ -59,7 +59,7 @@ public final class Preparation {
     /** Au-dessous de ce nombre de sphères, un fil coûte plus à lancer qu'il ne fait gagner. */
     private static final int SPHERES_PAR_FIL = 200;
 
-    /** Ce qui est fait du travail après la copie, à peu près. */
+    /** Part du travail faite après la copie, à peu près. */
     private static final double PART_COPIE = 0.3;
 
     /** Les structures possibles : ce que le choix dit, ou qu'un test impose. */

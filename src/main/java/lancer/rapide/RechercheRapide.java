@@ -34,7 +34,7 @@ public final class RechercheRapide implements Recherche {
     private final Lampe[] lampes;
     private final Occultations[] ombres;
     private final Parcours parcours;
-    /** Ce qui répond aux directions qui ne sont pas de longueur 1 ; à toutes, si cette recherche est remplacée. */
+    /** Boucles du cours, pour les directions de norme autre que 1 ; pour toutes, si elle est remplacée. */
     private final Recherche boucles;
     private final boolean remplacee;
 
@@ -110,7 +110,7 @@ public final class RechercheRapide implements Recherche {
                 : ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet));
     }
 
-    /** Ce qui cache cette lampe ; si elle n'est pas de la scène, l'arbre. */
+    /** Structure qui dit si cette lampe est cachée ; l'arbre, si elle n'est pas de la scène. */
     private Occultations ombresDe(Lampe demandee) {
         for (int reste = lampes.length; reste > 0; reste--) {
             if (lampes[lampe] == demandee) {
@@ -178,7 +178,7 @@ public final class RechercheRapide implements Recherche {
         return new RechercheRapide(structures, objets, compteurs, null);
     }
 
-    /** Ce que {@link Preparation} a choisi pour cette scène. */
+    /** Nomme les structures que {@link Preparation} a choisies pour cette scène. */
     @Override
     public String toString() {
         return structures.toString();

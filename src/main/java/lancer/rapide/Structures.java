@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.List;
 import lancer.Lampe;
 
-/** Ce qui répond à chaque sorte de rayon d'une scène. Partagé par tous les fils : sans état. */
+/** Structures qui répondent à chaque sorte de rayon d'une scène. Partagées par tous les fils : sans état. */
 final class Structures {
 
     final Spheres spheres;
-    /** Celui qui répond à tout au début, puis là où les autres ne savent pas, ou n'en ont pas les moyens. */
+    /** Arbre, qui répond à tout au début, puis là où les autres ne savent pas, ou n'en ont pas les moyens. */
     final Arbre arbre;
     final Lampe[] lampes;
 

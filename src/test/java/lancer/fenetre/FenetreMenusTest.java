@@ -148,6 +148,7 @@ class FenetreMenusTest extends EssaiFenetre {
 
     @Test
     void lesTouchesDesMenusSeLisentEnFrancaisQuelleQueSoitLaLangueDeLaMachine() throws Exception {
+        BancFenetre.exigerEcran();
         Path dit = dossier.resolve("dit.txt");
         assertEquals(0, BancFenetre.processus(dit, "-Duser.language=en", "-cp", System.getProperty("java.class.path"),
                 Ailleurs.class.getName(), scene.toString()).start().waitFor());

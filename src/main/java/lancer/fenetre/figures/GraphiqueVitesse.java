@@ -49,7 +49,7 @@ public final class GraphiqueVitesse extends JPanel {
     private final Consumer<String> siAtteint;
     private final Predicate<Candidat> estPresent;
     private List<Candidat> points = Collections.emptyList();
-    /** Ceux que rien ne domine, du moins cher au plus cher. */
+    /** Réglages que rien ne domine, du moins cher au plus cher. */
     private List<Candidat> front = Collections.emptyList();
     private final List<double[]> mesures = new ArrayList<>();
     private int choisi = -1;
