@@ -25,7 +25,7 @@ public final class Auto {
     private static final double PLANCHER = 600_000;
     private static final double PART = 0.45;
 
-    /** Quelle part en est dépensée une fois semé, les limites essayées, les références faites, et le choix. */
+    /** Part qui en est dépensée une fois semé, les limites essayées, les références faites, et le choix. */
     private static final double SEMER = 0.15;
     private static final double LIMITER = 0.22;
     private static final double TIRER = 0.42;
@@ -153,7 +153,7 @@ public final class Auto {
         return essais.rayons.get();
     }
 
-    /** Qui voit l'image que l'on dessine sur cette toile, pour la contrôler en d'autres pixels s'il y en a. */
+    /** Toile qui voit l'image que l'on dessine sur cette toile, pour la contrôler en d'autres pixels s'il y en a. */
     public Toile surveiller(Toile toile) {
         controle = new Tirage(essais, semis, 0.5, voulue, reste(1, choisi.prix));
         return (couleur, xe, ye) -> {
@@ -176,7 +176,7 @@ public final class Auto {
         return Math.max(0.01, mesuree().plus(2) - mesuree().plus(0));
     }
 
-    /** Si l'image tient l'erreur voulue, d'après son contrôle seul ; sinon, ce qui aiderait. */
+    /** Verdict : l'image tient-elle l'erreur voulue, d'après son contrôle seul ; sinon, ce qui aiderait. */
     public String getVerdict() {
         // un contrôle que trop peu de pixels portent ne dément pas des essais qui ne promettaient rien
         if (mesuree().plus(0) > voulue || mesuree().plus(-2) == 0 && choisi.auPlus > voulue) {

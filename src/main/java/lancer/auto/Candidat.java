@@ -41,7 +41,7 @@ public final class Candidat {
         this.prix = prix;
     }
 
-    /** Comme on le demanderait soi-même : la section à écrire dans la scène, et les options. */
+    /** Demande de ce réglage : la section à écrire dans la scène, et les options. */
     @Override
     public String toString() {
         return (section != null ? section.toString() : echantillonnage == Echantillonnage.CENTRE ? "un rayon par pixel"

@@ -13,14 +13,14 @@ import lancer.fils.Equipe;
 import lancer.fils.Regard;
 import lancer.fils.Traceur;
 
-/** Des essais d'une scène préparée, dont les rayons se comptent à mesure ; rien n'y dépend du nombre de fils. */
+/** Essais d'une scène préparée, dont les rayons se comptent à mesure ; rien n'y dépend du nombre de fils. */
 final class Essais {
 
-    /** Sans limite, autant dire : un reflet ne se voit ni ne se mesure, le produit des Ks étant sous ce seuil. */
+    /** Profondeur et seuil d'un rayon sans limite, autant dire : sous ce produit des Ks, un reflet ne se voit plus. */
     static final int PROFONDEUR = 1000;
     static final double SANS_LIMITE = 1e-9;
 
-    /** Par combien d'essais commencer, et la part des rayons qui restent qu'ils laissent espérer. */
+    /** Nombre d'essais du début, et la part des rayons qui restent qu'ils laissent espérer. */
     private static final int PREMIERS = 4;
     private static final double PRUDENCE = 0.9;
 

@@ -3,7 +3,7 @@ package lancer.auto;
 import java.math.BigDecimal;
 import java.util.Arrays;
 
-/** Jusqu'où les reflets sont suivis, l'erreur que cela fait, et ce que cela coûte. */
+/** Limite jusqu'où les reflets sont suivis, l'erreur que cela fait, et ce que cela coûte. */
 final class Limite {
 
     private static final double[] SEUILS = {1.0 / 16, 1.0 / 64, 1.0 / 256, 0};
@@ -24,7 +24,7 @@ final class Limite {
         this.seuil = seuil;
     }
 
-    /** De la plus étroite à la plus large. @param reflets {@code null} : à choisir ; de même le seuil */
+    /** Limites, de la plus étroite à la plus large. @param reflets {@code null} : à choisir ; de même le seuil */
     static Limite[] permises(Integer reflets, Double seuil) {
         return Arrays.stream(seuil == null ? SEUILS : new double[] {seuil})
                 .mapToObj(s -> new Limite(reflets == null ? Essais.PROFONDEUR : reflets, s)).toArray(Limite[]::new);

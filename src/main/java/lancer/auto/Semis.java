@@ -9,7 +9,7 @@ import lancer.Couleur;
 import lancer.Sphere;
 import lancer.contrat.Pave;
 
-/** Des pixels semés dans l'image par petits carreaux, et un rayon de chacun : où l'erreur doit être. */
+/** Pixels semés dans l'image par petits carreaux, et un rayon de chacun : où l'erreur doit être. */
 final class Semis {
 
     private static final double NIVEAUX = 255;
@@ -23,11 +23,11 @@ final class Semis {
 
     final int largeur;
 
-    /** Par rang dans l'ordre de la lecture, carreau après carreau ; et ce qu'un rayon sans limite voit en chacun. */
+    /** Pixels, dans l'ordre de la lecture, carreau après carreau ; et ce qu'un rayon sans limite voit en chacun. */
     final int[] pixels;
     final double[][] niveaux;
 
-    /** D'un rayon de l'écran sans limite, en rayons de toutes sortes. */
+    /** Prix d'un rayon de l'écran sans limite, en rayons de toutes sortes. */
     final double prix;
 
     /** Pixels des objets si petits à l'écran qu'un rayon par pixel peut les manquer : la scène le sait. */

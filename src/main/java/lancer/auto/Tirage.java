@@ -24,7 +24,7 @@ import lancer.contrat.Vue;
  */
 final class Tirage {
 
-    /** Combien en tirer de chaque strate, au plus ; moins que le dernier, ce n'est pas la peine. */
+    /** Nombre à tirer de chaque strate, au plus ; moins que le dernier, ce n'est pas la peine. */
     private static final int TIRES = 260;
     private static final int PETITS = 80;
     private static final int TIRES_MIN = 12;
@@ -43,7 +43,7 @@ final class Tirage {
     private final Map<Integer, Pixel> parRang = new HashMap<>();
     private final double image;
 
-    /** Combien ont leurs références, des premiers ; et combien d'entre eux sont dessinés. */
+    /** Nombre de ceux qui ont leurs références, des premiers ; et combien d'entre eux sont dessinés. */
     private final int justes;
     private int dessines;
 

@@ -7,9 +7,9 @@ import lancer.Couleur;
 import lancer.Objet3D;
 
 /**
- * Des points de l'écran aux pixels : où prendre la couleur de chaque pixel d'un pavé. Un pavé entier à la fois, pour
- * que des pixels voisins puissent partager des points. Appelé par tous les fils à la fois : un échantillonnage n'a pas
- * d'état.
+ * Passage des points de l'écran aux pixels : où prendre la couleur de chaque pixel d'un pavé. Un pavé entier à la fois,
+ * pour que des pixels voisins puissent partager des points. Appelé par tous les fils à la fois : un échantillonnage
+ * n'a pas d'état.
  */
 public interface Echantillonnage {
 

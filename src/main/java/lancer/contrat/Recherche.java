@@ -42,7 +42,7 @@ public interface Recherche {
         return 0;
     }
 
-    /** À appeler une fois par milliseconde. @throws CancellationException si ce fil est interrompu, et il le reste */
+    /** Obéit, une fois par milliseconde. @throws CancellationException si ce fil est interrompu, et il le reste */
     static void obeir() {
         if (Thread.currentThread().isInterrupted()) {
             throw new CancellationException("travail interrompu");

@@ -150,7 +150,7 @@ public final class SansFenetre {
                         essais, auto.getVerdict()));
     }
 
-    /** Des nombres toujours avec un point, quelle que soit la langue. */
+    /** Nombres écrits toujours avec un point, quelle que soit la langue. */
     private static String texte(String format, Object... valeurs) {
         return String.format(Locale.ROOT, format, valeurs);
     }

@@ -33,7 +33,7 @@ final class Atelier {
     /** Temps laissé à un brouillon avant de montrer ses morceaux, en nanosecondes. */
     private static final long PATIENCE_NS = 300_000_000;
 
-    /** Au-delà de tant de pixels, l'image d'avant ne se garde pas : elle prendrait autant que celle de maintenant. */
+    /** Taille au-delà de laquelle l'image d'avant ne se garde pas : elle prendrait autant que celle de maintenant. */
     private static final int PIXELS_GARDES = 16_000_000;
 
     /** Le nombre de fils d'un dessin. */
@@ -145,7 +145,7 @@ final class Atelier {
         return avant;
     }
 
-    /** Avec quoi cette image a été dessinée, et ce qu'elle a coûté ; {@code null} si elle n'est pas achevée. */
+    /** Réglages et coût de cette image ; {@code null} si elle n'est pas achevée. */
     String getCout(ImageMemoire image) {
         return couts.get(image);
     }
@@ -317,7 +317,7 @@ final class Atelier {
         prevenus.forEach(Runnable::run);
     }
 
-    /** Combien de pixels de l'image montrée n'ont pu être calculés ; {@code null} si aucun. */
+    /** Phrase qui dit combien de pixels de l'image montrée n'ont pu être calculés ; {@code null} si aucun. */
     String direFautes() {
         Fautes fautes = montre == null ? null : montre.traceur.getFautes();
         int nombre = fautes == null ? 0 : fautes.getNombre();

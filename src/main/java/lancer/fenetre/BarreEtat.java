@@ -67,7 +67,7 @@ final class BarreEtat extends JPanel {
     }
 
     /**
-     * De quoi lire tout le résumé. Elle ne rapetisse qu'avec la fenêtre : une image qui remplit le reste se
+     * Taille où se lit tout le résumé. La barre ne rapetisse qu'avec la fenêtre : une image qui remplit le reste se
      * redessinerait sans fin.
      */
     @Override

@@ -152,7 +152,7 @@ public final class Fenetre {
         cadre.setVisible(true);
     }
 
-    /** À quoi la fenêtre répond, en plus de ses menus. */
+    /** Branche ce à quoi la fenêtre répond, en plus de ses menus. */
     private void ecouter() {
         cadre.getRootPane().setTransferHandler(new Depot());
         Menus.lier(cadre, Menus.touche(KeyEvent.VK_ESCAPE), this::echapper);

@@ -41,7 +41,7 @@ import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 
 /**
- * Pourquoi un pixel a sa couleur, dans une fenêtre à côté de l'image, qui suit ce pixel d'un dessin à l'autre. Tout se
+ * Explication de la couleur d'un pixel, dans une fenêtre à côté de l'image, qui le suit d'un dessin à l'autre. Tout se
  * calcule dans un fil à part.
  */
 @SuppressWarnings("serial")

@@ -11,7 +11,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.KeyStroke;
 
-/** De quoi faire des menus, où chaque article se choisit aussi par une lettre que ses voisins n'ont pas. */
+/** Outils pour faire des menus, où chaque article se choisit aussi par une lettre que ses voisins n'ont pas. */
 final class Menus {
 
     private Menus() {

@@ -17,7 +17,7 @@ import lancer.commande.Pannes;
 import lancer.dessin.Dessinateur;
 import lancer.scene.Services;
 
-/** De la ligne de commande à la fenêtre : lire la première scène, s'assurer d'un écran, et commencer à dessiner. */
+/** Chemin de la commande à la fenêtre : lire la première scène, s'assurer d'un écran, et commencer à dessiner. */
 public final class Ouverture {
 
     /** Temps laissé à une scène pour se lire, ou se refuser, avant qu'une fenêtre ne s'ouvre pour le dire. */

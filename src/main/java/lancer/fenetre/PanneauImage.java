@@ -143,7 +143,7 @@ final class PanneauImage extends JPanel {
         }
     }
 
-    /** On ne sait plus où elle est : sortie, ou la fenêtre a bougé sous elle, qui n'en dit rien. */
+    /** Oublie où est la souris : sortie, ou la fenêtre a bougé sous elle, qui n'en dit rien. */
     void perdreSouris() {
         souris = null;
         siBouge.run();
@@ -209,7 +209,7 @@ final class PanneauImage extends JPanel {
                 Math.max(1, (int) Math.round(rapport * hauteur)));
     }
 
-    /** Où va cette image ; à la loupe, elle déborde. */
+    /** Place de cette image ; à la loupe, elle déborde. */
     private Rectangle getPlace(ImageMemoire image) {
         Dimension libre = getLibre();
         Dimension max = getTailleMax(image.largeur, image.hauteur);
@@ -230,7 +230,7 @@ final class PanneauImage extends JPanel {
         suivre(suivi);
     }
 
-    /** Autour de la souris, ou du milieu si elle n'est pas là. */
+    /** Grossit autour de la souris, ou du milieu si elle n'est pas là. */
     private void grossir(boolean plus) {
         if (montree == null) {
             return;
@@ -328,7 +328,7 @@ final class PanneauImage extends JPanel {
         }
     }
 
-    /** Rien là où aucun pixel n'est dessiné ; à la loupe, ce qui est en vue : entière, AWT ne saurait la peindre. */
+    /** Peint les pixels dessinés ; à la loupe, ceux qui sont en vue : l'image entière, AWT ne saurait la peindre. */
     private void peindre(Graphics2D g, ImageMemoire image) {
         if (image == null) {
             return;

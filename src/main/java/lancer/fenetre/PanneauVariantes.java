@@ -39,7 +39,7 @@ final class PanneauVariantes extends JDialog {
     private Parametre dernier;
     private long dernierNs;
 
-    /** À créer quand une scène est lue. */
+    /** Panneau à créer quand une scène est lue. */
     PanneauVariantes(JFrame cadre, Atelier atelier) {
         super(cadre, "Variantes");
         this.atelier = atelier;

@@ -45,7 +45,7 @@ final class PanneauVitesse extends JDialog {
     private Future<?> essais;
     /** La scène essayée, telle que rien de ce panneau ne la change ; {@code null} s'il n'y en a pas. */
     private List<Object> essayee;
-    /** Ses essais, une fois finis. */
+    /** Essais de la scène, une fois finis. */
     private Auto auto;
     /** Le point dessiné, s'il n'est pas encore mesuré. */
     private Candidat voulu;

@@ -139,7 +139,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         return sien == null ? dessinateur.getAvancement() : isBrouillonFait() ? sien.traceur.getAvancement() : 0;
     }
 
-    /** Où il en est, et depuis combien de temps. */
+    /** État du dessin : où il en est, et depuis combien de temps. */
     String getEtat() {
         if (isAcheve()) {
             // le temps du dessin se lit avec ce qu'il a coûté ; celui-ci compte aussi l'attente et la lecture

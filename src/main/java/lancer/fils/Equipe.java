@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntConsumer;
 
 /**
- * Des fils qui se partagent des tâches numérotées : chacun prend la première que personne n'a prise, jusqu'à la
+ * Fils qui se partagent des tâches numérotées : chacun prend la première que personne n'a prise, jusqu'à la
  * dernière. Le premier échec les arrête tous. Une équipe fait un travail à la fois.
  */
 public final class Equipe {

@@ -143,7 +143,7 @@ public final class Temoins implements IntConsumer {
         return (int) (pixel / camera.getLargeur());
     }
 
-    /** D'où se tirent les pixels : la scène, la taille, la profondeur, et les classes du cours. */
+    /** Graine dont se tirent les pixels : la scène, la taille, la profondeur, et les classes du cours. */
     private long graine() {
         long graine = CLASSES << Integer.SIZE ^ Objects.hash(camera.getLargeur(), camera.getHauteur(), profondeur);
         List<Objet3D> objets = scene.getObjets();

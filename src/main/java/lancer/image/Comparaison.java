@@ -5,7 +5,7 @@ import lancer.Couleur;
 import lancer.commande.Echec;
 
 /**
- * En quoi deux images de même taille diffèrent, limitées à [0, 1], en niveaux de 1/255. Si l'une n'a que 8 bits par
+ * Différences de deux images de même taille, limitées à [0, 1], en niveaux de 1/255. Si l'une n'a que 8 bits par
  * composante, l'autre y est d'abord arrondie : c'est ce qu'un PNG en aurait gardé.
  */
 public final class Comparaison {

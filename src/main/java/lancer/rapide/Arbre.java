@@ -19,7 +19,7 @@ import lancer.precision.Intersection;
  */
 final class Arbre implements Intersections, Occultations {
 
-    /** Au-dessous, une composante de V vaut cela : son inverse reste fini. */
+    /** Plus petite composante de V : au-dessous, elle vaut cela : son inverse reste fini. */
     private static final double PLUS_PETITE = 1e-300;
 
     /** Réponse d'une descente qui a examiné ce qui lui était permis : à reprendre. */
@@ -29,7 +29,7 @@ final class Arbre implements Intersections, Occultations {
     private static final int PAS = 1 << 14;
 
     /**
-     * Pour une ombre, examens de l'arbre après chaque tour des boucles, et de celles-ci : si les boucles répondraient
+     * Examens, par une ombre, de l'arbre après chaque tour des boucles, et de celles-ci : si les boucles répondraient
      * seules en k examens, il s'en fait 3 k au plus ; si c'est l'arbre, moitié plus que lui, et un tour.
      */
     private static final int PAS_ARBRE = 16;
@@ -126,7 +126,7 @@ final class Arbre implements Intersections, Occultations {
         return trouvee >= 0;
     }
 
-    /** À visiter, s'il y a une sphère : la racine. */
+    /** Premier nœud à visiter, s'il y a une sphère : la racine. */
     private void commencer(Parcours parcours) {
         parcours.trouvee = -1;
         parcours.pile[0] = 0;

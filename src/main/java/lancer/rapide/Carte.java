@@ -28,7 +28,7 @@ final class Carte implements Intersections, Occultations {
     private final Spheres spheres;
     private final Point origine;
     private final boolean deLOeil;
-    /** Pour un rayon qui n'est pas de ceux de la carte, ou que le compte ne permet pas. */
+    /** Recherche d'un rayon qui n'est pas de ceux de la carte, ou que le compte ne permet pas. */
     private final Arbre secours;
     private final int parFace;
     private final Face[] faces;
@@ -43,7 +43,7 @@ final class Carte implements Intersections, Occultations {
     /** Places encore permises, pendant que la carte se fait. */
     private long libres;
 
-    /** Pour chaque case, la distance de coupe (+∞ sans coupe) et la sphère qui coupe. */
+    /** Distance de coupe de chaque case (+∞ sans coupe), et la sphère qui coupe. */
     final float[] coupe;
     final int[] coupeuse;
 
@@ -192,7 +192,7 @@ final class Carte implements Intersections, Occultations {
     }
 
     /**
-     * Pour la carte de l'œil : la sphère que rencontre d'abord un rayon, parmi celles que note sa case. Un rayon qui ne
+     * Sphère que rencontre d'abord un rayon, parmi celles que note sa case. Un rayon qui ne
      * vient pas de l'œil, ou que le compte ne permet pas, est pour le secours.
      */
     @Override

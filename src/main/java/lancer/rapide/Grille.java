@@ -18,7 +18,7 @@ final class Grille implements Intersections {
     /** Sphères à part, au plus : voir {@link Demesurees}. */
     private static final int GROSSES_MAX = 8;
 
-    /** Au-delà, par sphère, de tant de cases dans leurs boîtes, ou de places dans les cases, pas de grille. */
+    /** Cases des boîtes, ou places dans les cases, par sphère, au-delà desquelles il n'y a pas de grille. */
     private static final int BOITES_PAR_SPHERE = 64;
     private static final int PLACES_PAR_SPHERE = 12;
 
@@ -52,7 +52,7 @@ final class Grille implements Intersections {
     /** La première place de chaque case dans {@link #entrees}. */
     private int[] debut;
     int[] entrees;
-    /** Pour un rayon qui part de trop loin, ou va trop loin. */
+    /** Recherche d'un rayon qui part de trop loin, ou va trop loin. */
     private final Arbre secours;
 
     private Grille(Spheres spheres, int[] lesquelles, int[] grosses, Arbre secours) {

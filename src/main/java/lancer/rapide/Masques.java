@@ -12,7 +12,7 @@ import lancer.precision.Intersection;
  */
 final class Masques implements Intersections {
 
-    /** Autant de sphères que de bits. */
+    /** Nombre de sphères, autant que de bits. */
     static final int MAX = Long.SIZE;
 
     /** Petits cubes par côté de celui qui contient toutes les directions : ±1. */
@@ -29,7 +29,7 @@ final class Masques implements Intersections {
     private static final double MARGE = 1e-9;
 
     private final Spheres spheres;
-    /** Pour les rayons qui ne sont pas de ceux d'un masque. */
+    /** Recherche des rayons qui ne sont pas de ceux d'un masque. */
     private final Arbre secours;
     private final double portee;
     private final Face image;
@@ -157,7 +157,7 @@ final class Masques implements Intersections {
         return trouvee;
     }
 
-    /** Pour une lampe et chaque sphère éclairée A, les sphères que touche un segment de la lampe à un point de A. */
+    /** Sphères, par sphère éclairée A, que touche un segment de la lampe à un point de A. */
     final class Ombres implements Occultations {
 
         private final long[] parSphere = new long[spheres.nombre];

@@ -30,8 +30,8 @@ final class Parcours {
     int trouvee;
 
     /**
-     * De quoi descendre un arbre : ce qui reste à visiter, d'où le rayon y entre, et leur nombre. Une {@link Grille} y
-     * note les sphères qu'elle a tranchées.
+     * État d'une descente dans un arbre : ce qui reste à visiter, d'où le rayon y entre, et leur nombre. Une
+     * {@link Grille} y note les sphères qu'elle a tranchées.
      */
     final int[] pile = new int[Noeuds.PROFONDEUR_MAX];
     final double[] entrees = new double[Noeuds.PROFONDEUR_MAX];

@@ -25,7 +25,7 @@ import lancer.fils.Equipe;
  */
 public final class Preparation {
 
-    /** Jusqu'à ce nombre de sphères, des masques. */
+    /** Nombre de sphères jusqu'auquel ce sont des masques. */
     static final int PEU = 24;
 
     /** Hors de ces bornes, les carrés et les cubes des longueurs ne se calculent plus sans détour. */
@@ -56,7 +56,7 @@ public final class Preparation {
      */
     private static final int PIXELS_PAR_CASE = 16;
 
-    /** Au-dessous de ce nombre de sphères, un fil coûte plus à lancer qu'il ne fait gagner. */
+    /** Nombre de sphères au-dessous duquel un fil coûte plus à lancer qu'il ne fait gagner. */
     private static final int SPHERES_PAR_FIL = 200;
 
     /** Part du travail faite après la copie, à peu près. */

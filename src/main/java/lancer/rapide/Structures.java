@@ -12,11 +12,11 @@ final class Structures {
     final Arbre arbre;
     final Lampe[] lampes;
 
-    /** Pour les rayons qui ne quittent aucun objet, et pour les autres. */
+    /** Structures des rayons qui ne quittent aucun objet, et pour les autres. */
     Intersections premiers;
     Intersections suivants;
 
-    /** Pour les rayons d'ombre de chaque lampe. */
+    /** Structures des rayons d'ombre de chaque lampe. */
     final Occultations[] ombres;
 
     Structures(Spheres spheres, List<Lampe> lampes) {
@@ -29,7 +29,7 @@ final class Structures {
         Arrays.fill(ombres, arbre);
     }
 
-    /** Leurs noms : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */
+    /** Noms des structures : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */
     @Override
     public String toString() {
         StringBuilder noms = new StringBuilder(premiers.getClass().getSimpleName() + " "

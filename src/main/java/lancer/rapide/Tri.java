@@ -10,7 +10,7 @@ final class Tri {
     private Tri() {
     }
 
-    /** Ces clés rangées par leur moitié haute, positive ; à égalité, dans l'ordre où elles sont. */
+    /** Range ces clés par leur moitié haute, positive ; à égalité, dans l'ordre où elles sont. */
     static long[] parMoitieHaute(long[] cles) {
         long[] de = cles;
         long[] vers = new long[cles.length];

@@ -50,7 +50,7 @@ public final class Services {
     final Map<String, Forme> formes = new LinkedHashMap<>();
     final Map<String, Variante> variantes = new LinkedHashMap<>();
 
-    /** De chaque type pris, ce qui le lit. */
+    /** Lecteur de chaque type pris. */
     private final Map<String, String> preneurs = new HashMap<>();
 
     /** Les noms des variantes présentes. */

@@ -69,8 +69,8 @@ public final class Texte {
     }
 
     /**
-     * Pourquoi Java ne sait rien faire d'un chemin, et le remède, si c'est qu'il n'a pu en lire les accents, ou ceux du
-     * dossier d'où il est suivi : il croit alors que ce dossier n'existe pas.
+     * Raison qui empêche Java de lire un chemin, et le remède, si c'est qu'il n'a pu en lire les accents, ou
+     * ceux du dossier d'où il est suivi : il croit alors que ce dossier n'existe pas.
      */
     public static String horsLangue(String chemin) {
         String codage = System.getProperty("sun.jnu.encoding", "UTF-8");

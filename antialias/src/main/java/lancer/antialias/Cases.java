@@ -25,7 +25,7 @@ final class Cases {
     private final int hauteur;
 
     /**
-     * Pour chaque ligne et chaque colonne, à une près, vrai si la case d'un pixel ou de l'un de ses huit voisins
+     * Marques, par ligne et par colonne, à une près : vrai si la case d'un pixel ou de l'un de ses huit voisins
      * dépasse seule le seuil : un détail déborde souvent de sa case.
      */
     private final boolean[][] suspects;

@@ -59,7 +59,7 @@ final class Coins implements Echantillonnage {
                 Math.max(etendue(a.v, b.v, c.v, d.v), etendue(a.b, b.b, c.b, d.b)));
     }
 
-    /** Sans Math.min ni Math.max, dont le soin pour NaN et −0.0 doublerait le temps de la méthode. */
+    /** Étendue, sans Math.min ni Math.max, dont le soin pour NaN et −0.0 doublerait le temps de la méthode. */
     private static double etendue(double a, double b, double c, double d) {
         double minAB = a < b ? a : b;
         double maxAB = a < b ? b : a;

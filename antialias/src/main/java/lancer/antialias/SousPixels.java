@@ -12,7 +12,7 @@ final class SousPixels {
     private final Pave pave;
     private final Vue vue;
     private final int largeur;
-    /** Pour chaque pixel, ligne par ligne : de quoi retenir son premier sous-pixel, ou tous s'il en faut d'autres. */
+    /** Places, ligne par ligne : de quoi retenir le premier sous-pixel d'un pixel, ou tous s'il en faut d'autres. */
     private final Couleur[][] pixels;
 
     SousPixels(int n, Pave pave, Vue vue) {

@@ -16,7 +16,7 @@ public final class PagesMesurees {
 
     private static final Pattern VALEUR = Pattern.compile("<!--v:([^>]*?)-->.*?<!--/v-->", Pattern.DOTALL);
 
-    /** Celles d'un nombre et de sa ponctuation : une ligne n'y passe pas à la suivante. */
+    /** Espaces d'un nombre et de sa ponctuation : une ligne n'y passe pas à la suivante. */
     private static final Pattern ESPACE_INSECABLE = Pattern.compile(" (?=[;:%»])|(?<=[×«±+−]) ");
 
     private PagesMesurees() {

@@ -92,7 +92,7 @@ public final class Reponses {
         return Math.abs(V.sub(N.mul(2 * V.dot(N))).norme() - 1);
     }
 
-    /** Ce que vaut une mesure en chaque contact d'une petite image : le plus petit pour la part 0, la médiane pour 0,5. */
+    /** Valeur d'une mesure en chaque contact d'une petite image : la plus petite pour la part 0, la médiane pour 0,5. */
     private static double rang(double part, Scene scene, ToDoubleBiFunction<Rayon, PointContact> mesure) {
         Camera camera = new Camera(200, 150);
         double[] mesures = IntStream.range(0, 200 * 150).mapToDouble(k -> {
@@ -144,7 +144,7 @@ public final class Reponses {
                 new Lampe(new Point(4, 3, -3), new Couleur(0.25))));
     }
 
-    /** Ce que voit un rayon à une étape du TP : 0, le jaune vif ; 1, Lambert ; 2, Phong ; 3, les ombres ; 4, les reflets. */
+    /** Couleur que voit un rayon à une étape du TP : 0, le jaune vif ; 1, Lambert ; 2, Phong ; 3, les ombres ; 4, les reflets. */
     private static Couleur couleur(int etape, Scene scene, Rayon rayon) {
         PointContact contact = scene.getClosestIntersection(rayon);
         if (contact == null) {

@@ -1,6 +1,6 @@
 package lancer.correction;
 
-/** Ce qui empêche de noter, en une ligne. */
+/** Raison qui empêche de noter, en une ligne. */
 public final class Panne extends RuntimeException {
 
     private static final long serialVersionUID = 1;

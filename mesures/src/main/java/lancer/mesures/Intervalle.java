@@ -8,10 +8,10 @@ public final class Intervalle {
     /** Le quantile à 97,5 % de la loi de Student, à partir d'un degré de liberté. */
     private static final double[] STUDENT = {12.706, 4.303, 3.182, 2.776};
 
-    /** Celui de la loi normale. */
+    /** Quantile de la loi normale. */
     private static final double NORMALE = 1.96;
 
-    /** Ce qui peut être au-delà d'une borne, et de l'autre. */
+    /** Part qui peut être au-delà d'une borne, et de l'autre. */
     private static final double DEHORS = 0.025;
 
     public final double valeur;

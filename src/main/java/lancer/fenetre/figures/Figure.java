@@ -40,7 +40,7 @@ public final class Figure {
 
     /** Morceaux d'un trait, chacun plein ou tireté. */
     private static final int MORCEAUX = 48;
-    /** De quoi ne pas tirer un trait depuis l'œil même, ni vers l'infini, en unités de la scène. */
+    /** Bornes qui évitent de tirer un trait depuis l'œil même, ni vers l'infini, en unités de la scène. */
     private static final double PRES = 1e-3;
     private static final double LOIN = 1e6;
     /** Part de la distance en deçà de laquelle un objet est devant, et non la surface où le trait s'arrête. */
@@ -54,11 +54,11 @@ public final class Figure {
     private final Scene scene;
     private final List<Trait> traits = new ArrayList<>();
     private final List<double[]> anneaux = new ArrayList<>();
-    /** Où se lit le numéro de chaque anneau, depuis la dernière fois qu'il a été peint. */
+    /** Place où se lit le numéro de chaque anneau, depuis la dernière fois qu'il a été peint. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
 
     /**
-     * À calculer ailleurs que dans le fil des événements : ce qui est devant se demande à la scène.
+     * Figure à calculer ailleurs que dans le fil des événements : ce qui est devant se demande à la scène.
      *
      * @param seul le numéro du seul rebond à montrer, avec ses lampes ; 0 : tous
      */

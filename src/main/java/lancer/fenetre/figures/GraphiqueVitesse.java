@@ -26,7 +26,7 @@ import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import lancer.auto.Candidat;
 
-/** Des réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
+/** Réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
 @SuppressWarnings("serial")
 public final class GraphiqueVitesse extends JPanel {
 

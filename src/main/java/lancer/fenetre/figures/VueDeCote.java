@@ -43,7 +43,7 @@ public final class VueDeCote extends JPanel {
     private Inspection pixel;
     /** Le numéro du seul rebond montré ; 0 : tous. */
     private int seul;
-    /** Où se lit le numéro de chaque contact. */
+    /** Place où se lit le numéro de chaque contact. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
     private double echelle;
     private double y0;

@@ -74,7 +74,7 @@ final class Archive implements AutoCloseable {
         }
     }
 
-    /** Ce que java.util.zip ne dit pas : les droits Unix, dans le répertoire central (PKWARE, APPNOTE, § 4.3.12). */
+    /** Lecture de ce que java.util.zip ne dit pas : les droits Unix, dans le répertoire central (PKWARE, APPNOTE, § 4.3.12). */
     private static List<Boolean> liens(Path fichier) throws IOException {
         List<Boolean> liens = new ArrayList<>();
         byte[] octets;

@@ -31,7 +31,7 @@ public final class Depot {
     private static final int EMBOITEMENT_MAX = 3;
     private static final Pattern AUTRE_ARCHIVE =
             Pattern.compile("(?is).*\\.(rar|7z|tar|tgz|tar\\.(gz|xz|bz2)|gz|xz|bz2|zipx)");
-    /** Ce que les systèmes et les outils ajoutent, et qui n'est le travail de personne. */
+    /** Fichiers que les systèmes et les outils ajoutent, et qui ne sont le travail de personne. */
     private static final Pattern DEBRIS = Pattern.compile(
             "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|"
             + "target|bin|build|out|node_modules)/.*|(.*/)?(\\._.*|\\.DS_Store)");

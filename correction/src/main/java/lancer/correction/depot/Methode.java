@@ -15,7 +15,7 @@ final class Methode {
     private static final Pattern DECLARATION = Pattern.compile(
             "\\b(?!(?:return|new|else|throw|public|protected|private)\\b)(\\w+)\\s+(\\w+)\\s*\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]");
 
-    /** Ce qu'on peut passer, en le disant, à la place d'autre chose. */
+    /** Types qu'on peut passer, en le disant, à la place d'autre chose. */
     private static final List<String> COMPATIBLES = List.of("Objet3D Sphere", "Sphere Objet3D", "int double", "float double");
 
     final String rend;
@@ -29,7 +29,7 @@ final class Methode {
                 .collect(Collectors.toList());
     }
 
-    /** Celles que déclare un texte. */
+    /** Méthodes que déclare un texte. */
     static List<Methode> de(String texte) {
         return DECLARATION.matcher(Source.sansCommentaires(texte)).results().map(Methode::new).collect(Collectors.toList());
     }

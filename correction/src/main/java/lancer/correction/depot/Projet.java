@@ -46,14 +46,14 @@ public final class Projet {
 
     /** Les classes de la base : {@code lancer/Vecteur} et son texte. */
     public final Map<String, String> base;
-    /** Celles de chaque variante rendue. */
+    /** Sources de chaque variante rendue. */
     public final Map<String, Map<String, String>> variantes;
     public final List<String> remarques;
-    /** Ce qu'il y a changé des noms du cours. */
+    /** Changements des noms du cours. */
     public final Renommage noms;
     /** Les classes du cours qui ne sont plus celles du projet à compléter, parmi celles qu'il a rendues. */
     public final Set<String> changees;
-    /** Ce qui n'est pas comme l'énoncé le demande : par consigne, ce qu'on en dit. */
+    /** Écarts à ce que l'énoncé demande : par consigne, ce qu'on en dit. */
     public final Map<String, String> ecarts = new TreeMap<>();
     /** Pourquoi l'enseignant doit regarder ce rendu lui-même. */
     public final List<String> aRegarder = new ArrayList<>();

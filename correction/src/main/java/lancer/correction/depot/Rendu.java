@@ -8,16 +8,16 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import lancer.correction.enfant.Echange;
 
-/** Ce qu'un étudiant a rendu : ses sources, ou pourquoi on ne peut les lire. */
+/** Travail qu'un étudiant a rendu : ses sources, ou pourquoi on ne peut les lire. */
 public final class Rendu {
 
-    /** Ce qu'un rendu peut peser au plus, une fois déplié, et combien de fichiers il peut avoir. */
+    /** Octets qu'un rendu peut peser au plus, une fois déplié, et combien de fichiers il peut avoir. */
     static final long OCTETS_MAX = 50L << 20;
     private static final int FICHIERS_MAX = 20_000;
     private static final int SOURCES_MAX = 500;
     private static final int PESEE_MAX = 6 << 20;
 
-    /** Ce qui le distingue des autres : le numéro de Moodle, ou à défaut le nom du dossier. */
+    /** Identifiant qui le distingue des autres : le numéro de Moodle, ou à défaut le nom du dossier. */
     public final String id;
     public final String nom;
     /** Les fichiers .java, par chemin. */
@@ -27,7 +27,7 @@ public final class Rendu {
     public final List<String> remarques = new ArrayList<>();
     /** Les fichiers et les dossiers que les outils ajoutent, et qu'il fallait enlever. */
     public final Set<String> outils = new TreeSet<>();
-    /** Ce qu'il pèse, une fois déplié. */
+    /** Octets qu'il pèse, une fois déplié. */
     long octets;
     private int fichiers;
     private long pesee;

@@ -21,7 +21,7 @@ public final class Renommage {
 
     private final Map<String, String> siennes;
     private final Map<String, String> noms = new LinkedHashMap<>();
-    /** Ce qui a changé de nom ou de place, une phrase chacun. */
+    /** Phrases qui disent ce qui a changé de nom ou de place. */
     public final Set<String> changes = new LinkedHashSet<>();
 
     /** @param siennes le texte de chacune de ses classes, par nom complet */
@@ -73,7 +73,7 @@ public final class Renommage {
                 && nommees(Methode.de(texte(classe(c)))).contains(methode));
     }
 
-    /** Celui-là, s'il n'y en a qu'un. */
+    /** Seul texte de ce flux ; aucun s'il n'y en a pas, ou s'il y en a plusieurs. */
     private static Optional<String> seul(Stream<String> flux) {
         List<String> liste = flux.limit(2).collect(Collectors.toList());
         return liste.size() == 1 ? Optional.of(liste.get(0)) : Optional.empty();

@@ -46,7 +46,7 @@ public final class Source {
     final String racine;
     final String paquet;
     final String texte;
-    /** Ce qu'il a fallu arranger, {@code null} si rien. */
+    /** Remarque sur ce qu'il a fallu arranger, {@code null} si rien. */
     final String remarque;
 
     private Source(String chemin, String classe, String racine, String paquet, String texte, String remarque) {
@@ -181,7 +181,7 @@ public final class Source {
         return sansCommentaires(texte).replaceAll("\\s+", "");
     }
 
-    /** Ce qu'un texte a à lui : ni commentaires, ni blancs, ni les noms que le cours n'emploie pas. */
+    /** Empreinte de ce qu'un texte a à lui : ni commentaires, ni blancs, ni les noms que le cours n'emploie pas. */
     public static String empreinte(String texte) {
         String masque = Pattern.compile("\\b[A-Za-z_]\\w*\\b").matcher(sansCommentaires(texte)).replaceAll(m ->
                 DU_COURS.contains(m.group()) ? m.group() : "_");

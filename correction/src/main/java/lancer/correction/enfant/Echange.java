@@ -19,7 +19,7 @@ import java.util.function.Function;
  */
 public final class Echange {
 
-    /** Ce que peut peser, en octets, une réponse ordinaire. */
+    /** Taille que peut avoir, en octets, une réponse ordinaire. */
     public static final int REPONSE_MAX = 1 << 16;
 
     /** La même chose, où l'on attend une image ou des classes. */
@@ -31,7 +31,7 @@ public final class Echange {
     private Echange() {
     }
 
-    /** Ce qu'il y a à dire dans un message. */
+    /** Écriture d'un message. */
     public interface Redaction {
         void ecrire(DataOutputStream message) throws IOException;
     }

@@ -26,7 +26,7 @@ public final class Confinement {
     private static final String BOITE = "/boite.jar";
 
     public final boolean confine;
-    /** Ce qui manque pour confiner, vide si rien. */
+    /** Raison qui empêche de confiner, vide s'il n'y en a pas. */
     public final String manque;
 
     public Confinement(boolean confine, String manque) {

@@ -31,7 +31,7 @@ public final class Enfant implements AutoCloseable {
 
     private static final long TOUR_MS = 100;
     private static final long PAGE = 4096;
-    /** Ce que prennent, en plus de la mémoire de Java, la machine virtuelle et les programmes qu'elle lance. */
+    /** Mémoire que prennent, en plus de la mémoire de Java, la machine virtuelle et les programmes qu'elle lance. */
     private static final long HORS_DU_TAS = 400;
     private static final byte[] FIN = new byte[0];
     /** Le numéro attendu quand rien n'est demandé. */
@@ -40,7 +40,7 @@ public final class Enfant implements AutoCloseable {
     private final Process processus;
     private final Limites limites;
     private final BlockingQueue<byte[]> reponses = new LinkedBlockingQueue<>();
-    /** Ce qui écrit les demandes : un rendu qui n'en lirait aucune ne doit bloquer que lui. */
+    /** Fil qui écrit les demandes : un rendu qui n'en lirait aucune ne doit bloquer que lui. */
     private final ExecutorService ecrivain = Executors.newSingleThreadExecutor(tache -> fil(tache, "écrivain"));
     private int demandes = RIEN;
     private volatile int attendu = RIEN;

@@ -1,6 +1,6 @@
 package lancer.correction.isolement;
 
-/** Ce qu'un programme d'étudiant peut prendre, pour chaque chose qu'on lui demande. */
+/** Ressources qu'un programme d'étudiant peut prendre, pour chaque chose qu'on lui demande. */
 public final class Limites {
 
     /** Les limites ordinaires. */

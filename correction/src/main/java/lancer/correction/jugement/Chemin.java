@@ -36,7 +36,7 @@ public final class Chemin {
 
     public final int x;
     public final int y;
-    /** Ce que répond la sonde par le corrigé, et par l'étudiant. */
+    /** Réponses de la sonde par le corrigé, et par l'étudiant. */
     final String reference;
     final String etudiant;
     public final List<Pas> pas = new ArrayList<>();

@@ -95,7 +95,7 @@ public final class Dialogue {
         }
     }
 
-    /** Ce qui tient lieu, ici, d'un objet du rendu. */
+    /** Doublure, ici, d'un objet du rendu. */
     public abstract static class Doublure {
 
         private final int numero;
@@ -131,7 +131,7 @@ public final class Dialogue {
         }
     }
 
-    /** Ce qu'une méthode rend : si c'est un objet, ses champs le suivent. */
+    /** Valeur qu'une méthode rend : si c'est un objet, ses champs le suivent. */
     private static Object lireObjet(DataInputStream reponse) throws IOException {
         Object valeur = Echange.lireValeur(reponse, Recu::new);
         if (valeur instanceof Recu) {
@@ -174,7 +174,7 @@ public final class Dialogue {
         }
     }
 
-    /** Ce que dit une réponse de la machine. @throws Echec si le rendu n'a pas su répondre */
+    /** Contenu d'une réponse de la machine. @throws Echec si le rendu n'a pas su répondre */
     static <T> T reponse(DataInputStream reponse, Machines.Lecture<T> lecture) throws IOException {
         char sorte = reponse.readChar();
         if (sorte == Execution.RENDU) {

@@ -27,7 +27,7 @@ import lancer.correction.modele.Modele;
  */
 final class Doublures {
 
-    /** Ce que les vérifications emploient, une classe avant celles qui en dérivent. Une couleur passe par sa valeur. */
+    /** Classes que les vérifications emploient, une classe avant celles qui en dérivent. Une couleur passe par sa valeur. */
     private static final List<String> CLASSES = List.of("Couleur", "Tuple", "Point", "Vecteur", "PointContact", "Rayon",
             "Camera", "Lampe", "Objet3D", "Sphere", "Scene", "Lancer");
 

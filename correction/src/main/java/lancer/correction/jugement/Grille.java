@@ -53,7 +53,7 @@ public final class Grille {
     /** L'étape de l'image : un critère par scène. */
     public static final String IMAGE = "image";
 
-    /** Ce que l'énoncé demande de la façon de rendre : enlève des points, au lieu d'en donner. */
+    /** Étape de ce que l'énoncé demande de la façon de rendre : enlève des points, au lieu d'en donner. */
     public static final String CONSIGNES = "consignes";
 
     public final List<Etape> etapes = new ArrayList<>();

@@ -43,7 +43,7 @@ public final class Image {
         return x > 0 ? 255 * Math.min(1, x) : 0;
     }
 
-    /** Ce qui sépare un pixel de celui d'une autre image, en niveaux : la plus grande différence d'une composante. */
+    /** Écart d'un pixel à celui d'une autre image, en niveaux : la plus grande différence d'une composante. */
     double ecart(Image autre, int pixel) {
         return IntStream.range(0, 3).mapToDouble(k -> Math.abs(niveau(pixel, k) - autre.niveau(pixel, k))).max().getAsDouble();
     }

@@ -28,7 +28,7 @@ final class Juge implements AutoCloseable {
     /** Le début de ce que dit une méthode qui ne se compile pas. */
     static final String NE_SE_COMPILE_PAS = "ne se compile pas";
 
-    /** Ce qui s'ajoute à une méthode déjà écrite pour une étape d'avant. */
+    /** Étapes qui s'ajoutent à une méthode déjà écrite pour une étape d'avant. */
     private static final Set<String> DANS_LA_MEME_METHODE = Set.of("phong", "ombres", "reflets");
 
     private final Reference reference;
@@ -63,7 +63,7 @@ final class Juge implements AutoCloseable {
         return compilation.compiler(sources);
     }
 
-    /** Ce qu'il a rendu de la base, et pour le reste le projet à compléter, puis ces classes-ci. */
+    /** Sources qu'il a rendues de la base, et pour le reste le projet à compléter, puis ces classes-ci. */
     private Map<String, String> base(Map<String, String> enPlus) {
         Map<String, String> sources = projet.noms.dans(Modele.tout(Modele::squelette));
         sources.putAll(projet.base);
@@ -167,12 +167,12 @@ final class Juge implements AutoCloseable {
         return reference.verifications.stream().filter(lesquelles).collect(Collectors.toList());
     }
 
-    /** Celles de ces classes qu'il a rendues, et changées. */
+    /** Classes, parmi celles-ci, qu'il a rendues, et changées. */
     List<String> changees(List<String> classes) {
         return classes.stream().filter(projet.changees::contains).collect(Collectors.toList());
     }
 
-    /** Celles des siennes où ce mot est employé. */
+    /** Classes du rendu où ce mot est employé. */
     private String emploient(String mot) {
         return changees(Modele.classes()).stream().filter(c -> Pattern.compile(mot)
                 .matcher(Source.sansCommentaires(projet.texte(c))).find()).collect(Collectors.joining(", "));

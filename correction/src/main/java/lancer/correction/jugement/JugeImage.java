@@ -44,7 +44,7 @@ final class JugeImage {
         return new Image(largeur, hauteur, sonder(assemblage, TEMPS, "tracer", scene, largeur, hauteur, profondeur));
     }
 
-    /** Ce que répondent, en chemin, les méthodes de ces classes. */
+    /** Réponses, en chemin, que font les méthodes de ces classes. */
     String decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
         return sonder(assemblage, TEMPS, "decrire", Modele.scene(scene), taille[0], taille[1], xe, ye, Math.min(5, taille[2]));

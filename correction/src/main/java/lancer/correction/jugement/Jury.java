@@ -36,17 +36,17 @@ public final class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
     private static final int TOUR_MS = 20;
-    /** Ce que peut durer un rendu, en secondes : chacune de ses réponses à temps, leur somme serait sans fin. */
+    /** Durée permise à un rendu, en secondes : chacune de ses réponses à temps, leur somme serait sans fin. */
     private static final int ENTIER_MAX = 300;
     private static final ThreadMXBean FILS = ManagementFactory.getThreadMXBean();
 
     private final Path souvenirs;
     private final Machines machines;
     private final Limites limites;
-    /** Ce qui compile, et qu'aucun rendu n'occupe. */
+    /** Machines qui compilent, et qu'aucun rendu n'occupe. */
     private final Deque<Machines.Compilation> compilations = new ArrayDeque<>();
     private final Set<Integer> abandonnes = new HashSet<>();
-    /** Ce qui juge : changé, il juge de nouveau. */
+    /** Empreinte de ce qui juge : changé, il juge de nouveau. */
     private final String regles;
     public final Reference reference;
 

@@ -87,7 +87,7 @@ final class Machines {
         }
     }
 
-    /** Ce qu'on tire d'une réponse. */
+    /** Lecture d'une réponse. */
     interface Lecture<T> {
         T lire(DataInputStream reponse) throws IOException;
     }
@@ -189,7 +189,7 @@ final class Machines {
             this.classes = classes;
         }
 
-        /** Ce qui suit est une autre demande, et n'a plus besoin des objets rendus à la précédente. */
+        /** Commence une autre demande, qui n'a plus besoin des objets rendus à la précédente. */
         void oublier() throws Arret {
             commencer(1);
             int fils = demander(m -> m.writeChar(Execution.OUBLI), Echange.REPONSE_MAX, reponse -> {
@@ -224,7 +224,7 @@ final class Machines {
             enfant.commencer(fois * limites.calcul);
         }
 
-        /** Ce que répond la sonde sur cette scène. @param max ce que la réponse peut peser, en octets */
+        /** Réponse de la sonde sur cette scène. @param max ce que la réponse peut peser, en octets */
         String sonder(int max, String methode, String scene, Object... arguments) throws Arret {
             return demander(m -> {
                 m.writeChar(Execution.SONDE);

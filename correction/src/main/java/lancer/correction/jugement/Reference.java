@@ -29,7 +29,7 @@ public final class Reference implements AutoCloseable {
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
     final String appels;
-    /** Ce que donne le projet à compléter, par vérification : ses classes ensemble, et l'une seule parmi le corrigé. */
+    /** Verdicts du projet à compléter, par vérification : ses classes ensemble, et l'une seule parmi le corrigé. */
     private final Map<String, Verdict> duSquelette;
     private final Map<String, Verdict> dUneClasse = new HashMap<>();
     /** Par scène, l'image du corrigé aux coordonnées entières, et au centre des pixels. */
@@ -59,7 +59,7 @@ public final class Reference implements AutoCloseable {
         }
     }
 
-    /** Ce que la classe du projet à compléter, seule parmi celles du corrigé, répond à cette vérification. */
+    /** Verdict de la classe du projet à compléter, seule parmi celles du corrigé, à cette vérification. */
     synchronized Verdict duSquelette(Verification v) throws Arret {
         if (!dUneClasse.containsKey(v.id())) {
             dUneClasse.putAll(juge.lancer(juge.seule(v.classe), juge.verifications(a -> a.classe.equals(v.classe))).verdicts);
@@ -77,7 +77,7 @@ public final class Reference implements AutoCloseable {
         return images.get(scene).get(auCentre ? 1 : 0);
     }
 
-    /** Ce que répondent, en chemin, les méthodes du corrigé. */
+    /** Réponses, en chemin, que font les méthodes du corrigé. */
     synchronized String chemin(String scene, double x, double y) throws Arret {
         return juge.images.decrire(assemblage, scene, x, y);
     }

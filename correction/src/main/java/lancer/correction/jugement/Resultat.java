@@ -58,7 +58,7 @@ public final class Resultat {
         }
     }
 
-    /** Ce qu'a donné un critère ; « non commencé » s'il n'a pas été essayé. */
+    /** Verdict d'un critère ; « non commencé » s'il n'a pas été essayé. */
     public Verdict verdict(Grille.Critere critere) {
         return verdicts.getOrDefault(critere.id, new Verdict(Verdict.Etat.NON_COMMENCE, ""));
     }

@@ -1,6 +1,6 @@
 package lancer.correction.jugement;
 
-/** Ce qu'une vérification a donné. */
+/** Résultat d'une vérification. */
 public final class Verdict {
 
     /** Du meilleur au pire. */
@@ -23,7 +23,7 @@ public final class Verdict {
 
     public final Etat etat;
     public final String message;
-    /** Ce que la vérification rapporte de ses points, de 0 à 1. */
+    /** Part que la vérification rapporte de ses points, de 0 à 1. */
     public final double part;
 
     public Verdict(Etat etat, String message) {

@@ -51,7 +51,7 @@ final class Verifications {
                 .collect(Collectors.toList());
     }
 
-    /** Ce que des vérifications, lancées l'une après l'autre, donnent des classes que tient une machine. */
+    /** Résultats que des vérifications, lancées l'une après l'autre, donnent des classes que tient une machine. */
     static final class Bilan implements TestExecutionListener {
 
         /** Par {@link Verification#id()}. */

@@ -17,7 +17,7 @@ import lancer.correction.Panne;
  */
 public final class Squelette {
 
-    /** Ce qui accompagne les classes, et les mêmes fichiers dans le projet. */
+    /** Fichiers qui accompagnent les classes, et les mêmes fichiers dans le projet. */
     private static final List<String> PROJET = List.of("pom.xml", "Makefile", "src/test/java/lancer/Etapes.java",
             "src/test/resources/META-INF/services/org.junit.platform.launcher.TestExecutionListener");
 

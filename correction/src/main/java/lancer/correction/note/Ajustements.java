@@ -81,7 +81,7 @@ public final class Ajustements {
                 : "« " + ligne.get(1) + " » a déjà été donné à « " + id + " » plus haut ; cette ligne-ci est laissée";
     }
 
-    /** Ce qui a été donné à cet étudiant, par critère. */
+    /** Points donnés à cet étudiant, par critère. */
     public Map<String, Ligne> de(String id) {
         return lignes.getOrDefault(id, Map.of());
     }

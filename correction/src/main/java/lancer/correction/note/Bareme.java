@@ -74,7 +74,7 @@ public final class Bareme {
         }
     }
 
-    /** Ce qui fait d'une clé inconnue une étape mal écrite plutôt qu'une ligne libre. */
+    /** Écart qui fait d'une clé inconnue une étape mal écrite plutôt qu'une ligne libre. */
     private static String debut(String cle) {
         String bas = cle.toLowerCase(Locale.ROOT);
         return bas.substring(0, Math.min(4, bas.length()));

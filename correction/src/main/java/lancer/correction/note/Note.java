@@ -25,9 +25,9 @@ public final class Note {
         public final long aFaire;
         private final long nonEvaluables;
         public final double points;
-        /** Ce qu'elle peut rapporter au plus ; 0 pour les consignes, qui enlèvent des points. */
+        /** Points qu'elle peut rapporter au plus ; 0 pour les consignes, qui enlèvent des points. */
         public final double sur;
-        /** Ce que l'enseignant a donné à la place, {@code null} s'il n'a rien donné. */
+        /** Points que l'enseignant a donnés à la place, {@code null} s'il n'a rien donné. */
         public final Ajustements.Ligne ajustement;
 
         Part(List<Grille.Critere> criteres, Resultat resultat, double poids, boolean enleve, Ajustements.Ligne ajustement) {

@@ -128,7 +128,7 @@ public final class Pages {
         html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.rendu.nom).brut("</a>");
     }
 
-    /** Ce que le programme ne peut décider seul, d'abord. */
+    /** Liste de ce que le programme ne peut décider seul, d'abord. */
     private static void aRegarder(Html html, List<Eleve> eleves) {
         List<Eleve> siens = eleves.stream().filter(e -> !e.aRegarder.isEmpty()).collect(Collectors.toList());
         html.element("h2", "À regarder").brut(siens.isEmpty()

@@ -66,7 +66,7 @@ public final class Juge {
         System.exit(executer(args, System.out, System.err));
     }
 
-    /** Ce que fait {@link #main}, sans quitter Java. @return le statut de sortie */
+    /** Fait ce que fait {@link #main}, sans quitter Java. @return le statut de sortie */
     static int executer(String[] args, PrintStream sortie, PrintStream erreurs) {
         try {
             return new Juge(sortie, args).juger();

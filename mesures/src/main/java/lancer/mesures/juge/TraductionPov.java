@@ -34,7 +34,7 @@ import lancer.commande.Echec;
  */
 final class TraductionPov {
 
-    /** Ce que POV-Ray accepte de plus grand pour {@code max_trace_level}. */
+    /** Plus grande valeur que POV-Ray accepte pour {@code max_trace_level}. */
     private static final int NIVEAUX_MAX = 256;
 
     /** L'échelle la plus grande, et jusqu'où les coordonnées peuvent aller. */

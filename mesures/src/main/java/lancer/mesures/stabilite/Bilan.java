@@ -10,7 +10,7 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import lancer.mesures.trace.Style;
 
-/** Ce que disent les mesures, en nombres : pour les titres et pour les pages. */
+/** Nombres que donnent les mesures : pour les titres et pour les pages. */
 public final class Bilan {
 
     /** Part des rayons mal classés au-dessus de laquelle une erreur ne veut plus rien dire. */
@@ -19,7 +19,7 @@ public final class Bilan {
     /** En rayons de la sphère : plus près, c'est une autre affaire. */
     static final double DE_LOIN = 10;
 
-    /** Ce que promet le programme, en unités de l'erreur inévitable, κ u t. */
+    /** Promesse du programme, en unités de l'erreur inévitable, κ u t. */
     public static final double PROMESSE = 8;
 
     private final List<Exactitude> tous;
@@ -41,7 +41,7 @@ public final class Bilan {
         return r.part() <= TROP;
     }
 
-    /** Ce que vaut une méthode dans un régime. */
+    /** Justesse d'une méthode dans un régime. */
     public Exactitude en(Regime regime, Formule methode) {
         return de("regime-" + regime.cle(), methode).get(0);
     }
@@ -56,12 +56,12 @@ public final class Bilan {
         return de(figure, Formule.PROGRAMME).stream().mapToDouble(valeur).max().orElse(0);
     }
 
-    /** Ce que la pire erreur du programme ne dépasse pas, en dixièmes d'unité de κ u t. */
+    /** Borne de la pire erreur du programme, en dixièmes d'unité de κ u t. */
     double unites(String figure) {
         return Math.ceil(10 * max(figure, r -> estClasse(r) ? r.erreurEnUnites : 0)) / 10;
     }
 
-    /** Ce que vaut une méthode à la plus grande abscisse, ou à la plus petite. */
+    /** Justesse d'une méthode à la plus grande abscisse, ou à la plus petite. */
     private Exactitude auBout(String figure, Formule methode, boolean grande) {
         return de(figure, methode).stream().max(Comparator.comparingDouble((Exactitude r) -> grande ? r.x : -r.x)).get();
     }

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import lancer.atelier.FichierCsv;
 
-/** Ce que valent les réponses d'une méthode, sur tant d'essais : une ligne de stabilite.csv. */
+/** Justesse des réponses d'une méthode, sur tant d'essais : une ligne de stabilite.csv. */
 public final class Exactitude {
 
     private static final String COLONNES = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites";
@@ -22,7 +22,7 @@ public final class Exactitude {
     /** Rayons jugés. */
     public final int essais;
 
-    /** Ceux dont la réponse n'est pas du bon genre. */
+    /** Essais dont la réponse n'est pas du bon genre. */
     public final int faux;
 
     /** La pire des autres, |Δt|/t, puis en unités de κ u t. */

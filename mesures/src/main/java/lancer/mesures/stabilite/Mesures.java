@@ -81,7 +81,7 @@ public final class Mesures {
         }).collect(Collectors.toList());
     }
 
-    /** Ceux qui se jugent de tant de rayons tirés au sort. */
+    /** Cas qui se jugent, parmi tant de rayons tirés au sort. */
     static List<Cas> tirer(int tires, long graine, Function<Random, Cas> tirage) {
         Random hasard = new Random(graine);
         return IntStream.range(0, tires).mapToObj(k -> tirage.apply(hasard)).filter(Cas::seJuge).collect(Collectors.toList());

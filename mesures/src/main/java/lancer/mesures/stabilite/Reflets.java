@@ -27,7 +27,7 @@ final class Reflets {
     private static final double PRES = 5;
     private static final double LOIN = 40;
 
-    /** Celui des rayons justes. */
+    /** Arrondi des rayons justes. */
     private static final UnaryOperator<BigDecimal> PRECIS = x -> x.round(Decimaux.PRECIS);
 
     private final Random hasard;

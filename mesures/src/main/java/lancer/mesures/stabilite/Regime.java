@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Random;
 import java.util.function.Function;
 
-/** Ce que rencontre un rayon, sur quoi les méthodes se comparent en temps et en erreur. */
+/** Situations que rencontre un rayon, sur quoi les méthodes se comparent en temps et en erreur. */
 public enum Regime {
 
     ORDINAIRE("D'ordinaire : une boule à portée de 3 à 30 rayons", h -> Cas.deLoin(h, puissance(h, 0.5, 1.5))),
@@ -43,7 +43,7 @@ public enum Regime {
         return Mesures.tirer(tires, graine(), tirage);
     }
 
-    /** Ce que vaut chaque méthode. */
+    /** Juge chaque méthode. */
     List<Exactitude> juger() {
         return Mesures.juger("regime-" + cle(), 0, RAYONS, graine(), tirage, Arrays.asList(Formule.values()));
     }

@@ -20,7 +20,7 @@ final class Axe extends LogAxis {
     /** Graduations, au plus. */
     private static final int ASSEZ = 8;
 
-    /** Ce qui est gradué dans chaque puissance de dix, puis dans une sur deux, trois… : du plus serré au plus lâche. */
+    /** Graduations dans chaque puissance de dix, puis dans une sur deux, trois… : du plus serré au plus lâche. */
     private static final double[][] MULTIPLES = {{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8}, {1, 1.5, 2, 3, 5}, {1, 2, 5}, {1, 3}, {1}};
 
     /** @param min plus grand que 0 */

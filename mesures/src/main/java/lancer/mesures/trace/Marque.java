@@ -8,7 +8,7 @@ public final class Marque {
     public final Intervalle x;
     public final Intervalle y;
 
-    /** Ce qui est écrit à côté, d'une ligne ou deux, vide si rien. */
+    /** Texte écrit à côté, d'une ligne ou deux, vide si rien. */
     String etiquette = "";
 
     /** Faux pour un point qui ne vaut pas la peine : il est dessiné en creux. */

@@ -13,7 +13,7 @@ public final class Serie {
     final boolean reliee;
     final List<Marque> marques;
 
-    /** Ce qui est écrit près de la dernière marque, vide si rien. */
+    /** Texte écrit près de la dernière marque, vide si rien. */
     String bout = "";
 
     /** @param reliee vrai si un trait joint les marques, dans l'ordre donné */

@@ -50,7 +50,7 @@ public final class Volet {
     private double zone;
     private boolean versZero;
 
-    /** Ce qu'il prend de la hauteur d'une planche, ses voisins d'au-dessus et d'au-dessous en prenant autant. */
+    /** Part qu'il prend de la hauteur d'une planche, ses voisins d'au-dessus et d'au-dessous en prenant autant. */
     double part = 1;
     private Axe axeX;
     private Axe axeY;
@@ -97,13 +97,13 @@ public final class Volet {
         return this;
     }
 
-    /** Ce qui est au-dessous est ombré, et ce que cela veut dire. */
+    /** Ordonnée au-dessous de laquelle tout est ombré, et ce que cela veut dire. */
     public Volet zone(double haut, String nom) {
         zone = haut;
         return repere(haut, nom);
     }
 
-    /** Ce qui se nomme dans la légende, une fois pour toute la planche. */
+    /** Noms de la légende, une fois pour toute la planche. */
     LegendItemCollection legende() {
         LegendItemCollection signes = plot().getLegendItems();
         if (series.stream().anyMatch(s -> s.marques.stream().anyMatch(m -> m.cerclee))) {

@@ -24,7 +24,7 @@ import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.mesures.Gabarit;
 
-/** Ce que demande une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
+/** Besoins d'une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
@@ -36,7 +36,7 @@ final class Besoin {
     private final Compteurs compteurs;
     private final int[] codes;
 
-    /** Celle qui a dessiné l'image, avec ce qu'elle a construit. */
+    /** Recherche qui a dessiné l'image, avec ce qu'elle a construit. */
     private final Recherche recherche;
 
     /** Parmi les rayons utiles, ceux d'ombre dont la réponse contraire ne change rien à l'écran. */

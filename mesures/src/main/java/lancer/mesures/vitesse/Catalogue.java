@@ -96,7 +96,7 @@ final class Catalogue {
         return groupes;
     }
 
-    /** Ce que {@code make noyaux} compare au manuel. */
+    /** Méthodes que {@code make noyaux} compare au manuel. */
     static List<Groupe> intersections() {
         List<Methode> methodes = Arrays.stream(Formule.values()).map(f -> new Methode(f.name(), "")).collect(Collectors.toList());
         return Arrays.stream(Regime.values()).map(r -> new Groupe(INTERSECTIONS, r.name(), methodes, 5)).collect(Collectors.toList());

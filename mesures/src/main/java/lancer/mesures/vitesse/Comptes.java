@@ -39,7 +39,7 @@ final class Comptes {
 
     static final String CSV = "erreurs.csv";
 
-    /** Ce qui suit le nom de la scène. */
+    /** Suite du nom de fichier, après la scène. */
     static final String DECOUPES = "-decoupe.png";
 
     static final List<String> COLONNES = Arrays.asList("famille", "scene", "methode", "parametres", "largeur", "hauteur",
@@ -48,7 +48,7 @@ final class Comptes {
     /** De deux programmes, la même image : seulement là où POV-Ray est installé. */
     static final String PROGRAMMES = "stabilite-programmes.png";
 
-    /** Ceux auxquels un double ne suffit plus. */
+    /** Reflets auxquels un double ne suffit plus. */
     private static final int REFLETS = 15;
 
     /** Les rayons d'une vérité, au plus : une minute de processeur. */
@@ -124,7 +124,7 @@ final class Comptes {
 
     // ---- deux programmes
 
-    /** Ce que dessinent deux programmes justes, le nôtre et POV-Ray, de petites boules qui se renvoient tout ce qu'elles reçoivent. */
+    /** Images de deux programmes justes, le nôtre et POV-Ray, de petites boules qui se renvoient tout ce qu'elles reçoivent. */
     void comparer() throws IOException {
         Taille petite = new Taille(200, 150);
         List<Sphere> miroirs = new ArrayList<>();

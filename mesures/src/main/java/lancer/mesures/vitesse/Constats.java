@@ -19,7 +19,7 @@ import lancer.mesures.trace.Style;
  */
 final class Constats {
 
-    /** Ce que vaut, en moyenne quadratique, d'arrondir à l'écran. */
+    /** Erreur quadratique moyenne de l'arrondi de l'écran. */
     static final double ARRONDI = 1 / Math.sqrt(12);
 
     /** Centre, rayon, Kd, Ks et ns, en doubles. */
@@ -41,7 +41,7 @@ final class Constats {
         return releves.de(Catalogue.SPHERES).methode(methode);
     }
 
-    /** Ce que montrent les pages, par leurs noms ; sans les temps, là où ils n'ont pas été pris. */
+    /** Textes que montrent les pages, par leurs noms ; sans les temps, là où ils n'ont pas été pris. */
     Map<String, String> pages() {
         Map<String, String> valeurs = new TreeMap<>();
         for (String scene : releves.de(Catalogue.METHODES).scenes()) {
@@ -81,7 +81,7 @@ final class Constats {
 
     // ---- une scène
 
-    /** Ce qu'il faut choisir : le moins cher sous l'arrondi de l'écran ou, si rien n'y est, le plus juste. */
+    /** Réglage à choisir : le moins cher sous l'arrondi de l'écran ou, si rien n'y est, le plus juste. */
     Releve choix(String scene) {
         Releves siens = methodes(scene);
         List<Releve> front = siens.front();
@@ -124,7 +124,7 @@ final class Constats {
                 + Style.arrondi(Math.pow(10, -pente(scene, Catalogue.PARTAGE)));
     }
 
-    /** Ce que donne un réglage, et ce qui le bat. */
+    /** Résultat d'un réglage, et ce qui le bat. */
     private String duel(String scene, Releve r) {
         return description(r) + " ; " + methodes(scene).vainqueur(r).map(mieux -> "battu par " + Noms.methode(mieux) + " : "
                 + Noms.niveaux(mieux.erreur().valeur) + " " + prixDit(mieux)).orElse("rien de ce qui est mesuré ne le bat à coup sûr");
@@ -192,7 +192,7 @@ final class Constats {
 
     // ---- la parcimonie
 
-    /** Ce que demande une scène, et ce que fait le programme. */
+    /** Tableau de ce que demande une scène, et de ce que fait le programme. */
     private String table(Map<String, String> b) {
         double pixels = nombre(b, "largeur") * nombre(b, "hauteur");
         double ms = releves.scene(b.get("scene")).tels(r -> r.nombre("reference_ms") > 0).referenceMs();

@@ -18,7 +18,7 @@ final class Etalon {
     private final int fils = Runtime.getRuntime().availableProcessors();
     private double meilleurNs = Double.POSITIVE_INFINITY;
 
-    /** Ce qu'a rendu le calcul : sans quoi la machine virtuelle pourrait l'omettre. */
+    /** Résultat du calcul : sans quoi la machine virtuelle pourrait l'omettre. */
     private volatile long rendu;
 
     Etalon() {

@@ -40,7 +40,7 @@ final class Manches {
         double[] prendre() throws IOException;
     }
 
-    /** Ce que donnent quelques manches. */
+    /** Temps que donnent quelques manches. */
     static final class Temps {
         final double[] rapports;
         final Intervalle rapport;
@@ -63,7 +63,7 @@ final class Manches {
             return new Temps(new double[] {rapport.valeur}, manches, jetees, referenceNs);
         }
 
-        /** Celles d'une autre machine virtuelle, en plus. */
+        /** Ajoute les manches d'une autre machine virtuelle. */
         Temps plus(Temps autre) {
             double[] tous = DoubleStream.concat(Arrays.stream(rapports), Arrays.stream(autre.rapports)).toArray();
             return new Temps(tous, manches + autre.manches, jetees + autre.jetees, Math.min(referenceNs, autre.referenceNs));

@@ -124,7 +124,7 @@ public final class MesureAuto {
         return new Scene(boules, toutes);
     }
 
-    /** Ce que le programme choisit et dit pour chaque erreur voulue, croissantes, et ce qu'il en est. */
+    /** Choix et annonces du programme pour chaque erreur voulue, croissantes, et ce qu'il en est. */
     static List<String> lignes(String nom, Scene scene, Taille taille, double... voulues) {
         Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, 1);
         Oracle oracle = new Oracle(scene, taille, voulues[0], image -> Intervalle.deLaRacine(gabarit.carres(image)).valeur);
@@ -148,7 +148,7 @@ public final class MesureAuto {
         return auto;
     }
 
-    /** Ce qu'en dit la page. */
+    /** Phrases de la page. */
     static String phrase(List<Map<String, String>> lignes) {
         Map<String, String> b = bilan(lignes);
         b.replaceAll((nom, valeur) -> valeur.replace('.', ','));

@@ -26,7 +26,7 @@ import lancer.mesures.juge.SceneJugee;
 /** Mesure un groupe après l'autre, et note chaque méthode dès qu'elle est finie. */
 final class Mesureur {
 
-    /** Celui que construit le Makefile, là où Embree est installé. */
+    /** Programme que construit le Makefile, là où Embree est installé. */
     static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
     /** D'ici à cinq fois plus, une manche est longue ; celles de POV-Ray le sont toutes. */
@@ -39,7 +39,7 @@ final class Mesureur {
     private static final int ECHAUFFEMENT = 10;
     private static final long ECHAUFFEMENT_NS = TimeUnit.MILLISECONDS.toNanos(1500);
 
-    /** Ce que dure un échantillon, au moins : un dessin plus court y est répété. */
+    /** Durée d'un échantillon, au moins : un dessin plus court y est répété. */
     private final double echantillonNs;
 
     private final boolean court;
@@ -144,7 +144,7 @@ final class Mesureur {
 
         private final int fois;
 
-        /** Ce que dure un échantillon, à peu près. */
+        /** Durée d'un échantillon, à peu près. */
         private final double dureeNs;
 
         Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
@@ -222,7 +222,7 @@ final class Mesureur {
         private final String[] options;
         private final Path png = dossier.resolve("image.png");
 
-        /** Celles du dernier dessin, par nos noms de colonnes. */
+        /** Statistiques du dernier dessin, par nos noms de colonnes. */
         private Map<String, String> statistiques;
 
         Programme(Path fichier, String... options) {

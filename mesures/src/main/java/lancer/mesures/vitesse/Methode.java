@@ -12,13 +12,13 @@ import lancer.dessin.Dessinateur;
 /** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
 final class Methode {
 
-    /** Ce que l'on fait, en un mot. */
+    /** Nom de la méthode, en un mot. */
     final String nom;
 
     /** Avec quoi ; vide s'il n'y a rien à choisir. */
     final String parametres;
 
-    /** Celles de la commande, du programme ou de POV-Ray. */
+    /** Options de la commande, du programme ou de POV-Ray. */
     String[] options = {};
 
     /** Vrai pour les boucles du cours. */
@@ -66,7 +66,7 @@ final class Methode {
         return this;
     }
 
-    /** Ce qui la distingue des autres sur une même scène. */
+    /** Clé qui la distingue des autres sur une même scène. */
     String cle() {
         return nom + "/" + parametres;
     }

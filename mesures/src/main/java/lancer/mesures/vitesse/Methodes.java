@@ -15,7 +15,7 @@ import lancer.mesures.trace.Serie;
 import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Volet;
 
-/** Ce que coûte chaque façon de calculer une distance, et de combien elle se trompe, dans chaque {@link Regime}. */
+/** Prix de chaque façon de calculer une distance, et de combien elle se trompe, dans chaque {@link Regime}. */
 final class Methodes {
 
     static final String CSV = "methodes.csv";

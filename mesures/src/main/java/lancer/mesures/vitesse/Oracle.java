@@ -25,7 +25,7 @@ final class Oracle {
     private static final double[] SEUILS_DES_REFLETS = {1.0 / 4096, 1.0 / 1024, 1.0 / 256, 1.0 / 128, 1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8,
         1.0 / 4};
 
-    /** Ce qu'une prévision peut avoir de trop, pour un candidat que l'on dessine quand même. */
+    /** Excès permis à une prévision, pour un candidat que l'on dessine quand même. */
     private static final double JEU = 1.1;
 
     private final Scene scene;

@@ -37,10 +37,10 @@ import lancer.dessin.Dessinateur;
  */
 final class Ouvrier {
 
-    /** Ce que l'on refait par les boucles du cours, en sphères essayées, à peu près. */
+    /** Travail que l'on refait par les boucles du cours, en sphères essayées, à peu près. */
     private static final double BUDGET = 1e8;
 
-    /** Ce que coûte un rayon des boucles avant sa première sphère, en sphères. */
+    /** Prix d'un rayon des boucles avant sa première sphère, en sphères. */
     private static final int SOCLE = 20;
 
     private static final long GRAINE = 800600;

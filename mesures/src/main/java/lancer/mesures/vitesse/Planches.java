@@ -97,7 +97,7 @@ final class Planches {
         return marches;
     }
 
-    /** Ce que fait le programme, ou le module antialias, quand on ne lui demande rien. */
+    /** Réglage du programme, ou du module antialias, quand on ne lui demande rien. */
     private static boolean estParDefaut(Releve r) {
         return r.methode.equals(Catalogue.UN_RAYON) || r.methode.equals(Catalogue.COINS) && r.parametres.equals(Catalogue.COINS_DEFAUT);
     }

@@ -15,7 +15,7 @@ import lancer.mesures.stabilite.Figures;
 /** Des mesures d'un dossier aux courbes, aux tableaux et aux pages. */
 final class Rapport {
 
-    /** Ce que « make mesures » réécrit dans le projet. */
+    /** Pages que « make mesures » réécrit dans le projet. */
     static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
         Paths.get("docs/classe.md"), Paths.get("docs/auto.md"), Paths.get("mesures/resultats/besoins.md")};
 
@@ -37,7 +37,7 @@ final class Rapport {
         methodes = temps.get().isEmpty() ? null : new Methodes(temps, bilan);
     }
 
-    /** Ce que montrent les pages, par leurs noms. */
+    /** Textes que montrent les pages, par leurs noms. */
     Map<String, String> valeurs() throws IOException {
         Map<String, String> valeurs = new TreeMap<>(constats.pages());
         valeurs.putAll(bilan.nombres());

@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 import lancer.atelier.FichierCsv;
 import lancer.mesures.Intervalle;
 
-/** Ce qu'a donné une méthode sur une scène : ses temps, ses rayons et son erreur. Un nombre qui manque est vide dans un CSV, et ici NaN. */
+/** Mesures d'une méthode sur une scène : ses temps, ses rayons et son erreur. Un nombre qui manque est vide dans un CSV, et ici NaN. */
 final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
@@ -42,7 +42,7 @@ final class Releve {
                 .collect(Collectors.toMap(k -> (String) paires[2 * k], k -> paires[2 * k + 1].toString()));
     }
 
-    /** Ce qui la distingue des autres d'une même scène, en clair. */
+    /** Nom qui la distingue des autres d'une même scène, en clair. */
     String nom() {
         return (methode + " " + parametres).trim();
     }
@@ -113,7 +113,7 @@ final class Releve {
         return estDUneMachine() && (methode.equals(Catalogue.UN_RAYON) || methode.equals(Catalogue.TELLE_QUELLE));
     }
 
-    /** Celui-ci lance moins de rayons, et se trompe moins, à coup sûr. */
+    /** Vrai si celui-ci lance moins de rayons, et se trompe moins, à coup sûr. */
     boolean bat(Releve autre) {
         return rayons() < autre.rayons() && erreur().nettementSous(autre.erreur());
     }

@@ -41,7 +41,7 @@ final class Releves {
         return new Releves(tous);
     }
 
-    /** Celles d'un fichier, telles quelles ; aucune s'il n'est pas là. */
+    /** Mesures d'un fichier, telles quelles ; aucune s'il n'est pas là. */
     static List<Releve> lignes(Path csv) throws IOException {
         return Files.exists(csv) ? FichierCsv.lire(csv).stream().map(Releve::new).collect(Collectors.toList()) : new ArrayList<>();
     }
@@ -112,7 +112,7 @@ final class Releves {
         return aNous().tous.stream().filter(r -> r.erreur().max <= erreur).min(Comparator.comparingDouble(Releve::rayons));
     }
 
-    /** Ce qui bat celui-ci à coup sûr, le moins cher. */
+    /** Relevé le moins cher de ceux qui battent celui-ci à coup sûr. */
     Optional<Releve> vainqueur(Releve r) {
         return aNous().tous.stream().filter(a -> a.bat(r)).min(Comparator.comparingDouble(Releve::rayons));
     }

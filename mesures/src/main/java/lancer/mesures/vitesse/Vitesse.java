@@ -67,7 +67,7 @@ public final class Vitesse {
         System.exit(executer(args, new PrintStream(System.out, true, "UTF-8"), new PrintStream(System.err, true, "UTF-8")));
     }
 
-    /** Ce que fait {@link #main}, sans quitter Java. */
+    /** Fait ce que fait {@link #main}, sans quitter Java. */
     static int executer(String[] args, PrintStream sortie, PrintStream erreurs) {
         // les courbes ne demandent pas d'écran, et un écran qui ne répond pas ne doit pas les empêcher
         System.setProperty("java.awt.headless", "true");
