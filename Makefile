@@ -116,6 +116,8 @@ mutations: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md outils/mutants.md . $(VARIANTES_TOUTES)
 
 CORRECTION := correction/target/correction.jar
+# une minute ou deux : compiler à fond prendrait un sixième de mémoire de plus, sans rien gagner
+CORRIGER = $(JAVA) -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar $(CORRECTION)
 $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(call sources,correction) \
 	$(shell find correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
 	$(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
@@ -153,12 +155,12 @@ corrige: $(CORRECTION)
 # Noter une classe : make corriger RENDUS=rendus.zip NOTES=notes.csv ; SANS_CONFINEMENT=1 là où bwrap ne marche pas.
 corriger: $(CORRECTION)
 	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv]" >&2; exit 2; }
-	@$(JAVA) -jar $(CORRECTION) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
+	@$(CORRIGER) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
 	    $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
 
 # Trente rendus différents : combien de temps, combien de mémoire.
 mesure-corriger: $(CORRECTION)
-	@JAVA="$(JAVA)" outils/mesure-corriger.sh
+	@JAVA="$(JAVA)" CORRIGER="$(CORRIGER)" outils/mesure-corriger.sh
 
 # La page de la classe que donnent les rendus d'essai, telle que le README la montre : Chromium la photographie.
 image-classe: $(CORRECTION)

@@ -32,7 +32,7 @@ for f in racine-negative image-renversee plus-loin normale-a-l-envers; do rendre
 for f in $fautes; do [ "$f" = image-renversee ] || [ $n = 30 ] || rendre 6 "$f" image-renversee; done
 jar --create --no-manifest --file=$ici/rendus.zip -C $ici/rendus .
 
-$JAVA -jar correction/target/correction.jar --sortie $ici/classe $ici/rendus.zip > $ici/sortie.txt 2>&1 &
+${CORRIGER:-$JAVA -jar correction/target/correction.jar} --sortie $ici/classe $ici/rendus.zip > $ici/sortie.txt 2>&1 &
 pid=$!
 debut=$(date +%s.%N)
 max=0
