@@ -116,7 +116,7 @@ mutations: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md outils/mutants.md . $(VARIANTES_TOUTES)
 
 CORRECTION := correction/target/correction.jar
-# une minute ou deux : compiler à fond prendrait un sixième de mémoire de plus, sans rien gagner
+# il ne dure pas : compiler à fond coûterait de la mémoire sans rien gagner (make mesure-corriger)
 CORRIGER = $(JAVA) -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar $(CORRECTION)
 $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(call sources,correction) \
 	$(shell find correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \

@@ -12,7 +12,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -39,35 +38,19 @@ class HostilesTest extends JuryEssai {
     void confinesAucunNEmpecheDeNoterLesAutres() throws IOException {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
-        Map<String, Resultat> resultats = verifier(confinement, new TreeSet<>());
-        rate(resultats, "imitation", "obtenu : (1.0, 1.0, 1.0)");
-        rate(resultats, "balises", "<script>alert(1)</script>");
-        assertTrue(resultats.get("mathematiques").remarques.stream().anyMatch(r -> r.contains("classe Math qui cacherait")),
-                resultats.get("mathematiques").remarques.toString());
-        rate(resultats, "mathematiques", "obtenu : (1.0, 1.0, 1.0)");
-        rate(resultats, "falsification", "obtenu : (1.0, 1.0, 1.0)");
-        rate(resultats, "faux-junit", "obtenu : (1.0, 1.0, 1.0)");
-        assertTrue(resultats.get("faux-junit").remarques.stream().anyMatch(r -> r.contains("org/junit/jupiter/api/Assertions.java")),
-                resultats.get("faux-junit").remarques.toString());
-        assertEquals(Verdict.Etat.RATE, resultats.get("tout-noir").verdicts.get("lambert.faceALaLampeLaCouleurEstKd").etat,
-                "une Couleur qui confond toutes les couleurs ne rend pas égales l'attendue et l'obtenue");
-        assertFalse(imageJuste(resultats.get("tout-noir")));
+        verifier(confinement);
     }
 
     @Test
     void sansConfinementNonPlus() throws IOException {
-        // ceux-là ne demandent rien à la machine : où ils tournent n'y change rien
-        verifier(new Confinement(false, ""), Set.of("imitation", "balises", "mathematiques", "falsification", "faux-junit",
-                "tout-noir"));
+        verifier(new Confinement(false, ""));
     }
 
-    private Map<String, Resultat> verifier(Confinement confinement, Set<String> sauf) throws IOException {
+    private void verifier(Confinement confinement) throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
+        ecrireCorrige(rendus.resolve("tout-noir"));
         try (Stream<Path> flux = Files.list(RENDUS.resolve("hostiles"))) {
-            for (Path hostile : flux.filter(h -> !sauf.contains(h.getFileName().toString())).collect(Collectors.toList())) {
-                if (hostile.endsWith("tout-noir")) {
-                    ecrireCorrige(rendus.resolve("tout-noir"));
-                }
+            for (Path hostile : flux.collect(Collectors.toList())) {
                 copier(hostile.resolve("Étudiant 1_101_assignsubmission_file"), rendus.resolve(hostile.getFileName().toString()));
             }
         }
@@ -90,6 +73,18 @@ class HostilesTest extends JuryEssai {
         rate(resultats, "sortie", "arrêté de lui-même");
         rate(resultats, "memoire", "mémoire épuisée");
         rate(resultats, "memoire-native", "mémoire épuisée");
+        rate(resultats, "imitation", "obtenu : (1.0, 1.0, 1.0)");
+        rate(resultats, "balises", "<script>alert(1)</script>");
+        assertTrue(resultats.get("mathematiques").remarques.stream().anyMatch(r -> r.contains("classe Math qui cacherait")),
+                resultats.get("mathematiques").remarques.toString());
+        rate(resultats, "mathematiques", "obtenu : (1.0, 1.0, 1.0)");
+        rate(resultats, "falsification", "obtenu : (1.0, 1.0, 1.0)");
+        rate(resultats, "faux-junit", "obtenu : (1.0, 1.0, 1.0)");
+        assertTrue(resultats.get("faux-junit").remarques.stream().anyMatch(r -> r.contains("org/junit/jupiter/api/Assertions.java")),
+                resultats.get("faux-junit").remarques.toString());
+        assertEquals(Verdict.Etat.RATE, resultats.get("tout-noir").verdicts.get("lambert.faceALaLampeLaCouleurEstKd").etat,
+                "une Couleur qui confond toutes les couleurs ne rend pas égales l'attendue et l'obtenue");
+        assertFalse(imageJuste(resultats.get("tout-noir")));
         assertEquals(Verdict.Etat.REUSSI, resultats.get("fils").verdicts.get(SOUSTRACTION).etat,
                 "des fils laissés ne changent pas le résultat");
         for (String nom : List.of("disque", "processus", "imprime", "boucle", "sortie", "memoire", "memoire-native")) {
@@ -97,7 +92,6 @@ class HostilesTest extends JuryEssai {
                     resultats.get(nom).verdicts.get("vecteurs.leProduitScalaireAjouteLesProduitsDesComposantes").etat,
                     nom + " ne coûte pas les autres vérifications");
         }
-        return resultats;
     }
 
     /** Trois témoins : l'un achevé, l'un qui a une faute, l'un qui n'a rien commencé. */
