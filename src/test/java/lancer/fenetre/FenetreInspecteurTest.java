@@ -1,78 +1,34 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.chercher;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.MouseInfo;
 import java.awt.Point;
-import java.awt.Rectangle;
-import java.awt.Robot;
-import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
-import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JTextPane;
 import lancer.Objet3D;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.essai.Essai;
-import lancer.image.ImageMemoire;
 import lancer.scene.LecteurScene;
 import org.junit.jupiter.api.Test;
 
-/** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image et par-dessus elle. */
-class FenetreInspecteurTest extends EssaiFenetre {
-
-    private static Inspecteur inspecteur() throws Exception {
-        return (Inspecteur) surFilEvenements(() -> Arrays.stream(java.awt.Window.getWindows())
-                .filter(w -> w instanceof Inspecteur && w.isShowing()).findFirst().orElse(null));
-    }
-
-    private static void attendreTitre(int x, int y) throws Exception {
-        attendre("le pixel " + x + ", " + y, () -> inspecteurSur("Rayons du pixel " + x + ", " + y));
-    }
-
-    private static boolean inspecteurSur(String titre) {
-        return Arrays.stream(java.awt.Window.getWindows()).anyMatch(w -> w instanceof Inspecteur && w.isShowing()
-                && ((Inspecteur) w).getTitle().equals(titre));
-    }
-
-    private static String attendreRecit(String fin) throws Exception {
-        JTextPane recit = composant("recit", JTextPane.class);
-        attendre("le récit finit par " + fin, () -> recit.getText().replaceFirst("   ←[^\n]*$", "").endsWith(fin));
-        return surFilEvenements(recit::getText);
-    }
-
-    private static void attendreVerdict(String debut) throws Exception {
-        JLabel verdict = composant("verdict", JLabel.class);
-        attendre("le verdict « " + debut + " »", () -> verdict.getText().startsWith(debut));
-    }
-
-    private void presser(int... touches) throws Exception {
-        banc.frapper(inspecteur(), touches);
-    }
-
-    private static String couleur(int code) {
-        return String.format(" = #%06X", code & 0xFFFFFF);
-    }
+/** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image. */
+class FenetreInspecteurTest extends EssaiInspecteur {
 
     @Test
     void unClicOuvreLaChaineDuPixelQuiEstCelleDeLaLigneDeCommandeArrondie() throws Exception {
@@ -196,30 +152,6 @@ class FenetreInspecteurTest extends EssaiFenetre {
     }
 
     @Test
-    void echapArreteDAbordUnDessinPuisFermeEtLaFigureSEnVa() throws Exception {
-        ouvrir();
-        int[] codes = attendue(L, H);
-        banc.attendreImage("sans figure", codes);
-        cliquer(150, 110);
-        attendreRecit(couleur(codes[110 * L + 150]));
-        attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.atelier.getImageComplete().codes, "et pas dans l'image");
-        ImageMemoire avant = banc.atelier.getImageComplete();
-        banc.main.lent();
-        banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.atelier.enCours() && banc.panneau.getImage() != avant);
-        presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.atelier.enCours());
-        assertNotNull(inspecteur(), "mais l'inspecteur reste");
-        attendreVerdict("L'image n'est pas achevée");
-        banc.main.lent = false;
-        presser(KeyEvent.VK_ESCAPE);
-        attendre("l'inspecteur se ferme", () -> inspecteurFerme());
-        banc.frapper(KeyEvent.VK_F5);
-        banc.attendreImage("sans figure de nouveau", codes);
-    }
-
-    @Test
     void auClavierSeulEntreeLOuvreAuMilieuEtLesTouchesDuCadreYRepondent() throws Exception {
         ouvrir();
         ouvrirAuMilieu();
@@ -228,84 +160,6 @@ class FenetreInspecteurTest extends EssaiFenetre {
         attendre("moins de réflexions", () -> banc.atelier.getImageComplete() != null
                 && Arrays.equals(deux, banc.atelier.getImageComplete().codes));
         attendreVerdict("Au bit près");
-    }
-
-    @Test
-    void aLaLoupeLePixelQueMenentLesFlechesResteEnVue() throws Exception {
-        ouvrir();
-        ouvrirAuMilieu();
-        presser(KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
-        presser(KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
-        PanneauImage image = banc.panneau;
-        for (int k = 0; k < 4; k++) {
-            presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
-        }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.atelier.getImageComplete()) == 16);
-        attendreEnVue(L / 2, H / 2 - 20);
-        for (int k = 1; k <= 3; k++) {
-            presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
-            attendreEnVue(L / 2 - 10 * k, H / 2 - 20);
-        }
-    }
-
-    private void ouvrirAuMilieu() throws Exception {
-        banc.robot.mouseMove(0, 0);
-        banc.frapper(KeyEvent.VK_ENTER);
-        attendreTitre(L / 2, H / 2);
-    }
-
-    private void attendreEnVue(int x, int y) throws Exception {
-        PanneauImage image = banc.panneau;
-        attendreTitre(x, y);
-        // autour du milieu, la moitié de ce que la loupe laisse voir
-        attendre("il est en vue", () -> Math.abs(image.getPixelVise().x - x) <= image.getWidth() / 32
-                && Math.abs(image.getPixelVise().y - y) <= image.getHeight() / 32);
-    }
-
-    @Test
-    void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
-        BancFenetre.exigerEcran();
-        int[] attendue = attendue(L, H);
-        Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
-                scene.toString()).start();
-        try {
-            attendre("l'image est à l'écran", () -> BancFenetre.trouver(attendue, L) != null);
-            Point coin = BancFenetre.trouver(attendue, L);
-            Robot robot = new Robot();
-            robot.mouseMove(coin.x + 150, coin.y + 110);
-            attendre("l'anneau", () -> {
-                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-                return estEntoure(robot, coin.x + 150.5, coin.y + 110.5);
-            });
-            robot.mouseWheel(-1);
-            robot.mouseWheel(-1);
-            robot.mouseWheel(-1);
-            // autour de la souris, qui est au bord du pixel
-            attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150 + 4, coin.y + 110 + 4));
-        } finally {
-            programme.destroyForcibly();
-        }
-    }
-
-    /** Vrai si l'on voit presque partout du blanc autour, au rayon d'un anneau pour des caractères deux fois plus grands. */
-    private static boolean estEntoure(Robot robot, double x, double y) {
-        int blancs = 0;
-        for (int k = 0; k < 16; k++) {
-            int plusClair = 0;
-            for (double rayon = 16; rayon <= 20; rayon += 0.5) {
-                Color vu = robot.getPixelColor((int) (x + rayon * Math.cos(k * Math.PI / 8)),
-                        (int) (y + rayon * Math.sin(k * Math.PI / 8)));
-                plusClair = Math.max(plusClair, Math.min(vu.getRed(), Math.min(vu.getGreen(), vu.getBlue())));
-            }
-            blancs += plusClair > 200 ? 1 : 0;
-        }
-        // les traits qui partent de là le recouvrent
-        return blancs >= 12;
-    }
-
-    private static boolean inspecteurFerme() {
-        return Arrays.stream(java.awt.Window.getWindows()).noneMatch(w -> w instanceof Inspecteur && w.isShowing());
     }
 
     @Test
@@ -338,40 +192,6 @@ class FenetreInspecteurTest extends EssaiFenetre {
         presser(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
         attendre("le texte, copié", () -> BancFenetre.copie().equals(recit));
         assertFalse(composant("recit", JTextPane.class).isEditable());
-    }
-
-    /** Clique, de la vraie souris, sur la ligne du texte qui commence ainsi. */
-    private void cliquerSur(JTextPane recit, String debut) throws Exception {
-        Rectangle place = surFilEvenements(() -> recit.modelToView(recit.getDocument()
-                .getText(0, recit.getDocument().getLength()).indexOf("\n" + debut) + 1));
-        banc.cliquer(recit, place.x + 3, place.y + place.height / 2);
-    }
-
-    private static BufferedImage vueDeCote() throws Exception {
-        JComponent cote = composant("cote", JComponent.class);
-        return surFilEvenements(() -> peindre(cote));
-    }
-
-    private static BufferedImage peindre(JComponent composant) {
-        BufferedImage vue = new BufferedImage(composant.getWidth(), composant.getHeight(), BufferedImage.TYPE_INT_RGB);
-        composant.paint(vue.createGraphics());
-        return vue;
-    }
-
-    @Test
-    void unClicDeSourisSurLeNumeroDUnRebondLeMontreSeulEtUnAutreLesRendTous() throws Exception {
-        ouvrir();
-        cliquer(150, 110);
-        attendreVerdict("Au bit près");
-        JTextPane recit = composant("recit", JTextPane.class);
-        JComponent cote = composant("cote", JComponent.class);
-        int[] tous = BancFenetre.codes(vueDeCote());
-        presser();
-        cliquerSur(recit, "1  [Sphere 1]");
-        attendre("la vue de côté ne montre que lui, de près", () -> !Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
-        attendreVerdict("Au bit près");
-        cliquerSur(recit, "1  [Sphere 1]");
-        attendre("elle les montre tous de nouveau", () -> Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
     }
 
     @Test
@@ -427,17 +247,5 @@ class FenetreInspecteurTest extends EssaiFenetre {
         public Vecteur getNormale(lancer.Point contact) {
             return new Vecteur(0, 0, -1);
         }
-    }
-
-    @Test
-    void laVueDeCoteMontreLOeilLEcranEtLesRayons() throws Exception {
-        ouvrir();
-        assertNull(chercher("cote", JComponent.class));
-        cliquer(150, 100);
-        attendreVerdict("Au bit près");
-        long noirs = Arrays.stream(BancFenetre.codes(vueDeCote())).filter(c -> c == 0xFF000000).count();
-        assertTrue(noirs > 30, noirs + " points noirs : l'œil et l'écran");
-        Rectangle place = inspecteur().getBounds();
-        assertTrue(new Rectangle(Toolkit.getDefaultToolkit().getScreenSize()).contains(place), place.toString());
     }
 }
