@@ -67,6 +67,9 @@ final class Menus {
     }
 
     private static <T extends JMenuItem> T article(JMenu menu, T article, KeyStroke touche, Runnable action) {
+        // un nom de fichier qui commence par <html> se lit tel quel
+        article.putClientProperty("html.disable", true);
+        article.updateUI();
         article.setMnemonic(lettreLibre(menu, article.getText()));
         article.setAccelerator(touche);
         article.addActionListener(e -> action.run());

@@ -5,6 +5,7 @@ import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
@@ -16,12 +17,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
+import javax.swing.plaf.basic.BasicHTML;
 import lancer.Main;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
@@ -153,5 +156,12 @@ class FenetreMenusTest extends EssaiFenetre {
         assertEquals(0, BancFenetre.processus(dit, "-Duser.language=en", "-cp", System.getProperty("java.class.path"),
                 Ailleurs.class.getName(), scene.toString()).start().waitFor());
         assertEquals("Page suivante", new String(Files.readAllBytes(dit), StandardCharsets.UTF_8).trim());
+    }
+
+    @Test
+    void unNomDeSceneNEstJamaisDuHtml() {
+        JMenuItem scene = Menus.choix(new JMenu(), new ButtonGroup(), "<html><h1>gros.ini", null, () -> { });
+        assertEquals("<html><h1>gros.ini", scene.getText());
+        assertNull(scene.getClientProperty(BasicHTML.propertyKey), "ce qui le dessinerait en HTML");
     }
 }

@@ -1,0 +1,49 @@
+package lancer.correction.depot;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.io.TempDir;
+
+/** De quoi écrire des rendus, et les lire. */
+abstract class DepotEssai {
+
+    static final String CLASSE = "package lancer;\npublic class Vecteur extends Tuple {\n}\n";
+
+    @TempDir
+    Path dossier;
+    Path rendus;
+    Path travail;
+
+    @BeforeEach
+    void preparer() throws IOException {
+        rendus = Files.createDirectories(dossier.resolve("rendus"));
+        travail = Files.createDirectories(dossier.resolve("travail"));
+    }
+
+    static void ecrire(Path fichier, String texte) throws IOException {
+        Files.createDirectories(fichier.getParent());
+        Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
+    }
+
+    Map<String, Rendu> lire(Path lieu) {
+        return Depot.lire(lieu, travail).stream().collect(Collectors.toMap(r -> r.id, r -> r));
+    }
+
+    static Projet projet(Rendu rendu) {
+        return Projet.copies(rendu).get(0);
+    }
+
+    static void verifier(Rendu rendu, String nom) {
+        assertEquals(nom, rendu.nom);
+        assertEquals(List.of(), rendu.refus);
+        assertEquals("lancer/Vecteur", String.join(" ", projet(rendu).base.keySet()));
+    }
+}
