@@ -166,11 +166,6 @@ class DepotTest extends DepotEssai {
         verifier(lus.get("7"), "Étudiant");
     }
 
-    private static void entree(ZipOutputStream zip, String nom, String texte) throws IOException {
-        zip.putNextEntry(new ZipEntry(nom));
-        zip.write(texte.getBytes(StandardCharsets.UTF_8));
-    }
-
     @Test
     void desFichiersAuHasardNeFontQueDesNomsDeClassesOuDesRefus() throws IOException {
         Random hasard = new Random(27);

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 
@@ -141,5 +142,10 @@ class ProjetTest extends DepotEssai {
         // ce que déclare un fichier mal nommé le nomme
         assertEquals("lancer/Vecteur", projet.base.keySet().stream().filter(cle -> !cle.matches("x/Z\\d+"))
                 .collect(Collectors.joining(" ")));
+    }
+
+    private static void entree(ZipOutputStream zip, String nom, String texte) throws IOException {
+        zip.putNextEntry(new ZipEntry(nom));
+        zip.write(texte.getBytes(StandardCharsets.UTF_8));
     }
 }
