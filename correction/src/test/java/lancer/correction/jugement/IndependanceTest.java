@@ -1,0 +1,124 @@
+package lancer.correction.jugement;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.stream.Stream;
+import lancer.correction.isolement.Confinement;
+import lancer.correction.modele.Modele;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Ce qu'un rendu porte dans ses noms, ses réponses ou ses archives ne change rien au résultat des autres. */
+@EnabledForJreRange(min = JRE.JAVA_17)
+class IndependanceTest extends JuryEssai {
+
+    private static final String SOUSTRACTION = "vecteurs.unVecteurSeSoustrait";
+
+    @TempDir
+    Path dossier;
+
+    /** Trois témoins : l'un achevé, l'un qui a une faute, l'un qui n'a rien commencé. */
+    private void temoins(Path rendus) throws IOException {
+        ecrireCorrige(rendus.resolve("acheve"));
+        ecrire(ecrireCorrige(rendus.resolve("fautif")), "Vecteur", Modele.corrige("Vecteur").replace("x * v.x + y", "x * v.x - y"));
+        for (String classe : Modele.A_COMPLETER) {
+            ecrire(Files.createDirectories(rendus.resolve("vide/src/lancer")), classe, Modele.squelette(classe));
+        }
+    }
+
+    private static void ecrire(Path dossier, String classe, String texte) throws IOException {
+        Files.write(dossier.resolve(classe + ".java"), texte.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Un rendu achevé, dont la soustraction fait d'abord ceci. */
+    private static Path attaque(Path rendu, String java) throws IOException {
+        Path sources = ecrireCorrige(rendu);
+        ecrire(sources, "Vecteur", Modele.corrige("Vecteur").replaceFirst("(public Vecteur sub\\(Vecteur v\\) \\{)",
+                "$1 " + Matcher.quoteReplacement("if (true) { " + java + " }")));
+        return sources;
+    }
+
+    private static Map<String, String> etats(Resultat resultat) {
+        Map<String, String> etats = new TreeMap<>();
+        resultat.verdicts.forEach((id, verdict) -> etats.put(id, verdict.etat + " " + verdict.message));
+        etats.put("refus", resultat.refus.toString());
+        return etats;
+    }
+
+    @Test
+    void niLesNomsNiLesReponsesNiLesArchivesNeChangentRienAuxTemoins() throws IOException {
+        Confinement confinement = Confinement.essayer();
+        assumeTrue(confinement.confine, confinement.manque);
+        Path seuls = Files.createDirectories(dossier.resolve("seuls"));
+        temoins(seuls);
+        Map<String, Resultat> attendus = juger(seuls, confinement, PATIENTES);
+        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
+        temoins(rendus);
+        // sans rien qu'un nom de paquet n'ait : ce serait bien un chemin, à son point près
+        Path evade = Files.createTempDirectory("evade").resolve("x");
+        ecrire(ecrireCorrige(rendus.resolve("paquet")), "Evade", "package " + evade.toString().replace('/', '.')
+                + ";\npublic class Evade { }\n");
+        ecrire(ecrireCorrige(rendus.resolve("fin")), "A\nFIN\nFAUTE\tB", "package lancer; class A { int f() { return x; } }");
+        ecrire(ecrireCorrige(rendus.resolve("tabulation")), "A\tB", "package lancer; class A { int f() { return x; } }");
+        ecrire(ecrireCorrige(rendus.resolve("emboitees")), "Vecteur", "package lancer; class Vecteur {" + "class A {".repeat(2000)
+                + "}".repeat(2001));
+        ecrire(ecrireCorrige(rendus.resolve("milliers")), "Vecteur", Modele.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
+        ecrire(ecrireCorrige(rendus.resolve("parentheses")), "Vecteur", Modele.corrige("Vecteur").replaceFirst("return new Vecteur\\(x \\+",
+                "return new Vecteur(" + "(".repeat(20_000) + "x +"));
+        String sortie = "try { java.lang.reflect.Field f = java.io.FileDescriptor.class.getDeclaredField(\"fd\"); f.setAccessible(true);"
+                + " java.io.FileDescriptor un = new java.io.FileDescriptor(); f.setInt(un, 1);"
+                + " java.io.DataOutputStream s = new java.io.DataOutputStream(new java.io.FileOutputStream(un));";
+        attaque(rendus.resolve("brut"), sortie + " s.writeBytes(\"REUSSI\\n\"); } catch (Exception e) { }");
+        attaque(rendus.resolve("avance"), sortie + " for (int k = 0; k < 99; k++) { s.writeInt(k); s.writeInt(2); s.writeChar('R'); } }"
+                + " catch (Exception e) { }");
+        attaque(rendus.resolve("demesure"), sortie + " for (int k = 0; k < 9; k++) { s.writeInt(k); s.writeInt(40 << 20); } } "
+                + "catch (Exception e) { }");
+        attaque(rendus.resolve("sans-retour"), "throw new Error(\"Unresolved compilation problem: \\n\\tThe method \" + \"from the type "
+                + "refers to in the type \".repeat(20_000));");
+        attaque(rendus.resolve("curieux"), "StringBuilder t = new StringBuilder(\"vu\"); for (String c : new String[] {"
+                + "\"/lancer/Objet3D.class\", \"/lancer/Vecteur.class\", \"/modele/lancer/Vecteur.java\"}) "
+                + "if (Vecteur.class.getResource(c) != null) t.append(c); for (String f : new String[] {\"/proc/1/cmdline\", "
+                + "\"/proc/self/mountinfo\", \"/proc/self/environ\", \"/etc/passwd\", \"/home\", \"/root\", \"/work\"})"
+                + "if (new java.io.File(f).exists()) t.append(f); t.append(System.getProperties()).append(System.getenv());"
+                + " throw new IllegalStateException(t.toString().replace('\\n', ' '));");
+        attaque(rendus.resolve("ecrit"), "for (String f : new String[] {\"/a\", \"/dev/shm/a\", \"/usr/a\", \"/proc/a\", \"/boite.jar\"})"
+                + "try { java.nio.file.Files.write(java.nio.file.Paths.get(f), new byte[9]); throw new IllegalStateException(f); }"
+                + "catch (java.io.IOException e) { }");
+        ecrireCorrige(rendus.resolve("liens"));
+        Files.createSymbolicLink(rendus.resolve("liens/Secret.java"), Path.of("/etc/passwd"));
+        Files.createSymbolicLink(rendus.resolve("liens/racine"), Path.of("/"));
+        Map<String, Resultat> resultats = juger(rendus, confinement, PATIENTES);
+        for (String temoin : attendus.keySet()) {
+            assertEquals(etats(attendus.get(temoin)), etats(resultats.get(temoin)), temoin);
+        }
+        assertFalse(Files.exists(evade));
+        for (String nom : List.of("brut", "avance", "demesure")) {
+            String dit = resultats.get(nom).verdicts.get(SOUSTRACTION).message;
+            assertTrue(dit.startsWith("arrêté : a répondu"), nom + " : " + dit);
+            assertTrue(resultats.get(nom).aRegarder.toString().contains("arrêté : a répondu"), nom + " se voit à l'index");
+        }
+        assertTrue(resultats.get("paquet").aRegarder.toString().contains("arrêté : "), resultats.get("paquet").aRegarder.toString());
+        Resultat curieux = resultats.get("curieux");
+        String vu = curieux.verdicts.get(SOUSTRACTION).message;
+        assertTrue(vu.contains("vu{") && Stream.of(dossier, travail).noneMatch(lieu -> vu.contains(lieu.getFileName().toString())), vu);
+        assertEquals(new TreeSet<>(), ratees(resultats.get("ecrit")), "rien ne s'y écrit");
+        for (String nom : List.of("paquet", "fin", "tabulation", "liens")) {
+            assertEquals(new TreeSet<>(), ratees(resultats.get(nom)), nom + " est par ailleurs achevé");
+        }
+        resultats.forEach((nom, resultat) -> assertFalse(resultat.nonCorrige, nom + " : " + resultat.refus));
+    }
+}
