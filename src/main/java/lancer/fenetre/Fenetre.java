@@ -54,7 +54,7 @@ public final class Fenetre {
     /** Temps sans changement de taille avant de redessiner à la nouvelle, en millisecondes. */
     private static final int REPOS_MS = 200;
 
-    final JFrame cadre = new JFrame();
+    final JFrame cadre = new Cadre();
     final Atelier atelier;
     private final String programme;
     /** La taille de l'image que dit la ligne de commande. */
@@ -138,8 +138,6 @@ public final class Fenetre {
         cadre.add(barre, BorderLayout.PAGE_END);
         cadre.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         cadre.pack();
-        Rectangle ecran = Dialogues.ecran();
-        cadre.setSize(Math.min(cadre.getWidth(), ecran.width), Math.min(cadre.getHeight(), ecran.height));
         cadre.setLocationRelativeTo(null);
         ecouter();
         titrer();
@@ -186,6 +184,18 @@ public final class Fenetre {
         };
         panneau.addComponentListener(tailleEtPlace);
         cadre.addComponentListener(tailleEtPlace);
+    }
+
+    /** Un cadre qui tient dans l'écran : rapetissé après coup, il reprend parfois la taille d'avant. */
+    @SuppressWarnings("serial")
+    private static final class Cadre extends JFrame {
+
+        @Override
+        public Dimension getPreferredSize() {
+            Dimension voulue = super.getPreferredSize();
+            Rectangle ecran = Dialogues.ecran();
+            return new Dimension(Math.min(voulue.width, ecran.width), Math.min(voulue.height, ecran.height));
+        }
     }
 
     /** Ouvre la scène dont on dépose le fichier sur la fenêtre. */

@@ -95,6 +95,8 @@ class FenetreImageTest extends EssaiFenetre {
         banc = new BancFenetre("--taille=" + taille, scene.toString());
         ImageMemoire image = banc.imageAchevee();
         banc.robot.mouseMove(0, 0);
+        Rectangle cadre = surFilEvenements(banc.cadre::getBounds);
+        assertTrue(Dialogues.ecran().contains(cadre), cadre + " tient dans l'écran");
         banc.frapper(KeyEvent.VK_ENTER);
         JDialog inspecteur = composant("inspecteur", JDialog.class);
         attendre("son titre dit le pixel", () -> inspecteur.getTitle().startsWith("Rayons du pixel "));
