@@ -45,20 +45,31 @@ final class Atelier {
     private final Surveillance surveillance;
     private final List<Runnable> prevenus = new ArrayList<>();
 
-    /** Le fichier de la scène montrée : celui du titre, de F5 et de la surveillance ; {@code null} avant le premier. */
-    private String fichier;
+    // ce qui suit se lit de toute la fenêtre, et ne s'écrit qu'ici
+    /**
+     * Le fichier de la scène montrée, ou de la première si elle est fautive : celui du titre, de F5 et de la
+     * surveillance ; {@code null} avant le premier.
+     */
+    String fichier;
+    /** Le dernier dessin commencé, et celui qui a lu la scène montrée ; {@code null} s'il n'y en a pas. */
+    Tracage courant;
+    Tracage adopte;
+    /** Les réglages de la scène montrée, que son dessin soit achevé ou non ; {@code null} avant la première. */
+    ReglagesDessin reglages;
+    /**
+     * Vrai tant qu'un dessin est en cours, lecture et préparation comprises ; faux seulement quand {@link #finir} est
+     * passé : il peut être fini un instant avant qu'on le sache ici.
+     */
+    boolean enCours;
+    /** Le dessin dont l'image se voit, brouillon au moins : ce qui s'inspecte, s'agrandit, s'enregistre, se compare. */
+    Dessin montre;
+    /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
+    ImageMemoire avant;
+
     /** Fichier de la dernière scène lue sans faute, même si son dessin a été abandonné avant de se voir. */
     private String lu;
-    private Tracage courant;
-    private Tracage adopte;
-    private ReglagesDessin reglages;
-    /** Faux seulement quand {@link #finir} est passé : le dessin peut être fini un instant avant qu'on le sache ici. */
-    private boolean enCours;
-    /** Le dessin dont l'image se voit, brouillon au moins : ce qui s'inspecte, s'agrandit, s'enregistre, se compare. */
-    private Dessin montre;
-    /** La dernière image achevée, celle d'avant elle, et ce qu'a coûté chacune de celles qu'on garde. */
+    /** La dernière image achevée, et ce qu'a coûté chacune de celles qu'on garde. */
     private ImageMemoire complete;
-    private ImageMemoire avant;
     private final Map<ImageMemoire, String> couts = new WeakHashMap<>();
     /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
     private boolean enAttente;
@@ -105,54 +116,19 @@ final class Atelier {
         prevenus.add(siChange);
     }
 
-    /** Le fichier de la scène montrée, ou de la première si elle est fautive ; {@code null} s'il n'y en a pas. */
-    String getFichier() {
-        return fichier;
-    }
-
-    /** Le dessin qui a lu la scène montrée ; {@code null} s'il n'y en a pas. */
-    Tracage getAdopte() {
-        return adopte;
-    }
-
-    /** Le dernier dessin commencé ; {@code null} s'il n'y en a pas. */
-    Tracage getCourant() {
-        return courant;
-    }
-
-    /** Les réglages de la scène montrée, que son dessin soit achevé ou non ; {@code null} avant la première. */
-    ReglagesDessin getReglages() {
-        return reglages;
-    }
-
     /** La commande qui dessine la scène montrée avec ces réglages, sections changées mises dans son fichier. */
     String getCommande() {
         return Pannes.commande("", reglages.getOptions(), fichier, taille.get().width, taille.get().height);
     }
 
-    /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises. */
-    boolean enCours() {
-        return enCours;
-    }
-
     /** L'image montrée si elle est achevée, qu'une autre se prépare ou non ; {@code null} sinon. */
     ImageMemoire getImageComplete() {
-        return complete == panneau.getImage() ? complete : null;
-    }
-
-    /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
-    ImageMemoire getAvant() {
-        return avant;
+        return complete == panneau.montree ? complete : null;
     }
 
     /** Réglages et coût de cette image ; {@code null} si elle n'est pas achevée. */
     String getCout(ImageMemoire image) {
         return couts.get(image);
-    }
-
-    /** Le dessin dont l'image se voit ; {@code null} avant la première. */
-    Dessin getMontre() {
-        return montre;
     }
 
     /** Suit un dessin déjà commencé. */
@@ -265,7 +241,7 @@ final class Atelier {
         Dessin dessin = courant.getDessin();
         if (dessin != null && panneau.montrer(dessin.image, dessin.traceur.isBrouillonFait(),
                 courant.getDureeNs() > PATIENCE_NS)) {
-            montre = dessin.image == panneau.getImage() ? dessin : montre;
+            montre = dessin.image == panneau.montree ? dessin : montre;
             if (courant.fichier != null && courant != adopte) {
                 adopter();
             }

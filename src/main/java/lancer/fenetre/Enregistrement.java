@@ -70,7 +70,7 @@ final class Enregistrement {
             return null;
         }
         if (image == null) {
-            bandeau.avis(atelier.enCours() ? "L'image se dessine encore : elle servira une fois achevée."
+            bandeau.avis(atelier.enCours ? "L'image se dessine encore : elle servira une fois achevée."
                     : "Pas d'image achevée ; F5 pour la dessiner.");
         }
         return image;
@@ -82,7 +82,7 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = atelier.getFichier();
+        String scene = atelier.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
         File choisi = Dialogues.choisirImage(bandeau.getTopLevelAncestor(),
                 echoue != null ? echoue : new File(dossier, nom));

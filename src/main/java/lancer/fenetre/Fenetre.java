@@ -74,8 +74,7 @@ public final class Fenetre {
     private Inspecteur inspecteur;
     private Window touches;
 
-    Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins,
-            Runnable fin) {
+    Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins, Runnable fin) {
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
         this.fin = fin;
         demandee = new Dimension(options.largeur, options.hauteur);
@@ -252,16 +251,16 @@ public final class Fenetre {
     }
 
     private void choisirScene() {
-        File choisi = Dialogues.choisirScene(cadre, atelier.getFichier());
+        File choisi = Dialogues.choisirScene(cadre, atelier.fichier);
         if (choisi != null) {
             atelier.ouvrir(choisi);
         }
     }
 
     private void arreterOuRecharger() {
-        if (atelier.enCours()) {
+        if (atelier.enCours) {
             atelier.arreter();
-        } else if (atelier.getFichier() == null) {
+        } else if (atelier.fichier == null) {
             choisirScene();
         } else {
             atelier.relire();
@@ -279,13 +278,13 @@ public final class Fenetre {
 
     /** Montre l'image d'avant, ou de nouveau celle de maintenant. */
     private void tenir(boolean tenue) {
-        panneau.tenir(tenue ? atelier.getAvant() : null);
+        panneau.tenir(tenue ? atelier.avant : null);
         decrire();
     }
 
     /** Arrête le dessin en cours ; sinon ferme la fenêtre d'à côté, celle qui a le clavier ou l'inspecteur. */
     private void echapper() {
-        if (atelier.enCours()) {
+        if (atelier.enCours) {
             atelier.arreter();
         } else if (aCote() != null) {
             aCote().setVisible(false);
@@ -333,7 +332,7 @@ public final class Fenetre {
 
     /** Un dessin commence ou finit, ou une scène est lue. */
     private void suivre() {
-        if (atelier.enCours()) {
+        if (atelier.enCours) {
             horloge.start();
         } else {
             horloge.stop();
@@ -359,9 +358,9 @@ public final class Fenetre {
 
     /** Dit où en est le dessin : au bas de la fenêtre, et en plein écran sur l'image. */
     private void avancer() {
-        barre.avancer(atelier.getCourant());
+        barre.avancer(atelier.courant);
         if (plein.isSelected()) {
-            panneau.dire(cadre.getTitle() + " — " + atelier.getCourant().getEtat(), atelier.enCours());
+            panneau.dire(cadre.getTitle() + " — " + atelier.courant.getEtat(), atelier.enCours);
         }
     }
 
@@ -373,8 +372,8 @@ public final class Fenetre {
 
     /** Dit ce qu'a coûté l'image montrée, si elle est achevée, et la couleur du pixel sous la souris. */
     private void decrire() {
-        ImageMemoire image = panneau.getTenue() != null ? panneau.getTenue()
-                : atelier.enCours() ? null : atelier.getImageComplete();
+        ImageMemoire image = panneau.tenue != null ? panneau.tenue
+                : atelier.enCours ? null : atelier.getImageComplete();
         panneau.getAccessibleContext().setAccessibleDescription(
                 barre.resumer(image, image == null ? 1 : panneau.getReduction(image), atelier.getCout(image)));
         montrerPixel();
@@ -386,7 +385,7 @@ public final class Fenetre {
     }
 
     private void titrer() {
-        String fichier = atelier.getFichier();
+        String fichier = atelier.fichier;
         cadre.setTitle(fichier == null ? programme : programme + " — " + new File(fichier).getName());
     }
 }

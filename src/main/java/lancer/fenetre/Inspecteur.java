@@ -202,7 +202,7 @@ final class Inspecteur extends JDialog {
 
     /** Explique le pixel de l'image montrée, par ce qui l'a dessinée ; ce qui se lit est gris en attendant. */
     private void calculer() {
-        Dessin montre = atelier.getMontre();
+        Dessin montre = atelier.montre;
         abandonner();
         if (!isVisible() || montre == null) {
             return;

@@ -45,12 +45,12 @@ final class MenuDessin {
         reflexions.setToolTipText("touches + et −");
         for (String nom : variantes) {
             JCheckBoxMenuItem coche = Menus.siScene(atelier, Menus.coche(menu, nom, null, () -> {
-                ReglagesDessin reglages = atelier.getReglages();
+                ReglagesDessin reglages = atelier.reglages;
                 Variante variante = reglages.getVariante(nom);
                 atelier.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);
             }));
-            atelier.prevenir(() -> coche.setSelected(atelier.getReglages() != null
-                    && atelier.getReglages().estBranchee(atelier.getReglages().getVariante(nom))));
+            atelier.prevenir(() -> coche.setSelected(atelier.reglages != null
+                    && atelier.reglages.estBranchee(atelier.reglages.getVariante(nom))));
         }
         if (!variantes.isEmpty()) {
             Menus.siScene(atelier, menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), () -> {
@@ -64,7 +64,7 @@ final class MenuDessin {
         });
         menu.addSeparator();
         Menus.siScene(atelier, menu, "Revenir aux réglages de la scène", null,
-                () -> atelier.dessiner(atelier.getReglages().initiaux(), false));
+                () -> atelier.dessiner(atelier.reglages.initiaux(), false));
         Menus.siScene(atelier, menu, "Copier ces réglages",
                 KeyStroke.getKeyStroke(KeyEvent.VK_C, Menus.ctrl(0).getModifiers() | InputEvent.SHIFT_DOWN_MASK),
                 this::copier);
@@ -76,15 +76,15 @@ final class MenuDessin {
 
     /** Passe à plus ou moins de réflexions, parmi celles du menu. */
     private void changer(boolean plus) {
-        if (atelier.getReglages() != null) {
-            int actuel = atelier.getReglages().getReflets();
+        if (atelier.reglages != null) {
+            int actuel = atelier.reglages.getReflets();
             IntStream autres = Arrays.stream(REFLEXIONS).filter(n -> plus ? n > actuel : n < actuel);
             (plus ? autres.min() : autres.max()).ifPresent(this::reflechir);
         }
     }
 
     private void reflechir(int n) {
-        ReglagesDessin reglages = atelier.getReglages();
+        ReglagesDessin reglages = atelier.reglages;
         if (n != reglages.getReflets()) {
             atelier.dessiner(reglages.avec(n, reglages.getSeuil()), false);
         }
@@ -92,15 +92,15 @@ final class MenuDessin {
 
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */
     private void copier() {
-        String sections = atelier.getReglages().getSectionsChangees().stream()
+        String sections = atelier.reglages.getSectionsChangees().stream()
                 .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining());
         menu.getToolkit().getSystemClipboard().setContents(
                 new StringSelection(sections + "; " + atelier.getCommande() + "\n"), null);
     }
 
     private void montrer() {
-        ReglagesDessin reglages = atelier.getReglages();
-        arreter.setEnabled(atelier.enCours());
+        ReglagesDessin reglages = atelier.reglages;
+        arreter.setEnabled(atelier.enCours);
         nombres.clearSelection();
         for (int k = 0; k < REFLEXIONS.length && reglages != null; k++) {
             reflexions.getItem(k).setSelected(REFLEXIONS[k] == reglages.getReflets());

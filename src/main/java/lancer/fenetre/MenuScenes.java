@@ -33,8 +33,8 @@ final class MenuScenes {
         this.atelier = atelier;
         remplir(Collections.emptyList());
         atelier.prevenir(() -> {
-            if (montree != atelier.getAdopte()) {
-                lister(atelier.getAdopte());
+            if (montree != atelier.adopte) {
+                lister(atelier.adopte);
             }
         });
     }

@@ -62,7 +62,7 @@ final class Menus {
     /** Grise cet article tant qu'aucune scène n'est montrée. */
     static <T extends JMenuItem> T siScene(Atelier atelier, T article) {
         article.setEnabled(false);
-        atelier.prevenir(() -> article.setEnabled(atelier.getReglages() != null));
+        atelier.prevenir(() -> article.setEnabled(atelier.reglages != null));
         return article;
     }
 

@@ -40,11 +40,11 @@ final class PanneauImage extends JPanel {
     private static final float FONDU = 0.05f;
 
     final Bandeau bandeau = new Bandeau();
-    /** L'image montrée, et celle qui se dessine par-dessus tant que son brouillon n'est pas complet. */
-    private ImageMemoire montree;
+    /** L'image montrée, {@code null} avant la première ; celle d'avant, tant qu'on la tient à la place des autres. */
+    ImageMemoire montree;
+    ImageMemoire tenue;
+    /** L'image qui se dessine par-dessus tant que son brouillon n'est pas complet. */
     private ImageMemoire naissante;
-    /** L'image d'avant, tant qu'on la tient à la place des autres. */
-    private ImageMemoire tenue;
     /** Figure peinte par-dessus l'image ; {@code null} : aucune. */
     private Figure dessus;
     private IntConsumer siNumero;
@@ -169,19 +169,10 @@ final class PanneauImage extends JPanel {
         repaint();
     }
 
-    /** L'image montrée, {@code null} avant la première. */
-    ImageMemoire getImage() {
-        return montree;
-    }
-
     /** Montre cette image à la place des autres, qui peuvent changer pendant ce temps ; {@code null} : plus aucune. */
     void tenir(ImageMemoire image) {
         tenue = image;
         repaint();
-    }
-
-    ImageMemoire getTenue() {
-        return tenue;
     }
 
     /** Image que désigne la souris : celle qui se dessine ne cache l'autre que là où elle a une couleur. */

@@ -45,16 +45,16 @@ final class PanneauVariantes extends JDialog {
         this.atelier = atelier;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         int ligne = 0;
-        for (Variante presente : atelier.getReglages().getVariantes()) {
+        for (Variante presente : atelier.reglages.getVariantes()) {
             // chaque lecture en fait une neuve
-            Supplier<Variante> variante = () -> atelier.getReglages().getVariante(presente.getSection());
+            Supplier<Variante> variante = () -> atelier.reglages.getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
             boite.addActionListener(e -> {
                 dernier = null;
-                atelier.dessiner(atelier.getReglages().avec(variante.get(), boite.isSelected()), false);
+                atelier.dessiner(atelier.reglages.avec(variante.get(), boite.isSelected()), false);
             });
-            ajustements.add(() -> boite.setSelected(atelier.getReglages().estBranchee(variante.get())));
+            ajustements.add(() -> boite.setSelected(atelier.reglages.estBranchee(variante.get())));
             poser(boite, 0, ligne++, 3);
             for (Parametre parametre : presente.getParametres()) {
                 ajouter(variante, parametre, ligne++);
@@ -77,7 +77,7 @@ final class PanneauVariantes extends JDialog {
         ajustements.add(() -> {
             String actuelle = valeur(variante, parametre);
             valeur.setText(!parametre.mots.isEmpty() ? " " : actuelle == null ? "—" : actuelle);
-            choix.setEnabled(atelier.getReglages().estBranchee(variante.get()));
+            choix.setEnabled(atelier.reglages.estBranchee(variante.get()));
         });
         nom.setLabelFor(choix);
         poser(nom, 0, ligne, 1);
@@ -92,7 +92,7 @@ final class PanneauVariantes extends JDialog {
     }
 
     private String valeur(Supplier<Variante> variante, Parametre parametre) {
-        return atelier.getReglages().getValeur(variante.get(), parametre);
+        return atelier.reglages.getValeur(variante.get(), parametre);
     }
 
     private JComboBox<String> mot(Supplier<Variante> variante, Parametre parametre) {
@@ -151,7 +151,7 @@ final class PanneauVariantes extends JDialog {
     }
 
     private void regler(Supplier<Variante> variante, Parametre parametre, String voulue, boolean glisse) {
-        ReglagesDessin reglages = atelier.getReglages();
+        ReglagesDessin reglages = atelier.reglages;
         Section section = reglages.getSection(variante.get());
         if (!miseAJour && !voulue.equals(section.valeur(parametre.cle))) {
             long maintenant = System.nanoTime();

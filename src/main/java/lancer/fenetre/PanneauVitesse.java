@@ -90,7 +90,7 @@ final class PanneauVitesse extends JDialog {
 
     /** Un dessin commence ou finit, ou une scène est lue. */
     private void suivre() {
-        Dessin montre = atelier.getMontre();
+        Dessin montre = atelier.montre;
         if (!isVisible() || montre == null) {
             etat.setText("Pas encore d'image : les essais commenceront avec elle.");
             return;
@@ -134,7 +134,7 @@ final class PanneauVitesse extends JDialog {
 
     /** Dit si l'image montrée est dessinée avec ce réglage. */
     private boolean estPresent(Candidat reglage) {
-        ReglagesDessin presents = atelier.getMontre().reglages;
+        ReglagesDessin presents = atelier.montre.reglages;
         Section section = libres(presents).stream().map(presents::getSection).findFirst().orElse(null);
         return reglage.reflets == presents.getReflets() && reglage.seuil == presents.getSeuil()
                 && String.valueOf(reglage.section).equals(String.valueOf(section));
@@ -165,7 +165,7 @@ final class PanneauVitesse extends JDialog {
     }
 
     private void dessiner(Candidat reglage) {
-        ReglagesDessin reglages = atelier.getReglages().avec(reglage.reflets, reglage.seuil);
+        ReglagesDessin reglages = atelier.reglages.avec(reglage.reflets, reglage.seuil);
         if (reglage.section != null) {
             reglages = reglages.avec(reglages.getVariante(reglage.section.nom), reglage.section);
         }

@@ -242,7 +242,7 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> !atelier.enCours() && atelier.getImageComplete() != null);
+        attendre("l'image est achevée", () -> !atelier.enCours && atelier.getImageComplete() != null);
         return surFilEvenements(atelier::getImageComplete);
     }
 

@@ -54,10 +54,10 @@ class FenetreAffichageTest extends EssaiFenetre {
         BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(ecran));
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(5, 5), "du gris autour");
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("les touches répondent", () -> banc.atelier.getReglages().getReflets() == 2);
+        attendre("les touches répondent", () -> banc.atelier.reglages.getReflets() == 2);
         ecrire(FAUTIVE);
         banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
-        attendre("rien ne se dessine plus", () -> !banc.atelier.enCours());
+        attendre("rien ne se dessine plus", () -> !banc.atelier.enCours);
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap en sort", () -> banc.cadre.getSize().equals(avant));
         // la faute en couvre le bas
@@ -68,11 +68,11 @@ class FenetreAffichageTest extends EssaiFenetre {
     @Test
     void enPleinEcranUneLigneDitLeDessinPuisSEfface() throws Exception {
         banc = new BancFenetre(lente().lent());
-        attendre("le brouillon se voit", () -> banc.panneau.getImage() != null);
+        attendre("le brouillon se voit", () -> banc.panneau.montree != null);
         banc.frapper(KeyEvent.VK_F11);
         attendre("elle dit le fichier et où il en est", () -> banc.panneau.ligne.matches("lancer — boule.ini — dessin \\d+ % — .*"));
         banc.main.lent = false;
-        attendre("elle s'efface", () -> !banc.atelier.enCours() && banc.panneau.ligne.isEmpty());
+        attendre("elle s'efface", () -> !banc.atelier.enCours && banc.panneau.ligne.isEmpty());
     }
 
     @Test

@@ -48,7 +48,7 @@ class FenetreDessinTest extends EssaiFenetre {
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
         attendre("le brouillon est à l'écran", () -> BancFenetre.trouver(bas, L) != null);
-        assertTrue(banc.atelier.enCours());
+        assertTrue(banc.atelier.enCours);
         assertNull(banc.atelier.getImageComplete());
         banc.main.lent = false;
         banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
@@ -87,7 +87,7 @@ class FenetreDessinTest extends EssaiFenetre {
         int[] avant = attendue(L, H);
         attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.atelier.enCours() && banc.main.getTraceur() != null);
+        attendre("le dessin suivant a commencé", () -> banc.atelier.enCours && banc.main.getTraceur() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertEquals(" ", surFilEvenements(banc.resume::getText), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
@@ -99,7 +99,7 @@ class FenetreDessinTest extends EssaiFenetre {
         banc = new BancFenetre(lente().lent());
         attendre("le brouillon est fait", () -> banc.main.getTraceur() != null && banc.main.getTraceur().isBrouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.atelier.enCours());
+        attendre("le dessin est arrêté", () -> !banc.atelier.enCours);
         assertTrue(surFilEvenements(banc.avancement::getString).startsWith("arrêté à "));
         assertEquals(" ", surFilEvenements(banc.resume::getText), "pas de coût d'une image inachevée");
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
@@ -116,7 +116,7 @@ class FenetreDessinTest extends EssaiFenetre {
         AbstractButton bouton = chercher("bouton", AbstractButton.class);
         attendre("il propose d'arrêter", () -> bouton.getText().equals("Arrêter"));
         faire(bouton::doClick);
-        attendre("il propose de redessiner", () -> bouton.getText().equals("Redessiner") && !banc.atelier.enCours());
+        attendre("il propose de redessiner", () -> bouton.getText().equals("Redessiner") && !banc.atelier.enCours);
         banc.main.lent = false;
         faire(bouton::doClick);
         banc.attendreImage("il redessine", attendue(L, H));
@@ -168,12 +168,12 @@ class FenetreDessinTest extends EssaiFenetre {
         }.lent());
         attendre("le dessin a commencé", () -> banc.main.getTraceur() != null);
         repondA(50);
-        assertTrue(banc.atelier.enCours(), "le dessin n'a pas eu à finir pour cela");
+        assertTrue(banc.atelier.enCours, "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
         attendre("la lecture se dit", () -> banc.avancement.getString().startsWith("lecture "));
         banc.frapper(KeyEvent.VK_F5);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("arrêté", () -> !banc.atelier.enCours());
+        attendre("arrêté", () -> !banc.atelier.enCours);
         repondA(50);
         assertEquals(1, lecture.getCount(), "la lecture n'a pas eu à finir pour cela");
         lecture.countDown();
@@ -332,8 +332,8 @@ class FenetreDessinTest extends EssaiFenetre {
         programme.retenue = true;
         banc.frapper(KeyEvent.VK_ADD);
         attendre("il se prépare", () -> banc.avancement.getString().startsWith("préparation "));
-        Dessin dAvant = surFilEvenements(banc.atelier.getCourant()::getDessin);
-        double avancement = surFilEvenements(() -> banc.atelier.getCourant().getAvancement());
+        Dessin dAvant = surFilEvenements(banc.atelier.courant::getDessin);
+        double avancement = surFilEvenements(() -> banc.atelier.courant.getAvancement());
         programme.suite.countDown();
         assertNull(dAvant);
         assertEquals(0, avancement);

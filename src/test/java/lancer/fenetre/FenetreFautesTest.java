@@ -112,7 +112,7 @@ class FenetreFautesTest extends EssaiFenetre {
     void ouToutEchoueLeDessinSArreteApresMilleEssais() throws Exception {
         ecrire("[Lampe 1]\nposition=0 5 0\ncouleur=1 1 1\n");
         ouvrirAvecUnMur(true);
-        attendre("il est fini", () -> !banc.atelier.enCours());
+        attendre("il est fini", () -> !banc.atelier.enCours);
         banc.attendreMessage("pixel ");
         assertTrue(banc.message().contains("boum"), banc.message());
         assertNull(surFilEvenements(banc.atelier::getImageComplete));
@@ -140,7 +140,7 @@ class FenetreFautesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F3);
         JLabel etat = composant("vitesse.etat", JLabel.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
-        assertFalse(surFilEvenements(banc.atelier::enCours));
+        assertFalse(surFilEvenements(() -> banc.atelier.enCours));
         assertEquals(codes, surFilEvenements(banc.atelier::getImageComplete).codes);
     }
 

@@ -38,9 +38,9 @@ class FenetreFiguresTest extends EssaiInspecteur {
         ImageMemoire avant = banc.atelier.getImageComplete();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.atelier.enCours() && banc.panneau.getImage() != avant);
+        attendre("le dessin recommence", () -> banc.atelier.enCours && banc.panneau.montree != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.atelier.enCours());
+        attendre("le dessin est arrêté", () -> !banc.atelier.enCours);
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;

@@ -175,13 +175,13 @@ class FenetreInspecteurTest extends EssaiInspecteur {
     void pendantUnDessinLentLaChaineSeLitDeja() throws Exception {
         banc = new BancFenetre(lente().lent());
         attendre("le brouillon est là", () -> banc.main.getTraceur() != null && banc.main.getTraceur().isBrouillonFait());
-        attendre("et se voit", () -> banc.panneau.getImage() != null);
+        attendre("et se voit", () -> banc.panneau.montree != null);
         cliquer(150, 100);
         attendreTitre(150, 100);
         attendreVerdict("L'image n'est pas achevée");
         JTextPane recit = composant("recit", JTextPane.class);
         attendre("la chaîne", () -> recit.getText().contains("\nsomme "));
-        assertTrue(banc.atelier.enCours());
+        assertTrue(banc.atelier.enCours);
     }
 
     @Test

@@ -32,7 +32,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("une", attendue("--reflets=1"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la relecture s'achève", () -> !banc.atelier.enCours());
+        attendre("la relecture s'achève", () -> !banc.atelier.enCours);
         banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
         assertArrayEquals(avant, Files.readAllBytes(scene));
     }
@@ -52,7 +52,7 @@ class FenetreReglagesTest extends EssaiFenetre {
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.atelier.getReglages().getReflets() == 10 && !banc.atelier.enCours());
+        attendre("dix réflexions", () -> banc.atelier.reglages.getReflets() == 10 && !banc.atelier.enCours);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

@@ -84,7 +84,7 @@ class FenetreTest extends EssaiFenetre {
                 .mapToObj(k -> table.getValueAt(k, 0) + " : " + table.getValueAt(k, 1)).filter(s -> s.startsWith("Échap"))
                 .findFirst().get().substring(0, 15));
         banc.frapper(touches, KeyEvent.VK_SUBTRACT);
-        attendre("une touche essayée d'ici va au cadre", () -> banc.atelier.getReglages().getReflets() == 2);
+        attendre("une touche essayée d'ici va au cadre", () -> banc.atelier.reglages.getReflets() == 2);
         assertTrue(surFilEvenements(touches::isShowing));
         banc.imageAchevee();
         banc.frapper(touches, KeyEvent.VK_ESCAPE);

@@ -48,7 +48,7 @@ class FenetreVitesseTest extends EssaiFenetre {
     /** Le moins cher des réglages est un rayon par pixel, à un seuil des reflets que l'on redemande sans fenêtre. */
     private int[] moinsCherSansFenetre() throws Exception {
         return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=1000",
-                "--seuil=" + banc.atelier.getReglages().getSeuil());
+                "--seuil=" + banc.atelier.reglages.getSeuil());
     }
 
     /** Ce qui, à l'écran, est le plus à gauche de la couleur du front : le bord du moins cher des réglages. */
@@ -76,7 +76,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         frapper(KeyEvent.VK_RIGHT);
         frapper(KeyEvent.VK_ENTER);
         attendreEtat("Mesuré");
-        assertEquals(1000, banc.atelier.getReglages().getReflets());
+        assertEquals(1000, banc.atelier.reglages.getReflets());
         assertArrayEquals(moinsCherSansFenetre(), banc.imageAchevee().codes);
         String dit = surFilEvenements(etat::getText);
         Matcher m = Pattern.compile("Mesuré : (\\d+),\\d+ ± .*").matcher(dit);
@@ -97,7 +97,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         attendreEtat("Mesuré");
-        assertEquals(1000, banc.atelier.getReglages().getReflets());
+        assertEquals(1000, banc.atelier.reglages.getReflets());
         assertArrayEquals(moinsCherSansFenetre(), banc.imageAchevee().codes);
     }
 

@@ -107,7 +107,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         faire(() -> {
-            ReglagesDessin reglages = banc.atelier.getReglages().avec(3, 0.01);
+            ReglagesDessin reglages = banc.atelier.reglages.avec(3, 0.01);
             banc.atelier.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
         });
         attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
@@ -145,7 +145,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         ouvrir();
         int[] avant = banc.imageAchevee().codes;
         placer(glissiere("Brume.fin"), 4);
-        attendre("fin est réglée", () -> !banc.atelier.enCours());
+        attendre("fin est réglée", () -> !banc.atelier.enCours);
         int[] cinq = sansFenetre(ROUGE + "[Brume]\nfin=5\n");
         banc.attendreImage("fin est réglée", cinq);
         placer(composant("Brume.debut", JSlider.class), 10);
@@ -193,7 +193,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         attendre("le clavier est à la glissière", fin::hasFocus);
         banc.frapper(SwingUtilities.getWindowAncestor(fin), KeyEvent.VK_LEFT);
         attendre("elle a bougé d'un cran", () -> fin.getValue() == cran - 1);
-        attendre("et l'image avec elle", () -> banc.atelier.getReglages().toString().contains("fin=" + cran));
+        attendre("et l'image avec elle", () -> banc.atelier.reglages.toString().contains("fin=" + cran));
         banc.imageAchevee();
     }
 
@@ -230,8 +230,8 @@ class FenetreVariantesTest extends EssaiFenetre {
         faire(() -> fin.setValueIsAdjusting(true));
         for (int cran : new int[] {25, 20, 15, 10}) {
             placer(fin, cran);
-            attendre("chaque cran se dessine", () -> !banc.atelier.enCours()
-                    && banc.atelier.getReglages().toString().contains("fin=" + (cran + 1)));
+            attendre("chaque cran se dessine", () -> !banc.atelier.enCours
+                    && banc.atelier.reglages.toString().contains("fin=" + (cran + 1)));
         }
         faire(() -> fin.setValueIsAdjusting(false));
         banc.imageAchevee();
