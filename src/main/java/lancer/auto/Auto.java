@@ -105,7 +105,7 @@ public final class Auto {
         return voulue == 0 ? Double.MAX_VALUE : part * Math.max(PLANCHER, PART * dessin) - essais.rayons.get();
     }
 
-    /** Du moins cher au plus juste, jusqu'au premier qui devrait tenir ; ceux qui n'y arriveront pas sont passés. */
+    /** Essaie du moins cher au plus juste, jusqu'au premier qui devrait tenir ; ceux qui n'y iront pas sont passés. */
     private Candidat monter(Consumer<Auto> suivi) {
         Barreau avant = echelle.keySet().iterator().next();
         double carre = avant.erreur * avant.erreur;
@@ -171,7 +171,7 @@ public final class Auto {
         return mesuree().plus(0);
     }
 
-    /** Ce dont elle peut s'écarter, en niveaux, dix-neuf fois sur vingt ; jamais 0, et 255 si rien n'est mesuré. */
+    /** Écart possible de cette erreur, en niveaux, dix-neuf fois sur vingt ; jamais 0, et 255 si rien n'est mesuré. */
     public double getIncertitude() {
         return Math.max(0.01, mesuree().plus(2) - mesuree().plus(0));
     }

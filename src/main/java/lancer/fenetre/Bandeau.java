@@ -18,7 +18,7 @@ import javax.swing.UIManager;
 import lancer.texte.Texte;
 
 /**
- * Ce que dit la fenêtre, par-dessus le bas de l'image, en entier quelle que soit sa longueur ; invisible s'il n'y a
+ * Messages de la fenêtre, par-dessus le bas de l'image, en entier quelle que soit sa longueur ; invisible s'il n'y a
  * rien à dire. La faute de la scène reste tant qu'elle y est, et le dernier message vient dessous.
  */
 @SuppressWarnings("serial")

@@ -113,7 +113,7 @@ final class PanneauVitesse extends JDialog {
         }
     }
 
-    /** Ce dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
+    /** Données dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
     private static List<Object> scene(Dessin dessin) {
         List<Object> scene = new ArrayList<>(Arrays.asList(dessin.traceur.getScene().getObjets(),
                 dessin.image.largeur, dessin.image.hauteur));
@@ -151,7 +151,7 @@ final class PanneauVitesse extends JDialog {
         }, panne -> etat.setText("Essais impossibles : " + panne));
     }
 
-    /** Du fil des essais : ce qu'ils disent, si personne n'a changé de scène entre-temps. */
+    /** Montre, depuis le fil des essais, ce qu'ils disent, si personne n'a changé de scène entre-temps. */
     private void montrer(List<Object> scene, Auto enCours, String texte, Candidat present) {
         List<Candidat> essayes = new ArrayList<>(enCours.essayes);
         EventQueue.invokeLater(() -> {

@@ -47,7 +47,7 @@ public final class Temoins implements IntConsumer {
     /** Un examen pour tant de ceux du dessin, si c'est plus. */
     private static final long PART_DU_DESSIN = 20;
 
-    /** Du plus petit de ces nombres, la part qui va aux sondes ; à un témoin, au plus, celle de ce qui reste. */
+    /** Part du plus petit de ces nombres qui va aux sondes ; à un témoin, au plus, celle de ce qui reste. */
     private static final long PART_DES_SONDES = 4;
     private static final int PART_D_UN_TEMOIN = 4;
     private static final long INFINIMENT = Long.MAX_VALUE / 2;

@@ -8,7 +8,7 @@ import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
- * Ce que l'on voit d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la
+ * Vue d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la
  * plus lointaine. Une case qu'une sphère couvre tout entière a une coupe : ce qui est au-delà est caché, et n'y est pas
  * noté. Une lampe est ponctuelle et le cours fait partir d'elle les rayons d'ombre, donc elle voit la scène comme une
  * seconde caméra (« light buffer », Haines et Greenberg, 1986) : une question coûte une ou deux sphères au lieu d'une

@@ -74,9 +74,9 @@ final class Masques implements Intersections {
     }
 
     /**
-     * Ce que peut toucher un rayon qui quitte la sphère a : B, si l'angle de sa direction avec AB est au plus asin((rA
-     * + rB) / AB). D'un petit cube de centre c et de demi-côté h, aucune direction n'a avec w un cosinus de plus de c·w
-     * + h(|wx| + |wy| + |wz|).
+     * Sphères que peut toucher un rayon qui quitte la sphère a : B, si l'angle de sa direction avec AB est au plus
+     * asin((rA + rB) / AB). D'un petit cube de centre c et de demi-côté h, aucune direction n'a avec w un cosinus
+     * de plus de c·w + h(|wx| + |wy| + |wz|).
      */
     private void noterDirections(int a) {
         double[] g = spheres.geometrie;

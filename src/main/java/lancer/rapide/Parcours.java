@@ -5,7 +5,7 @@ import lancer.contrat.Compteurs;
 import lancer.precision.Intersection;
 
 /**
- * Ce qu'un fil garde à côté de ses questions aux structures : un compte, la distance trouvée, une pile.
+ * État qu'un fil garde à côté de ses questions aux structures : un compte, la distance trouvée, une pile.
  *
  * <p>Le compte borne ce que coûtent les structures, quoi qu'on leur demande. Il s'ouvre, vide, à chaque rayon de
  * l'écran ; chacun des rayons qui en naissent y met {@link #PAR_RAYON} examens. Une structure y prend ce qu'elle

@@ -28,7 +28,7 @@ public final class Preparation {
     /** Nombre de sphères jusqu'auquel ce sont des masques. */
     static final int PEU = 24;
 
-    /** Hors de ces bornes, les carrés et les cubes des longueurs ne se calculent plus sans détour. */
+    /** Bornes hors desquelles les carrés et les cubes des longueurs ne se calculent plus sans détour. */
     private static final double LONGUEUR_MIN = 1e-90;
     private static final double LONGUEUR_MAX = 1e101;
 

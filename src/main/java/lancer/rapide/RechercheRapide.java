@@ -21,7 +21,7 @@ public final class RechercheRapide implements Recherche {
     /** Une ombre se demande d'abord aux objets qui ne sont pas des sphères, parmi les premiers de la scène. */
     private static final int PREMIERS = 8;
 
-    /** Ce dont le carré de la longueur d'une direction peut s'écarter de 1 : au-delà, les boucles du cours. */
+    /** Écart permis entre 1 et le carré de la longueur d'une direction : au-delà, les boucles du cours. */
     private static final double UNITE = 1e-10;
 
     final Structures structures;

@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.LocalDateTime;
 import java.time.temporal.ChronoUnit;
 
-/** Sur quoi et quand l'on mesure : sans cela, un temps ne se compare à aucun autre. */
+/** Circonstances d'une mesure : sans cela, un temps ne se compare à aucun autre. */
 public final class Circonstances {
 
     public final String machine = premiereLigne("sh", "-c", "grep -q '^model name' /proc/cpuinfo"

@@ -85,7 +85,7 @@ public final class Reponses {
         return String.format(Locale.FRANCE, "%.3f", x).replaceFirst(",?0+$", "").replace('-', '−');
     }
 
-    /** De combien le miroir d'un vecteur de longueur 1 s'en écarte avant qu'on le normalise. */
+    /** Écart dont le miroir d'un vecteur de longueur 1 s'en écarte avant qu'on le normalise. */
     private static double ecartDuMiroir(Rayon rayon, PointContact contact) {
         Vecteur V = rayon.getV();
         Vecteur N = contact.objet.getNormale(contact);

@@ -18,7 +18,7 @@ public final class Eleve {
     public final Note note;
     /** Le nom de sa page. */
     public final String page;
-    /** Pourquoi l'enseignant doit regarder ce rendu lui-même ; vide si rien ne le demande. */
+    /** Raisons pour lesquelles l'enseignant doit regarder ce rendu lui-même ; vide si rien ne le demande. */
     public final List<String> aRegarder;
 
     Eleve(Rendu rendu, Resultat resultat, Note note, String page) {

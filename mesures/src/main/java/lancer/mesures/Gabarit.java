@@ -11,7 +11,7 @@ import lancer.fils.Traceur;
 import lancer.dessin.Dessinateur;
 
 /**
- * De quoi mesurer l'erreur d'une image sans calculer la vérité, qui est la moyenne de chaque pixel, sans limite de réflexions :
+ * Mesure de l'erreur d'une image sans calculer la vérité, qui est la moyenne de chaque pixel, sans limite de réflexions :
  * deux images a et b de la scène sans limite, chacune sans biais et d'erreurs sans rapport. La moyenne de (x − a)(x − b) tend
  * alors vers celle de (x − vérité)². Couleurs limitées à [0, 1], en niveaux. Elle se mesure sur toute l'image, ou sur des pixels
  * semés : un au hasard dans chaque carré, les mêmes pour tout ce qui se compare.
@@ -29,7 +29,7 @@ public final class Gabarit {
     /** Sous-pixels d'un côté ; un rayon au hasard dans chacun. */
     private static final int COTE = 8;
 
-    /** De chaque pixel semé, dans les deux images. */
+    /** Nombre de rayons de chaque pixel semé, dans les deux images. */
     public static final int RAYONS = 2 * COTE * COTE;
 
     private final double[] a;

@@ -30,7 +30,7 @@ public final class Intervalle {
     }
 
     /**
-     * Ce que valent ces rapports : leur médiane, entre les deux d'entre eux où la loi binomiale la met, si bien qu'un accident n'y compte
+     * Valeur de ces rapports : leur médiane, entre les deux d'entre eux où la loi binomiale la met, si bien qu'un accident n'y compte
      * que pour un, si grand soit-il. De moins de six, les rangs ne diraient rien : leur moyenne géométrique, par la loi de Student.
      */
     public static Intervalle desRapports(double... rapports) {
@@ -49,7 +49,7 @@ public final class Intervalle {
         return new Intervalle(Math.sqrt(tries[(n - 1) / 2] * tries[n / 2]), tries[laisses], tries[n - 1 - laisses]);
     }
 
-    /** D'un seul, on ne sait rien d'autre que lui. */
+    /** Intervalle de la moyenne ; d'un seul, on ne sait rien d'autre que lui. */
     private static Intervalle deLaMoyenne(double... logarithmes) {
         double moyenne = Arrays.stream(logarithmes).average().orElse(Double.NaN);
         int libertes = logarithmes.length - 1;

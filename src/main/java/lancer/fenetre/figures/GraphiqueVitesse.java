@@ -104,7 +104,7 @@ public final class GraphiqueVitesse extends JPanel {
         });
     }
 
-    /** N'a plus rien à montrer : c'est une autre scène. */
+    /** Vide le graphique : c'est une autre scène. */
     public void vider() {
         mesures.clear();
         choisi = -1;

@@ -28,14 +28,14 @@ final class Archive implements AutoCloseable {
     /** Un fichier, un dossier ou un lien de ce qui est rendu, du disque ou d'une archive. */
     static final class Entree {
 
-        /** Depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / ». */
+        /** Nom depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / ». */
         final String chemin;
         final boolean lien;
-        /** En octets, telle qu'elle est annoncée ; négative si elle ne l'est pas. */
+        /** Taille en octets, telle qu'elle est annoncée ; négative si elle ne l'est pas. */
         final long taille;
         final Contenu contenu;
 
-        /** De quoi le lire. */
+        /** Flux pour le lire. */
         interface Contenu {
             InputStream ouvrir() throws IOException;
         }

@@ -35,7 +35,7 @@ public final class Depot {
     private static final Pattern DEBRIS = Pattern.compile(
             "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|"
             + "target|bin|build|out|node_modules)/.*|(.*/)?(\\._.*|\\.DS_Store)");
-    /** Parmi eux et d'autres, ceux que l'énoncé demande d'enlever. */
+    /** Fichiers, parmi eux et d'autres, que l'énoncé demande d'enlever. */
     private static final Pattern OUTIL = Pattern.compile("(?:.*/)?(\\.idea|\\.settings|\\.metadata|\\.vscode|target|bin|build|out"
             + "|\\.classpath|\\.project|[^/]*\\.iml|[^/]*\\.class)(?:/.*)?");
     private static final Pattern UN_SEUL_RENDU =
@@ -151,7 +151,7 @@ public final class Depot {
         return nom.replaceFirst("(?i)\\.zip$", "");
     }
 
-    /** De quoi ranger « Étudiant 2 » avant « Étudiant 10 ». */
+    /** Clé pour ranger « Étudiant 2 » avant « Étudiant 10 ». */
     private static String naturel(String nom) {
         Matcher m = Pattern.compile("\\d{1,18}").matcher(nom);
         return m.replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));

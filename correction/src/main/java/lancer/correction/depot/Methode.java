@@ -64,7 +64,7 @@ final class Methode {
                 .allMatch(k -> sienne.types.get(k).equals(types.get(k)) || sienne.types.get(k).equals("Objet3D"));
     }
 
-    /** Avec quels paramètres de l'attendue l'appeler, {@code null} s'il lui en faut d'autres. */
+    /** Paramètres de l'attendue avec lesquels l'appeler, {@code null} s'il lui en faut d'autres. */
     private List<String> arguments(Methode attendue) {
         List<String> restent = new ArrayList<>(attendue.types);
         boolean memePlace = types.size() == restent.size() && IntStream.range(0, types.size()).allMatch(k ->

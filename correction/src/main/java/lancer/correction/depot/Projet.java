@@ -37,7 +37,7 @@ public final class Projet {
 
     private static final String DE_COTE = " : laissé de côté, ";
 
-    /** Au-delà, on ne cherche plus laquelle est la meilleure. */
+    /** Nombre au-delà duquel on ne cherche plus laquelle est la meilleure. */
     private static final int COPIES_MAX = 3;
 
     private static final Pattern VARIANTE =
@@ -55,7 +55,7 @@ public final class Projet {
     public final Set<String> changees;
     /** Écarts à ce que l'énoncé demande : par consigne, ce qu'on en dit. */
     public final Map<String, String> ecarts = new TreeMap<>();
-    /** Pourquoi l'enseignant doit regarder ce rendu lui-même. */
+    /** Raisons pour lesquelles l'enseignant doit regarder ce rendu lui-même. */
     public final List<String> aRegarder = new ArrayList<>();
 
     /** @param base texte de chaque fichier, par nom de classe complet : {@code lancer/Vecteur} */

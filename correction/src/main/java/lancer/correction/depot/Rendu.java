@@ -22,7 +22,7 @@ public final class Rendu {
     public final String nom;
     /** Les fichiers .java, par chemin. */
     public final Map<String, byte[]> sources = new TreeMap<>();
-    /** Pourquoi ce rendu ne peut être jugé ; vide s'il peut l'être. */
+    /** Raisons pour lesquelles ce rendu ne peut être jugé ; vide s'il peut l'être. */
     public final List<String> refus = new ArrayList<>();
     public final List<String> remarques = new ArrayList<>();
     /** Les fichiers et les dossiers que les outils ajoutent, et qu'il fallait enlever. */
@@ -48,7 +48,7 @@ public final class Rendu {
     }
 
     /**
-     * Ce qui est refusé n'empêche pas de juger le reste, si c'en est assez pour qu'il y ait quelque chose à juger ; et ce qu'on
+     * Conclut : ce qui est refusé n'empêche pas de juger le reste, si c'en est assez pour qu'il y ait quelque chose à juger ; et ce qu'on
      * en dit tient en peu de lignes, quoi qu'il contienne.
      */
     void conclure() {

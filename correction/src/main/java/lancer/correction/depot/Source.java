@@ -21,7 +21,7 @@ import lancer.correction.modele.Modele;
 public final class Source {
 
     private static final Pattern PAQUET = Pattern.compile("(?m)^[ \\t]*+package\\s++([\\w.]++)\\s*+;");
-    /** Ce dont on peut faire un nom de fichier : rien qui sorte de son dossier, et rien de trop long. */
+    /** Motif de ce dont on peut faire un nom de fichier : rien qui sorte de son dossier, et rien de trop long. */
     private static final Pattern NOM_DE_PAQUET = Pattern.compile("(?!.{201})(?:\\w++(?:\\.\\w++)*+)?");
     private static final Pattern NOM_DE_CLASSE = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]{0,99}+");
     private static final int CLASSES_MAX = 200;
@@ -143,7 +143,7 @@ public final class Source {
         return new String(lettres);
     }
 
-    /** Pourquoi ce fichier est à laisser de côté : ce qu'il déclare cacherait ce qui ne lui appartient pas. */
+    /** Raison pour laquelle ce fichier est à laisser de côté : ce qu'il déclare cacherait ce qui ne lui appartient pas. */
     String intrusion() {
         if (!NOM_DE_PAQUET.matcher(paquet).matches() || !NOM_DE_CLASSE.matcher(classe).matches()) {
             return "« " + paquet + " », « " + classe + " » : ce ne sont pas des noms de paquet et de classe";

@@ -14,7 +14,7 @@ import java.util.Map;
 import java.util.function.Function;
 
 /**
- * Ce que le correcteur et une machine virtuelle à part se disent : des messages numérotés, dont la longueur est dite
+ * Messages que le correcteur et une machine virtuelle à part se disent : des messages numérotés, dont la longueur est dite
  * d'abord. Rien n'y est reconnu à ce qui l'entoure : aucun texte ne peut passer pour la fin d'un autre.
  */
 public final class Echange {

@@ -56,7 +56,7 @@ public final class Execution {
     }
 
     /**
-     * De quoi charger des classes, avant celles d'ailleurs qui auraient le même nom. Toutes sont définies d'abord, puis leurs
+     * Chargeur de classes, avant celles d'ailleurs qui auraient le même nom. Toutes sont définies d'abord, puis leurs
      * octets oubliés : aucune ne peut lire les autres.
      */
     public static final class Classes extends ClassLoader {

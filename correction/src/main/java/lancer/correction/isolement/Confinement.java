@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * De quoi lancer Java sans réseau ni disque, par bubblewrap, ou sans confinement là où il ne marche pas et où on
+ * Façon de lancer Java sans réseau ni disque, par bubblewrap, ou sans confinement là où il ne marche pas et où on
  * l'accepte.
  */
 public final class Confinement {
@@ -21,7 +21,7 @@ public final class Confinement {
     private static final int DISQUE = 64 << 20;
     private static final int BLOC = 512;
     private static final int ESSAI_SECONDES = 20;
-    /** Où est Java : Linux en dit le vrai chemin, sans lien. */
+    /** Place de Java : Linux en dit le vrai chemin, sans lien. */
     private static final String JAVA = System.getProperty("java.home");
     private static final String BOITE = "/boite.jar";
 

@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * Ce que répondent en chemin, pour un pixel, les méthodes du corrigé et celles de l'étudiant, et la première réponse
+ * Réponses en chemin, pour un pixel, des méthodes du corrigé et de celles de l'étudiant, et la première réponse
  * qui s'écarte.
  */
 public final class Chemin {
@@ -59,7 +59,7 @@ public final class Chemin {
         return pas.stream().filter(p -> !p.pareil).findFirst().orElse(null);
     }
 
-    /** Combien de réponses avant la première qui s'écarte. */
+    /** Nombre de réponses avant la première qui s'écarte. */
     int rangDuPremierEcart() {
         return getPremierEcart() == null ? Integer.MAX_VALUE : pas.indexOf(getPremierEcart());
     }

@@ -13,7 +13,7 @@ import lancer.correction.enfant.Execution;
 import lancer.correction.isolement.Arret;
 
 /**
- * Ce qu'une vérification, qui tourne ici, dit à la machine où tourne le rendu : chaque appel d'une doublure y appelle la
+ * Messages qu'une vérification, qui tourne ici, dit à la machine où tourne le rendu : chaque appel d'une doublure y appelle la
  * vraie méthode, et rapporte ce qu'elle rend. Public pour les doublures, qui sont d'un autre paquet.
  */
 public final class Dialogue {
@@ -22,7 +22,7 @@ public final class Dialogue {
 
     private final Machines.Rendue machine;
     private final Map<Integer, Doublure> doublures = new HashMap<>();
-    /** Pourquoi plus rien n'est demandé à la machine, {@code null} si rien ne l'empêche. */
+    /** Raison pour laquelle plus rien n'est demandé à la machine, {@code null} si rien ne l'empêche. */
     String refus;
     private Panne panne;
 

@@ -6,7 +6,7 @@ import lancer.correction.depot.Projet;
 import lancer.correction.modele.Modele;
 
 /**
- * Ce qui se note : les étapes de l'énoncé, dans son ordre, l'image, puis les variantes ; et pour chacune, ce qui
+ * Critères qui se notent : les étapes de l'énoncé, dans son ordre, l'image, puis les variantes ; et pour chacune, ce qui
  * compte.
  */
 public final class Grille {

@@ -10,7 +10,7 @@ public final class Image {
 
     private static final double PRES = 1e-6;
 
-    /** À partir d'autant de niveaux, un pixel est faux. */
+    /** Niveaux à partir desquels un pixel est faux. */
     private static final int FAUX = 2;
 
     /** Part de pixels faux que les arrondis, aux bords des boules et des ombres, suffisent à expliquer. */
@@ -63,7 +63,7 @@ public final class Image {
         return faux + (faux > 1 ? " pixels faux" : " pixel faux") + " sur " + pixels() + ", de plus de " + FAUX + " niveaux";
     }
 
-    /** Combien de composantes sont les mêmes dans les deux images, à quelques arrondis près. */
+    /** Nombre de composantes qui sont les mêmes dans les deux images, à quelques arrondis près. */
     long pareilles(Image autre) {
         return IntStream.range(0, rvb.length).filter(k -> Math.abs(rvb[k] - autre.rvb[k]) < PRES).count();
     }

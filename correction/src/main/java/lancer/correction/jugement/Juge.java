@@ -42,7 +42,7 @@ final class Juge implements AutoCloseable {
     /** Toutes les classes de l'étudiant. */
     final Assemblage ensemble;
     private final Map<String, Assemblage> seules = new HashMap<>();
-    /** De quoi dépend une classe qui ne se compile pas seule dans le corrigé. */
+    /** Classes dont dépend une classe qui ne se compile pas seule dans le corrigé. */
     private final Map<String, String> dependances = new HashMap<>();
 
     Juge(Reference reference, Machines.Compilation compilation, Machines machines, Projet projet) throws Arret {
@@ -122,7 +122,7 @@ final class Juge implements AutoCloseable {
     }
 
     /**
-     * Ce que sa classe réussit seule échoue par une autre. Si celle-là n'a par ailleurs aucune faute à elle, c'est à elle
+     * Impute à une autre classe ce que la sienne réussit seule. Si celle-là n'a par ailleurs aucune faute à elle, c'est à elle
      * que la vérification coûte ; si aucune n'échoue seule, à celle dont elle parle.
      */
     private void imputer() throws Arret {

@@ -11,7 +11,7 @@ import lancer.correction.modele.Modele;
 /** Fait dessiner des classes, et juge l'image d'un rendu : est-ce celle du corrigé, sinon d'où vient qu'elle en diffère ? */
 final class JugeImage {
 
-    /** Combien de fois le temps d'une vérification est permis à un dessin. */
+    /** Nombre de fois que le temps d'une vérification est permis à un dessin. */
     private static final double TEMPS = 4;
 
     /** Pixels où l'on cherche d'où vient la faute. */
@@ -131,7 +131,7 @@ final class JugeImage {
         }
     }
 
-    /** Au même point de l'écran pour les deux : celui que vise, pour ce pixel, le {@code getCouleurPixel} du rendu. */
+    /** Compare au même point de l'écran pour les deux : celui que vise, pour ce pixel, le {@code getCouleurPixel} du rendu. */
     private Chemin chemin(String scene, int x, int y) throws Arret {
         double decalage = resultat.centre ? 0.5 : 0;
         return new Chemin(x, y, reference.chemin(scene, x + decalage, y + decalage),

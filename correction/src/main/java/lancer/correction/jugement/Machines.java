@@ -68,7 +68,7 @@ final class Machines {
     }
 
     /**
-     * Là d'où viennent JUnit, ini4j, le compilateur et nous, pour compiler ; jamais la base, même si elle est dans le
+     * Lieux d'où viennent JUnit, ini4j, le compilateur et nous, pour compiler ; jamais la base, même si elle est dans le
      * chemin des classes.
      */
     private static String chemin() {
@@ -78,7 +78,7 @@ final class Machines {
                 .collect(Collectors.joining(File.pathSeparator));
     }
 
-    /** Là d'où vient une classe : une archive, ou un dossier. */
+    /** Lieu d'où vient une classe : une archive, ou un dossier. */
     static String lieu(Class<?> classe) {
         try {
             return Paths.get(classe.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
@@ -180,7 +180,7 @@ final class Machines {
         }
     }
 
-    /** Où tourne un rendu, qui n'a que les classes de son assemblage. */
+    /** Machine où tourne un rendu, qui n'a que les classes de son assemblage. */
     final class Rendue extends Machine {
 
         final Map<String, byte[]> classes;

@@ -11,7 +11,7 @@ import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.Modele;
 
 /**
- * À quoi l'on compare : le corrigé, jugé comme un rendu, et le projet à compléter, qui dit ce que l'on réussit sans
+ * Référence à laquelle on compare : le corrigé, jugé comme un rendu, et le projet à compléter, qui dit ce que l'on réussit sans
  * rien faire. Une vérification ne compte que si le corrigé la passe et que le projet à compléter ne la passe pas.
  */
 public final class Reference implements AutoCloseable {
@@ -32,7 +32,7 @@ public final class Reference implements AutoCloseable {
     /** Verdicts du projet à compléter, par vérification : ses classes ensemble, et l'une seule parmi le corrigé. */
     private final Map<String, Verdict> duSquelette;
     private final Map<String, Verdict> dUneClasse = new HashMap<>();
-    /** Par scène, l'image du corrigé aux coordonnées entières, et au centre des pixels. */
+    /** Image du corrigé, par scène, aux coordonnées entières, et au centre des pixels. */
     private final Map<String, List<Image>> images = new HashMap<>();
     /** Le corrigé, compilé, et qui l'interroge. */
     private final Assemblage assemblage;

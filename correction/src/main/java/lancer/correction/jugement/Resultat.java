@@ -17,7 +17,7 @@ import org.apache.commons.csv.CSVRecord;
 /** Tout ce qu'on a trouvé d'un rendu ; la note n'en est pas, qui dépend du barème. */
 public final class Resultat {
 
-    /** Pourquoi rien n'a pu être jugé ; vide sinon. */
+    /** Raisons pour lesquelles rien n'a pu être jugé ; vide sinon. */
     public final List<String> refus = new ArrayList<>();
     public final List<String> remarques = new ArrayList<>();
 
@@ -27,16 +27,16 @@ public final class Resultat {
     /** Les fautes de compilation. */
     public final List<String> fautes = new ArrayList<>();
 
-    /** Par {@link Verification#id()}, et pour les variantes par leur nom. */
+    /** Verdicts par {@link Verification#id()}, et pour les variantes par leur nom. */
     public final Map<String, Verdict> verdicts = new LinkedHashMap<>();
 
-    /** Pourquoi l'enseignant doit le regarder lui-même. */
+    /** Raisons pour lesquelles l'enseignant doit le regarder lui-même. */
     public final List<String> aRegarder = new ArrayList<>();
 
-    /** De chaque classe changée du cours, son texte sans ce qui n'est que présentation ni noms choisis, abrégé. */
+    /** Texte de chaque classe changée du cours, sans ce qui n'est que présentation ni noms choisis, abrégé. */
     public final Map<String, String> empreintes = new LinkedHashMap<>();
 
-    /** Par critère raté, la méthode de l'étudiant qui en répond. */
+    /** Méthode de l'étudiant, par critère raté, qui en répond. */
     public final Map<String, String> methodes = new LinkedHashMap<>();
 
     /** Les images qui ont pu être dessinées : par scène, celles de toutes ses classes, et par extension, celle qu'elle fait. */
@@ -45,7 +45,7 @@ public final class Resultat {
     /** Vrai si ses rayons passent au centre des pixels, plutôt qu'à leurs coordonnées entières. */
     public boolean centre;
 
-    /** À un pixel très faux, ce que répondent les méthodes, {@code null} si rien n'est faux. */
+    /** Réponses des méthodes à un pixel très faux, {@code null} si rien n'est faux. */
     public Chemin chemin;
 
     /** Les classes qui, seules parmi celles du corrigé, changent l'image. */
@@ -63,7 +63,7 @@ public final class Resultat {
         return verdicts.getOrDefault(critere.id, new Verdict(Verdict.Etat.NON_COMMENCE, ""));
     }
 
-    /** Combien de critères sont réussis. */
+    /** Nombre de critères réussis. */
     double reussis() {
         return verdicts.values().stream().mapToDouble(v -> v.part).sum();
     }

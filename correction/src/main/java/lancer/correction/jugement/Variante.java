@@ -11,12 +11,12 @@ import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.Modele;
 
 /**
- * Ce que vaut une extension : ce qu'elle change à l'image de la base du même étudiant, comparé à ce qu'y change celle du
+ * Valeur d'une extension : ce qu'elle change à l'image de la base du même étudiant, comparé à ce qu'y change celle du
  * corrigé. La ressemblance propose une note ; l'enseignant en décide.
  */
 final class Variante {
 
-    /** Par extension, son titre, ce qu'on y regarde, et sur quelle scène. */
+    /** Titre, par extension, ce qu'on y regarde, et sur quelle scène. */
     static final Map<String, String[]> TITRES = Map.of(
             "brume", new String[] {"brume",
                 "la couleur de la base, mêlée à celle d'une brume, d'autant plus que c'est loin", "brume"},
@@ -24,7 +24,7 @@ final class Variante {
                 "les bords approchent la moyenne de plusieurs rayons par pixel, et le reste ne change pas", "scene1"},
             "blinn", new String[] {"reflet de Blinn", "le reflet est (N.H) à la puissance ns, 2 ns ou 4 ns", "bowling"});
 
-    /** À partir de quelle ressemblance proposer tous les points, et jusqu'à laquelle aucun. */
+    /** Ressemblance à partir de laquelle proposer tous les points, et jusqu'à laquelle aucun. */
     private static final double TOUT = 0.8;
     private static final double RIEN = 0.4;
 

@@ -3,7 +3,7 @@ package lancer.correction.jugement;
 /** Résultat d'une vérification. */
 public final class Verdict {
 
-    /** Du meilleur au pire. */
+    /** États, du meilleur au pire. */
     public enum Etat {
         REUSSI("réussi"),
         /** La classe, seule parmi celles du corrigé, est juste ; une autre l'empêche de le montrer. */

@@ -28,7 +28,7 @@ final class Verifications {
 
     private static final String TESTS = "lancer.Tests";
 
-    /** Après autant de vérifications qui n'ont pas fini, les suivantes ne sont pas lancées. */
+    /** Nombre de vérifications sans fin après lequel les suivantes ne sont pas lancées. */
     private static final int ARRETS_MAX = 3;
 
     private final ClassLoader chargeur;
@@ -38,7 +38,7 @@ final class Verifications {
         chargeur = new Execution.Classes(classes, Verifications.class.getClassLoader());
     }
 
-    /** Sans les réglages de JUnit qui traîneraient là : les doublures parlent au nom du fil qui lance. */
+    /** Lanceur sans les réglages de JUnit qui traîneraient là : les doublures parlent au nom du fil qui lance. */
     private static LauncherDiscoveryRequest demande(List<? extends DiscoverySelector> selecteurs) {
         return LauncherDiscoveryRequestBuilder.request().selectors(selecteurs)
                 .enableImplicitConfigurationParameters(false).build();
@@ -54,9 +54,9 @@ final class Verifications {
     /** Résultats que des vérifications, lancées l'une après l'autre, donnent des classes que tient une machine. */
     static final class Bilan implements TestExecutionListener {
 
-        /** Par {@link Verification#id()}. */
+        /** Verdicts par {@link Verification#id()}. */
         final Map<String, Verdict> verdicts = new HashMap<>();
-        /** Combien n'ont pas fini, et pourquoi la dernière. */
+        /** Nombre de celles qui n'ont pas fini, et pourquoi la dernière. */
         int arrets;
         String pourquoi = "";
         private final Map<String, String> ids = new HashMap<>();

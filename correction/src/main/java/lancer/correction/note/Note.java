@@ -18,10 +18,10 @@ public final class Note {
     /** Une étape notée, ou une ligne libre du barème. */
     public static final class Part {
 
-        /** Combien de critères sont réussis ; une extension peut l'être en partie. */
+        /** Nombre de critères réussis ; une extension peut l'être en partie. */
         public final double reussis;
         public final int comptent;
-        /** Combien ne sont ni réussis, ni ratés. */
+        /** Nombre de ceux qui ne sont ni réussis, ni ratés. */
         public final long aFaire;
         private final long nonEvaluables;
         public final double points;

@@ -12,12 +12,12 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lancer.correction.modele.Modele;
 
-/** De quoi écrire du HTML où rien de ce que vient d'un étudiant ne soit pris pour du HTML. */
+/** Façon d'écrire du HTML où rien de ce que vient d'un étudiant ne soit pris pour du HTML. */
 final class Html {
 
     private final StringBuilder texte = new StringBuilder();
 
-    /** Du HTML, tel quel. */
+    /** HTML, tel quel. */
     Html brut(String html) {
         texte.append(html);
         return this;

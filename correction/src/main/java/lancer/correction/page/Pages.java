@@ -190,7 +190,7 @@ public final class Pages {
         return Html.image(image.largeur / 2, image.hauteur / 2, (x, y) -> image.code(2 * x, 2 * y), legende);
     }
 
-    /** Pour chaque étape, combien des rendus jugés en ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
+    /** Tableau : pour chaque étape, combien des rendus jugés en ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
     private void ouLaClasseSArrete(Html html, List<Eleve> eleves) {
         Map<Grille.Etape, Long> arrets = new LinkedHashMap<>();
         grille.etapes.forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0

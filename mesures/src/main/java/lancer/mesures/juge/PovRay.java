@@ -91,12 +91,12 @@ public final class PovRay {
         return lue.getRaster();
     }
 
-    /** De la dernière commande, entière. */
+    /** Durée de la dernière commande, entière. */
     public long dureeNs() {
         return dureeNs;
     }
 
-    /** De toutes sortes, du dernier dessin, selon elle. */
+    /** Rayons de toutes sortes, du dernier dessin, selon elle. */
     public long rayons() {
         long rayons = 0;
         for (Matcher m = RAYONS.matcher(dit); m.find();) {

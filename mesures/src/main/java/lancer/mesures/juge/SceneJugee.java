@@ -13,7 +13,7 @@ public final class SceneJugee {
 
     private static final double NIVEAUX_16 = 65535;
 
-    /** De quoi la dessiner nous-mêmes, au seuil que le juge peut tenir. */
+    /** Traceur pour la dessiner nous-mêmes, au seuil que le juge peut tenir. */
     public final Traceur lancer;
 
     /** 1, ou 3 si un Ks est coloré : l'éclat d'une lampe est pour POV-Ray d'une seule couleur. */

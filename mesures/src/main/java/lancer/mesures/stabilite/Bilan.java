@@ -16,7 +16,7 @@ public final class Bilan {
     /** Part des rayons mal classés au-dessus de laquelle une erreur ne veut plus rien dire. */
     private static final double TROP = 0.1;
 
-    /** En rayons de la sphère : plus près, c'est une autre affaire. */
+    /** Distance en rayons de la sphère : plus près, c'est une autre affaire. */
     static final double DE_LOIN = 10;
 
     /** Promesse du programme, en unités de l'erreur inévitable, κ u t. */
@@ -76,7 +76,7 @@ public final class Bilan {
         return exactitudes.stream().filter(r -> Math.abs(r.x / x - 1) < 1e-6).findFirst().get();
     }
 
-    /** Combien de fois l'erreur du programme fait celle du manuel, en moyenne géométrique, là où les deux classent bien. */
+    /** Nombre de fois que l'erreur du programme fait celle du manuel, en moyenne géométrique, là où les deux classent bien. */
     private double rapportDesErreurs(String figure) {
         List<Exactitude> programme = de(figure, Formule.PROGRAMME);
         return Math.exp(de(figure, Formule.MANUEL).stream().filter(Bilan::estClasse)
@@ -113,7 +113,7 @@ public final class Bilan {
         return valeurs;
     }
 
-    /** Là où la méthode recommandée échouait le plus : son erreur, celles des autres, et ce qu'elle coûte. */
+    /** Phrases sur les cas où la méthode recommandée échouait le plus : son erreur, celles des autres, et ce qu'elle coûte. */
     private void petites(Map<String, String> valeurs) {
         Exactitude pire = de(PetitesBoules.FIGURE, PetitesBoules.SANS).stream()
                 .max(Comparator.comparingDouble(r -> r.y / en(de(PetitesBoules.FIGURE, "partage"), r.x).y)).get();
@@ -125,7 +125,7 @@ public final class Bilan {
                 / en(de(PetitesBoules.FIGURE, "partage"), pire.x).erreurEnUnites));
     }
 
-    /** Combien de chiffres un reflet prend à un double, tant qu'il en a, et auquel il n'en reste pas. */
+    /** Nombre de chiffres qu'un reflet prend à un double, tant qu'il en a, et auquel il n'en reste pas. */
     private void reflets(Map<String, String> valeurs) {
         for (String facon : new String[] {"float", "double", "compensee", "deux_doubles"}) {
             valeurs.put("stabilite.reflets." + facon, de(Reflets.FIGURE, facon).stream().filter(r -> r.erreurRelative >= 0.1).findFirst()

@@ -15,13 +15,13 @@ final class Cas {
     /** P, V, C et r, à la suite. */
     final double[] nombres;
 
-    /** Sans arrondi : les doubles du cas sont pris tels quels, la direction est la différence exacte de deux points ; +∞ sans contact. */
+    /** Distance sans arrondi : les doubles du cas sont pris tels quels, la direction est celle de deux points, exacte ; +∞ sans contact. */
     final double distance;
 
     /** La demi-corde, +∞ si la droite ne touche pas la sphère. Près de 0, un chiffre perdu sur les données en coûte beaucoup. */
     private final double demiCorde;
 
-    /** De combien la droite entre dans la sphère, r − l, l étant sa distance au centre ; négatif si elle passe à côté. */
+    /** Profondeur dont la droite entre dans la sphère, r − l, l étant sa distance au centre ; négatif si elle passe à côté. */
     private final double enfoncement;
 
     Cas(Point P, Point vers, Point C, double r) {
@@ -47,7 +47,7 @@ final class Cas {
         return new BigDecimal[] {new BigDecimal(p.x), new BigDecimal(p.y), new BigDecimal(p.z)};
     }
 
-    /** De loin, vers une sphère de rayon 1 ou à côté d'elle, jusqu'à deux rayons de son centre. */
+    /** Rayon tiré de loin, vers une sphère de rayon 1 ou à côté d'elle, jusqu'à deux rayons de son centre. */
     static Cas deLoin(Random hasard, double distance) {
         Point P = new Point().add(gauss(hasard));
         Vecteur vers = gauss(hasard).normalized();
@@ -55,7 +55,7 @@ final class Cas {
         return new Cas(P, C.add(cote(hasard, vers).mul(2 * hasard.nextDouble())), C, 1);
     }
 
-    /** Au ras d'une sphère de rayon 1. @param marge 1 − l/r : ce qui sépare le rayon de la tangente ; négatif, il passe à côté */
+    /** Rayon au ras d'une sphère de rayon 1. @param marge 1 − l/r : ce qui sépare le rayon de la tangente ; négatif, il passe à côté */
     static Cas rasant(Random hasard, double distance, double marge) {
         Point C = new Point(hasard.nextDouble(), hasard.nextDouble(), hasard.nextDouble());
         Vecteur vers = gauss(hasard).normalized();
@@ -67,7 +67,7 @@ final class Cas {
         return new Cas(P, C.add(pied), C, 1);
     }
 
-    /** D'un œil à hauteur 1, à peu près, au-dessus d'un sol, qu'il regarde sans le raser. */
+    /** Rayon d'un œil à hauteur 1, à peu près, au-dessus d'un sol, qu'il regarde sans le raser. */
     static Cas auSol(Random hasard, double rayon) {
         Point P = new Point(hasard.nextDouble(), hasard.nextDouble(), hasard.nextDouble());
         Vecteur bas = gauss(hasard).normalized();
@@ -77,7 +77,7 @@ final class Cas {
         return new Cas(P, P.add(regard), C, rayon);
     }
 
-    /** D'un point posé au-dessus ou au-dessous d'une surface, dans une direction quelconque. @param hauteur en parts du rayon */
+    /** Rayon d'un point posé au-dessus ou au-dessous d'une surface, dans une direction quelconque. @param hauteur en parts du rayon */
     static Cas pose(Random hasard, double hauteur) {
         Point C = new Point().add(gauss(hasard));
         double rayon = Math.pow(10, 1 - 2 * hasard.nextDouble());

@@ -15,7 +15,7 @@ final class Decimaux {
 
     private static final BigDecimal DEMI = new BigDecimal("0.5");
 
-    /** De seize chiffres justes à tous ceux-là. */
+    /** Nombre de pas de seize chiffres justes à tous ceux-là. */
     private static final int PAS_DE_NEWTON = 4;
 
     private Decimaux() {

@@ -13,7 +13,7 @@ public final class Exactitude {
 
     private static final String COLONNES = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites";
 
-    /** Quelle courbe : voir {@link Mesures}. */
+    /** Courbe : voir {@link Mesures}. */
     final String figure;
     final String formule;
     final double x;

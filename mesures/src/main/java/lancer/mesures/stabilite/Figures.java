@@ -19,7 +19,7 @@ public final class Figures {
 
     private static final String ERREUR = "erreur relative de t, la pire";
 
-    /** Où dessiner une part nulle, en %, sur un axe qui ne saurait l'atteindre. */
+    /** Place où dessiner une part nulle, en %, sur un axe qui ne saurait l'atteindre. */
     private static final double AUCUN = 0.05;
 
     private final Bilan bilan;

@@ -14,7 +14,7 @@ import lancer.precision.IntersectionCompensee;
  */
 public enum Formule {
 
-    /** Avec f = P − C, le discriminant b² − 4ac soustrait deux nombres de l'ordre de |f|² pour en trouver un de l'ordre de r². */
+    /** Équation du manuel : si f = P − C, b² − 4ac soustrait deux nombres de l'ordre de |f|² pour en trouver un de l'ordre de r². */
     MANUEL("manuel : b² − 4ac", Style.BLEU, FormeDePoint.CARRE, (avant, n, k) -> {
         double fx = n[k] - n[k + 6];
         double fy = n[k + 1] - n[k + 7];
@@ -62,7 +62,7 @@ public enum Formule {
     /** Les nombres d'un cas. */
     static final int NOMBRES = 10;
 
-    /** Dans la légende. */
+    /** Nom dans la légende. */
     public final String nom;
     public final Color couleur;
     public final FormeDePoint forme;
@@ -79,7 +79,7 @@ public enum Formule {
         this.calcul = calcul;
     }
 
-    /** Dans un CSV. */
+    /** Nom dans un CSV. */
     public String cle() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -15,20 +15,20 @@ public final class Mesures {
 
     public static final String CSV = "stabilite.csv";
 
-    /** De loin : x = |P − C|/r. */
+    /** Rayons de loin : x = |P − C|/r. */
     static final String LOIN = "loin";
 
-    /** Au ras : x = 1 − l/r, d'assez près puis de loin. */
+    /** Rayons au ras : x = 1 − l/r, d'assez près puis de loin. */
     static final String RAS = "ras";
     static final String RAS_LOIN = "ras-loin";
 
-    /** Au-dessus d'un sol : x = son rayon. */
+    /** Rayons au-dessus d'un sol : x = son rayon. */
     static final String SOL = "sol";
 
     /** Posé sur une surface : x = hauteur/rayon. */
     static final String POSE = "pose";
 
-    /** De combien de rayons {@link #RAS} et {@link #RAS_LOIN} regardent la sphère. */
+    /** Distance, en rayons, dont {@link #RAS} et {@link #RAS_LOIN} regardent la sphère. */
     static final double PRES = 3;
     static final double LOINTAIN = 1000;
 

@@ -9,13 +9,13 @@ import lancer.Constantes;
  */
 public final class Noyau {
 
-    /** Combien de distances en calcule {@link #faire}. */
+    /** Nombre de distances que calcule {@link #faire}. */
     public static final int DISTANCES = 5_120_000;
 
     /** Rayons d'un tour ; leurs nombres tiennent dans le cache le plus proche du processeur. */
     static final int RAYONS = 256;
 
-    /** De tant de distances, la plus petite est gardée. */
+    /** Nombre de distances dont la plus petite est gardée. */
     static final int ENSEMBLE = 8;
 
     private static final int VERIFIES = 128;

@@ -97,7 +97,7 @@ final class PetitesBoules {
     // ---- l'erreur attendue
 
     /**
-     * D'un disque au hasard, le carré attendu de ce que des points, de poids donnés, se trompent de son aire dans le pixel : la somme sur
+     * Carré attendu, pour un disque au hasard, de ce que des points, de poids donnés, se trompent de son aire dans le pixel : la somme sur
      * toutes les paires, de points et du pixel lui-même compté en moins, de l'aire commune à deux disques centrés là.
      */
     private double attendue(String methode) {

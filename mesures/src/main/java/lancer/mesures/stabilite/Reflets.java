@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Ce qui reste des chiffres d'un rayon après tant de reflets d'une petite boule à l'autre : chaque reflet multiplie l'erreur par deux
+ * Reste des chiffres d'un rayon après tant de reflets d'une petite boule à l'autre : chaque reflet multiplie l'erreur par deux
  * fois la distance d'une boule à l'autre, divisée par leur rayon, quelle que soit la méthode. Chaque façon de compter fait ses opérations
  * une à une, et arrondit chacune : le même calcul, juste, sinon cet arrondi.
  */
@@ -23,7 +23,7 @@ final class Reflets {
     /** Le plus de reflets que l'on suive. */
     static final int MAX = 25;
 
-    /** D'une boule de rayon 1 à la suivante, entre ces distances : celles d'une foule. */
+    /** Bornes des distances d'une boule de rayon 1 à la suivante : celles d'une foule. */
     private static final double PRES = 5;
     private static final double LOIN = 40;
 
@@ -52,7 +52,7 @@ final class Reflets {
         return facons;
     }
 
-    /** Pour chaque façon et chaque nombre de reflets, l'erreur médiane du contact, en rayons de la boule. @param chaines tirées au sort */
+    /** Erreur médiane du contact, par façon et par nombre de reflets, en rayons de la boule. @param chaines tirées au sort */
     static List<Exactitude> mesurer(int chaines) {
         Map<String, double[][]> erreurs = new LinkedHashMap<>();
         facons().keySet().forEach(nom -> erreurs.put(nom, new double[MAX][chaines]));

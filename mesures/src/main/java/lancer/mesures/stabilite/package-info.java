@@ -1,5 +1,5 @@
 /**
- * Où les façons de calculer un contact se trompent, et de combien : chacune contre un calcul exact.
+ * Régimes où les façons de calculer un contact se trompent, et de combien : chacune contre un calcul exact.
  *
  * <p>Y entre une méthode à juger, ou une famille de cas où la juger.
  */

@@ -17,7 +17,7 @@ final class Etiquettes {
     private static final double[][] DIRECTIONS = {{1, 0}, {1, -1}, {-1, 0}, {1, 1}, {0, -1}, {-1, -1}, {0, 1}, {-1, 1}};
     private static final double[] DISTANCES = {16, 24, 40, 60, 84, 120, 160};
 
-    /** Au-delà, un fil relie le nom au point. */
+    /** Distance au-delà de laquelle un fil relie le nom au point. */
     private static final double FIL = 30;
 
     private final Graphics2D g;

@@ -18,7 +18,7 @@ public enum FormeDePoint {
     /** Rien : il ne reste que le trait. */
     AUCUNE(new Rectangle2D.Double());
 
-    /** Autour d'un réglage par défaut. */
+    /** Anneau autour d'un réglage par défaut. */
     static final Shape ANNEAU = new Ellipse2D.Double(-20, -20, 40, 40);
 
     /** Demi-côté de la place que prend un point, en pixels. */

@@ -58,7 +58,7 @@ public final class Planche {
         return this;
     }
 
-    /** En pixels ; les caractères gardent la leur. */
+    /** Change la taille, en pixels ; les caractères gardent la leur. */
     public Planche taille(int largeur, int hauteur) {
         this.largeur = largeur;
         this.hauteur = hauteur;

@@ -41,7 +41,7 @@ public final class Style {
     public static final Color VERMILLON = new Color(0xD55E00);
     public static final Color POURPRE = new Color(0xCC79A7);
 
-    /** Pour ce qui aide à lire sans être une mesure. */
+    /** Couleur de ce qui aide à lire sans être une mesure. */
     public static final Color ENCRE = new Color(0x222222);
     public static final Color GRIS = new Color(0x707070);
     public static final Color GRILLE = new Color(0xE2E2E2);
@@ -108,13 +108,13 @@ public final class Style {
         return devant + "10" + enExposant(exposant);
     }
 
-    /** Avec tant de chiffres significatifs au plus, et toujours ceux d'avant la virgule. */
+    /** Nombre écrit avec tant de chiffres significatifs au plus, et toujours ceux d'avant la virgule. */
     private static String chiffres(double valeur, int combien) {
         int entiers = valeur == 0 ? 1 : (int) Math.floor(Math.log10(Math.abs(valeur)) + 1e-9) + 1;
         return decimales(valeur, Math.max(0, combien - entiers));
     }
 
-    /** Avec tant de décimales au plus. */
+    /** Nombre écrit avec tant de décimales au plus. */
     private static String decimales(double valeur, int decimales) {
         DecimalFormatSymbols symboles = new DecimalFormatSymbols(Locale.ROOT);
         symboles.setDecimalSeparator(',');

@@ -66,7 +66,7 @@ public final class Volet {
         this.nomY = nomY;
     }
 
-    /** De tant de fois la hauteur de ceux d'une autre rangée. */
+    /** Donne tant de fois la hauteur de ceux d'une autre rangée. */
     public Volet part(double fois) {
         part = fois;
         return this;
@@ -179,7 +179,7 @@ public final class Volet {
         }
     }
 
-    /** Il dépasse ce qui s'y montre : une marque au bord doit y tenir. */
+    /** Axe qui dépasse ce qui s'y montre : une marque au bord doit y tenir. */
     private static Axe axe(String nom, Range montre) {
         double min = montre.getLowerBound();
         double max = montre.getUpperBound();

@@ -39,7 +39,7 @@ final class Besoin {
     /** Recherche qui a dessiné l'image, avec ce qu'elle a construit. */
     private final Recherche recherche;
 
-    /** Parmi les rayons utiles, ceux d'ombre dont la réponse contraire ne change rien à l'écran. */
+    /** Rayons d'ombre, parmi les utiles, dont la réponse contraire ne change rien à l'écran. */
     private long ombresInutiles;
 
     Besoin(Path fichier, Taille taille) {
@@ -116,7 +116,7 @@ final class Besoin {
         return bas;
     }
 
-    /** Combien de lampes changent au moins un pixel de l'écran. */
+    /** Nombre de lampes qui changent au moins un pixel de l'écran. */
     int lampesUtiles() {
         int utiles = 0;
         for (Lampe lampe : scene.getLampes()) {
@@ -164,7 +164,7 @@ final class Besoin {
         private final Recherche vraie;
         private int rang;
 
-        /** Depuis le dernier pixel commencé. */
+        /** Compte des questions depuis le dernier pixel commencé. */
         private int demandees;
 
         Retournee(Recherche vraie) {

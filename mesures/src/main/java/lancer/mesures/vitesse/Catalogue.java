@@ -46,7 +46,7 @@ final class Catalogue {
 
     static final String COINS_DEFAUT = "n=3 seuil=0.05";
 
-    /** Jusqu'à ce nombre de sphères, les boucles du cours se mesurent ; une seule fois à celui-ci. */
+    /** Nombre de sphères jusqu'auquel les boucles du cours se mesurent ; une seule fois à celui-ci. */
     static final int BOUCLES_MAX = 10000;
 
     private final boolean court;
@@ -62,7 +62,7 @@ final class Catalogue {
         final String scene;
         final List<Methode> methodes;
 
-        /** Combien de fois chacune, et la référence, se mesurent dans des machines virtuelles neuves : chacune donne un rapport. */
+        /** Nombre de fois que chacune, et la référence, se mesurent dans des machines virtuelles neuves : chacune donne un rapport. */
         final int lancements;
 
         Groupe(String famille, String scene, List<Methode> methodes, int lancements) {

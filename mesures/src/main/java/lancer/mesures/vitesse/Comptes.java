@@ -45,7 +45,7 @@ final class Comptes {
     static final List<String> COLONNES = Arrays.asList("famille", "scene", "methode", "parametres", "largeur", "hauteur",
             "primaires", "ombre", "reflechis", "rayons", "erreur", "erreur_min", "erreur_max", "visibles");
 
-    /** De deux programmes, la même image : seulement là où POV-Ray est installé. */
+    /** Figure de la même image par deux programmes : seulement là où POV-Ray est installé. */
     static final String PROGRAMMES = "stabilite-programmes.png";
 
     /** Reflets auxquels un double ne suffit plus. */

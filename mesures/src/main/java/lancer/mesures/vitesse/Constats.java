@@ -14,7 +14,7 @@ import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
 
 /**
- * Ce que disent les mesures, en phrases : les titres des courbes, et ce que montrent les pages, par leurs noms. Tout est calculé ; aucune
+ * Phrases que disent les mesures : les titres des courbes, et ce que montrent les pages, par leurs noms. Tout est calculé ; aucune
  * différence n'est dite qu'{@link Intervalle#nettementSous} ne porte.
  */
 final class Constats {
@@ -73,7 +73,7 @@ final class Constats {
         return valeurs;
     }
 
-    /** Sur quoi et quand les temps ont été pris. */
+    /** Machine sur laquelle, et moment où, les temps ont été pris. */
     String circonstances() {
         return releves.get().stream().filter(r -> !r.texte("machine").isEmpty()).findFirst().map(Releve::circonstances)
                 .orElse("aucun temps n'a été pris");
@@ -95,7 +95,7 @@ final class Constats {
                 + " pour " + Style.arrondi(prix(r)) + " fois le prix d'un rayon : " + Noms.methode(r);
     }
 
-    /** Combien de fois les rayons d'un rayon par pixel. */
+    /** Prix en nombre de fois les rayons d'un rayon par pixel. */
     double prix(Releve r) {
         return r.rayons() / methodes(r.scene).le(Catalogue.UN_RAYON, "").rayons();
     }
@@ -117,7 +117,7 @@ final class Constats {
         return (n * xy[3] - xy[0] * xy[1]) / (n * xy[2] - xy[0] * xy[0]);
     }
 
-    /** Par combien l'erreur se divise quand le prix est dix fois plus grand. */
+    /** Facteur par lequel l'erreur se divise quand le prix est dix fois plus grand. */
     private String pentes(String scene) {
         return "la grille la divise par " + Style.arrondi(Math.pow(10, -pente(scene, Catalogue.GRILLE))) + ", « coins » par "
                 + Style.arrondi(Math.pow(10, -pente(scene, Catalogue.COINS))) + ", « partage » par "
@@ -155,7 +155,7 @@ final class Constats {
 
     // ---- le nombre de sphères
 
-    /** D'où le programme va plus vite que les boucles du cours, et de combien à la plus grande foule où elles se comparent. */
+    /** Taille d'où le programme va plus vite que les boucles du cours, et de combien à la plus grande foule où elles se comparent. */
     String titreDesSpheres() {
         List<Releve> boucles = spheres(Catalogue.BOUCLES).tels(r -> r.rapport().max < Double.POSITIVE_INFINITY).get();
         Releve des = null;
@@ -171,7 +171,7 @@ final class Constats {
         return "de " + Style.arrondi(r.rapport().min) + " à " + Style.arrondi(r.rapport().max) + " fois";
     }
 
-    /** À combien de sphères le programme va plus vite que cette méthode, ou moins vite, à coup sûr, et combien de fois. */
+    /** Nombre de sphères où le programme va plus vite que cette méthode, ou moins vite, à coup sûr, et combien de fois. */
     private String plusViteQue(String methode) {
         List<String> phrases = new ArrayList<>();
         for (Releve lui : spheres(methode).get()) {

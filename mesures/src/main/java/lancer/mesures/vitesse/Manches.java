@@ -21,7 +21,7 @@ final class Manches {
 
     static final double PART_MIN = 0.8;
 
-    /** Au-delà, et si la moitié des manches sont jetées, la machine n'est pas à nous. */
+    /** Nombre de manches au-delà duquel, si la moitié en sont jetées, la machine n'est pas à nous. */
     private static final int ESSAIS = 100;
 
     /** Deux manches d'une minute jetées sur deux ne disent pas que toutes le seraient. */
@@ -33,10 +33,10 @@ final class Manches {
     private int toutes;
     private int jetees;
 
-    /** De quoi prendre un temps, autant de fois qu'on veut. */
+    /** Moyen de prendre un temps, autant de fois qu'on veut. */
     interface Echantillon {
 
-        /** D'un dessin, en nanosecondes : réel, et des processeurs (NaN si l'on n'en sait rien). */
+        /** Temps d'un dessin, en nanosecondes : réel, et des processeurs (NaN si l'on n'en sait rien). */
         double[] prendre() throws IOException;
     }
 
@@ -47,7 +47,7 @@ final class Manches {
         final int manches;
         final int jetees;
 
-        /** De la meilleure manche. */
+        /** Temps de la meilleure manche. */
         final double referenceNs;
 
         Temps(double[] rapports, int manches, int jetees, double referenceNs) {

@@ -158,7 +158,7 @@ public final class MesureAuto {
                 + b.get("prix90") + " dans 90 ; les essais restent sous leur borne " + b.get("essais");
     }
 
-    /** Par noms. */
+    /** Valeurs par noms. */
     static Map<String, String> bilan(List<Map<String, String>> lignes) {
         Map<String, String> bilan = new TreeMap<>();
         List<Map<String, String>> tenables = lignes.stream().filter(l -> !l.get("oracle").isEmpty()).collect(Collectors.toList());

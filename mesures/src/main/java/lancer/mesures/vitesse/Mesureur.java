@@ -29,7 +29,7 @@ final class Mesureur {
     /** Programme que construit le Makefile, là où Embree est installé. */
     static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
-    /** D'ici à cinq fois plus, une manche est longue ; celles de POV-Ray le sont toutes. */
+    /** Durée : d'ici à cinq fois plus, une manche est longue ; celles de POV-Ray le sont toutes. */
     private static final double LONGUE_NS = 1e9;
 
     /** Plus de manches n'apprendraient rien que la machine suivante ne démente. */
@@ -88,8 +88,8 @@ final class Mesureur {
     }
 
     /**
-     * Autant de manches qu'il en tient dans quelques secondes : une seule est à la merci d'un accident, leur médiane non. De longues, il y
-     * en a moins, mais chacune est déjà une moyenne. C'est décidé avant la première.
+     * Nombre de manches, autant qu'il en tient en quelques secondes : une seule est à la merci d'un accident, leur médiane non. De longues,
+     * il y en a moins, mais chacune est déjà une moyenne. C'est décidé avant la première.
      */
     private int voulues(Catalogue.Groupe groupe, double mancheNs) {
         double tiennent = LONGUE_NS * (court ? 0.2 : groupe.lancements > 1 ? 2 : 2.5) / mancheNs;
@@ -215,7 +215,7 @@ final class Mesureur {
         return new double[] {System.nanoTime() - debut, Double.NaN};
     }
 
-    /** Du démarrage de Java au PNG écrit. */
+    /** Temps du démarrage de Java au PNG écrit. */
     private final class Programme implements Manches.Echantillon {
 
         private final Path fichier;

@@ -15,7 +15,7 @@ final class Methode {
     /** Nom de la méthode, en un mot. */
     final String nom;
 
-    /** Avec quoi ; vide s'il n'y a rien à choisir. */
+    /** Paramètres ; vide s'il n'y a rien à choisir. */
     final String parametres;
 
     /** Options de la commande, du programme ou de POV-Ray. */
@@ -53,7 +53,7 @@ final class Methode {
         return this;
     }
 
-    /** Par les boucles du cours. */
+    /** Même méthode, par les boucles du cours. */
     Methode enBoucles() {
         boucles = true;
         options = new String[] {"--simple"};
@@ -87,7 +87,7 @@ final class Methode {
             return lancer.getCompteurs();
         }
 
-        /** Par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */
+        /** Refait, par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Scene scene = lancer.getScene();
             Echantillonnage partiel = filtre.apply(scene.getModele().getEchantillonnage().pour(scene.getObjets(), lancer.getCamera()));

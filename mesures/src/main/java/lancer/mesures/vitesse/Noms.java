@@ -5,18 +5,18 @@ import lancer.mesures.Intervalle;
 import lancer.mesures.trace.FormeDePoint;
 import lancer.mesures.trace.Style;
 
-/** Comment écrire dans une phrase, ou près d'un point, ce que le CSV nomme sèchement ; et comment dire un rapport. */
+/** Façon d'écrire dans une phrase, ou près d'un point, ce que le CSV nomme sèchement ; et comment dire un rapport. */
 final class Noms {
 
     private static final Intervalle UN = Intervalle.exact(1);
 
-    /** Au-delà, une hausse se dit en « fois », non en pour cent. */
+    /** Rapport au-delà duquel une hausse se dit en « fois », non en pour cent. */
     private static final double EN_FOIS = 1.5;
 
-    /** Au-delà, une borne ne dit rien. */
+    /** Rapport au-delà duquel une borne ne dit rien. */
     private static final double INCONNU = 100;
 
-    /** De chaque méthode, son nom dans le CSV, au bout de sa ligne, dans une phrase, près d'un point, et l'apparence de ses points. */
+    /** Noms de chaque méthode : dans le CSV, au bout de sa ligne, dans une phrase, près d'un point, et l'apparence de ses points. */
     static final Object[][] METHODES = {
         {Catalogue.UN_RAYON, "", "un rayon par pixel", "un rayon par pixel", Style.NOIR, FormeDePoint.ROND},
         {Catalogue.PROFONDEUR, "un rayon, moins de reflets ou plus", "un rayon à %s reflets", "%s reflets", Style.VERMILLON,
@@ -41,7 +41,7 @@ final class Noms {
         return scene.equals("scene1") ? "Scène du cours" : Character.toUpperCase(scene.charAt(0)) + scene.substring(1);
     }
 
-    /** Dans une phrase. */
+    /** Nom dans une phrase. */
     static String methode(Releve r) {
         return String.format((String) de(r)[2], parametres(r, "$1 rayons là où c'est utile (seuil $2)",
                 "$1 × $1 où quatre coins diffèrent")).replaceFirst("\\b1 reflets", "1 reflet");
@@ -58,7 +58,7 @@ final class Noms {
                 .replaceFirst(" reflets=\\d+ jusqu'à ", ", tous les reflets jusqu'à ").replaceFirst("^\\w+=", "");
     }
 
-    /** Combien de fois les rayons d'un rayon par pixel : « × 4 ». */
+    /** Prix en nombre de fois les rayons d'un rayon par pixel : « × 4 ». */
     static String prix(double fois) {
         return "× " + Style.arrondi(fois);
     }
@@ -78,7 +78,7 @@ final class Noms {
                 : "temps × " + Style.arrondi(i.valeur) + " (de " + Style.arrondi(i.min) + " à " + Style.arrondi(i.max) + ")";
     }
 
-    /** De combien c'est plus que 1, et entre quoi ; ou qu'on ne sait pas le dire. */
+    /** Écart : de combien c'est plus que 1, et entre quoi ; ou qu'on ne sait pas le dire. */
     static String rapport(Intervalle i) {
         if (!UN.nettementSous(i) && !i.nettementSous(UN)) {
             return "aucune différence que la mesure porte (de " + pourCent(i.min) + " à " + pourCent(i.max) + ")";

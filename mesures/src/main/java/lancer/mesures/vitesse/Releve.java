@@ -24,7 +24,7 @@ final class Releve {
     final String parametres;
     private final Map<String, String> champs;
 
-    /** Ce dont deux machines virtuelles qui font la même chose s'écartent, un facteur : les rapports ne disent rien de plus fin. */
+    /** Facteur dont deux machines virtuelles qui font la même chose s'écartent : les rapports ne disent rien de plus fin. */
     double marge = 1;
 
     /** @param champs par nom de colonne */
@@ -55,7 +55,7 @@ final class Releve {
         return champs.getOrDefault(colonne, "");
     }
 
-    /** Sur quoi et quand. */
+    /** Circonstances de la mesure. */
     String circonstances() {
         return texte("machine") + ", " + texte("coeurs") + " cœurs, " + texte("jvm") + ", commit " + texte("commit") + ", "
                 + texte("date").replace('T', ' ');
@@ -67,19 +67,19 @@ final class Releve {
         return texte.isEmpty() ? Double.NaN : Double.parseDouble(texte);
     }
 
-    /** Du temps, à celui de la référence ; sans bornes si l'on n'a qu'une manche. */
+    /** Rapport du temps à celui de la référence ; sans bornes si l'on n'a qu'une manche. */
     Intervalle rapport() {
         double max = nombre("rapport_max");
         return new Intervalle(nombre("rapport"), Double.isNaN(max) ? 0 : nombre("rapport_min"),
                 Double.isNaN(max) ? Double.POSITIVE_INFINITY : max).elargi(marge);
     }
 
-    /** En niveaux. */
+    /** Erreur en niveaux. */
     Intervalle erreur() {
         return new Intervalle(nombre("erreur"), nombre("erreur_min"), nombre("erreur_max"));
     }
 
-    /** De toutes sortes, d'une image. */
+    /** Rayons de toutes sortes, d'une image. */
     double rayons() {
         return texte("rayons").isEmpty() ? nombre("primaires") + nombre("ombre") + nombre("reflechis") : nombre("rayons");
     }

@@ -86,7 +86,7 @@ final class Releves {
         return tous.stream().map(r -> r.scene).distinct().collect(Collectors.toList());
     }
 
-    /** De la meilleure manche de toutes, en millisecondes ; NaN si aucune n'a été prise. */
+    /** Temps de la meilleure manche de toutes, en millisecondes ; NaN si aucune n'a été prise. */
     double referenceMs() {
         return tous.stream().mapToDouble(r -> r.nombre("reference_ms")).filter(t -> !Double.isNaN(t)).min().orElse(Double.NaN);
     }
@@ -96,7 +96,7 @@ final class Releves {
         return tels(r -> !r.methode.equals(Catalogue.POVRAY) && !r.methode.equals(Catalogue.AUTO));
     }
 
-    /** Du moins cher au plus juste, ce qui se trompe moins, à coup sûr, que tout ce qui est moins cher que lui. */
+    /** Front, du moins cher au plus juste : ce qui se trompe moins, à coup sûr, que tout ce qui est moins cher que lui. */
     List<Releve> front() {
         List<Releve> front = new ArrayList<>();
         aNous().tous.stream().sorted(Comparator.comparingDouble(Releve::rayons).thenComparingDouble(r -> r.erreur().valeur)).forEach(r -> {

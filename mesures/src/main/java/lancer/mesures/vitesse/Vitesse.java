@@ -38,7 +38,7 @@ public final class Vitesse {
     private static final List<String> OPTIONS = Arrays.asList("--rapide", "--agitee", "--comptes", "--temps", "--noyaux", "--stabilite",
             "--dessiner");
 
-    /** Où finit une mesure complète, avec ses courbes. */
+    /** Dossier où finit une mesure complète, avec ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
 
     private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
@@ -47,7 +47,7 @@ public final class Vitesse {
     private final boolean rapide;
     private final PrintStream sortie;
 
-    /** Où mesurer, et où porter le tout à la fin. */
+    /** Dossiers où mesurer, et où porter le tout à la fin. */
     private final Path atelier;
     private final Path resultats;
 
