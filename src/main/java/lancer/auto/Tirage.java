@@ -32,7 +32,7 @@ final class Tirage {
     /** Erreur que promet tout pixel, rapporté à la moyenne des contrastes ; et, en niveaux, d'une image unie. */
     private static final double PLANCHER = 0.3;
 
-    /** Chacune des deux références a un point au hasard dans chacune des cases de la grille de tant de côté. */
+    /** Côté de la grille : chacune des deux références a un point au hasard dans chacune de ses cases. */
     private static final double COTE_POUR_UN_NIVEAU = 4.3;
     private static final int COTE_MIN = 3;
     private static final int COTE_MAX = 6;

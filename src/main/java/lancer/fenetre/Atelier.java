@@ -185,7 +185,7 @@ final class Atelier {
         }
     }
 
-    /** Plus aucun dessin. */
+    /** Arrête tout : plus aucun dessin. */
     void terminer() {
         if (courant != null) {
             courant.arreter();

@@ -32,7 +32,7 @@ public final class Preparation {
     private static final double LONGUEUR_MIN = 1e-90;
     private static final double LONGUEUR_MAX = 1e101;
 
-    /** Plus de sphères que cela par pixel : ni carte, ni grille ne vaut d'être faite. */
+    /** Nombre de sphères par pixel au-delà duquel ni carte, ni grille ne vaut d'être faite. */
     private static final int SPHERES_PAR_PIXEL = 8;
 
     /** Les masques des ombres d'une lampe regardent chaque sphère de chaque autre : il leur faut assez de pixels. */

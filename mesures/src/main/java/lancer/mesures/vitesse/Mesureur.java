@@ -32,7 +32,7 @@ final class Mesureur {
     /** Durée : d'ici à cinq fois plus, une manche est longue ; celles de POV-Ray le sont toutes. */
     private static final double LONGUE_NS = 1e9;
 
-    /** Plus de manches n'apprendraient rien que la machine suivante ne démente. */
+    /** Nombre de manches au-delà duquel elles n'apprendraient rien que la machine suivante ne démente. */
     private static final int MANCHES_MAX = 21;
 
     /** L'échauffement : tant de dessins, ou moins s'ils durent plus que cela. */
