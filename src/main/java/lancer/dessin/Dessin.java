@@ -1,5 +1,7 @@
 package lancer.dessin;
 
+import java.text.NumberFormat;
+import java.util.Locale;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.scene.Origines;
@@ -25,5 +27,13 @@ public final class Dessin {
         this.reglages = reglages;
         this.image = image;
         this.traceur = traceur;
+    }
+
+    /** Les rayons et le temps de ce dessin achevé. */
+    public String getCout() {
+        // l'espace fine des nombres français manque à bien des polices
+        String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(traceur.getCompteurs().rayons())
+                .replace('\u202F', '\u00A0');
+        return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", traceur.getDureeNs() / 1e9);
     }
 }

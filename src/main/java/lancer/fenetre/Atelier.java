@@ -30,7 +30,7 @@ import lancer.image.ImageMemoire;
  */
 final class Atelier {
 
-    /** Temps laissé à un brouillon avant de montrer ses morceaux, en nanosecondes. */
+    /** Temps laissé au premier brouillon avant d'en montrer ce qui est dessiné, en nanosecondes. */
     private static final long PATIENCE_NS = 300_000_000;
 
     /** Taille au-delà de laquelle l'image d'avant ne se garde pas : elle prendrait autant que celle de maintenant. */
@@ -239,9 +239,11 @@ final class Atelier {
         }
         lu = courant.avertissements != null ? courant.fichier : lu;
         Dessin dessin = courant.getDessin();
-        if (dessin != null && panneau.montrer(dessin.image, dessin.traceur.isBrouillonFait(),
-                courant.getDureeNs() > PATIENCE_NS)) {
-            montre = dessin.image == panneau.montree ? dessin : montre;
+        if (dessin != null && (dessin.image == panneau.montree || dessin.traceur.isBrouillonFait()
+                // à défaut d'image, un morceau de brouillon vaut mieux que du gris
+                || panneau.montree == null && courant.getDureeNs() > PATIENCE_NS)) {
+            panneau.montrer(dessin.image);
+            montre = dessin;
             if (courant.fichier != null && courant != adopte) {
                 adopter();
             }
@@ -275,7 +277,7 @@ final class Atelier {
             // les sections laissées de côté, sans le reste de leur avertissement
             String ignorees = String.join("\n", adopte.avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            couts.put(complete, BarreEtat.cout(montre.traceur) + ", " + courant.reglages + ignorees
+            couts.put(complete, montre.getCout() + ", " + courant.reglages + ignorees
                     + (direFautes() == null ? "" : ", " + direFautes()));
             panneau.bandeau.effacerErreur();
             if (montre.traceur.getEcart() != null) {
@@ -296,9 +298,7 @@ final class Atelier {
     /** Phrase qui dit combien de pixels de l'image montrée n'ont pu être calculés ; {@code null} si aucun. */
     String direFautes() {
         Fautes fautes = montre == null ? null : montre.traceur.getFautes();
-        int nombre = fautes == null ? 0 : fautes.getNombre();
-        return nombre == 0 ? null : nombre == 1 ? "un pixel n'a pu être calculé"
-                : nombre + " pixels n'ont pu être calculés";
+        return fautes == null ? null : fautes.enMots();
     }
 
     /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */

@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Point;
-import java.text.NumberFormat;
 import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -12,7 +11,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
-import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 
 /** Le bas de la fenêtre : le pixel sous la souris, l'image, l'avancement, et un bouton pour arrêter ou reprendre. */
@@ -85,14 +83,6 @@ final class BarreEtat extends JPanel {
         avancement.setValue(tracage.isAcheve() ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));
         avancement.setString(tracage.getEtat());
         bouton.setText(tracage.isDone() ? "Redessiner" : "Arrêter");
-    }
-
-    /** Rayons et temps d'un dessin. */
-    static String cout(Traceur lancer) {
-        // l'espace fine des nombres français manque à bien des polices
-        String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
-                .replace('\u202F', '\u00A0');
-        return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", lancer.getDureeNs() / 1e9);
     }
 
     /** Résumé de l'image montrée, {@code null} si elle n'est pas achevée, et de ce qu'elle a coûté. */

@@ -118,7 +118,8 @@ public final class Fenetre {
                 Menus.ctrl(KeyEvent.VK_1), atelier::ajuster);
         demander.setSelected(true);
         remplir = Menus.choix(menu, tailles, "Remplir la fenêtre", Menus.ctrl(KeyEvent.VK_0), atelier::ajuster);
-        plein = Menus.coche(menu, "Plein écran", Menus.touche(KeyEvent.VK_F11), this::basculer);
+        plein = new JCheckBoxMenuItem("Plein écran");
+        Menus.article(menu, plein, Menus.touche(KeyEvent.VK_F11), this::basculer);
         menu.addSeparator();
         Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
         Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
@@ -380,7 +381,7 @@ public final class Fenetre {
     }
 
     private void montrerPixel() {
-        ImageMemoire image = panneau.getImageSouris();
+        ImageMemoire image = panneau.getVisible();
         barre.montrerPixel(panneau.getPixelSouris(image), image, atelier.getCout(image) == null);
     }
 

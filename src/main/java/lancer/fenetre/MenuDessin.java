@@ -44,7 +44,8 @@ final class MenuDessin {
         reflexions.setMnemonic('x');
         reflexions.setToolTipText("touches + et −");
         for (String nom : variantes) {
-            JCheckBoxMenuItem coche = Menus.siScene(atelier, Menus.coche(menu, nom, null, () -> {
+            JCheckBoxMenuItem coche = new JCheckBoxMenuItem(nom);
+            Menus.siScene(atelier, Menus.article(menu, coche, null, () -> {
                 ReglagesDessin reglages = atelier.reglages;
                 Variante variante = reglages.getVariante(nom);
                 atelier.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);

@@ -2,8 +2,8 @@ package lancer.fenetre;
 
 import java.awt.Toolkit;
 import java.awt.event.KeyEvent;
+import java.util.Arrays;
 import javax.swing.ButtonGroup;
-import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
@@ -38,10 +38,6 @@ final class Menus {
         return article(menu, new JMenuItem(nom), touche, action);
     }
 
-    static JCheckBoxMenuItem coche(JMenu menu, String nom, KeyStroke touche, Runnable action) {
-        return article(menu, new JCheckBoxMenuItem(nom), touche, action);
-    }
-
     static JRadioButtonMenuItem choix(JMenu menu, ButtonGroup groupe, String nom, KeyStroke touche, Runnable action) {
         JRadioButtonMenuItem choix = article(menu, new JRadioButtonMenuItem(nom), touche, action);
         groupe.add(choix);
@@ -66,7 +62,7 @@ final class Menus {
         return article;
     }
 
-    private static <T extends JMenuItem> T article(JMenu menu, T article, KeyStroke touche, Runnable action) {
+    static <T extends JMenuItem> T article(JMenu menu, T article, KeyStroke touche, Runnable action) {
         // un nom de fichier qui commence par <html> se lit tel quel
         article.putClientProperty("html.disable", true);
         article.updateUI();
@@ -78,16 +74,8 @@ final class Menus {
     }
 
     private static int lettreLibre(JMenu menu, String nom) {
-        for (char c : nom.toCharArray()) {
-            int touche = KeyEvent.getExtendedKeyCodeForChar(c);
-            boolean libre = Character.isLetterOrDigit(c) && touche < 128;
-            for (int k = 0; k < menu.getItemCount() && libre; k++) {
-                libre = menu.getItem(k) == null || menu.getItem(k).getMnemonic() != touche;
-            }
-            if (libre) {
-                return touche;
-            }
-        }
-        return KeyEvent.VK_UNDEFINED;
+        return nom.chars().filter(c -> c < 128 && Character.isLetterOrDigit(c)).map(KeyEvent::getExtendedKeyCodeForChar)
+                .filter(lettre -> Arrays.stream(menu.getMenuComponents()).noneMatch(autre -> autre instanceof JMenuItem
+                        && ((JMenuItem) autre).getMnemonic() == lettre)).findFirst().orElse(KeyEvent.VK_UNDEFINED);
     }
 }

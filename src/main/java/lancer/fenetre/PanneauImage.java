@@ -43,8 +43,6 @@ final class PanneauImage extends JPanel {
     /** L'image montrée, {@code null} avant la première ; celle d'avant, tant qu'on la tient à la place des autres. */
     ImageMemoire montree;
     ImageMemoire tenue;
-    /** L'image qui se dessine par-dessus tant que son brouillon n'est pas complet. */
-    private ImageMemoire naissante;
     /** Figure peinte par-dessus l'image ; {@code null} : aucune. */
     private Figure dessus;
     private IntConsumer siNumero;
@@ -175,9 +173,9 @@ final class PanneauImage extends JPanel {
         repaint();
     }
 
-    /** Image que désigne la souris : celle qui se dessine ne cache l'autre que là où elle a une couleur. */
-    ImageMemoire getImageSouris() {
-        return tenue != null ? tenue : getPixelSouris(naissante) != null ? naissante : montree;
+    /** L'image qui se voit ; {@code null} avant la première. */
+    ImageMemoire getVisible() {
+        return tenue != null ? tenue : montree;
     }
 
     private AffineTransform getEchelle() {
@@ -262,25 +260,10 @@ final class PanneauImage extends JPanel {
         siBouge.run();
     }
 
-    /**
-     * Montre l'image telle qu'elle est maintenant, et rend vrai si elle se voit.
-     *
-     * @param entiere vrai si chacun de ses pixels a une couleur : elle remplace alors la précédente
-     * @param parMorceaux sinon, vrai pour en montrer déjà ce qui est dessiné
-     */
-    boolean montrer(ImageMemoire image, boolean entiere, boolean parMorceaux) {
-        if (entiere) {
-            montree = image;
-        }
-        if (entiere || montree != null && !parMorceaux) {
-            naissante = null;
-        } else if (image != naissante) {
-            // pas encore de brouillon complet : ce qu'on en voit vaut mieux que du gris
-            montree = montree == null ? naissante : montree;
-            naissante = image;
-        }
+    /** Montre cette image telle qu'elle est maintenant, à la place de la précédente. */
+    void montrer(ImageMemoire image) {
+        montree = image;
         repaint();
-        return image == montree || image == naissante;
     }
 
     /** Peint ceci par-dessus l'image, à l'écran seulement ; un clic sur un numéro va à {@code siChoisi}. */
@@ -301,10 +284,7 @@ final class PanneauImage extends JPanel {
         g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, loupe > 0
                 ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
         peinte |= montree != null;
-        peindre(g2, tenue != null ? tenue : montree);
-        if (tenue == null) {
-            peindre(g2, naissante);
-        }
+        peindre(g2, getVisible());
         if (dessus != null && montree != null && tenue == null) {
             g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
             dessus.peindre(g2, getPlace(montree), getLibre());

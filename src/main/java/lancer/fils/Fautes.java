@@ -62,8 +62,10 @@ public final class Fautes {
         }
     }
 
-    public synchronized int getNombre() {
-        return pixels.cardinality();
+    /** Le nombre de ces pixels, en une phrase ; {@code null} s'il n'y en a pas. */
+    public synchronized String enMots() {
+        return premiere == null ? null : pixels.cardinality() == 1 ? "un pixel n'a pu être calculé"
+                : pixels.cardinality() + " pixels n'ont pu être calculés";
     }
 
     /** Première faute, dans l'ordre de la lecture, {@code null} s'il n'y en a pas. */
