@@ -3,7 +3,6 @@ package lancer.fenetre;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.FontMetrics;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -24,16 +23,14 @@ import javax.swing.JColorChooser;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
-import javax.swing.JTable;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
-import javax.swing.colorchooser.AbstractColorChooserPanel;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import lancer.Couleur;
-import lancer.texte.Nombre;
+import lancer.contrat.Section;
 import lancer.texte.Texte;
 
 /** Les dialogues, en français même là où Java ne l'est pas, les fenêtres d'à côté, et l'apparence du système. */
@@ -43,8 +40,6 @@ final class Dialogues {
 
     /** Place qu'un dialogue laisse, sur un petit écran, à son propre cadre. */
     private static final int BORDS = 40;
-
-    private static final int MARGE = 16;
 
     /** Vrai tant qu'un choix de fichier est à l'écran : une touche qui se répète en ouvrirait un autre par-dessus. */
     private static boolean ouvert;
@@ -90,20 +85,9 @@ final class Dialogues {
 
     /** Le tableau des touches, qui reste ouvert à côté pendant qu'on les essaie. */
     static Window touches(JFrame cadre) {
-        String[][] lignes = lire("touches.txt");
-        JTable table = new JTable(lignes, new String[] {"touche", "effet"});
+        JLabel table = new JLabel("<html><table width=540>" + Arrays.stream(lire("touches.txt"))
+                .map(ligne -> "<tr><td>" + ligne[0] + "<td>" + ligne[1]).collect(Collectors.joining()));
         table.setName("table");
-        // les touches essayées d'ici vont au cadre
-        table.setFocusable(false);
-        table.setEnabled(false);
-        FontMetrics m = table.getFontMetrics(table.getFont());
-        table.setRowHeight(m.getHeight() + 4);
-        for (int colonne = 0; colonne < 2; colonne++) {
-            int ici = colonne;
-            int large = Arrays.stream(lignes).mapToInt(ligne -> m.stringWidth(ligne[ici])).max().getAsInt();
-            table.getColumnModel().getColumn(colonne).setPreferredWidth(large + MARGE);
-        }
-        table.setPreferredScrollableViewportSize(table.getPreferredSize());
         JDialog touches = new JDialog(cadre, "Touches");
         touches.add(new JScrollPane(table));
         touches.pack();
@@ -171,23 +155,24 @@ final class Dialogues {
         return ici.isDirectory() ? ici : plusHaut.isDirectory() ? plusHaut : new File("").getAbsoluteFile();
     }
 
+    /** Le fichier où enregistrer l'image, qui finit par .png et peut être remplacé ; {@code null} : aucun. */
     static File choisirImage(Component parent, File proposee) {
         traduire();
         JFileChooser choix = new JFileChooser(proposee.getParentFile());
         choix.setDialogType(JFileChooser.SAVE_DIALOG);
         choix.setSelectedFile(proposee);
-        return choisir(parent, choix, TITRE_IMAGE, new FileNameExtensionFilter("Images PNG (*.png)", "png"));
+        File choisi = choisir(parent, choix, TITRE_IMAGE, new FileNameExtensionFilter("Images PNG (*.png)", "png"));
+        File cible = choisi == null || Texte.minuscules(choisi.getName()).endsWith(".png") ? choisi
+                : new File(choisi.getPath() + ".png");
+        return cible == null || cible.isFile() && !confirmerRemplacement(parent, cible) ? null : cible;
     }
 
     /** Demande une couleur, {@code null} pour garder celle-ci ; par ses trois composantes, comme dans la scène. */
     static Color choisirCouleur(Component parent, Color actuelle) {
         traduire();
         JColorChooser choix = new JColorChooser(actuelle);
-        for (AbstractColorChooserPanel panneau : choix.getChooserPanels()) {
-            if (choix.getChooserPanels().length > 1 && !panneau.getDisplayName().matches("R[GV]B")) {
-                choix.removeChooserPanel(panneau);
-            }
-        }
+        Arrays.stream(choix.getChooserPanels()).filter(panneau -> choix.getChooserPanels().length > 1
+                && !panneau.getDisplayName().matches("R[GV]B")).forEach(choix::removeChooserPanel);
         Color[] choisie = new Color[1];
         JColorChooser.createDialog(parent, "Couleur", true, choix, e -> choisie[0] = choix.getColor(), null)
                 .setVisible(true);
@@ -196,8 +181,7 @@ final class Dialogues {
 
     /** La couleur que dit un fichier de scène, composantes limitées à 1. */
     static Color couleur(String valeur) {
-        double[] rvb = Arrays.stream(valeur.trim().split("\\s+")).mapToDouble(Nombre::lire).toArray();
-        return new Color(new Couleur(rvb[0], rvb[1], rvb[2]).getCode());
+        return new Color(Section.sansFichier("", "couleur", valeur).couleur("couleur", Double.MAX_VALUE).getCode());
     }
 
     /** Couleur telle qu'un fichier de scène l'écrirait. */
@@ -206,7 +190,7 @@ final class Dialogues {
         return String.format(Locale.ROOT, "%.3f %.3f %.3f", rvb[0], rvb[1], rvb[2]);
     }
 
-    static boolean confirmerRemplacement(Component parent, File fichier) {
+    private static boolean confirmerRemplacement(Component parent, File fichier) {
         String[] reponses = {"Remplacer", "Annuler"};
         int reponse = JOptionPane.showOptionDialog(parent,
                 "Le fichier « " + Texte.echappe(fichier.getName()) + " » existe déjà. Le remplacer ?",

@@ -5,12 +5,8 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.io.File;
-import java.nio.file.Files;
-import java.util.Locale;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.FutureTask;
 import lancer.SceneFautive;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
@@ -84,14 +80,12 @@ final class Enregistrement {
         }
         String scene = atelier.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File choisi = Dialogues.choisirImage(bandeau.getTopLevelAncestor(),
+        File cible = Dialogues.choisirImage(bandeau.getTopLevelAncestor(),
                 echoue != null ? echoue : new File(dossier, nom));
-        if (choisi == null) {
+        if (cible == null) {
             return;
         }
-        dossier = choisi.getParentFile();
-        boolean png = choisi.getName().toLowerCase(Locale.ROOT).endsWith(".png");
-        File cible = png ? choisi : new File(choisi.getPath() + ".png");
+        dossier = cible.getParentFile();
         Atelier.confier(disque, () -> ecrire(image, cible, scene), panne -> {
             echoue = cible;
             bandeau.erreur(panne);
@@ -107,25 +101,11 @@ final class Enregistrement {
         } catch (SceneFautive e) {
             // effacée depuis qu'elle a été lue
         }
-        if (!Files.exists(ecriture.getCible()) || confirmer(cible)) {
-            ecriture.ecrire(image, new FichierPng());
-            EventQueue.invokeLater(() -> {
-                echoue = null;
-                bandeau.avis("enregistrée : " + Texte.echappe(cible.getName()));
-            });
-        }
-    }
-
-    /** Attend, du fil du disque, qu'on veuille remplacer ce fichier. */
-    private boolean confirmer(File cible) {
-        FutureTask<Boolean> question = new FutureTask<>(() ->
-                Dialogues.confirmerRemplacement(bandeau.getTopLevelAncestor(), cible));
-        EventQueue.invokeLater(question);
-        try {
-            return question.get();
-        } catch (InterruptedException | ExecutionException e) {
-            throw new IllegalStateException(e);
-        }
+        ecriture.ecrire(image, new FichierPng());
+        EventQueue.invokeLater(() -> {
+            echoue = null;
+            bandeau.avis("enregistrée : " + Texte.echappe(cible.getName()));
+        });
     }
 
     /** Appelle {@code fin} quand tout est écrit. */

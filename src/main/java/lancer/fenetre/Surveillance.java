@@ -1,12 +1,8 @@
 package lancer.fenetre;
 
 import java.awt.EventQueue;
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Timer;
 import java.util.TimerTask;
-import lancer.SceneFautive;
 import lancer.scene.FichierScene;
 
 /**
@@ -42,7 +38,7 @@ final class Surveillance extends TimerTask {
         veille.cancel();
     }
 
-    /** @param version celle qui est lue, prise par {@link #version} avant de lire : ce qui change ensuite est vu */
+    /** @param version celle qui est lue, que {@link FichierScene} a dite avant : ce qui change ensuite est vu */
     synchronized void suivre(String aSuivre, String version) {
         fichier = aSuivre;
         connue = version;
@@ -51,23 +47,13 @@ final class Surveillance extends TimerTask {
     /** Dit, une fois, qu'un fichier a changé et n'a plus bougé depuis, ou qu'il n'est plus là. */
     @Override
     public synchronized void run() {
-        String nouvelle = fichier == null ? null : version(fichier);
+        String nouvelle = fichier == null ? null : FichierScene.version(fichier);
         absences = fichier == null || nouvelle != null ? 0 : absences + 1;
         boolean change = nouvelle != null && nouvelle.equals(vue) && !nouvelle.equals(connue);
         vue = nouvelle;
         if (change || absences == ABSENCES) {
             connue = nouvelle;
             EventQueue.invokeLater(change ? siChange : siEfface);
-        }
-    }
-
-    /** L'heure, la taille et l'identité du fichier ; {@code null} s'il n'existe pas. */
-    static String version(String fichier) {
-        try {
-            BasicFileAttributes a = Files.readAttributes(FichierScene.trouver(fichier), BasicFileAttributes.class);
-            return a.lastModifiedTime() + " " + a.size() + " " + a.fileKey();
-        } catch (IOException | SceneFautive e) {
-            return null;
         }
     }
 }

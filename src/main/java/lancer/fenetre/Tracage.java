@@ -12,6 +12,7 @@ import lancer.commande.Echec;
 import lancer.dessin.Dessin;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
+import lancer.scene.FichierScene;
 
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
@@ -78,7 +79,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     protected Void doInBackground() {
         try {
             if (fichier != null) {
-                version = Surveillance.version(fichier);
+                version = FichierScene.version(fichier);
                 avertissements = dessinateur.lireScene(fichier);
                 lue.countDown();
             }

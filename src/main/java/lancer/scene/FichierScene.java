@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.nio.file.attribute.BasicFileAttributes;
 import lancer.SceneFautive;
 import lancer.contrat.Section;
 import lancer.texte.Texte;
@@ -56,6 +57,16 @@ public final class FichierScene {
             throw inutilisable(trouve.equals(chemin) ? fichier : trouve.toString(), "c'est un dossier", null);
         }
         return trouve;
+    }
+
+    /** L'heure, la taille et l'identité du fichier ; {@code null} s'il n'existe pas. */
+    public static String version(String fichier) {
+        try {
+            BasicFileAttributes a = Files.readAttributes(trouver(fichier), BasicFileAttributes.class);
+            return a.lastModifiedTime() + " " + a.size() + " " + a.fileKey();
+        } catch (IOException | SceneFautive e) {
+            return null;
+        }
     }
 
     static SceneFautive inutilisable(String fichier, String faute, Exception cause) {

@@ -50,6 +50,7 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         ecrire(ROUGE);
         ouvrir();
         enregistrerSous(scene);
+        repondre("Remplacer");
         banc.attendreMessage("la sortie est la scène elle-même");
         assertArrayEquals(ROUGE.getBytes(StandardCharsets.UTF_8), Files.readAllBytes(scene));
     }

@@ -35,7 +35,7 @@ public final class Figure {
 
     private static final Stroke PLEIN = new BasicStroke(1.5f);
     private static final Stroke LARGE = new BasicStroke(3.5f);
-    private static final Stroke TIRETE = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
+    static final Stroke TIRETE = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
             new float[] {3, 4}, 0);
 
     /** Morceaux d'un trait, chacun plein ou tireté. */

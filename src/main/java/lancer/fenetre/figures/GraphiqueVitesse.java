@@ -217,9 +217,8 @@ public final class GraphiqueVitesse extends JPanel {
             trait(g, GAUCHE, y(t), droite, y(t), GRILLE);
             ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
         }
-        trait(g, GAUCHE, HAUT, droite, HAUT, Color.BLACK);
-        trait(g, GAUCHE, bas, droite, bas, Color.BLACK);
-        trait(g, GAUCHE, HAUT, GAUCHE, bas, Color.BLACK);
+        g.setColor(Color.BLACK);
+        g.drawRect(GAUCHE, HAUT, droite - GAUCHE, bas - HAUT);
         ecrire(g, "sous l'arrondi de l'écran", GAUCHE + 4, bas - 5, 0);
         ecrire(g, "rayons de toutes sortes par pixel", (GAUCHE + droite) / 2, bas + 33, 0.5);
         ecrire(g, "erreur attendue (niveaux sur 255)", 6, 14, 0);

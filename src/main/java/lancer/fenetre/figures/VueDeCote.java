@@ -1,6 +1,5 @@
 package lancer.fenetre.figures;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -34,8 +33,6 @@ import lancer.inspection.Inspection;
 public final class VueDeCote extends JPanel {
 
     private static final int MARGE = 14;
-    private static final Stroke TIRETE = new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
-            new float[] {3, 4}, 0);
     private static final Color RAYON = new Color(0x0070C0);
     private static final Color SPHERE = new Color(0x909090);
     private static final Color LAMPE = new Color(0xC08000);
@@ -161,7 +158,7 @@ public final class VueDeCote extends JPanel {
         g.setColor(LAMPE);
         if (lampe.eclaire() || lampe.cache != null && seul > 0) {
             Stroke plein = g.getStroke();
-            g.setStroke(lampe.eclaire() ? plein : TIRETE);
+            g.setStroke(lampe.eclaire() ? plein : Figure.TIRETE);
             g.draw(ligne(contact, lampe.lampe.getPosition()));
             g.setStroke(plein);
         }
