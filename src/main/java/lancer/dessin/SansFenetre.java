@@ -104,21 +104,16 @@ public final class SansFenetre {
             fichiers.put(new Ecriture(options.lineaire), new FichierPfm());
         }
         for (Ecriture fichier : fichiers.keySet()) {
-            epargner(fichier, scene, deuxImages ? "une des images comparées" : "la scène elle-même");
+            fichier.epargner(scene, deuxImages ? "une des images comparées" : "la scène elle-même");
             if (options.comparer != null) {
-                epargner(fichier, Paths.get(options.comparer), "une des images comparées");
+                fichier.epargner(Paths.get(options.comparer), "une des images comparées");
             }
             if (png != null && fichier != png) {
-                png.epargner(fichier.getCible(), "--image et --lineaire écrivent le même fichier : "
+                png.distinguer(fichier.getCible(), "--image et --lineaire écrivent le même fichier : "
                         + Texte.echappe(options.image) + " ; attendu : deux fichiers");
             }
         }
         return fichiers;
-    }
-
-    private static void epargner(Ecriture sortie, Path fichier, String quoi) {
-        sortie.epargner(fichier, "la sortie est " + quoi + " : " + Texte.echappe(fichier.toString())
-                + " ; attendu : un autre fichier");
     }
 
     /** Dessine autant de fois que demandé. @return le temps de chaque dessin, en nanosecondes */

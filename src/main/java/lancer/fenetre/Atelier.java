@@ -66,8 +66,8 @@ final class Atelier {
     /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
     ImageMemoire avant;
 
-    /** Fichier de la dernière scène lue sans faute, même si son dessin a été abandonné avant de se voir. */
-    private String lu;
+    /** Le dernier dessin qui a lu sa scène sans faute, même abandonné avant de se voir ; {@code null} si aucun. */
+    private Tracage lu;
     /** La dernière image achevée, et ce qu'a coûté chacune de celles qu'on garde. */
     private ImageMemoire complete;
     private final Map<ImageMemoire, String> couts = new WeakHashMap<>();
@@ -194,10 +194,15 @@ final class Atelier {
         dessins.shutdown();
     }
 
+    /** Dit si la dernière scène lue est celle qui est montrée. */
+    private boolean estLue() {
+        return lu != null && lu.fichier.equals(fichier);
+    }
+
     private void redessiner() {
         // une scène qui se lit se relit ; celle qui est lue n'est pas toujours celle qui se voit
         boolean autre = enCours && courant.fichier != null && courant != adopte;
-        lancer(autre ? courant.fichier : fichier.equals(lu) ? null : fichier);
+        lancer(autre ? courant.fichier : estLue() ? null : fichier);
     }
 
     /** Recommence le dessin, après avoir lu cette scène ; {@code null} : celle qui l'est déjà. */
@@ -237,7 +242,11 @@ final class Atelier {
         if (panneau.peinte) {
             courant.vue.countDown();
         }
-        lu = courant.avertissements != null ? courant.fichier : lu;
+        if (courant.avertissements != null && courant != lu) {
+            lu = courant;
+            // il n'y a plus de faute, même si l'image se fait attendre
+            panneau.bandeau.faute("");
+        }
         Dessin dessin = courant.getDessin();
         if (dessin != null && (dessin.image == panneau.montree || dessin.traceur.isBrouillonFait()
                 // à défaut d'image, un morceau de brouillon vaut mieux que du gris
@@ -262,7 +271,6 @@ final class Atelier {
         reglages = courant.reglages != null ? courant.reglages : dessinateur.getReglages();
         fichier = courant.fichier;
         surveillance.suivre(fichier, courant.version);
-        panneau.bandeau.faute("");
         panneau.bandeau.avis(String.join("\n", courant.avertissements));
         prevenus.forEach(Runnable::run);
     }
@@ -308,7 +316,7 @@ final class Atelier {
             fichier = courant.fichier;
             surveillance.suivre(fichier, courant.version);
         }
-        if (adopte != null && fichier.equals(lu) && getImageComplete() == null) {
+        if (adopte != null && estLue() && getImageComplete() == null) {
             // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
             dessiner(null);
         }

@@ -95,9 +95,7 @@ final class Enregistrement {
     private void ecrire(ImageMemoire image, File cible, String scene) {
         Ecriture ecriture = new Ecriture(cible.getPath());
         try {
-            ecriture.epargner(FichierScene.trouver(scene),
-                    "la sortie est la scène elle-même : " + Texte.echappe(cible.getPath())
-                            + " ; attendu : un autre fichier");
+            ecriture.epargner(FichierScene.trouver(scene), "la scène elle-même");
         } catch (SceneFautive e) {
             // effacée depuis qu'elle a été lue
         }

@@ -46,6 +46,7 @@ import lancer.image.ImageMemoire;
  * événements ne calcule pas, ne lit pas, n'écrit pas et n'attend pas ; une horloge lui fait regarder trente fois par
  * seconde où en est le dessin.
  */
+@SuppressWarnings("serial")
 public final class Fenetre {
 
     /** Temps entre deux regards sur le dessin en cours, en millisecondes. */
@@ -187,7 +188,6 @@ public final class Fenetre {
     }
 
     /** Un cadre qui tient dans l'écran : rapetissé après coup, il reprend parfois la taille d'avant. */
-    @SuppressWarnings("serial")
     private static final class Cadre extends JFrame {
 
         @Override
@@ -199,7 +199,6 @@ public final class Fenetre {
     }
 
     /** Ouvre la scène dont on dépose le fichier sur la fenêtre. */
-    @SuppressWarnings("serial")
     private final class Depot extends TransferHandler {
 
         @Override

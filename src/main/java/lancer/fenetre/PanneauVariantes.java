@@ -131,7 +131,6 @@ final class PanneauVariantes extends JDialog {
     }
 
     /** Une glissière qui dit à un lecteur d'écran la valeur du paramètre, et non le numéro de son cran. */
-    @SuppressWarnings("serial")
     private static final class Glissiere extends JSlider {
 
         Glissiere(Parametre parametre) {

@@ -78,8 +78,14 @@ public final class Ecriture {
         return cible;
     }
 
+    /** @throws Echec si c'est ce fichier lu, qui est {@code quoi}, que l'on écrirait, sous ce nom ou un autre */
+    public void epargner(Path lu, String quoi) {
+        distinguer(lu, "la sortie est " + quoi + " : " + Texte.echappe(lu.toString())
+                + " ; attendu : un autre fichier");
+    }
+
     /** @throws Echec de cette faute, si c'est cet autre fichier que l'on écrirait, sous ce nom ou un autre */
-    public void epargner(Path autre, String faute) {
+    public void distinguer(Path autre, String faute) {
         try {
             if (Files.isSameFile(cible, autre)) {
                 throw Echec.demande(faute);

@@ -24,12 +24,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Collections;
+import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import javax.swing.UIManager;
+import lancer.Couleur;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.essai.Essai;
@@ -72,6 +74,30 @@ class FenetreFichiersTest extends EssaiFenetre {
         ecrire(BLEUE);
         banc.attendreMessage("");
         banc.attendreImage("la faute corrigée, l'image suit", attendue(L, H));
+    }
+
+    @Test
+    void uneFauteCorrigeeNeSeLitPlusMemeSiLImageSeFaitAttendre() throws Exception {
+        CountDownLatch dessin = new CountDownLatch(1);
+        banc = new BancFenetre(new MainLent(args()) {
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                if (lent) {
+                    attendreSansEtreInterrompu(dessin);
+                }
+                super.drawPixel(coul, xe, ye);
+            }
+        });
+        int[] avant = banc.imageAchevee().codes;
+        ecrire(FAUTIVE);
+        banc.attendreMessage(scene + ", ligne");
+        banc.main.lent = true;
+        ecrire(BLEUE);
+        banc.attendreMessage("");
+        assertArrayEquals(avant, banc.panneau.montree.codes, "elle n'est pas encore dessinée");
+        banc.main.lent = false;
+        dessin.countDown();
+        banc.attendreImage("l'image suit", attendue(L, H));
     }
 
     @Test
