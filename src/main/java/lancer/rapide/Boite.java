@@ -22,12 +22,8 @@ final class Boite {
     /** @param autre {@code null} si elle est vide */
     void ajouter(Boite autre) {
         if (autre != null) {
-            xMin = Math.min(xMin, autre.xMin);
-            yMin = Math.min(yMin, autre.yMin);
-            zMin = Math.min(zMin, autre.zMin);
-            xMax = Math.max(xMax, autre.xMax);
-            yMax = Math.max(yMax, autre.yMax);
-            zMax = Math.max(zMax, autre.zMax);
+            ajouter(autre.xMin, autre.yMin, autre.zMin, 0);
+            ajouter(autre.xMax, autre.yMax, autre.zMax, 0);
         }
     }
 
