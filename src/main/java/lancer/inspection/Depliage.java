@@ -24,7 +24,7 @@ public final class Depliage {
         }
         anciens.clear();
         if (!lignes.isEmpty() && lignes.get(0).texte.equals(nouvelles.get(0).texte)) {
-            lignes.forEach(ligne -> anciens.put(sujet(ligne), ligne.texte));
+            lignes.forEach(ligne -> anciens.put(ligne.sujet, ligne.texte));
         }
         lignes = nouvelles;
     }
@@ -55,7 +55,7 @@ public final class Depliage {
             if (ligne.repli == null) {
                 vues.add(vue(ligne));
             } else if (dits.add(repli(ligne))) {
-                vues.add(new Recit.Ligne(ligne.repli + (ouvert ? " ▾" : " ▸"), ligne.etape, repli(ligne), false));
+                vues.add(new Recit.Ligne(ligne.repli + (ouvert ? " ▾" : " ▸"), ligne.etape, null, repli(ligne), false));
                 lignes.stream().filter(autre -> ouvert && autre.repli != null && repli(autre).equals(repli(ligne)))
                         .forEach(autre -> vues.add(vue(autre)));
             }
@@ -64,17 +64,14 @@ public final class Depliage {
     }
 
     private Recit.Ligne vue(Recit.Ligne ligne) {
-        String avant = anciens.get(sujet(ligne));
-        boolean changee = avant != null && !avant.equals(ligne.texte);
-        return new Recit.Ligne(changee ? ligne.texte + "   ← "
-                + avant.substring(Math.max(0, avant.lastIndexOf(" = ") + 1)).trim() : ligne.texte, ligne.etape, null,
-                changee);
-    }
-
-    /** Sujet d'une ligne, qui le reste d'un dessin à l'autre. */
-    private static String sujet(Recit.Ligne ligne) {
-        return ligne.etape == 0 && ligne.texte.startsWith("somme ") ? "somme"
-                : ligne.etape + " " + ligne.texte.replaceFirst("^(\\s*\\S.*?)( = |  |, | \\().*", "$1");
+        String avant = anciens.get(ligne.sujet);
+        if (avant == null || avant.equals(ligne.texte)) {
+            return new Recit.Ligne(ligne.texte, ligne.etape, null, null, false);
+        }
+        // la valeur suffit, si elle est celle de la même chose
+        boolean memeChose = avant.contains(" = ") && ligne.texte.startsWith(avant.split(" = ")[0] + " = ");
+        return new Recit.Ligne(ligne.texte + "   ← "
+                + avant.substring(memeChose ? avant.lastIndexOf(" = ") + 1 : 0).trim(), ligne.etape, null, null, true);
     }
 
     /** Le repli d'une ligne, au nombre de ses pareilles près. */

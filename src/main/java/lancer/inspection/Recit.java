@@ -30,6 +30,8 @@ public final class Recit {
     private final DoubleFunction<String> nombre;
     private final List<Ligne> lignes = new ArrayList<>();
     private int etape;
+    /** Lampe, rival ou échantillon dont il est question ; vide : aucun. */
+    private String quoi = "";
 
     /** Une ligne, et où elle est. Immuable. */
     public static final class Ligne {
@@ -39,15 +41,19 @@ public final class Recit {
         /** Le numéro du rayon dont elle parle, 0 si c'est du pixel. */
         final int etape;
 
+        /** Sujet, qui reste le même d'un dessin à l'autre. */
+        final String sujet;
+
         /** Titre qui remplace cette ligne et ses pareilles, tant qu'on ne les demande pas ; {@code null} : aucun. */
         public final String repli;
 
         /** Dit si elle n'est pas ce qu'elle était au dessin d'avant. */
         public final boolean changee;
 
-        Ligne(String texte, int etape, String repli, boolean changee) {
+        Ligne(String texte, int etape, String sujet, String repli, boolean changee) {
             this.texte = texte;
             this.etape = etape;
+            this.sujet = sujet;
             this.repli = repli;
             this.changee = changee;
         }
@@ -98,7 +104,8 @@ public final class Recit {
 
     private void replier(String repli, String format, Object... valeurs) {
         Object[] textes = Arrays.stream(valeurs).map(this::ecrire).toArray();
-        lignes.add(new Ligne(String.format(Locale.ROOT, format, textes), etape, repli, false));
+        lignes.add(new Ligne(String.format(Locale.ROOT, format, textes), etape,
+                etape + " " + quoi + format.split(" = | : |%")[0], repli, false));
     }
 
     /** Les nombres d'une valeur, comme ils s'écrivent ; elle-même, si ce n'en sont pas. */
@@ -122,14 +129,18 @@ public final class Recit {
         dire("%d échantillon%s%s", siens, siens > 1 ? "s" : "", siens == echantillons.size() ? ""
                 : " et " + (echantillons.size() - siens) + " partagés avec les voisins");
         for (Echantillon e : echantillons) {
+            quoi = e.xe + " " + e.ye;
             dire("  %s%s : %s", e, e.estDans(pixel.x, pixel.y) ? "" : " (partagé)", e.couleur);
         }
+        quoi = "termes";
         if (!pixel.termes.isEmpty()) {
             dire("%d termes", pixel.termes.size());
         }
         for (Echantillon terme : pixel.termes) {
+            quoi = "terme " + terme.xe + " " + terme.ye;
             dire("  %s × %s = %s", terme.poids, terme, terme.couleur);
         }
+        quoi = "";
         if (pixel.somme != null) {
             dire("leur somme = %s, divisée par %s pour le pixel", pixel.somme, pixel.diviseur);
         }
@@ -164,15 +175,18 @@ public final class Recit {
         for (Eclairage lampe : etape.lampes) {
             dire(etape, lampe);
         }
+        quoi = "";
         String details = "   demi-corde, rivaux et directions des lampes";
         if (rayon != null) {
             direLesRivaux(details, etape.contact, rayon, depart);
         }
         for (Eclairage lampe : etape.lampes) {
             if (lampe.L != null) {
+                quoi = pixel.nom(lampe.lampe);
                 replier(details, "     L = %s  vers %s", lampe.L, pixel.nom(lampe.lampe));
             }
         }
+        quoi = "";
         if (etape.reflet != null) {
             dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids, etape.numero + 1);
             dire("       Ks (%s) ⊗ %s %d = %s", etape.contact.objet.getKs(),
@@ -191,11 +205,15 @@ public final class Recit {
         pixel.scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart
                 && objet.getIntersectionDistance(rayon) < Constantes.INFINI).map(objet -> rayon.calcContact())
                 .sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(2)
-                .forEach(rival -> replier(details, "     rival %s  d = %s", pixel.nom(rival.objet), rival.distance));
+                .forEach(rival -> {
+                    quoi = pixel.nom(rival.objet);
+                    replier(details, "     rival %s  d = %s", quoi, rival.distance);
+                });
     }
 
     private void dire(Etape etape, Eclairage e) {
         long pareilles = etape.lampes.stream().filter(autre -> sort(autre).equals(sort(e))).count();
+        quoi = pixel.nom(e.lampe);
         String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + sort(e);
         if (e.diffus == null) {
             replier(repli, "     %s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", pixel.nom(e.lampe),
@@ -226,7 +244,7 @@ public final class Recit {
         Specularite specularite = pixel.scene.getModele().getSpecularite();
         double base = specularite.base(etape.V, etape.N, e.L, etape.R);
         return Double.isNaN(base) || etape.contact.objet.getKs().estNoire() ? "éclat " + ecrire(e.eclat)
-                : "(" + specularite.nomDeLaBase() + " " + ecrire(base) + ")^"
+                : (base < 0 ? "max(0, " : "(") + specularite.nomDeLaBase() + " " + ecrire(base) + ")^"
                 + ecrire(specularite.exposant(etape.contact.objet.getNs()));
     }
 

@@ -301,7 +301,7 @@ public final class EssaiRecit {
         proche(diffus, ditDiffus);
         String ligne = actuelle();
         double[] dit = produit("\\+ reflet = Ks", objet.getKs(), lampe, new Couleur().equals(objet.getKs()) ? "éclat 0.0"
-                : "\\(" + (blinn == 0 ? "R·L" : "N·H") + " \\S+\\)\\^\\S+");
+                : "(\\(%s [^-]\\S*|max\\(0, %s -\\S+)\\)\\^\\S+".replace("%s", blinn == 0 ? "R·L" : "N·H"));
         proche(reflet, dit);
         ajouter(ditDiffus, dit);
         double[] apport = lire("       = ");
@@ -313,7 +313,7 @@ public final class EssaiRecit {
     private double[] produit(String debut, Couleur matiere, Lampe lampe, String reste) {
         String ligne = lignes.get(suivante++);
         assertTrue(ligne.matches("       " + debut + " \\([^)]*\\) ⊗ lampe \\([^)]*\\) × " + reste + " = \\S+ \\S+ \\S+"), ligne);
-        double[] dits = nombres(ligne.replaceAll("[()^]", " ").replaceAll(" = \\S+ \\S+ \\S+$", ""));
+        double[] dits = nombres(ligne.replace("max(0, ", "").replaceAll("[()^]", " ").replaceAll(" = \\S+ \\S+ \\S+$", ""));
         assertArrayEquals(t(matiere), Arrays.copyOf(dits, 3), ligne);
         assertArrayEquals(t(lampe.getCouleur()), Arrays.copyOfRange(dits, 3, 6), ligne);
         double part = dits.length == 7 ? dits[6] : Math.pow(Math.max(0, Math.min(1, dits[6])), dits[7]);

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -129,6 +130,46 @@ class InspectionTest {
             }
         }
         assertTrue(reflets > 20, reflets + " reflets");
+    }
+
+    @Test
+    void laBaseNegativeDUnRefletSeDitDansLeMaximumDuCours() {
+        Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
+        int negatives = 0;
+        for (int x = 0; x < 80; x++) {
+            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), 2, x, 30);
+            pixel.faire();
+            for (String ligne : new Recit(pixel, Double::toString).lignes()) {
+                if (ligne.contains("R·L -")) {
+                    assertTrue(ligne.matches(".* × max\\(0, R·L -\\S+\\)\\^\\S+ = 0.0 0.0 0.0"), ligne);
+                    negatives++;
+                }
+            }
+        }
+        assertTrue(negatives > 3, negatives + " bases négatives");
+    }
+
+    @Test
+    void seuleUneLigneQuiAChangeSeMarqueEtDeSonAncienneValeur() {
+        Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
+        sphere.setKd(new Couleur(1));
+        Depliage depliage = new Depliage();
+        for (double vert : new double[] {1, 0.5}) {
+            List<Lampe> lampes = Arrays.asList(new Lampe(new Point(0, 0, -5), new Couleur(1)),
+                    new Lampe(new Point(0, 1, -5), new Couleur(1, vert, 1)));
+            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
+                    new Camera(9, 9), 5, 4, 4);
+            pixel.faire();
+            depliage.remplacer(new Recit(pixel, Double::toString).raconter());
+        }
+        List<String> marquees = depliage.getVues().stream().filter(ligne -> ligne.changee).map(ligne -> ligne.texte)
+                .collect(Collectors.toList());
+        assertEquals(5, marquees.size(), marquees.toString());
+        // la seconde lampe : son diffus, son reflet nul mais dit de sa couleur, leur somme ; puis celles du contact et du pixel
+        assertTrue(marquees.get(0).matches("       diffus = Kd .* ⊗ lampe \\(1.0 0.5 1.0\\) .* = (\\S+) \\S+ \\1   ← = (\\S+) \\2 \\2"),
+                marquees.get(0));
+        assertTrue(marquees.get(2).matches("       = (\\S+) \\S+ \\1   ← = (\\S+) \\2 \\2"), marquees.get(2));
+        assertTrue(marquees.get(3).startsWith("   somme 1 = ") && marquees.get(3).contains("   ← = "), marquees.get(3));
     }
 
     @Test
