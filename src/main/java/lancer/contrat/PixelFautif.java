@@ -1,5 +1,7 @@
 package lancer.contrat;
 
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import lancer.Couleur;
 
 /**
@@ -8,6 +10,9 @@ import lancer.Couleur;
 public final class PixelFautif extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
+
+    /** Pile de la première cause de chaque classe : une fois le code compilé, Java n'en donne plus aux suivantes. */
+    private static final Map<Class<?>, StackTraceElement[]> PILES = new ConcurrentHashMap<>();
 
     /** Colonne et ligne, depuis le haut à gauche. */
     public final int x;
@@ -20,10 +25,18 @@ public final class PixelFautif extends RuntimeException {
     /** @param xe en pixels depuis la gauche */
     public PixelFautif(double xe, double ye, Throwable cause) {
         super("pixel " + (int) xe + ", " + (int) ye, cause);
+        PILES.computeIfAbsent(cause.getClass(), classe -> cause.getStackTrace());
         this.xe = xe;
         this.ye = ye;
         x = (int) xe;
         y = (int) ye;
+    }
+
+    /** La pile de sa cause ; à défaut, celle de la première de même classe. */
+    @Override
+    public StackTraceElement[] getStackTrace() {
+        StackTraceElement[] pile = getCause().getStackTrace();
+        return pile.length > 0 ? pile : PILES.get(getCause().getClass());
     }
 
     /** @throws PixelFautif si cette couleur, qui est rendue, est nulle ou a une composante qui n'est pas finie */

@@ -101,8 +101,9 @@ public final class Texte {
             cause = cause.getCause();
         }
         String dit = echappe(cause.toString());
+        StackTraceElement[] pile = cause.getStackTrace().length > 0 ? cause.getStackTrace() : echec.getStackTrace();
         for (String noms : classes) {
-            for (StackTraceElement pas : cause.getStackTrace()) {
+            for (StackTraceElement pas : pile) {
                 if (pas.getClassName().matches(noms)) {
                     return dit + " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
                             + pas.getLineNumber() + ")";

@@ -107,4 +107,20 @@ class DiagnosticTest {
         String dit = Texte.cause(panne, Dessinateur.classes(scene(new Mur())), Texte.HORS_DE_JAVA);
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
+
+    /** Un échec tel que Java en fait mille fois au même endroit : une fois compilé, il n'a plus de pile. */
+    private static final class Repete extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        Repete(boolean pile) {
+            super("boum", null, false, pile);
+        }
+    }
+
+    @Test
+    void unEchecQueJavaNeSituePlusLEstCommeLePremierDeSaSorte() {
+        String premier = Texte.cause(new PixelFautif(1.5, 1.5, new Repete(true)), Texte.HORS_DE_JAVA);
+        assertTrue(premier.matches(".*Repete: boum \\(.*DiagnosticTest.java:\\d+\\)"), premier);
+        assertEquals(premier, Texte.cause(new PixelFautif(2.5, 1.5, new Repete(false)), Texte.HORS_DE_JAVA));
+    }
 }
