@@ -11,6 +11,7 @@ import lancer.Camera;
 import lancer.contrat.Barreau;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.fils.Traceur;
@@ -141,11 +142,11 @@ public final class Auto {
                 mesure ? attendue.corrigee(tirage.erreur()) : attendue, mesure ? tirage.prix() : promis);
     }
 
-    /** Candidat que fait la scène telle qu'elle est, sous ces limites ; à demander une fois choisi. */
-    public Candidat evaluer(int reflets, double seuil) {
+    /** Candidat que fait la scène telle qu'elle est, cette section dite, sous ces limites ; une fois choisi. */
+    public Candidat evaluer(Section section, int reflets, double seuil) {
         Limite presente = Limite.permises(reflets, seuil)[0];
         presente.essayer(essais, semis, Double.MAX_VALUE);
-        return essayer(ORDINAIRE, deLaScene, INCONNUE, presente);
+        return essayer(new Barreau(section, ORDINAIRE.erreur, ORDINAIRE.prix), deLaScene, INCONNUE, presente);
     }
 
     /** Les rayons des essais, contrôle compris. */

@@ -95,6 +95,17 @@ public final class ReglagesDessin {
         return changees.getOrDefault(variante.getSection(), lues.get(variante));
     }
 
+    /** Section avec laquelle cette variante dessine, valeurs par défaut écrites, sauf celle d'une couleur. */
+    public Section getSectionEntiere(Variante variante) {
+        Section entiere = getSection(variante);
+        for (Parametre parametre : variante.getParametres()) {
+            String valeur = parametre.estUneCouleur() ? null : getValeur(variante, parametre);
+            entiere = valeur == null || valeur.equals(entiere.valeur(parametre.cle)) ? entiere
+                    : entiere.avec(parametre.cle, valeur, null);
+        }
+        return entiere;
+    }
+
     /** La valeur de ce paramètre, donnée ou par défaut ; {@code null} si une autre clé en tient lieu. */
     public String getValeur(Variante variante, Parametre parametre) {
         Section section = getSection(variante);
@@ -190,13 +201,7 @@ public final class ReglagesDessin {
         }
         for (Variante variante : lues.keySet()) {
             if (estBranchee(variante)) {
-                s.append(", ").append(getSection(variante));
-                for (Parametre parametre : variante.getParametres()) {
-                    boolean donne = getSection(variante).valeur(parametre.cle) != null
-                            || parametre.estUneCouleur();
-                    String valeur = donne ? null : getValeur(variante, parametre);
-                    s.append(valeur == null ? "" : " " + parametre.cle + "=" + valeur);
-                }
+                s.append(", ").append(getSectionEntiere(variante));
             }
         }
         return s.toString();

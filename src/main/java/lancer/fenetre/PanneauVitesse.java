@@ -12,7 +12,6 @@ import java.util.concurrent.Future;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import lancer.Couleur;
@@ -37,7 +36,7 @@ final class PanneauVitesse extends JDialog {
     private static final int MARGE = 8;
 
     private final Atelier atelier;
-    private final JLabel etat = new JLabel(" ");
+    private final JTextArea etat = Bandeau.etiquette("vitesse.etat");
     /** Le point où mènent la souris et les flèches, en mots. */
     private final JTextArea point = Bandeau.etiquette("vitesse.point");
     private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, point::setText, this::estPresent);
@@ -56,7 +55,6 @@ final class PanneauVitesse extends JDialog {
         this.atelier = atelier;
         JPanel bas = new JPanel(new BorderLayout());
         bas.setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE, MARGE));
-        etat.setName("vitesse.etat");
         point.setRows(2);
         bas.add(point, BorderLayout.CENTER);
         bas.add(etat, BorderLayout.PAGE_END);
@@ -135,9 +133,13 @@ final class PanneauVitesse extends JDialog {
     /** Dit si l'image montrée est dessinée avec ce réglage. */
     private boolean estPresent(Candidat reglage) {
         ReglagesDessin presents = atelier.montre.reglages;
-        Section section = libres(presents).stream().map(presents::getSection).findFirst().orElse(null);
         return reglage.reflets == presents.getReflets() && reglage.seuil == presents.getSeuil()
-                && String.valueOf(reglage.section).equals(String.valueOf(section));
+                && String.valueOf(reglage.section).equals(String.valueOf(section(presents)));
+    }
+
+    /** Section entière de la variante que les essais règlent ; {@code null} s'il n'y en a pas. */
+    private static Section section(ReglagesDessin reglages) {
+        return libres(reglages).stream().map(reglages::getSectionEntiere).findFirst().orElse(null);
     }
 
     private void essayer(Dessin montre) {
@@ -147,7 +149,7 @@ final class PanneauVitesse extends JDialog {
             Auto fait = Auto.choisir(montre.traceur, 0, null, null, atelier.fils, libres(montre.reglages),
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
             montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée).",
-                    fait.evaluer(montre.reglages.getReflets(), montre.reglages.getSeuil()));
+                    fait.evaluer(section(montre.reglages), montre.reglages.getReflets(), montre.reglages.getSeuil()));
         }, panne -> etat.setText("Essais impossibles : " + panne));
     }
 

@@ -18,7 +18,6 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import lancer.fenetre.figures.GraphiqueVitesse;
@@ -27,14 +26,14 @@ import org.junit.jupiter.api.Test;
 /** « Vitesse ou précision » : des points, dont chacun se dessine d'un clic et se mesure. */
 class FenetreVitesseTest extends EssaiFenetre {
 
-    private JLabel etat;
+    private JTextArea etat;
     private GraphiqueVitesse graphique;
 
     private void ouvrirLePanneau() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_F3);
         graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
-        etat = composant("vitesse.etat", JLabel.class);
+        etat = composant("vitesse.etat", JTextArea.class);
     }
 
     private void attendreEtat(String debut) throws Exception {
@@ -107,7 +106,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendreEtat("Un clic");
         JTextArea point = composant("vitesse.point", JTextArea.class);
         frapper(KeyEvent.VK_RIGHT);
-        attendre("il se dit", () -> point.getText().matches("un rayon par pixel, reflets : 1000 — \\d+,\\d rayons par pixel, "
+        attendre("il se dit", () -> point.getText().matches("un rayon par pixel, reflets : 1000 .*seuil.* — \\d+,\\d rayons par pixel, "
                 + "erreur (de|d'au plus) \\d+,\\d\\d.* niveaux?\u00A0; au lieu du présent, .* de rayons et .* d'erreur"));
         assertEquals(point.getText(), surFilEvenements(() -> graphique.getAccessibleContext().getAccessibleDescription()));
     }
@@ -137,7 +136,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         ouvrirLePanneau();
         attendreEtat("Un clic");
         List<Object> dits = new CopyOnWriteArrayList<>();
-        etat.addPropertyChangeListener("text", e -> dits.add(e.getNewValue()));
+        etat.addCaretListener(e -> dits.add(etat.getText()));
         ecrire(BLEUE);
         attendre("d'autres essais commencent", () -> dits.contains("premiers essais…"));
         attendreEtat("Un clic");

@@ -8,7 +8,7 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import java.awt.event.KeyEvent;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import javax.swing.JTextPane;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
@@ -30,7 +30,7 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         banc.frapper(SwingUtilities.getWindowAncestor(grille), KeyEvent.VK_CONTROL, KeyEvent.VK_PAGE_DOWN);
         attendre("le deuxième", () -> recit.getText().contains("\nchaîne de l'échantillon 150.50, 100.17\n"));
         attendre("la même somme", () -> recit.getText().endsWith(somme));
-        JLabel verdict = composant("verdict", JLabel.class);
+        JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("la comparaison", () -> verdict.getText().startsWith("Au bit près"));
     }
 
@@ -47,5 +47,16 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         ecrire(ROUGE + "[Antialias]\nn=3\nmethode=partage\n");
         int[] attendue = attendue(L, H);
         banc.attendreImage("l'image suit", attendue);
+    }
+
+    @Test
+    void f3CompareAuxReglagesPresentsMemeSiLaSceneNEnDitRien() throws Exception {
+        ouvrir();
+        banc.frapper(KeyEvent.VK_F3);
+        JTextArea etat = composant("vitesse.etat", JTextArea.class);
+        attendre("les essais finis", () -> etat.getText().startsWith("Un clic"));
+        JTextArea point = composant("vitesse.point", JTextArea.class);
+        banc.frapper(SwingUtilities.getWindowAncestor(point), KeyEvent.VK_RIGHT);
+        attendre("un autre réglage s'y compare", () -> point.getText().contains("; au lieu du présent, "));
     }
 }

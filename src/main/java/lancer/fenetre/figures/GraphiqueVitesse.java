@@ -24,6 +24,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
+import lancer.Constantes;
 import lancer.auto.Candidat;
 
 /** Réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
@@ -176,7 +177,8 @@ public final class GraphiqueVitesse extends JPanel {
         String rayons = n == null ? reglage.toString().replaceFirst(", .*", "")
                 : n.equals("1") ? "un rayon par pixel" : Math.round(Math.pow(Double.parseDouble(n), 2))
                 + " rayons là où c'est utile, seuil " + reglage.section.valeur("seuil");
-        return rayons + ", reflets : " + reglage.reflets;
+        return rayons + ", reflets : " + reglage.reflets + (reglage.seuil == Constantes.SEUIL ? ""
+                : reglage.seuil == 0 ? " sans seuil" : " jusqu'au seuil 1/" + Math.round(1 / reglage.seuil));
     }
 
     /** Dit si l'erreur attendue peut être nulle : seule sa plus grande valeur est alors sûre. */

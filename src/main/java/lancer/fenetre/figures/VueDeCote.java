@@ -173,7 +173,8 @@ public final class VueDeCote extends JPanel {
         g.drawString(numero, x, y);
         if (seul > 0 && Math.abs(seul - etape.numero) <= 1) {
             g.setColor(Color.DARK_GRAY);
-            g.drawString(pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", ""), x + 12, y + 16);
+            String nom = pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", "");
+            g.drawString(nom, Math.min(x + 12, getWidth() - g.getFontMetrics().stringWidth(nom)), y + 16);
         }
     }
 
