@@ -250,10 +250,10 @@ final class Atelier {
         Dessin dessin = courant.getDessin();
         if (dessin != null && (dessin.image == panneau.montree || dessin.traceur.isBrouillonFait()
                 // à défaut d'image, un morceau de brouillon vaut mieux que du gris
-                || panneau.montree == null && courant.getDureeNs() > PATIENCE_NS)) {
+                || panneau.montree == null && (fini || courant.getDureeNs() > PATIENCE_NS))) {
             panneau.montrer(dessin.image);
-            montre = dessin;
-            if (courant.fichier != null && courant != adopte) {
+            if (montre != dessin) {
+                montre = dessin;
                 adopter();
             }
         }
@@ -265,13 +265,16 @@ final class Atelier {
         }
     }
 
-    /** La scène que ce dessin a lue devient celle qui est montrée. */
+    /** La scène que ce dessin a lue, s'il en a lu une, devient celle qui est montrée. */
     private void adopter() {
-        adopte = courant;
-        reglages = courant.reglages != null ? courant.reglages : dessinateur.getReglages();
-        fichier = courant.fichier;
-        surveillance.suivre(fichier, courant.version);
-        panneau.bandeau.avis(String.join("\n", courant.avertissements));
+        if (courant.fichier != null && courant != adopte) {
+            adopte = courant;
+            reglages = courant.reglages != null ? courant.reglages : dessinateur.getReglages();
+            fichier = courant.fichier;
+            surveillance.suivre(fichier, courant.version);
+            panneau.bandeau.erreur("");
+            panneau.bandeau.avis(String.join("\n", courant.avertissements));
+        }
         prevenus.forEach(Runnable::run);
     }
 
@@ -287,14 +290,11 @@ final class Atelier {
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
             couts.put(complete, montre.getCout() + ", " + courant.reglages + ignorees
                     + (direFautes() == null ? "" : ", " + direFautes()));
-            panneau.bandeau.effacerErreur();
             if (montre.traceur.getEcart() != null) {
                 panneau.bandeau.avis(montre.traceur.getEcart());
             }
-            if (direFautes() != null) {
-                panneau.bandeau.erreur(direFautes() + " ; le premier : "
-                        + dessinateur.nommer(montre.traceur.getFautes().getPremiere()).getMessage());
-            }
+            panneau.bandeau.erreur(direFautes() == null ? "" : direFautes() + " ; le premier : "
+                    + dessinateur.nommer(montre.traceur.getFautes().getPremiere()).getMessage());
         } else if (panne instanceof SceneFautive && courant.fichier != null) {
             refuser(Pannes.message(panne));
         } else if (panne != null) {

@@ -7,6 +7,8 @@ import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
@@ -19,7 +21,7 @@ import lancer.texte.Texte;
 
 /**
  * Messages de la fenêtre, par-dessus le bas de l'image, en entier quelle que soit sa longueur ; invisible s'il n'y a
- * rien à dire. La faute de la scène reste tant qu'elle y est, et le dernier message vient dessous.
+ * rien à dire. La faute de la scène reste tant qu'elle y est, et les autres messages viennent dessous.
  */
 @SuppressWarnings("serial")
 final class Bandeau extends JTextArea {
@@ -39,9 +41,8 @@ final class Bandeau extends JTextArea {
         }
     };
     private String faute = "";
-    private String message = "";
-    private boolean erreur;
-    private boolean fautesSeules;
+    private String erreur = "";
+    private String avis = "";
 
     Bandeau() {
         setName("message");
@@ -55,6 +56,7 @@ final class Bandeau extends JTextArea {
             public void mousePressed(MouseEvent e) {
                 if (SwingUtilities.isLeftMouseButton(e)) {
                     faute = "";
+                    erreur = "";
                     avis("");
                 }
             }
@@ -93,44 +95,27 @@ final class Bandeau extends JTextArea {
         montrer();
     }
 
-    /** Un message qui reste jusqu'à ce qu'il n'ait plus lieu d'être. */
+    /** Un message qui reste jusqu'à ce qu'il n'ait plus lieu d'être ; vide, il n'y en a plus. */
     void erreur(String texte) {
-        dire(Texte.echappe(texte), true);
+        erreur = Texte.echappe(texte);
+        montrer();
     }
 
     /** Un message qui s'efface de lui-même ; vide, il efface le précédent. */
     void avis(String texte) {
-        dire(texte, false);
-    }
-
-    /** @param seules vrai pour ne plus montrer les avis */
-    void fautesSeules(boolean seules) {
-        fautesSeules = seules;
-        montrer();
-    }
-
-    void effacerErreur() {
-        if (erreur) {
-            avis("");
-        }
-    }
-
-    private void dire(String texte, boolean reste) {
-        message = texte;
-        erreur = reste;
+        avis = texte;
         oubli.stop();
-        if (!reste && !texte.isEmpty()) {
+        if (!texte.isEmpty()) {
             oubli.start();
         }
         montrer();
     }
 
     private void montrer() {
-        boolean grave = erreur || !faute.isEmpty();
+        boolean grave = !erreur.isEmpty() || !faute.isEmpty();
         setBackground(grave ? FOND_ERREUR : FOND_AVIS);
         setForeground(grave ? Color.WHITE : Color.BLACK);
-        String dit = erreur || !fautesSeules ? message : "";
-        String texte = faute.isEmpty() || dit.isEmpty() ? faute + dit : faute + "\n" + dit;
+        String texte = Stream.of(faute, erreur, avis).filter(dit -> !dit.isEmpty()).collect(Collectors.joining("\n"));
         if (!texte.equals(getText())) {
             setText(texte);
             setVisible(!texte.isEmpty());

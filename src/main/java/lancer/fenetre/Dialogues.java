@@ -17,7 +17,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import javax.swing.JColorChooser;
 import javax.swing.JDialog;
@@ -30,7 +29,6 @@ import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import lancer.contrat.Section;
 import lancer.texte.Texte;
 
 /** Les dialogues, en français même là où Java ne l'est pas, les fenêtres d'à côté, et l'apparence du système. */
@@ -85,7 +83,8 @@ final class Dialogues {
 
     /** Le tableau des touches, qui reste ouvert à côté pendant qu'on les essaie. */
     static Window touches(JFrame cadre) {
-        JLabel table = new JLabel("<html><table width=540>" + Arrays.stream(lire("touches.txt"))
+        int largeur = Math.min(540, ecran().width - BORDS);
+        JLabel table = new JLabel("<html><table width=" + largeur + ">" + Arrays.stream(lire("touches.txt"))
                 .map(ligne -> "<tr><td>" + ligne[0] + "<td>" + ligne[1]).collect(Collectors.joining()));
         table.setName("table");
         JDialog touches = new JDialog(cadre, "Touches");
@@ -177,17 +176,6 @@ final class Dialogues {
         JColorChooser.createDialog(parent, "Couleur", true, choix, e -> choisie[0] = choix.getColor(), null)
                 .setVisible(true);
         return choisie[0];
-    }
-
-    /** La couleur que dit un fichier de scène, composantes limitées à 1. */
-    static Color couleur(String valeur) {
-        return new Color(Section.sansFichier("", "couleur", valeur).couleur("couleur", Double.MAX_VALUE).getCode());
-    }
-
-    /** Couleur telle qu'un fichier de scène l'écrirait. */
-    static String ecrire(Color couleur) {
-        float[] rvb = couleur.getRGBColorComponents(null);
-        return String.format(Locale.ROOT, "%.3f %.3f %.3f", rvb[0], rvb[1], rvb[2]);
     }
 
     private static boolean confirmerRemplacement(Component parent, File fichier) {

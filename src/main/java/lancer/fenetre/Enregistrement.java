@@ -102,6 +102,7 @@ final class Enregistrement {
         ecriture.ecrire(image, new FichierPng());
         EventQueue.invokeLater(() -> {
             echoue = null;
+            bandeau.erreur("");
             bandeau.avis("enregistrée : " + Texte.echappe(cible.getName()));
         });
     }

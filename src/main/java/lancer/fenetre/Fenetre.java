@@ -20,9 +20,12 @@ import java.awt.event.WindowEvent;
 import java.io.File;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.ButtonGroup;
 import javax.swing.ImageIcon;
@@ -33,6 +36,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
+import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.TransferHandler;
@@ -67,6 +71,8 @@ public final class Fenetre {
     private final Timer retaille;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
     private final KeyEventPostProcessor renvoi = this::renvoyer;
+    /** Actions des caractères, quelles que soient les touches qui les font. */
+    private final Map<Character, Runnable> caracteres = new HashMap<>();
     private JMenuItem remplir;
     private JCheckBoxMenuItem plein;
     /** Place du cadre avant le plein écran. */
@@ -88,7 +94,10 @@ public final class Fenetre {
         JMenuBar menus = new JMenuBar();
         menus.add(menuFichier());
         menus.add(menuAffichage());
-        menus.add(new MenuDessin(cadre, atelier, variantes).menu);
+        MenuDessin dessin = new MenuDessin(cadre, atelier, variantes);
+        menus.add(dessin.menu);
+        caracteres.put('+', () -> dessin.changer(true));
+        caracteres.put('-', () -> dessin.changer(false));
         menus.add(new MenuScenes(atelier).menu);
         JMenu aide = menus.add(Menus.menu("Aide"));
         // A est à Affichage
@@ -241,7 +250,6 @@ public final class Fenetre {
         // cachés, des menus ne répondraient plus à leurs touches
         cadre.getJMenuBar().setPreferredSize(entre ? new Dimension() : null);
         barre.setVisible(!entre);
-        panneau.bandeau.fautesSeules(entre);
         ecran.setFullScreenWindow(entre ? cadre : null);
         cadre.setBounds(entre ? cadre.getBounds() : place);
         cadre.setVisible(true);
@@ -272,6 +280,8 @@ public final class Fenetre {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
             inspecteur = inspecteur == null ? new Inspecteur(cadre, atelier, panneau) : inspecteur;
+            IntStream.range(0, 10).forEach(n -> caracteres.put((char) ('0' + n), () -> inspecteur.isoler(n)));
+            caracteres.put('d', () -> inspecteur.deplier(null));
             inspecteur.montrer(pixel);
         }
     }
@@ -301,9 +311,18 @@ public final class Fenetre {
         return devant instanceof JDialog && devant.getOwner() == cadre && !((JDialog) devant).isModal() ? devant : null;
     }
 
-    /** Une touche dont la fenêtre d'à côté n'a rien fait est pour le cadre, mais n'y ouvre pas un menu. */
+    /**
+     * Une touche dont rien n'a été fait est un caractère du cadre ou, d'une fenêtre d'à côté, une de ses touches ; mais
+     * elle n'y ouvre pas un menu.
+     */
     private boolean renvoyer(KeyEvent e) {
-        if (!e.isConsumed() && !e.isAltDown() && e.getKeyCode() != KeyEvent.VK_F10 && aCote() != null) {
+        boolean libre = !e.isConsumed() && !e.isAltDown() && e.getKeyCode() != KeyEvent.VK_F10;
+        if (libre && e.getID() == KeyEvent.KEY_PRESSED && !e.isControlDown() && !e.isMetaDown()
+                && (aCote() != null || cadre.isFocused())
+                && MenuSelectionManager.defaultManager().getSelectedPath().length == 0) {
+            caracteres.getOrDefault(Character.toLowerCase(e.getKeyChar()), () -> { }).run();
+        }
+        if (libre && aCote() != null) {
             SwingUtilities.processKeyBindings(new KeyEvent(cadre.getRootPane(), e.getID(), e.getWhen(),
                     e.getModifiersEx(), e.getKeyCode(), e.getKeyChar(), e.getKeyLocation()));
         }

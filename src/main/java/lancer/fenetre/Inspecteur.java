@@ -18,9 +18,9 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
 import javax.swing.JTextPane;
 import javax.swing.KeyStroke;
 import javax.swing.text.BadLocationException;
@@ -61,7 +61,7 @@ final class Inspecteur extends JDialog {
     private final PanneauImage panneau;
     private final JTextPane texte = new JTextPane();
     private final JScrollPane ascenseur = new JScrollPane(texte);
-    private final JLabel verdict = new JLabel(" ");
+    private final JTextArea verdict = Bandeau.etiquette("verdict");
     private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
     private final VueDeCote vue = new VueDeCote(this::isoler);
     private final ExecutorService fil = Atelier.unFil("lancer-inspection");
@@ -69,16 +69,17 @@ final class Inspecteur extends JDialog {
     private List<Recit.Ligne> vues = Collections.emptyList();
     private Inspection enCours;
     private Point pixel;
+    /** Caméra de l'image dont c'est un pixel ; {@code null} : celle qui est montrée. */
+    private Camera camera;
     private int rang = Inspection.AU_CENTRE;
     /** Le numéro du seul rebond que montrent les figures ; 0 : tous. */
-    private int rebond;
+    int rebond;
 
     Inspecteur(JFrame cadre, Atelier atelier, PanneauImage panneau) {
         super(cadre);
         this.atelier = atelier;
         this.panneau = panneau;
         setName("inspecteur");
-        verdict.setName("verdict");
         verdict.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         texte.setName("recit");
         texte.getAccessibleContext().setAccessibleName("chaîne du pixel");
@@ -107,10 +108,11 @@ final class Inspecteur extends JDialog {
                 int ou = texte.viewToModel(e.getPoint());
                 // la deuxième ligne n'est pas du récit
                 int ligne = Math.max(0, texte.getDocument().getDefaultRootElement().getElementIndex(ou) - 1);
-                if (vues.get(ligne).repli != null) {
-                    deplier(vues.get(ligne).repli);
-                } else if (vues.get(ligne).rebond() > 0) {
-                    isoler(vues.get(ligne).rebond());
+                Recit.Ligne vue = vues.isEmpty() ? null : vues.get(ligne);
+                if (vue != null && vue.repli != null) {
+                    deplier(vue.repli);
+                } else if (vue != null && vue.rebond() > 0) {
+                    isoler(vue.rebond());
                 }
             }
         });
@@ -144,16 +146,12 @@ final class Inspecteur extends JDialog {
                 }, KeyStroke.getKeyStroke(touches[k], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
             }
         }
-        for (char chiffre = '0'; chiffre <= '9'; chiffre++) {
-            int numero = chiffre - '0';
-            ou.registerKeyboardAction(e -> isoler(numero), KeyStroke.getKeyStroke(chiffre), quand);
-        }
-        ou.registerKeyboardAction(e -> deplier(null), KeyStroke.getKeyStroke('d'), quand);
     }
 
     /** Ouvre la fenêtre sur ce pixel, ou l'y mène. */
     void montrer(Point voulu) {
         pixel = voulu;
+        camera = null;
         panneau.suivre(pixel);
         rang = Inspection.AU_CENTRE;
         if (!isVisible()) {
@@ -177,7 +175,8 @@ final class Inspecteur extends JDialog {
         }
     }
 
-    private void deplier(String repli) {
+    /** @param repli {@code null} pour tout déplier, ou tout replier */
+    void deplier(String repli) {
         depliage.basculer(repli);
         ecrire();
     }
@@ -207,9 +206,11 @@ final class Inspecteur extends JDialog {
         if (!isVisible() || montre == null) {
             return;
         }
-        Camera camera = montre.traceur.getCamera();
-        pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, pixel.x)),
-                Math.max(0, Math.min(camera.getHauteur() - 1, pixel.y)));
+        // d'une image d'une autre taille, le même endroit
+        double fois = camera == null ? 1 : (double) montre.image.largeur / camera.getLargeur();
+        camera = montre.traceur.getCamera();
+        pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, (int) (fois * (pixel.x + 0.5)))),
+                Math.max(0, Math.min(camera.getHauteur() - 1, (int) (fois * (pixel.y + 0.5)))));
         setTitle("Rayons du pixel " + pixel.x + ", " + pixel.y);
         Inspection nouvelle = new Inspection(montre.traceur.getScene(), montre.origines, camera,
                 montre.reglages.getReflets(), pixel.x, pixel.y);

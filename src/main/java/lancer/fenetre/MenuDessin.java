@@ -69,14 +69,12 @@ final class MenuDessin {
         Menus.siScene(atelier, menu, "Copier ces réglages",
                 KeyStroke.getKeyStroke(KeyEvent.VK_C, Menus.ctrl(0).getModifiers() | InputEvent.SHIFT_DOWN_MASK),
                 this::copier);
-        Menus.lier(cadre, KeyStroke.getKeyStroke('+'), () -> changer(true));
-        Menus.lier(cadre, KeyStroke.getKeyStroke('-'), () -> changer(false));
         atelier.prevenir(this::montrer);
         montrer();
     }
 
     /** Passe à plus ou moins de réflexions, parmi celles du menu. */
-    private void changer(boolean plus) {
+    void changer(boolean plus) {
         if (atelier.reglages != null) {
             int actuel = atelier.reglages.getReflets();
             IntStream autres = Arrays.stream(REFLEXIONS).filter(n -> plus ? n > actuel : n < actuel);

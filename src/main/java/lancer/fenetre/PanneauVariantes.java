@@ -6,6 +6,7 @@ import java.awt.GridBagLayout;
 import java.awt.Insets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -107,10 +108,12 @@ final class PanneauVariantes extends JDialog {
         bouton.addActionListener(e -> {
             Color choisie = Dialogues.choisirCouleur(this, bouton.getBackground());
             if (choisie != null) {
-                regler(variante, parametre, Dialogues.ecrire(choisie), false);
+                float[] c = choisie.getRGBColorComponents(null);
+                regler(variante, parametre, String.format(Locale.ROOT, "%.3f %.3f %.3f", c[0], c[1], c[2]), false);
             }
         });
-        ajustements.add(() -> bouton.setBackground(Dialogues.couleur(valeur(variante, parametre))));
+        ajustements.add(() -> bouton.setBackground(new Color(Section.sansFichier("", "couleur",
+                valeur(variante, parametre)).couleur("couleur", Double.MAX_VALUE).getCode())));
         return bouton;
     }
 

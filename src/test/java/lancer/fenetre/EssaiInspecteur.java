@@ -6,7 +6,7 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
-import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import javax.swing.JTextPane;
 
 /** De quoi attendre, dans l'inspecteur ouvert, son titre, son récit et son verdict. */
@@ -33,7 +33,7 @@ abstract class EssaiInspecteur extends EssaiFenetre {
     }
 
     static void attendreVerdict(String debut) throws Exception {
-        JLabel verdict = composant("verdict", JLabel.class);
+        JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("le verdict « " + debut + " »", () -> verdict.getText().startsWith(debut));
     }
 

@@ -41,7 +41,7 @@ class FenetreAffichageTest extends EssaiFenetre {
     }
 
     @Test
-    void lePleinEcranNeGardeQueLImageEtLesFautes() throws Exception {
+    void lePleinEcranNeGardeQueLImageEtLesMessages() throws Exception {
         int[] deuxReflets = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=2");
         ouvrir();
         Dimension ecran = Toolkit.getDefaultToolkit().getScreenSize();
@@ -55,6 +55,9 @@ class FenetreAffichageTest extends EssaiFenetre {
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(5, 5), "du gris autour");
         banc.frapper(KeyEvent.VK_SUBTRACT);
         attendre("les touches répondent", () -> banc.atelier.reglages.getReflets() == 2);
+        banc.imageAchevee();
+        banc.frapperCtrl('c');
+        banc.attendreMessage("image copiée");
         ecrire(FAUTIVE);
         banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
         attendre("rien ne se dessine plus", () -> !banc.atelier.enCours);

@@ -22,7 +22,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
-import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import javax.swing.JProgressBar;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
@@ -279,7 +279,7 @@ class FenetreDessinTest extends EssaiFenetre {
     /** Un clic sur l'image montrée dit ses rayons, quoi qu'il arrive à la suivante. */
     private void inspecter() throws Exception {
         cliquer(150, 100);
-        JLabel verdict = composant("verdict", JLabel.class);
+        JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("l'inspecteur répond", () -> verdict.getText().startsWith("Au bit près"));
         banc.frapper(SwingUtilities.getWindowAncestor(verdict), KeyEvent.VK_ESCAPE);
         attendre("puis se ferme", () -> !verdict.isShowing());

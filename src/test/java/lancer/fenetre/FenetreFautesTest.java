@@ -11,7 +11,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import javax.swing.JDialog;
-import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import javax.swing.JTextPane;
 import lancer.Couleur;
 import lancer.Objet3D;
@@ -99,12 +99,16 @@ class FenetreFautesTest extends EssaiFenetre {
                 + scene + " : java.lang.IllegalStateException: boum (");
         assertTrue(banc.message().contains("FenetreFautesTest.java:"), banc.message());
         banc.frapperCtrl('s');
-        attendre("elle ne s'enregistre pas", () -> banc.panneau.bandeau.getText().startsWith("Image non enregistrée : " + dits));
+        attendre("elle ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : " + dits));
+        assertTrue(banc.message().startsWith(dits + " pixels"), "la faute se lit toujours : " + banc.message());
+        // le bandeau cache le bas de l'image : un clic le ferme
+        banc.cliquer(banc.panneau.bandeau, 5, banc.panneau.bandeau.getHeight() - 5);
+        banc.attendreMessage("");
         cliquer(premier % L, premier / L);
         JTextPane recit = composant("recit", JTextPane.class);
         attendre("la chaîne va jusqu'à la faute", () -> recit.getText().contains("  objet 3  d = ")
                 && recit.getText().contains("\néchec : java.lang.IllegalStateException: boum ("));
-        JLabel verdict = composant("verdict", JLabel.class);
+        JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("le verdict", () -> verdict.getText().equals("Ce pixel n'a pu être calculé."));
     }
 
@@ -116,6 +120,11 @@ class FenetreFautesTest extends EssaiFenetre {
         banc.attendreMessage("pixel ");
         assertTrue(banc.message().contains("boum"), banc.message());
         assertNull(surFilEvenements(banc.atelier::getImageComplete));
+        banc.frapper(KeyEvent.VK_ENTER);
+        JTextPane recit = composant("recit", JTextPane.class);
+        attendre("ce qui a été dessiné s'inspecte", () -> recit.getText().contains("\néchec : java.lang.IllegalStateException: boum ("));
+        banc.frapperCtrl('s');
+        attendre("et ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : 1"));
     }
 
     @Test
@@ -124,7 +133,7 @@ class FenetreFautesTest extends EssaiFenetre {
         cliquer(150, 100);
         JDialog inspecteur = composant("inspecteur", JDialog.class);
         JTextPane recit = composant("recit", JTextPane.class);
-        JLabel verdict = composant("verdict", JLabel.class);
+        JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("le pixel", () -> recit.getText().endsWith(couleur(codes[100 * L + 150])));
         ecrire(FAUTIVE);
         banc.attendreMessage(scene.toString());
@@ -138,7 +147,7 @@ class FenetreFautesTest extends EssaiFenetre {
                 && recit.getText().endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
         BancFenetre.mettreDevant(inspecteur);
         banc.frapper(KeyEvent.VK_F3);
-        JLabel etat = composant("vitesse.etat", JLabel.class);
+        JTextArea etat = composant("vitesse.etat", JTextArea.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
         assertFalse(surFilEvenements(() -> banc.atelier.enCours));
         assertEquals(codes, surFilEvenements(banc.atelier::getImageComplete).codes);

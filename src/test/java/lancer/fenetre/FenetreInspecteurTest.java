@@ -6,6 +6,7 @@ import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
@@ -148,7 +149,68 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendreVerdict("Au bit près");
         long marques = Arrays.stream(recit.split("\n")).filter(ligne -> ligne.contains("   ← = ")).count();
         assertTrue(marques > 0 && marques < recit.split("\n").length / 2, marques + " lignes marquées dans " + recit);
-        assertTrue(recit.contains(couleur(bleue[110 * L + 150]) + "   ← =" + couleur(rouge[110 * L + 150]).substring(2)), recit);
+        assertTrue(recit.matches("(?s).*" + couleur(bleue[110 * L + 150]) + "   ← somme [^\n]*" + couleur(rouge[110 * L + 150])), recit);
+    }
+
+    @Test
+    void ilRaconteLImageQuiSeVoitDesSonBrouillonQueLaSceneOuUnReglageAitChange() throws Exception {
+        banc = new BancFenetre(lente());
+        banc.imageAchevee();
+        cliquer(150, 110);
+        attendreVerdict("Au bit près");
+        JTextPane recit = composant("recit", JTextPane.class);
+        banc.main.lent = true;
+        ecrire(BLEUE);
+        attendre("la scène relue", () -> recit.getText().contains("diffus = Kd (0.10000 0.20000 0.90000)"));
+        attendreVerdict("L'image n'est pas achevée");
+        presser(KeyEvent.VK_SUBTRACT);
+        attendre("deux réflexions", () -> banc.atelier.enCours && banc.atelier.montre.reglages.getReflets() == 2);
+        attendreVerdict("L'image n'est pas achevée");
+        assertTrue(surFilEvenements(() -> banc.atelier.enCours));
+    }
+
+    @Test
+    void leMemeEndroitResteInspecteQuandLImageChangeDeTaille() throws Exception {
+        ouvrir();
+        cliquer(160, 60);
+        attendreTitre(160, 60);
+        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_0);
+        faire(() -> banc.cadre.setSize(banc.cadre.getWidth() + 320, banc.cadre.getHeight() + 240));
+        attendre("une image plus haute", () -> banc.atelier.montre.image.hauteur > H + 100);
+        attendre("au même endroit", () -> {
+            double fois = banc.atelier.montre.image.largeur / (double) L;
+            return inspecteurSur("Rayons du pixel " + (int) (160.5 * fois) + ", " + (int) (60.5 * fois));
+        });
+    }
+
+    @Test
+    void uneToucheQueCtrlAltOuUnMenuAPriseNEstPasUnChiffre() throws Exception {
+        ouvrir();
+        cliquer(150, 110);
+        attendreVerdict("Au bit près");
+        JTextPane recit = composant("recit", JTextPane.class);
+        String replie = surFilEvenements(recit::getText);
+        BancFenetre.mettreDevant(banc.cadre);
+        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_1);
+        banc.frapper(KeyEvent.VK_ALT, KeyEvent.VK_D);
+        presserLeMenu(KeyEvent.VK_X);
+        presserLeMenu(KeyEvent.VK_2);
+        attendre("deux réflexions", () -> banc.atelier.reglages.getReflets() == 2);
+        attendreVerdict("Au bit près");
+        Inspecteur ouvert = inspecteur();
+        assertEquals(0, surFilEvenements(() -> ouvert.rebond));
+        assertFalse(surFilEvenements(recit::getText).contains(" ▾"), replie);
+        banc.frapper(KeyEvent.VK_D);
+        attendre("mais d seul déplie", () -> recit.getText().contains(" ▾"));
+        banc.frapper(KeyEvent.VK_1);
+        attendre("et 1 seul isole", () -> ouvert.rebond == 1);
+    }
+
+    private void presserLeMenu(int touche) throws Exception {
+        banc.robot.waitForIdle();
+        banc.robot.keyPress(touche);
+        banc.robot.keyRelease(touche);
+        banc.robot.waitForIdle();
     }
 
     @Test
@@ -214,9 +276,18 @@ class FenetreInspecteurTest extends EssaiInspecteur {
             }
         });
         banc.imageAchevee();
+        lenteur.set(new CountDownLatch(1));
         cliquer(150, 100);
-        attendreVerdict("Au bit près");
+        attendreVerdict("calcul…");
         JTextPane recit = composant("recit", JTextPane.class);
+        AtomicReference<Throwable> panne = new AtomicReference<>();
+        Thread.setDefaultUncaughtExceptionHandler((fil, e) -> panne.set(e));
+        banc.cliquer(recit, 5, 5);
+        banc.robot.waitForIdle();
+        Thread.setDefaultUncaughtExceptionHandler(null);
+        assertNull(panne.get(), "d'un texte encore blanc, un clic ne fait rien");
+        lenteur.get().countDown();
+        attendreVerdict("Au bit près");
         String avant = surFilEvenements(recit::getText);
         lenteur.set(new CountDownLatch(1));
         presser(KeyEvent.VK_RIGHT);
