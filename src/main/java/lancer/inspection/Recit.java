@@ -30,8 +30,9 @@ public final class Recit {
     private final DoubleFunction<String> nombre;
     private final List<Ligne> lignes = new ArrayList<>();
     private int etape;
-    /** Lampe, rival ou échantillon dont il est question ; vide : aucun. */
+    /** Lampe, rival ou échantillon dont il est question, et celui dont c'est la chaîne ; vide : aucun. */
     private String quoi = "";
+    private String chaine = "";
 
     /** Une ligne, et où elle est. Immuable. */
     public static final class Ligne {
@@ -90,6 +91,7 @@ public final class Recit {
             depart = rayon == null ? null : suivante.contact.objet;
         }
         etape = 0;
+        chaine = "";
         if (pixel.getFaute() != null) {
             dire("échec : %s", Texte.cause(pixel.getFaute(), Texte.HORS_DE_JAVA));
         } else {
@@ -105,7 +107,7 @@ public final class Recit {
     private void replier(String repli, String format, Object... valeurs) {
         Object[] textes = Arrays.stream(valeurs).map(this::ecrire).toArray();
         lignes.add(new Ligne(String.format(Locale.ROOT, format, textes), etape,
-                etape + " " + quoi + format.split(" = | : |%")[0], repli, false));
+                etape + chaine + " " + quoi + format.split(" = | : |%")[0], repli, false));
     }
 
     /** Les nombres d'une valeur, comme ils s'écrivent ; elle-même, si ce n'en sont pas. */
@@ -144,6 +146,7 @@ public final class Recit {
         if (pixel.somme != null) {
             dire("leur somme = %s, divisée par %s pour le pixel", pixel.somme, pixel.diviseur);
         }
+        chaine = pixel.getChoisi().xe + " " + pixel.getChoisi().ye;
         dire("chaîne de l'échantillon %s", pixel.getChoisi());
     }
 

@@ -4,6 +4,7 @@ import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.awt.event.KeyEvent;
 import javax.swing.JComboBox;
@@ -30,6 +31,7 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         banc.frapper(SwingUtilities.getWindowAncestor(grille), KeyEvent.VK_CONTROL, KeyEvent.VK_PAGE_DOWN);
         attendre("le deuxième", () -> recit.getText().contains("\nchaîne de l'échantillon 150.50, 100.17\n"));
         attendre("la même somme", () -> recit.getText().endsWith(somme));
+        assertFalse(surFilEvenements(recit::getText).contains("←"), "d'un échantillon à l'autre, rien n'a changé");
         JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("la comparaison", () -> verdict.getText().startsWith("Au bit près"));
     }
