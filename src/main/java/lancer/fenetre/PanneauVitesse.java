@@ -115,11 +115,9 @@ final class PanneauVitesse extends JDialog {
     private static List<Object> scene(Dessin dessin) {
         List<Object> scene = new ArrayList<>(Arrays.asList(dessin.traceur.getScene().getObjets(),
                 dessin.image.largeur, dessin.image.hauteur));
-        for (Variante variante : dessin.reglages.getVariantes()) {
-            if (dessin.reglages.estBranchee(variante) && !libres(dessin.reglages).contains(variante)) {
-                scene.add(dessin.reglages.getSection(variante).toString());
-            }
-        }
+        dessin.reglages.getVariantes().stream().filter(dessin.reglages::estBranchee).forEach(variante -> scene.add(
+                libres(dessin.reglages).contains(variante) ? variante.getSection()
+                : dessin.reglages.getSection(variante).toString()));
         return scene;
     }
 

@@ -65,11 +65,12 @@ public final class Depliage {
 
     private Recit.Ligne vue(Recit.Ligne ligne) {
         String avant = anciens.get(ligne.sujet);
-        if (avant == null || avant.equals(ligne.texte)) {
+        if (avant == null || Recit.sansNumero(avant).equals(Recit.sansNumero(ligne.texte))) {
             return new Recit.Ligne(ligne.texte, ligne.etape, null, null, false);
         }
         // la valeur suffit, si elle est celle de la même chose
-        boolean memeChose = avant.contains(" = ") && ligne.texte.startsWith(avant.split(" = ")[0] + " = ");
+        boolean memeChose = avant.contains(" = ")
+                && Recit.sansNumero(ligne.texte).startsWith(Recit.sansNumero(avant.split(" = ")[0]) + " = ");
         return new Recit.Ligne(ligne.texte + "   ← "
                 + avant.substring(memeChose ? avant.lastIndexOf(" = ") + 1 : 0).trim(), ligne.etape, null, null, true);
     }

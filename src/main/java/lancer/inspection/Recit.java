@@ -100,6 +100,11 @@ public final class Recit {
         return lignes;
     }
 
+    /** Ce texte sans les numéros de ligne du fichier, que change tout ce qui s'écrit plus haut. */
+    static String sansNumero(String texte) {
+        return texte.replaceAll(" ligne \\d+", "");
+    }
+
     private void dire(String format, Object... valeurs) {
         replier(null, format, valeurs);
     }
@@ -107,7 +112,7 @@ public final class Recit {
     private void replier(String repli, String format, Object... valeurs) {
         Object[] textes = Arrays.stream(valeurs).map(this::ecrire).toArray();
         lignes.add(new Ligne(String.format(Locale.ROOT, format, textes), etape,
-                etape + chaine + " " + quoi + format.split(" = | : |%")[0], repli, false));
+                etape + chaine + " " + sansNumero(quoi) + format.split(" = | : |%")[0], repli, false));
     }
 
     /** Les nombres d'une valeur, comme ils s'écrivent ; elle-même, si ce n'en sont pas. */

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -170,6 +172,22 @@ class InspectionTest {
                 marquees.get(0));
         assertTrue(marquees.get(2).matches("       = (\\S+) \\S+ \\1   ← = (\\S+) \\2 \\2"), marquees.get(2));
         assertTrue(marquees.get(3).startsWith("   somme 1 = ") && marquees.get(3).contains("   ← = "), marquees.get(3));
+    }
+
+    @Test
+    void uneLigneAjouteePlusHautDansLeFichierNEmpecheNiNeFaitUneMarque() throws Exception {
+        String ini = "[Sphere 1]\ncentre=0 0 8\nrayon=2\nKd=1 1 1\n[Lampe 1]\nposition=0 0 -5\ncouleur=1 1 1\n";
+        Depliage depliage = new Depliage();
+        for (String texte : new String[] {ini, "; un commentaire\n" + ini.replace("couleur=1 1 1", "couleur=1 0.5 1")}) {
+            Path fichier = Files.write(dossier.resolve("s.ini"), texte.getBytes(StandardCharsets.UTF_8));
+            LecteurScene lecteur = new LecteurScene();
+            Inspection pixel = new Inspection(new Scene(fichier.toString(), lecteur), lecteur.origines, new Camera(9, 9), 5, 4, 4);
+            pixel.faire();
+            depliage.remplacer(new Recit(pixel, Double::toString).raconter());
+        }
+        List<String> marquees = depliage.getVues().stream().filter(ligne -> ligne.changee).map(ligne -> ligne.texte.trim().split(" ")[0])
+                .collect(Collectors.toList());
+        assertEquals(Arrays.asList("diffus", "+", "=", "somme", "somme"), marquees);
     }
 
     @Test
