@@ -142,11 +142,13 @@ public final class Auto {
                 mesure ? attendue.corrigee(tirage.erreur()) : attendue, mesure ? tirage.prix() : promis);
     }
 
-    /** Candidat que fait la scène telle qu'elle est, cette section dite, sous ces limites ; une fois choisi. */
-    public Candidat evaluer(Section section, int reflets, double seuil) {
-        Limite presente = Limite.permises(reflets, seuil)[0];
+    /** Candidat que fait ce dessin de la scène, de cette section, à tant de réflexions ; une fois choisi. */
+    public Candidat evaluer(Section section, Traceur dessin, int reflets) {
+        Modele modele = dessin.getScene().getModele();
+        Limite presente = Limite.permises(reflets, modele.getSeuil())[0];
         presente.essayer(essais, semis, Double.MAX_VALUE);
-        return essayer(new Barreau(section, ORDINAIRE.erreur, ORDINAIRE.prix), deLaScene, INCONNUE, presente);
+        return essayer(new Barreau(section, ORDINAIRE.erreur, ORDINAIRE.prix), modele.getEchantillonnage(), INCONNUE,
+                presente);
     }
 
     /** Les rayons des essais, contrôle compris. */

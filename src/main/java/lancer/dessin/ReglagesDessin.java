@@ -120,6 +120,17 @@ public final class ReglagesDessin {
                 && !changees.containsKey(variante.getSection())).collect(Collectors.toList());
     }
 
+    /** Variantes branchées qui ont une échelle, et dont le fichier ne dit rien : des essais peuvent les régler. */
+    public List<Variante> getEssayees() {
+        return initiaux().getVariantesLibres().stream().filter(this::estBranchee)
+                .filter(variante -> !variante.getEchelle().isEmpty()).collect(Collectors.toList());
+    }
+
+    /** Section entière de la première variante que des essais règlent ; {@code null} s'il n'y en a pas. */
+    public Section getSectionEssayee() {
+        return getEssayees().stream().map(this::getSectionEntiere).findFirst().orElse(null);
+    }
+
     /** Les sections à mettre dans le fichier pour dessiner ainsi, à la place des siennes. */
     public List<Section> getSectionsChangees() {
         return lues.keySet().stream().filter(this::estBranchee).map(Variante::getSection).map(changees::get)

@@ -17,9 +17,7 @@ import javax.swing.JTextArea;
 import lancer.Couleur;
 import lancer.auto.Auto;
 import lancer.auto.Candidat;
-import lancer.contrat.Section;
 import lancer.contrat.Toile;
-import lancer.contrat.Variante;
 import lancer.dessin.Dessin;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
@@ -100,6 +98,13 @@ final class PanneauVitesse extends JDialog {
             essayer(montre);
         }
         graphique.repaint();
+        if (auto != null && !graphique.aUnPresent()) {
+            // changés au clavier, ou par F2
+            List<Object> memeScene = essayee;
+            Auto fait = auto;
+            auto = null;
+            essais = Atelier.confier(fil, () -> evaluer(memeScene, fait, montre), etat::setText);
+        }
         ImageMemoire image = atelier.getImageComplete();
         if (voulu != null && auto != null && image != null && image.lineaire != null && estPresent(voulu)) {
             if (atelier.direFautes() == null) {
@@ -116,39 +121,32 @@ final class PanneauVitesse extends JDialog {
         List<Object> scene = new ArrayList<>(Arrays.asList(dessin.traceur.getScene().getObjets(),
                 dessin.image.largeur, dessin.image.hauteur));
         dessin.reglages.getVariantes().stream().filter(dessin.reglages::estBranchee).forEach(variante -> scene.add(
-                libres(dessin.reglages).contains(variante) ? variante.getSection()
+                dessin.reglages.getEssayees().contains(variante) ? variante.getSection()
                 : dessin.reglages.getSection(variante).toString()));
         return scene;
-    }
-
-    /** Les variantes branchées que les essais règlent : le fichier n'en dit rien. */
-    private static List<Variante> libres(ReglagesDessin reglages) {
-        List<Variante> libres = new ArrayList<>(reglages.initiaux().getVariantesLibres());
-        libres.removeIf(variante -> variante.getEchelle().isEmpty() || !reglages.estBranchee(variante));
-        return libres;
     }
 
     /** Dit si l'image montrée est dessinée avec ce réglage. */
     private boolean estPresent(Candidat reglage) {
         ReglagesDessin presents = atelier.montre.reglages;
         return reglage.reflets == presents.getReflets() && reglage.seuil == presents.getSeuil()
-                && String.valueOf(reglage.section).equals(String.valueOf(section(presents)));
-    }
-
-    /** Section entière de la variante que les essais règlent ; {@code null} s'il n'y en a pas. */
-    private static Section section(ReglagesDessin reglages) {
-        return libres(reglages).stream().map(reglages::getSectionEntiere).findFirst().orElse(null);
+                && String.valueOf(reglage.section).equals(String.valueOf(presents.getSectionEssayee()));
     }
 
     private void essayer(Dessin montre) {
         List<Object> scene = essayee;
         etat.setText("premiers essais…");
         essais = Atelier.confier(fil, () -> {
-            Auto fait = Auto.choisir(montre.traceur, 0, null, null, atelier.fils, libres(montre.reglages),
+            Auto fait = Auto.choisir(montre.traceur, 0, null, null, atelier.fils, montre.reglages.getEssayees(),
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
-            montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée).",
-                    fait.evaluer(section(montre.reglages), montre.reglages.getReflets(), montre.reglages.getSeuil()));
+            evaluer(scene, fait, montre);
         }, panne -> etat.setText("Essais impossibles : " + panne));
+    }
+
+    /** Met sur le graphique, depuis le fil des essais, le point des réglages de ce dessin. */
+    private void evaluer(List<Object> scene, Auto fait, Dessin montre) {
+        montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée).",
+                fait.evaluer(montre.reglages.getSectionEssayee(), montre.traceur, montre.reglages.getReflets()));
     }
 
     /** Montre, depuis le fil des essais, ce qu'ils disent, si personne n'a changé de scène entre-temps. */
@@ -170,6 +168,8 @@ final class PanneauVitesse extends JDialog {
             reglages = reglages.avec(reglages.getVariante(reglage.section.nom), reglage.section);
         }
         voulu = reglage;
+        // comparé à des réglages qui ne seront plus les présents
+        point.setText(" ");
         atelier.dessiner(reglages, false);
     }
 

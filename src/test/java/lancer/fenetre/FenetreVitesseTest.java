@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
@@ -120,6 +121,41 @@ class FenetreVitesseTest extends EssaiFenetre {
         JTextArea point = composant("vitesse.point", JTextArea.class);
         frapper(KeyEvent.VK_RIGHT);
         attendre("il se dit", () -> point.getText().contains(", erreur d'au plus "));
+    }
+
+    @Test
+    void unReglageChangeAuClavierDevientLePresentDuGraphique() throws Exception {
+        ouvrirLePanneau();
+        attendreEtat("Un clic");
+        for (int reflets : new int[] {2, 1, 0}) {
+            frapper(KeyEvent.VK_SUBTRACT);
+            attendre("moins de réflexions", () -> banc.atelier.montre.reglages.getReflets() == reflets);
+            attendre("elles ont leur point", graphique::aUnPresent);
+        }
+    }
+
+    @Test
+    void uneMesureAuDelaDeToutCeQuiEtaitAttenduSeVoitDansLeCadre() throws Exception {
+        ouvrirLePanneau();
+        attendreEtat("Un clic");
+        BufferedImage vue = surFilEvenements(() -> {
+            for (double rayons = 0.5; rayons < 20; rayons *= 1.1) {
+                graphique.ajouterMesure(rayons, 200, 10);
+            }
+            BufferedImage peinte = new BufferedImage(graphique.getWidth(), graphique.getHeight(), BufferedImage.TYPE_INT_RGB);
+            graphique.paint(peinte.createGraphics());
+            return peinte;
+        });
+        int rouges = 0;
+        for (int k = 0; k < vue.getWidth() * vue.getHeight(); k++) {
+            int y = k / vue.getWidth();
+            Color c = new Color(vue.getRGB(k % vue.getWidth(), y));
+            if (c.getRed() > c.getBlue() + 60) {
+                rouges++;
+                assertTrue(y >= 26, "au-dessus du cadre : " + y);
+            }
+        }
+        assertTrue(rouges > 5, rouges + " pixels");
     }
 
     @Test

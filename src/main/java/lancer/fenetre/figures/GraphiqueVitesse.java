@@ -115,7 +115,7 @@ public final class GraphiqueVitesse extends JPanel {
     /** @param ici les réglages présents, s'ils sont évalués ; ou {@code null} */
     public void montrer(List<Candidat> essayes, Candidat ici) {
         points = new ArrayList<>(essayes);
-        if (ici != null && points.stream().noneMatch(estPresent)) {
+        if (ici != null && !aUnPresent()) {
             points.add(ici);
         }
         front = points.stream().filter(p -> points.stream().noneMatch(q -> q.prix < p.prix && q.erreur <= p.erreur))
@@ -124,13 +124,19 @@ public final class GraphiqueVitesse extends JPanel {
         DoubleSummaryStatistics prix = points.stream().mapToDouble(p -> p.prix).summaryStatistics();
         xMin = prix.getMin() / 1.3;
         xMax = prix.getMax() * 1.3;
-        yMax = Math.max(1, points.stream().mapToDouble(p -> p.auPlus).max().orElse(1) * 1.3);
+        yMax = Math.max(1, 1.3 * Math.max(points.stream().mapToDouble(p -> p.auPlus).max().orElse(0),
+                mesures.stream().mapToDouble(mesure -> mesure[1] + mesure[2]).max().orElse(0)));
         repaint();
+    }
+
+    /** Dit si un des points est celui des réglages présents. */
+    public boolean aUnPresent() {
+        return points.stream().anyMatch(estPresent);
     }
 
     public void ajouterMesure(double rayons, double erreur, double incertitude) {
         mesures.add(new double[] {rayons, erreur, incertitude});
-        repaint();
+        montrer(points, null);
     }
 
     private double x(double rayons) {
