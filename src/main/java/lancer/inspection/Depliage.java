@@ -55,9 +55,12 @@ public final class Depliage {
             if (ligne.repli == null) {
                 vues.add(vue(ligne));
             } else if (dits.add(repli(ligne))) {
-                vues.add(new Recit.Ligne(ligne.repli + (ouvert ? " ▾" : " ▸"), ligne.etape, null, repli(ligne), false));
-                lignes.stream().filter(autre -> ouvert && autre.repli != null && repli(autre).equals(repli(ligne)))
-                        .forEach(autre -> vues.add(vue(autre)));
+                List<Recit.Ligne> pareilles = lignes.stream().filter(autre -> autre.repli != null
+                        && repli(autre).equals(repli(ligne))).map(this::vue).collect(Collectors.toList());
+                boolean changee = !ouvert && pareilles.stream().anyMatch(autre -> autre.changee);
+                String titre = ligne.repli + (ouvert ? " ▾" : " ▸");
+                vues.add(new Recit.Ligne(titre, ligne.etape, null, repli(ligne), changee));
+                vues.addAll(ouvert ? pareilles : Collections.emptyList());
             }
         }
         return vues;

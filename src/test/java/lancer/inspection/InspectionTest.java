@@ -191,6 +191,30 @@ class InspectionTest {
     }
 
     @Test
+    void unRepliOuQuelqueChoseAChangeEstMarque() {
+        Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
+        sphere.setKd(new Couleur(1));
+        Depliage depliage = new Depliage();
+        for (double loin : new double[] {20, 25}) {
+            List<Lampe> lampes = new ArrayList<>();
+            for (int k = 0; k < 5; k++) {
+                lampes.add(new Lampe(new Point(0, 0, k < 4 ? 20 : loin), new Couleur(1)));
+            }
+            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
+                    new Camera(9, 9), 5, 4, 4);
+            pixel.faire();
+            depliage.remplacer(new Recit(pixel, Double::toString).raconter());
+        }
+        for (boolean ouvert : new boolean[] {false, true}) {
+            List<String> marquees = depliage.getVues().stream().filter(ligne -> ligne.changee).map(ligne -> ligne.texte)
+                    .collect(Collectors.toList());
+            assertEquals(1, marquees.size(), marquees.toString());
+            assertTrue(marquees.get(0).startsWith(ouvert ? "     lampe 5  N·(lampe − contact) = " : "     5 lampes dans le dos ▸"));
+            depliage.basculer(null);
+        }
+    }
+
+    @Test
     void uneSceneSansFichierNommeSesObjetsParLeurRang() {
         Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
         sphere.setKd(new Couleur(1));
