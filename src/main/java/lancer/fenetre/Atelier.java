@@ -20,6 +20,7 @@ import lancer.commande.Pannes;
 import lancer.dessin.Dessin;
 import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
+import lancer.fenetre.Bandeau.Sujet;
 import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
 
@@ -83,7 +84,7 @@ final class Atelier {
         this.panneau = panneau;
         this.taille = taille;
         surveillance = new Surveillance(this::suivreFichier,
-                () -> panneau.bandeau.faute("fichier effacé : la dernière image reste"));
+                () -> panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste"));
     }
 
     /** Un fil à part, où les tâches attendent leur tour ; oisif il s'en va, et ne retient jamais le programme. */
@@ -245,7 +246,7 @@ final class Atelier {
         if (courant.avertissements != null && courant != lu) {
             lu = courant;
             // il n'y a plus de faute, même si l'image se fait attendre
-            panneau.bandeau.faute("");
+            panneau.bandeau.dire(Sujet.SCENE, "");
         }
         Dessin dessin = courant.getDessin();
         if (dessin != null && (dessin.image == panneau.montree || dessin.traceur.isBrouillonFait()
@@ -272,8 +273,8 @@ final class Atelier {
             reglages = courant.reglages != null ? courant.reglages : dessinateur.getReglages();
             fichier = courant.fichier;
             surveillance.suivre(fichier, courant.version);
-            panneau.bandeau.erreur("");
-            panneau.bandeau.avis(String.join("\n", courant.avertissements));
+            panneau.bandeau.dire(Sujet.DESSIN, "");
+            panneau.bandeau.dire(Sujet.AVIS, String.join("\n", courant.avertissements));
         }
         prevenus.forEach(Runnable::run);
     }
@@ -291,14 +292,14 @@ final class Atelier {
             couts.put(complete, montre.getCout() + ", " + courant.reglages + ignorees
                     + (direFautes() == null ? "" : ", " + direFautes()));
             if (montre.traceur.getEcart() != null) {
-                panneau.bandeau.avis(montre.traceur.getEcart());
+                panneau.bandeau.dire(Sujet.AVIS, montre.traceur.getEcart());
             }
-            panneau.bandeau.erreur(direFautes() == null ? "" : direFautes() + " ; le premier : "
+            panneau.bandeau.dire(Sujet.DESSIN, direFautes() == null ? "" : direFautes() + " ; le premier : "
                     + dessinateur.nommer(montre.traceur.getFautes().getPremiere()).getMessage());
         } else if (panne instanceof SceneFautive && courant.fichier != null) {
             refuser(Pannes.message(panne));
         } else if (panne != null) {
-            panneau.bandeau.erreur(Pannes.message(panne));
+            panneau.bandeau.dire(Sujet.DESSIN, Pannes.message(panne));
         }
         prevenus.forEach(Runnable::run);
     }
@@ -311,7 +312,7 @@ final class Atelier {
 
     /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */
     private void refuser(String message) {
-        panneau.bandeau.faute(message);
+        panneau.bandeau.dire(Sujet.SCENE, message);
         if (fichier == null || courant.fichier.equals(fichier)) {
             fichier = courant.fichier;
             surveillance.suivre(fichier, courant.version);

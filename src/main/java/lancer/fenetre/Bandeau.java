@@ -7,6 +7,8 @@ import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.AbstractAction;
@@ -26,13 +28,16 @@ import lancer.texte.Texte;
 @SuppressWarnings("serial")
 final class Bandeau extends JTextArea {
 
+    /** Ce dont il se dit quelque chose, dans l'ordre où cela se lit ; un avis s'efface de lui-même. */
+    enum Sujet { SCENE, DESSIN, DISQUE, AVIS }
+
     private static final Color FOND_ERREUR = new Color(0xA61B1B);
     private static final Color FOND_AVIS = new Color(0xFFE9A8);
     private static final int DUREE_AVIS_MS = 8000;
     private static final int MARGE_V = 6;
     private static final int MARGE_H = 10;
 
-    private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> avis(""));
+    private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> dire(Sujet.AVIS, ""));
     /** Action qui copie ce qui se lit. */
     final Action copie = new AbstractAction("Copier le message") {
         @Override
@@ -40,9 +45,7 @@ final class Bandeau extends JTextArea {
             getToolkit().getSystemClipboard().setContents(new StringSelection(getText()), null);
         }
     };
-    private String faute = "";
-    private String erreur = "";
-    private String avis = "";
+    private final Map<Sujet, String> dits = new EnumMap<>(Sujet.class);
 
     Bandeau() {
         setName("message");
@@ -55,9 +58,8 @@ final class Bandeau extends JTextArea {
             @Override
             public void mousePressed(MouseEvent e) {
                 if (SwingUtilities.isLeftMouseButton(e)) {
-                    faute = "";
-                    erreur = "";
-                    avis("");
+                    dits.clear();
+                    dire(Sujet.AVIS, "");
                 }
             }
         });
@@ -89,33 +91,18 @@ final class Bandeau extends JTextArea {
         texte.setCursor(Cursor.getDefaultCursor());
     }
 
-    /** La faute de la scène, qui reste jusqu'à la suivante ; vide, il n'y en a plus. */
-    void faute(String texte) {
-        faute = Texte.echappe(texte);
-        montrer();
-    }
-
-    /** Un message qui reste jusqu'à ce qu'il n'ait plus lieu d'être ; vide, il n'y en a plus. */
-    void erreur(String texte) {
-        erreur = Texte.echappe(texte);
-        montrer();
-    }
-
-    /** Un message qui s'efface de lui-même ; vide, il efface le précédent. */
-    void avis(String texte) {
-        avis = texte;
-        oubli.stop();
-        if (!texte.isEmpty()) {
-            oubli.start();
+    /** Dit ceci à la place de ce qui se disait du même sujet, une ligne ou plusieurs ; vide : plus rien. */
+    void dire(Sujet sujet, String message) {
+        dits.put(sujet, message);
+        dits.values().removeIf(String::isEmpty);
+        if (sujet == Sujet.AVIS && !message.isEmpty()) {
+            oubli.restart();
         }
-        montrer();
-    }
-
-    private void montrer() {
-        boolean grave = !erreur.isEmpty() || !faute.isEmpty();
+        String texte = dits.values().stream().flatMap(dit -> Stream.of(dit.split("\n"))).map(Texte::echappe)
+                .collect(Collectors.joining("\n"));
+        boolean grave = dits.keySet().stream().anyMatch(dit -> dit != Sujet.AVIS);
         setBackground(grave ? FOND_ERREUR : FOND_AVIS);
         setForeground(grave ? Color.WHITE : Color.BLACK);
-        String texte = Stream.of(faute, erreur, avis).filter(dit -> !dit.isEmpty()).collect(Collectors.joining("\n"));
         if (!texte.equals(getText())) {
             setText(texte);
             setVisible(!texte.isEmpty());

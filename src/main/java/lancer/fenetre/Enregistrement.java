@@ -8,6 +8,7 @@ import java.io.File;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import lancer.SceneFautive;
+import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
@@ -54,22 +55,20 @@ final class Enregistrement {
                     return copie;
                 }
             }, null);
-            bandeau.avis("image copiée, " + image.largeur + " × " + image.hauteur + " pixels");
+            bandeau.dire(Sujet.AVIS, "image copiée, " + image.largeur + " × " + image.hauteur + " pixels");
         }
     }
 
     /** L'image achevée ; à défaut, dit pourquoi elle n'est pas enregistrée, ou copiée. */
     private ImageMemoire imageOuAvis(String geste) {
         ImageMemoire image = atelier.getImageComplete();
-        if (atelier.direFautes() != null) {
-            bandeau.avis("Image non " + geste + " : " + atelier.direFautes() + ".");
-            return null;
-        }
-        if (image == null) {
-            bandeau.avis(atelier.enCours ? "L'image se dessine encore : elle servira une fois achevée."
+        String faute = atelier.direFautes();
+        if (faute != null || image == null) {
+            bandeau.dire(Sujet.AVIS, faute != null ? "Image non " + geste + " : " + faute + "."
+                    : atelier.enCours ? "L'image se dessine encore : elle servira une fois achevée."
                     : "Pas d'image achevée ; F5 pour la dessiner.");
         }
-        return image;
+        return faute == null ? image : null;
     }
 
     /** Demande où l'écrire, et n'écrase pas la scène. */
@@ -88,7 +87,7 @@ final class Enregistrement {
         dossier = cible.getParentFile();
         Atelier.confier(disque, () -> ecrire(image, cible, scene), panne -> {
             echoue = cible;
-            bandeau.erreur(panne);
+            bandeau.dire(Sujet.DISQUE, panne);
         });
     }
 
@@ -102,8 +101,8 @@ final class Enregistrement {
         ecriture.ecrire(image, new FichierPng());
         EventQueue.invokeLater(() -> {
             echoue = null;
-            bandeau.erreur("");
-            bandeau.avis("enregistrée : " + Texte.echappe(cible.getName()));
+            bandeau.dire(Sujet.DISQUE, "");
+            bandeau.dire(Sujet.AVIS, "enregistrée : " + Texte.echappe(cible.getName()));
         });
     }
 

@@ -25,7 +25,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.ButtonGroup;
 import javax.swing.ImageIcon;
@@ -43,6 +42,7 @@ import javax.swing.TransferHandler;
 import javax.swing.WindowConstants;
 import lancer.commande.Options;
 import lancer.dessin.Dessinateur;
+import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 
 /**
@@ -201,9 +201,8 @@ public final class Fenetre {
 
         @Override
         public Dimension getPreferredSize() {
-            Dimension voulue = super.getPreferredSize();
-            Rectangle ecran = Dialogues.ecran();
-            return new Dimension(Math.min(voulue.width, ecran.width), Math.min(voulue.height, ecran.height));
+            return new Rectangle(super.getPreferredSize())
+                    .intersection(new Rectangle(Dialogues.ecran().getSize())).getSize();
         }
     }
 
@@ -222,7 +221,7 @@ public final class Fenetre {
                 if (fichiers.size() == 1) {
                     atelier.ouvrir((File) fichiers.get(0));
                 } else {
-                    panneau.bandeau.avis("une scène à la fois : " + fichiers.size() + " fichiers déposés");
+                    panneau.bandeau.dire(Sujet.AVIS, "une scène à la fois : " + fichiers.size() + " fichiers déposés");
                 }
                 return fichiers.size() == 1;
             } catch (UnsupportedFlavorException | IOException e) {
@@ -279,9 +278,7 @@ public final class Fenetre {
     private void inspecter() {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
-            inspecteur = inspecteur == null ? new Inspecteur(cadre, atelier, panneau) : inspecteur;
-            IntStream.range(0, 10).forEach(n -> caracteres.put((char) ('0' + n), () -> inspecteur.isoler(n)));
-            caracteres.put('d', () -> inspecteur.deplier(null));
+            inspecteur = inspecteur == null ? new Inspecteur(cadre, atelier, panneau, caracteres) : inspecteur;
             inspecteur.montrer(pixel);
         }
     }
@@ -339,14 +336,12 @@ public final class Fenetre {
 
     /** Ferme la fenêtre, sans finir le programme : sa scène est refusée. */
     void abandonner() {
-        if (cadre.isDisplayable()) {
-            horloge.stop();
-            atelier.terminer();
-            // ce qu'elles calculent s'arrête avec elles
-            Arrays.stream(cadre.getOwnedWindows()).forEach(fenetre -> fenetre.setVisible(false));
-            KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
-            cadre.dispose();
-        }
+        horloge.stop();
+        atelier.terminer();
+        // ce qu'elles calculent s'arrête avec elles
+        Arrays.stream(cadre.getOwnedWindows()).forEach(fenetre -> fenetre.setVisible(false));
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
+        cadre.dispose();
     }
 
     /** Un dessin commence ou finit, ou une scène est lue. */

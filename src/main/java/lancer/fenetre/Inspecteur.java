@@ -13,7 +13,9 @@ import java.awt.event.MouseEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.ExecutorService;
+import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -75,7 +77,8 @@ final class Inspecteur extends JDialog {
     /** Le numéro du seul rebond que montrent les figures ; 0 : tous. */
     int rebond;
 
-    Inspecteur(JFrame cadre, Atelier atelier, PanneauImage panneau) {
+    /** @param caracteres où mettre ce qu'il fait d'un caractère */
+    Inspecteur(JFrame cadre, Atelier atelier, PanneauImage panneau, Map<Character, Runnable> caracteres) {
         super(cadre);
         this.atelier = atelier;
         this.panneau = panneau;
@@ -106,8 +109,7 @@ final class Inspecteur extends JDialog {
             @Override
             public void mouseClicked(MouseEvent e) {
                 int ou = texte.viewToModel(e.getPoint());
-                // la deuxième ligne n'est pas du récit
-                int ligne = Math.max(0, texte.getDocument().getDefaultRootElement().getElementIndex(ou) - 1);
+                int ligne = texte.getDocument().getDefaultRootElement().getElementIndex(ou);
                 Recit.Ligne vue = vues.isEmpty() ? null : vues.get(ligne);
                 if (vue != null && vue.repli != null) {
                     deplier(vue.repli);
@@ -129,6 +131,8 @@ final class Inspecteur extends JDialog {
             texte.copy();
             texte.select(0, 0);
         }, Menus.ctrl(KeyEvent.VK_C), JComponent.WHEN_FOCUSED);
+        IntStream.range(0, 10).forEach(n -> caracteres.put((char) ('0' + n), () -> isoler(n)));
+        caracteres.put('d', () -> deplier(null));
         atelier.prevenir(this::calculer);
     }
 
@@ -168,7 +172,7 @@ final class Inspecteur extends JDialog {
     }
 
     /** Ne montre plus dans les figures que ce rebond ; tous, si c'est déjà lui ou s'il n'existe pas. */
-    void isoler(int numero) {
+    private void isoler(int numero) {
         if (isVisible()) {
             rebond = numero == rebond ? 0 : numero;
             calculer();
@@ -176,9 +180,11 @@ final class Inspecteur extends JDialog {
     }
 
     /** @param repli {@code null} pour tout déplier, ou tout replier */
-    void deplier(String repli) {
-        depliage.basculer(repli);
-        ecrire();
+    private void deplier(String repli) {
+        if (isVisible()) {
+            depliage.basculer(repli);
+            ecrire();
+        }
     }
 
     /** Caché, il n'explique plus rien. */
@@ -222,6 +228,7 @@ final class Inspecteur extends JDialog {
         Atelier.confier(fil, () -> {
             nouvelle.faireOuEchouer(voulu);
             List<Recit.Ligne> lignes = new Recit(nouvelle, x -> String.format(Locale.ROOT, "%.5g", x)).raconter();
+            lignes.add(1, new Recit.Ligne(ARRONDI, 0, ARRONDI, null, false));
             int garde = seul > nouvelle.getEtapes().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
             EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure, garde));
@@ -248,12 +255,7 @@ final class Inspecteur extends JDialog {
         Point place = ascenseur.getViewport().getViewPosition();
         DefaultStyledDocument document = new DefaultStyledDocument();
         vues = depliage.getVues();
-        for (int k = 0; k < vues.size(); k++) {
-            ajouter(document, vues.get(k).texte, vues.get(k));
-            if (k == 0) {
-                ajouter(document, ARRONDI, vues.get(k));
-            }
-        }
+        vues.forEach(vue -> ajouter(document, vue));
         // coupées aux blancs seuls : ce que Swing fait d'un texte latin, et non d'un qui a des signes comme ⊗
         document.putProperty("multiByte", false);
         texte.setForeground(Color.BLACK);
@@ -262,22 +264,22 @@ final class Inspecteur extends JDialog {
     }
 
     /** Ajoute une ligne ; sa suite, si elle est trop longue, garde son retrait. */
-    private void ajouter(DefaultStyledDocument document, String ligne, Recit.Ligne vue) {
+    private void ajouter(DefaultStyledDocument document, Recit.Ligne ligne) {
         MutableAttributeSet style = new SimpleAttributeSet();
-        if (vue.changee) {
+        if (ligne.changee) {
             StyleConstants.setBackground(style, CHANGE);
         }
-        if (vue.repli != null || vue.rebond() > 0) {
+        if (ligne.repli != null || ligne.rebond() > 0) {
             StyleConstants.setForeground(style, LIEN);
         }
-        float retrait = (ligne.length() - ligne.replaceFirst("^ +", "").length() + 2)
+        float retrait = (ligne.texte.length() - ligne.texte.replaceFirst("^ +", "").length() + 2)
                 * texte.getFontMetrics(texte.getFont()).charWidth(' ');
         MutableAttributeSet paragraphe = new SimpleAttributeSet();
         StyleConstants.setLeftIndent(paragraphe, retrait);
         StyleConstants.setFirstLineIndent(paragraphe, -retrait);
         try {
             int debut = document.getLength();
-            document.insertString(debut, debut == 0 ? ligne : "\n" + ligne, style);
+            document.insertString(debut, debut == 0 ? ligne.texte : "\n" + ligne.texte, style);
             document.setParagraphAttributes(document.getLength(), 0, paragraphe, false);
         } catch (BadLocationException e) {
             throw new IllegalStateException(e);

@@ -51,7 +51,8 @@ public final class Recit {
         /** Dit si elle n'est pas ce qu'elle était au dessin d'avant. */
         public final boolean changee;
 
-        Ligne(String texte, int etape, String sujet, String repli, boolean changee) {
+        /** Ligne dont voici les cinq champs. */
+        public Ligne(String texte, int etape, String sujet, String repli, boolean changee) {
             this.texte = texte;
             this.etape = etape;
             this.sujet = sujet;

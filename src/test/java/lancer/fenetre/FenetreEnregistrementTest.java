@@ -9,6 +9,7 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Image;
 import java.awt.Toolkit;
@@ -62,6 +63,19 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         banc.attendreMessage(dossier.resolve("absent").resolve("image.png") + " : écriture impossible");
         enregistrerSous(dossier.resolve("image.png"));
         banc.attendreMessage("enregistrée : image.png");
+    }
+
+    @Test
+    void unDessinQuiSAcheveNEffacePasUnEnregistrementQuiAEchoue() throws Exception {
+        ouvrir();
+        Path perdue = dossier.resolve("absent").resolve("image.png");
+        enregistrerSous(perdue);
+        banc.attendreMessage(perdue + " : écriture impossible");
+        ecrire(BLEUE);
+        int[] bleue = attendue(L, H);
+        attendre("l'image suit sa scène", () -> banc.atelier.getImageComplete() != null
+                && Arrays.equals(bleue, banc.atelier.getImageComplete().codes));
+        assertTrue(banc.message().startsWith(perdue.toString()), banc.message());
     }
 
     @Test
