@@ -4,6 +4,7 @@ import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.awt.event.KeyEvent;
@@ -12,6 +13,8 @@ import javax.swing.JComponent;
 import javax.swing.JTextArea;
 import javax.swing.JTextPane;
 import javax.swing.SwingUtilities;
+import lancer.contrat.Section;
+import lancer.dessin.ReglagesDessin;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur, avec l'anticrénelage : les échantillons du pixel se voient, et chacun peut être choisi. */
@@ -60,5 +63,16 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         JTextArea point = composant("vitesse.point", JTextArea.class);
         banc.frapper(SwingUtilities.getWindowAncestor(point), KeyEvent.VK_RIGHT);
         attendre("un autre réglage s'y compare", () -> point.getText().contains("; au lieu du présent, "));
+    }
+
+    @Test
+    void leResumeDUnReglageDeF3NeReduitPasLImage() throws Exception {
+        banc = new BancFenetre("--taille=800x600", scene.toString());
+        banc.imageAchevee();
+        ReglagesDessin presents = banc.atelier.reglages;
+        Section section = presents.getSectionEssayee().avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
+        faire(() -> banc.atelier.dessiner(presents.avec(1000, 1.0 / 256).avec(presents.getVariante("Antialias"), section), false));
+        attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
+        assertEquals(1, surFilEvenements(() -> banc.panneau.getReduction(banc.panneau.montree)));
     }
 }
