@@ -7,6 +7,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
+import java.awt.event.KeyEvent;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
@@ -18,7 +19,10 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.InputMap;
 import javax.swing.JColorChooser;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
@@ -88,8 +92,16 @@ final class Dialogues {
                 .map(ligne -> "<tr><td>" + ligne[0] + "<td>" + ligne[1]).collect(Collectors.joining()));
         table.setName("table");
         JDialog touches = new JDialog(cadre, "Touches");
-        touches.add(new JScrollPane(table));
+        JScrollPane ascenseur = new JScrollPane(table);
+        touches.add(ascenseur);
         touches.pack();
+        if (touches.getHeight() > ecran().height) {
+            int barre = ascenseur.getVerticalScrollBar().getPreferredSize().width;
+            touches.setSize(touches.getWidth() + barre, touches.getHeight());
+            InputMap defilement = ascenseur.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW);
+            defilement.put(Menus.touche(KeyEvent.VK_PAGE_DOWN), "scrollDown");
+            defilement.put(Menus.touche(KeyEvent.VK_PAGE_UP), "scrollUp");
+        }
         return touches;
     }
 
@@ -145,13 +157,10 @@ final class Dialogues {
     }
 
     private static File dossierDesScenes(String actuelle) {
-        if (actuelle != null) {
-            return new File(actuelle).getAbsoluteFile().getParentFile();
-        }
-        // depuis la racine, ou depuis le dossier d'une variante
-        File ici = new File("scenes").getAbsoluteFile();
-        File plusHaut = new File("../scenes").getAbsoluteFile();
-        return ici.isDirectory() ? ici : plusHaut.isDirectory() ? plusHaut : new File("").getAbsoluteFile();
+        return actuelle != null ? new File(actuelle).getAbsoluteFile().getParentFile()
+                // depuis la racine, ou depuis le dossier d'une variante
+                : Stream.of("scenes", "../scenes").map(nom -> new File(nom).getAbsoluteFile())
+                .filter(File::isDirectory).findFirst().orElse(new File("").getAbsoluteFile());
     }
 
     /** Le fichier où enregistrer l'image, qui finit par .png et peut être remplacé ; {@code null} : aucun. */

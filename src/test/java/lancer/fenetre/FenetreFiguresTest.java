@@ -102,6 +102,41 @@ class FenetreFiguresTest extends EssaiInspecteur {
         }
     }
 
+    @Test
+    void surUnEcranDenseLeTableauDesTouchesDefileAuClavier() throws Exception {
+        BancFenetre.exigerEcran();
+        int[] attendue = attendue(L, H);
+        Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
+                scene.toString()).start();
+        try {
+            attendre("l'image est à l'écran", () -> BancFenetre.trouver(attendue, L) != null);
+            Robot robot = new Robot();
+            for (int touche : new int[] {KeyEvent.VK_F1, KeyEvent.VK_PAGE_DOWN}) {
+                int[] avant = ecranTranquille(robot);
+                attendre("l'écran change", () -> {
+                    robot.keyPress(touche);
+                    robot.keyRelease(touche);
+                    return !Arrays.equals(avant, ecranTranquille(robot));
+                });
+            }
+        } finally {
+            programme.destroyForcibly();
+        }
+    }
+
+    /** Ce qui se voit de l'écran, une fois que rien n'y bouge plus. */
+    private static int[] ecranTranquille(Robot robot) throws Exception {
+        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        int[] avant = {};
+        int[] vu = BancFenetre.codes(robot.createScreenCapture(ecran));
+        while (!Arrays.equals(avant, vu)) {
+            Thread.sleep(300);
+            avant = vu;
+            vu = BancFenetre.codes(robot.createScreenCapture(ecran));
+        }
+        return vu;
+    }
+
     /** Vrai si l'on voit presque partout du blanc autour, au rayon d'un anneau pour des caractères deux fois plus grands. */
     private static boolean estEntoure(Robot robot, double x, double y) {
         int blancs = 0;
