@@ -51,6 +51,8 @@ final class PanneauVariantes extends JDialog {
             Supplier<Variante> variante = () -> atelier.reglages.getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
+            // Java y met les flèches, qui sont pour l'inspecteur
+            boite.setInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
             boite.addActionListener(e -> {
                 dernier = null;
                 atelier.dessiner(atelier.reglages.avec(variante.get(), boite.isSelected()), false);

@@ -23,6 +23,7 @@ import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JColorChooser;
+import javax.swing.JDialog;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import lancer.dessin.ReglagesDessin;
@@ -195,6 +196,19 @@ class FenetreVariantesTest extends EssaiFenetre {
         attendre("elle a bougé d'un cran", () -> fin.getValue() == cran - 1);
         attendre("et l'image avec elle", () -> banc.atelier.reglages.toString().contains("fin=" + cran));
         banc.imageAchevee();
+    }
+
+    @Test
+    void laBoiteDUneVarianteLaisseLesFlechesALInspecteur() throws Exception {
+        ouvrir();
+        cliquer(150, 100);
+        JDialog inspecteur = composant("inspecteur", JDialog.class);
+        glissiere("Brume.fin");
+        JCheckBox boite = composant("Brume", JCheckBox.class);
+        faire(boite::requestFocusInWindow);
+        attendre("le clavier est à la boîte", boite::hasFocus);
+        banc.frapper(SwingUtilities.getWindowAncestor(boite), KeyEvent.VK_RIGHT);
+        attendre("le pixel voisin", () -> inspecteur.getTitle().endsWith(" 151, 100"));
     }
 
     @Test
