@@ -66,11 +66,6 @@ public final class Ecoute {
         public double distance() {
             return contact == null ? Constantes.INFINI : contact.distance;
         }
-
-        /** Direction du reflet, {@code null} s'il n'a pas été suivi. */
-        public Vecteur getReflechi() {
-            return reflet == null ? null : R;
-        }
     }
 
     /** Lampe, vue d'un contact. */

@@ -66,15 +66,13 @@ public final class Figure {
         camera = pixel.camera;
         scene = pixel.scene.avec(pixel.scene.getModele());
         Point depart = null;
-        Vecteur V = null;
         for (Etape etape : pixel.getEtapes()) {
             boolean montre = seul == 0 || seul == etape.numero;
-            if (depart != null && V != null && (montre || seul == etape.numero - 1)) {
-                tracer(depart, etape.contact == null ? depart.add(LOIN, V) : etape.contact, REFLET,
+            if (depart != null && (montre || seul == etape.numero - 1)) {
+                tracer(depart, etape.contact == null ? depart.add(LOIN, etape.V) : etape.contact, REFLET,
                         etape.contact == null);
             }
             depart = etape.contact;
-            V = etape.getReflechi();
             if (depart != null) {
                 double[] ou = projeter(depart);
                 anneaux.add(new double[] {ou[0], ou[1], etape.numero, montre ? 1 : 0});

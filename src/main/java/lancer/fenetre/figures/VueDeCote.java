@@ -13,6 +13,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,10 +21,10 @@ import java.util.function.IntConsumer;
 import javax.swing.JPanel;
 import lancer.Camera;
 import lancer.Constantes;
+import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
-import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Etape;
 import lancer.inspection.Inspection;
@@ -42,6 +43,8 @@ public final class VueDeCote extends JPanel {
     private int seul;
     /** Place où se lit le numéro de chaque contact. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
+    /** Place du nom de chaque sphère nommée. */
+    final Map<Objet3D, Rectangle2D> noms = new HashMap<>();
     private double echelle;
     private double y0;
     private double z0;
@@ -128,14 +131,11 @@ public final class VueDeCote extends JPanel {
         g.fill(new Ellipse2D.Double(h(-Camera.FOCALE) - 3, v(0) - 3, 6, 6));
         g.drawString("œil", (float) h(-Camera.FOCALE), (float) v(0) - 6);
         numeros.clear();
+        noms.clear();
         Point depart = Camera.OEIL;
-        Vecteur V = pixel.getDepart() == null ? null : pixel.getDepart().getV();
         for (Etape etape : pixel.getEtapes()) {
-            if (V == null) {
-                return;
-            }
             boolean montre = seul == 0 || seul == etape.numero;
-            Point bout = etape.contact == null ? depart.add(2 * getWidth() / echelle, V) : etape.contact;
+            Point bout = etape.contact == null ? depart.add(2 * getWidth() / echelle, etape.V) : etape.contact;
             entourer(g, etape.contact);
             if (montre) {
                 etape.lampes.forEach(lampe -> eclairer(g, bout, lampe));
@@ -148,7 +148,6 @@ public final class VueDeCote extends JPanel {
                 numeroter(g, etape);
             }
             depart = bout;
-            V = etape.getReflechi();
         }
     }
 
@@ -171,10 +170,16 @@ public final class VueDeCote extends JPanel {
         float y = (float) v(etape.contact.y) - 4;
         numeros.put(etape.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
         g.drawString(numero, x, y);
-        if (seul > 0 && Math.abs(seul - etape.numero) <= 1) {
+        if (seul > 0 && Math.abs(seul - etape.numero) <= 1 && !noms.containsKey(etape.contact.objet)) {
             g.setColor(Color.DARK_GRAY);
             String nom = pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", "");
-            g.drawString(nom, Math.min(x + 12, getWidth() - g.getFontMetrics().stringWidth(nom)), y + 16);
+            Rectangle2D place = g.getFontMetrics().getStringBounds(nom, g);
+            place.setRect(Math.min(x + 12, getWidth() - place.getWidth()), y + 4, place.getWidth(), cadre.getHeight());
+            while (noms.values().stream().anyMatch(place::intersects)) {
+                place.setRect(place.getX(), place.getMaxY(), place.getWidth(), place.getHeight());
+            }
+            noms.put(etape.contact.objet, place);
+            g.drawString(nom, (float) place.getX(), (float) place.getY() + g.getFontMetrics().getAscent());
         }
     }
 

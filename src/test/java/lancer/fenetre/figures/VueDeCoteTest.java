@@ -1,16 +1,26 @@
 package lancer.fenetre.figures;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
 import lancer.Camera;
+import lancer.Couleur;
+import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.inspection.Inspection;
 import lancer.scene.Origines;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -46,6 +56,36 @@ class VueDeCoteTest {
             }
         }
         assertTrue(jugees > 15, jugees + " colonnes");
+    }
+
+    @Test
+    void chaqueSphereAutourDUnRebondEstNommeeUneFoisEtSansRecouvrirUnAutreNom() {
+        Random hasard = new Random(31);
+        int paires = 0;
+        for (int essai = 0; essai < 300; essai++) {
+            List<Sphere> spheres = new ArrayList<>();
+            for (int k = 0; k < 12; k++) {
+                Sphere sphere = new Sphere(new Point(2 - 4 * hasard.nextDouble(), 2 - 4 * hasard.nextDouble(),
+                        1 + 4 * hasard.nextDouble()), 0.7);
+                sphere.setKs(new Couleur(0.9));
+                spheres.add(sphere);
+            }
+            Inspection pixel = new Inspection(new Scene(spheres, Collections.emptyList()), new Origines(), new Camera(41, 41), 5, 20, 20);
+            pixel.faire();
+            VueDeCote vue = new VueDeCote(numero -> { });
+            vue.setSize(170, 50);
+            vue.montrer(pixel, 2);
+            vue.paint(new BufferedImage(170, 50, BufferedImage.TYPE_INT_RGB).createGraphics());
+            Set<Objet3D> voisines = new HashSet<>();
+            pixel.getEtapes().stream().filter(etape -> etape.numero <= 3 && etape.contact != null)
+                    .forEach(etape -> voisines.add(etape.contact.objet));
+            assertEquals(voisines, vue.noms.keySet());
+            for (Rectangle2D place : vue.noms.values()) {
+                paires += vue.noms.size() - 1;
+                assertEquals(1, vue.noms.values().stream().filter(place::intersects).count(), vue.noms.values().toString());
+            }
+        }
+        assertTrue(paires > 150, paires + " paires");
     }
 
     /** Un trait y passe, celui de la sphère ou un autre par-dessus lui. */
