@@ -12,7 +12,6 @@ import java.util.concurrent.ExecutorService;
 import java.util.stream.Collectors;
 import javax.swing.ButtonGroup;
 import javax.swing.JMenu;
-import lancer.SceneFautive;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
@@ -55,21 +54,17 @@ final class MenuScenes {
 
     /** Les scènes du même dossier. */
     private static List<File> voisines(String fichier) {
-        try {
-            Path scene = FichierScene.trouver(fichier);
-            String[] noms = scene.toAbsolutePath().getParent().toFile().list();
-            return Arrays.stream(noms == null ? new String[0] : noms).sorted()
-                    .map(nom -> scene.resolveSibling(nom).toFile())
-                    .filter(f -> f.getName().toLowerCase(Locale.ROOT).endsWith(".ini") && f.isFile())
-                    .collect(Collectors.toList());
-        } catch (SceneFautive e) {
-            // effacée depuis qu'elle a été lue
-            return Collections.emptyList();
-        }
+        Path scene = FichierScene.trouver(fichier);
+        String[] noms = scene.toAbsolutePath().getParent().toFile().list();
+        return Arrays.stream(noms == null ? new String[0] : noms).sorted()
+                .map(nom -> scene.resolveSibling(nom).toFile())
+                .filter(f -> f.getName().toLowerCase(Locale.ROOT).endsWith(".ini") && f.isFile())
+                .collect(Collectors.toList());
     }
 
     private void remplir(List<File> scenes) {
         voisines = scenes;
+        menu.setToolTipText(null);
         rang = montree == null ? -1 : scenes.stream().map(File::getName).collect(Collectors.toList())
                 .indexOf(new File(montree.fichier).getName());
         menu.removeAll();

@@ -299,7 +299,7 @@ final class PanneauImage extends JPanel {
         }
     }
 
-    /** Peint les pixels dessinés ; à la loupe, ceux qui sont en vue : l'image entière, AWT ne saurait la peindre. */
+    /** Peint les pixels qui sont en vue : l'image entière, à la loupe, AWT ne saurait la peindre. */
     private void peindre(Graphics2D g, ImageMemoire image) {
         if (image == null) {
             return;
@@ -310,17 +310,13 @@ final class PanneauImage extends JPanel {
                 new DataBufferInt(image.codes, image.codes.length), image.largeur, image.hauteur,
                 image.largeur, couleurs.getMasks(), null), false, null);
         Rectangle place = getPlace(image);
-        if (loupe == 0) {
-            g.drawImage(pixels, place.x, place.y, place.width, place.height, null);
-            return;
-        }
-        Dimension libre = getLibre();
-        int x = Math.max(0, -place.x / loupe);
-        int y = Math.max(0, -place.y / loupe);
-        int finX = Math.min(image.largeur, (libre.width - place.x) / loupe + 1);
-        int finY = Math.min(image.hauteur, (libre.height - place.y) / loupe + 1);
-        g.drawImage(pixels, place.x + x * loupe, place.y + y * loupe, place.x + finX * loupe, place.y + finY * loupe,
-                x, y, finX, finY, null);
+        double l = (double) place.width / image.largeur;
+        double h = (double) place.height / image.hauteur;
+        Point de = getPixel(image, new Point());
+        Point a = getPixel(image, new Point(getLibre().width, getLibre().height));
+        g.drawImage(pixels, (int) Math.round(place.x + l * de.x), (int) Math.round(place.y + h * de.y),
+                (int) Math.round(place.x + l * (a.x + 1)), (int) Math.round(place.y + h * (a.y + 1)),
+                de.x, de.y, a.x + 1, a.y + 1, null);
     }
 
     /** Le bandeau recouvre le bas de l'image, sans la pousser. */
