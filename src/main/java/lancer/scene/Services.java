@@ -4,13 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
-import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
@@ -120,15 +119,8 @@ public final class Services {
 
     /** Tous les types de section que l'on peut écrire. */
     String types() {
-        Set<String> types = new LinkedHashSet<>();
-        for (Forme forme : formes.values()) {
-            types.add(forme.getSection());
-        }
-        types.add("Lampe");
-        types.addAll(VARIANTES_CONNUES);
-        for (Variante variante : variantes.values()) {
-            types.add(variante.getSection());
-        }
-        return String.join(", ", types);
+        return Stream.of(formes.values().stream().map(Forme::getSection), Stream.of("Lampe"),
+                VARIANTES_CONNUES.stream(), variantes.values().stream().map(Variante::getSection))
+                .flatMap(sections -> sections).distinct().collect(Collectors.joining(", "));
     }
 }
