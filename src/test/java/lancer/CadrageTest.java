@@ -39,7 +39,7 @@ class CadrageTest {
     @Test
     void unPixelEstVuEnSonCentre() {
         Set<String> vus = new HashSet<>();
-        Echantillonnage.CENTRE.tracer(new Pave(3, 5, 7, 8), (xe, ye) -> new Couleur(xe, ye, 0), (couleur, i, j) -> {
+        Echantillonnage.CENTRE.tracer(new Pave(3, 5, 7, 8), new Pave(3, 5, 7, 8), (xe, ye) -> new Couleur(xe, ye, 0), (couleur, i, j) -> {
             assertEquals(new Couleur(i + 0.5, j + 0.5, 0), couleur);
             vus.add(i + " " + j);
         });

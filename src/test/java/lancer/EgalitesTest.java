@@ -150,7 +150,7 @@ class EgalitesTest {
                 for (int j = pave.j1; j > pave.j0; j -= pas[1]) {
                     for (int i = pave.i1; i > pave.i0; i -= pas[0]) {
                         Pave petit = new Pave(Math.max(pave.i0, i - pas[0]), Math.max(pave.j0, j - pas[1]), i, j);
-                        Echantillonnage.CENTRE.tracer(petit, vue, toile);
+                        Echantillonnage.CENTRE.tracer(petit, petit, vue, toile);
                     }
                 }
                 return 0;

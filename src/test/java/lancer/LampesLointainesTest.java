@@ -79,7 +79,7 @@ class LampesLointainesTest {
         Scene scene = new Scene(spheres, Collections.singletonList(lampe));
         Scene boucles = new Scene(spheres, Collections.singletonList(lampe));
         boucles.getModele().setRecherche(new RechercheSimple(boucles.getObjets(), boucles.getCompteurs()));
-        scene.getModele().setRecherche(Preparation.pour(scene, new Camera(80, 60)));
+        scene.getModele().setRecherche(Preparation.pour(scene, new Camera(80, 60), part -> { }));
         int cachees = 0;
         for (int k = 0; k < CONTACTS; k++) {
             Sphere eclairee = spheres.get(k % 3);

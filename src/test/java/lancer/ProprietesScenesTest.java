@@ -45,7 +45,7 @@ class ProprietesScenesTest {
         int quittes = 0;
         while (quittes < RAYONS) {
             Scene scene = tirages.scene(2 + tirages.hasard.nextInt(30));
-            Recherche[] recherches = {simple(scene), Preparation.pour(scene, CAMERA)};
+            Recherche[] recherches = {simple(scene), Preparation.pour(scene, CAMERA, part -> { })};
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Rayon rayon = new Rayon(tirages.point(), tirages.direction());
                 Objet3D depart = null;
@@ -83,7 +83,7 @@ class ProprietesScenesTest {
         for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
             Scene scene = tirages.scene(1 + tirages.hasard.nextInt(n % 3 == 0 ? 120 : 20));
             Recherche simple = simple(scene);
-            Recherche rapide = Preparation.pour(scene, CAMERA);
+            Recherche rapide = Preparation.pour(scene, CAMERA, part -> { });
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 String cas = "graine 42, rayon " + (n + k);
                 Rayon rayon = new Rayon(tirages.point(), tirages.direction());
@@ -126,7 +126,7 @@ class ProprietesScenesTest {
         int auCiel = 0;
         for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
             Scene scene = scene(tirages.boules(2 + tirages.hasard.nextInt(20)));
-            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA));
+            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Rayon premier = new Rayon(tirages.point(), tirages.direction());
                 Couleur vue = scene.getCouleurVue(copie(premier), null, 12);
@@ -168,8 +168,8 @@ class ProprietesScenesTest {
             }
             Scene scene = scene(boules);
             Scene grosse = scene(grosses);
-            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA));
-            grosse.getModele().setRecherche(Preparation.pour(grosse, CAMERA));
+            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
+            grosse.getModele().setRecherche(Preparation.pour(grosse, CAMERA, part -> { }));
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Point p = tirages.point();
                 Point vers = tirages.point();

@@ -27,11 +27,6 @@ public interface Echantillonnage {
      */
     int tracer(Pave pave, Pave voulus, Vue vue, Toile toile);
 
-    /** Dessine chaque pixel du pavé. */
-    default int tracer(Pave pave, Vue vue, Toile toile) {
-        return tracer(pave, pave, vue, toile);
-    }
-
     /** Échantillonnage pour ces objets, vus de cette caméra : demandé à chaque dessin ; lui-même si rien n'y change. */
     default Echantillonnage pour(List<Objet3D> objets, Camera camera) {
         return this;

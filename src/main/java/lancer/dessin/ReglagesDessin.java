@@ -114,16 +114,10 @@ public final class ReglagesDessin {
         return donnee != null || ailleurs ? donnee : parametre.defaut;
     }
 
-    /** Variantes branchées que rien ne règle : {@code --auto} peut les régler. */
-    public List<Variante> getVariantesLibres() {
-        return lues.keySet().stream().filter(variante -> estBranchee(variante) && lues.get(variante).ligne == 0
-                && !changees.containsKey(variante.getSection())).collect(Collectors.toList());
-    }
-
     /** Variantes branchées qui ont une échelle, et dont le fichier ne dit rien : des essais peuvent les régler. */
     public List<Variante> getEssayees() {
-        return initiaux().getVariantesLibres().stream().filter(this::estBranchee)
-                .filter(variante -> !variante.getEchelle().isEmpty()).collect(Collectors.toList());
+        return lues.keySet().stream().filter(variante -> estBranchee(variante) && lues.get(variante).ligne == 0
+                && !variante.getEchelle().isEmpty()).collect(Collectors.toList());
     }
 
     /** Section entière de la première variante que des essais règlent ; {@code null} s'il n'y en a pas. */

@@ -66,7 +66,7 @@ public final class SansFenetre {
         Auto auto = options.auto ? Auto.choisir(prepare, options.erreurVoulue,
                 options.estDonnee("--reflets") ? options.reflets : null,
                 options.estDonnee("--seuil") ? options.seuil : null,
-                options.fils, dessinateur.getReglages().getVariantesLibres(), enCours -> { }) : null;
+                options.fils, dessinateur.getReglages().getEssayees(), enCours -> { }) : null;
         Traceur traceur = auto == null ? prepare : auto.traceur;
         Toile toile = auto == null ? dessinateur.programme : auto.surveiller(dessinateur.programme);
         double essais = (System.nanoTime() - debut) / NS_PAR_S;

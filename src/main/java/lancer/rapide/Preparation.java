@@ -79,11 +79,6 @@ public final class Preparation {
         pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
-    /** Une recherche que personne ne suit : voir {@link #pour(Scene, Camera, DoubleConsumer)}. */
-    public static Recherche pour(Scene scene, Camera camera) {
-        return pour(scene, camera, part -> { });
-    }
-
     /**
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *

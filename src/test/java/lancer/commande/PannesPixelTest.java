@@ -58,7 +58,7 @@ class PannesPixelTest {
     private static PixelFautif panne(Vecteur normale, int fils) {
         Scene scene = new Scene(Collections.singletonList(new Mur(normale)),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
-        scene.getModele().setRecherche(Preparation.pour(scene, CAMERA));
+        scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
         Toile toile = (couleur, i, j) -> assertTrue(i < 20, "un pixel faux est arrivé à l'image");
         return assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels(toile, 5, fils));
     }

@@ -90,7 +90,7 @@ public final class Ressources {
 
     /** La même, par la recherche rapide : celle que montre le programme sans {@code --simple}. */
     public static Image imageRapide(Scene scene, Camera camera, int reflets) {
-        scene.getModele().setRecherche(Preparation.pour(scene, camera));
+        scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
         Image image = new Image(camera.getLargeur(), camera.getHauteur());
         new Traceur(scene, camera).parcourir(scene.getModele().getEchantillonnage(), image, reflets, 2);
         return image;

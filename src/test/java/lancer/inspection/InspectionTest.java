@@ -74,7 +74,7 @@ class InspectionTest {
         String fichier = Ressources.chemin("reference/p4-foule.ini");
         LecteurScene lecteur = new LecteurScene();
         Scene rapide = new Scene(fichier, lecteur);
-        rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60)));
+        rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60), part -> { }));
         for (int x = 5; x < 80; x += 9) {
             Inspection pixel = new Inspection(rapide, lecteur.origines, new Camera(80, 60), 5, x, 30);
             pixel.faire();

@@ -40,7 +40,7 @@ class ComptesTest {
     }
 
     private static Compteurs compter(Scene scene, int profondeur) {
-        return IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA), profondeur).compteurs;
+        return IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA, part -> { }), profondeur).compteurs;
     }
 
     @Test
@@ -106,7 +106,7 @@ class ComptesTest {
             boolean longs = scene.getLampes().size() > 100 || e.getKey().matches(".*(coquilles|un seul point|mêlées).*");
             Camera camera = longs ? new Camera(20, 15) : CAMERA;
             IdentiteTest.Dessin oracle = IdentiteTest.Dessin.de(scene, camera, new ArbreSimple(scene.getObjets(), new Compteurs()), 3);
-            IdentiteTest.Dessin rapide = IdentiteTest.Dessin.de(scene, camera, Preparation.pour(scene, camera), 3);
+            IdentiteTest.Dessin rapide = IdentiteTest.Dessin.de(scene, camera, Preparation.pour(scene, camera, part -> { }), 3);
             rapide.verifier(e.getKey(), oracle);
             long boucles = rapide.compteurs.rayons() * scene.getObjets().size();
             int n = scene.getObjets().size();
@@ -141,7 +141,7 @@ class ComptesTest {
         Camera camera = new Camera(largeur, hauteur);
         scene.getModele().setSeuil(0);
         Compteurs arbre = compter(scene, camera, new ArbreSimple(scene.getObjets(), new Compteurs()), profondeur, points);
-        Compteurs rapide = compter(scene, camera, Preparation.pour(scene, camera), profondeur, points);
+        Compteurs rapide = compter(scene, camera, Preparation.pour(scene, camera, part -> { }), profondeur, points);
         Recherche boucles = new RechercheSimple(scene.getObjets(), new Compteurs());
         long autres = avecBoucles ? compter(scene, camera, boucles, profondeur, points).examens()
                 : Long.MAX_VALUE;
@@ -165,10 +165,10 @@ class ComptesTest {
     @Test
     void lesMasquesDeVingtMilleLampesNePrennentPasPlusDUnMegaoctet() {
         Scene scene = ScenesDEssai.foule(24, 24, 0).lampes(20_000).scene();
-        Structures s = ((RechercheRapide) Preparation.pour(scene, new Camera(800, 600))).structures;
+        Structures s = ((RechercheRapide) Preparation.pour(scene, new Camera(800, 600), part -> { })).structures;
         long masquees = Arrays.stream(s.ombres).filter(o -> !(o instanceof Arbre)).count();
         assertTrue(masquees > 100 && masquees * 24 * 16 <= 1 << 20, masquees + " lampes ont des masques");
-        s = ((RechercheRapide) Preparation.pour(scene, new Camera(10, 10))).structures;
+        s = ((RechercheRapide) Preparation.pour(scene, new Camera(10, 10), part -> { })).structures;
         assertTrue(s.ombres[0] instanceof Arbre, "cent pixels ne valent pas 576 paires de sphères par lampe");
     }
 
@@ -177,7 +177,7 @@ class ComptesTest {
     void unFilInterrompuSArreteDansUnPixel() {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).lampes(2000).scene();
         for (Recherche recherche : new Recherche[] {new RechercheSimple(scene.getObjets(), new Compteurs()),
-            Preparation.pour(scene, new Camera(2, 2)),
+            Preparation.pour(scene, new Camera(2, 2), part -> { }),
             Preparation.pour(scene, CAMERA, Preparation.Genre.ARBRE, part -> { })}) {
             scene.getModele().setRecherche(recherche);
             Lancer lancer = new Lancer(scene.avec(scene.getModele()), CAMERA);
@@ -218,7 +218,7 @@ class ComptesTest {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).scene();
         Thread.currentThread().interrupt();
         try {
-            assertThrows(CancellationException.class, () -> Preparation.pour(scene, CAMERA));
+            assertThrows(CancellationException.class, () -> Preparation.pour(scene, CAMERA, part -> { }));
         } finally {
             assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
         }

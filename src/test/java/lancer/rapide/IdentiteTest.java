@@ -77,7 +77,7 @@ class IdentiteTest {
             double ye = 300 - 50 + k / 50 * 2.5 + 0.5;
             scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
             Couleur lisible = new Lancer(scene, camera).getCouleurPixel(xe, ye, 5);
-            scene.getModele().setRecherche(Preparation.pour(scene, camera));
+            scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
             assertEquals(lisible, new Lancer(scene, camera).getCouleurPixel(xe, ye, 5), xe + ", " + ye);
         }
     }
@@ -110,7 +110,7 @@ class IdentiteTest {
             impose.verifier(nom + ", structures imposées : " + genre, lisible);
         }
         for (int fils : new int[] {1, 2, 7}) {
-            scene.getModele().setRecherche(Preparation.pour(scene, camera));
+            scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
             Dessin rapide = new Dessin(scene, camera, profondeur, fils);
             rapide.verifier(nom + ", " + fils + " fils", lisible);
             premiers = premiers == null ? rapide.compteurs : premiers;

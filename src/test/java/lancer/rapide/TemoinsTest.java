@@ -30,7 +30,7 @@ class TemoinsTest {
     private static final Camera CAMERA = new Camera(97, 61);
 
     private static Scene rapide(Scene scene, Camera camera) {
-        scene.getModele().setRecherche(Preparation.pour(scene, camera));
+        scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
         return scene;
     }
 

@@ -45,7 +45,7 @@ final class Partage implements Echantillonnage {
     @Override
     public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
         // un sous-pixel, ou tous : il n'y a rien à partager
-        return n == 1 || seuil == 0 ? new Coins(n, 0).tracer(voulus, vue, toile)
+        return n == 1 || seuil == 0 ? new Coins(n, 0).tracer(pave, voulus, vue, toile)
                 : new Cases(n, seuil, petites, pave, vue).tracer(voulus, toile);
     }
 }

@@ -60,8 +60,8 @@ class CasesTest {
     void leContrasteDUneCaseDoitDepasserLeSeuil() {
         Pave deux = new Pave(0, 0, 2, 2);
         double seuil = 0.25 + Cases.PRUDENCE;
-        assertEquals(0, new Partage(3, seuil).tracer(deux, (xe, ye) -> new Couleur(xe > 1 && ye > 1 ? 0.25 : 0), SANS_TOILE));
-        assertEquals(4, new Partage(3, Math.nextDown(seuil)).tracer(deux, (xe, ye) -> new Couleur(xe > 1 && ye > 1 ? 0.25 : 0),
+        assertEquals(0, new Partage(3, seuil).tracer(deux, deux, (xe, ye) -> new Couleur(xe > 1 && ye > 1 ? 0.25 : 0), SANS_TOILE));
+        assertEquals(4, new Partage(3, Math.nextDown(seuil)).tracer(deux, deux, (xe, ye) -> new Couleur(xe > 1 && ye > 1 ? 0.25 : 0),
                 SANS_TOILE));
     }
 
@@ -72,7 +72,7 @@ class CasesTest {
             for (int hauteur = 1; hauteur <= 4; hauteur++) {
                 Pave pave = new Pave(7, 9, 7 + largeur, 9 + hauteur);
                 Vue vue = comptee((xe, ye) -> new Couleur(Math.sin(xe * ye)));
-                assertEquals(largeur * hauteur - 1, new Partage(2, 1e-3).tracer(pave, vue, SANS_TOILE), largeur + " × " + hauteur);
+                assertEquals(largeur * hauteur - 1, new Partage(2, 1e-3).tracer(pave, pave, vue, SANS_TOILE), largeur + " × " + hauteur);
                 assertEquals(4 * largeur * hauteur, rayons, largeur + " × " + hauteur);
             }
         }
@@ -82,7 +82,7 @@ class CasesTest {
     @Test
     void deDeuxSurDeuxUnPixelCoupeCouteTroisRayonsDePlus() {
         Vue vue = comptee((xe, ye) -> new Couleur((int) xe == 16 && (int) ye == 16 ? 1 : 0));
-        int coupes = new Partage(2, 0.1).tracer(new Pave(0, 0, 32, 32), vue, SANS_TOILE);
+        int coupes = new Partage(2, 0.1).tracer(new Pave(0, 0, 32, 32), new Pave(0, 0, 32, 32), vue, SANS_TOILE);
         assertEquals(16, coupes, "les quatre cases qui touchent le pixel, et leurs voisines");
         assertEquals(33 * 33 + 3 * coupes, rayons);
     }

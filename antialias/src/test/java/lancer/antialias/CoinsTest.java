@@ -33,7 +33,7 @@ class CoinsTest {
     /** L'unique pixel que donne cet échantillonnage. */
     private static Couleur pixel(Echantillonnage echantillonnage, Vue vue) {
         Couleur[] vu = new Couleur[1];
-        echantillonnage.tracer(UN_PIXEL, vue, (couleur, i, j) -> vu[0] = couleur);
+        echantillonnage.tracer(UN_PIXEL, UN_PIXEL, vue, (couleur, i, j) -> vu[0] = couleur);
         return vu[0];
     }
 
@@ -153,7 +153,7 @@ class CoinsTest {
             double y = 1 + hasard.nextDouble();
             boolean[] vu = new boolean[1];
             Vue disque = (xe, ye) -> new Couleur((xe - x) * (xe - x) + (ye - y) * (ye - y) < rho * rho ? 1 : 0);
-            echantillonnage.tracer(voisinage, disque, (couleur, i, j) -> vu[0] |= !couleur.estNoire());
+            echantillonnage.tracer(voisinage, voisinage, disque, (couleur, i, j) -> vu[0] |= !couleur.estNoire());
             manques += vu[0] ? 0 : 1;
         }
         return (double) manques / essais;

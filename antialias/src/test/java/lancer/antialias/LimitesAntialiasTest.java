@@ -38,7 +38,7 @@ class LimitesAntialiasTest {
 
     private static Couleur laNotre(Vue vue, int n) {
         Couleur[] vu = new Couleur[1];
-        new Coins(n, 0).tracer(new Pave(0, 0, 1, 1), vue, (couleur, i, j) -> vu[0] = couleur);
+        new Coins(n, 0).tracer(new Pave(0, 0, 1, 1), new Pave(0, 0, 1, 1), vue, (couleur, i, j) -> vu[0] = couleur);
         return vu[0];
     }
 
@@ -122,10 +122,11 @@ class LimitesAntialiasTest {
     void leDecoupageEnPavesNeChangePasUnBitDesCoins() {
         Vue vue = (xe, ye) -> new Couleur(Math.sin(xe * ye), xe > ye ? 1 : 0, 0.5);
         Couleur[] entier = new Couleur[20 * 20];
-        new Coins(3, 0.05).tracer(new Pave(0, 0, 20, 20), vue, (couleur, i, j) -> entier[20 * j + i] = couleur);
+        new Coins(3, 0.05).tracer(new Pave(0, 0, 20, 20), new Pave(0, 0, 20, 20), vue, (couleur, i, j) -> entier[20 * j + i] = couleur);
         for (int j = 0; j < 20; j++) {
             for (int i = 0; i < 20; i++) {
-                new Coins(3, 0.05).tracer(new Pave(i, j, i + 1, j + 1), vue, (couleur, x, y) -> assertEquals(entier[20 * y + x], couleur));
+                Pave seul = new Pave(i, j, i + 1, j + 1);
+                new Coins(3, 0.05).tracer(seul, seul, vue, (couleur, x, y) -> assertEquals(entier[20 * y + x], couleur));
             }
         }
     }

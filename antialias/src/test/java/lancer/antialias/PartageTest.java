@@ -42,7 +42,7 @@ class PartageTest {
     private static Couleur[] pixels(Echantillonnage echantillonnage, Pave pave, Vue vue) {
         int largeur = pave.i1 - pave.i0;
         Couleur[] pixels = new Couleur[largeur * (pave.j1 - pave.j0)];
-        echantillonnage.tracer(pave, vue, (couleur, i, j) -> {
+        echantillonnage.tracer(pave, pave, vue, (couleur, i, j) -> {
             int k = (j - pave.j0) * largeur + i - pave.i0;
             assertEquals(null, pixels[k], "chaque pixel une seule fois");
             pixels[k] = couleur;
@@ -60,7 +60,8 @@ class PartageTest {
         Vue vue = (xe, ye) -> new Couleur(Math.sin(xe * xe), bord(xe, ye), Math.cos(7 * ye));
         for (int n : new int[] {1, 2, 3, 8}) {
             assertEquals(Arrays.asList(pixels(new Coins(n, 0), PAVE, vue)), Arrays.asList(pixels(new Partage(n, 0), PAVE, vue)));
-            assertEquals(new Coins(n, 0).tracer(PAVE, vue, SANS_TOILE), new Partage(n, 0).tracer(PAVE, vue, SANS_TOILE), "raffinés");
+            assertEquals(new Coins(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE), new Partage(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE),
+                    "raffinés");
         }
     }
 
@@ -233,7 +234,8 @@ class PartageTest {
         long[] rayons = new long[1];
         double[] juste = rouges(scene, new Coins(16, 0), rayons);
         double grille = rms(juste, rouges(scene, new Coins(8, 0), rayons));
-        double aveugle = rms(juste, rouges(scene, (pave, voulus, vue, toile) -> new Partage(8, 0.06).tracer(pave, vue, toile), rayons));
+        double aveugle = rms(juste, rouges(scene, (pave, voulus, vue, toile) -> new Partage(8, 0.06).tracer(pave, pave, vue, toile),
+                rayons));
         double partage = rms(juste, rouges(scene, new Partage(8, 0.06), rayons));
         assertTrue(partage < 1.4 * grille, () -> partage + " contre " + grille);
         assertTrue(rayon > 0.5 || aveugle > 3 * partage, () -> "sans savoir où elles sont : " + aveugle);
@@ -262,7 +264,7 @@ class PartageTest {
         Scene scene = poussiere(3);
         long[] sans = new long[1];
         long[] avec = new long[1];
-        double[] aveugle = rouges(scene, (pave, voulus, vue, toile) -> new Partage(8, 0.06).tracer(pave, vue, toile), sans);
+        double[] aveugle = rouges(scene, (pave, voulus, vue, toile) -> new Partage(8, 0.06).tracer(pave, pave, vue, toile), sans);
         assertArrayEquals(aveugle, rouges(scene, new Partage(8, 0.06), avec), 0);
         assertEquals(sans[0], avec[0]);
     }
@@ -285,7 +287,7 @@ class PartageTest {
             double x = 1.5 + hasard.nextDouble();
             double y = 1.5 + hasard.nextDouble();
             boolean[] vu = new boolean[1];
-            new Partage(n, seuil).tracer(voisinage, (xe, ye) -> {
+            new Partage(n, seuil).tracer(voisinage, voisinage, (xe, ye) -> {
                 boolean dedans = (xe - x) * (xe - x) + (ye - y) * (ye - y) < rho * rho;
                 vu[0] |= dedans;
                 return new Couleur(dedans ? 1 : 1e-6 * xe);

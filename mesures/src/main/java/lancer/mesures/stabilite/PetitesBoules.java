@@ -76,7 +76,7 @@ final class PetitesBoules {
         Map<String, Echantillonnage> methodes = new LinkedHashMap<>();
         methodes.put("un_rayon", Echantillonnage.CENTRE);
         methodes.put("coins", Antialias.coins(N, 0.05));
-        methodes.put(SANS, (pave, voulus, vue, toile) -> Antialias.partage(N, 0.1).tracer(pave, vue, toile));
+        methodes.put(SANS, (pave, voulus, vue, toile) -> Antialias.partage(N, 0.1).tracer(pave, pave, vue, toile));
         methodes.put("partage", Antialias.partage(N, 0.1));
         methodes.put("grille", Antialias.coins(N, 0));
         List<Exactitude> exactitudes = new ArrayList<>();
