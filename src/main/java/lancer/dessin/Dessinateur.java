@@ -233,12 +233,15 @@ public final class Dessinateur {
                 dessinee ? present.image.hauteur : options.hauteur));
     }
 
-    /** Les classes de la scène et des variantes, en une expression régulière : un échec y est situé d'abord. */
+    /**
+     * Classes des objets, de l'air et du reflet, en une expression régulière : un échec y est situé d'abord. Celle de
+     * l'échantillonnage n'en est pas : elle demande chaque couleur, et serait de toutes les piles.
+     */
     static String classes(Scene scene) {
         Modele modele = scene.getModele();
         // ce que la base met à la place d'une variante n'est pas en cause
-        return Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite(), modele.getEchantillonnage()),
-                scene.getObjets().stream()).map(Modele::nom).distinct()
-                .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
+        return Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()), scene.getObjets().stream())
+                .map(Modele::nom).distinct().filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote)
+                .collect(Collectors.joining("|"));
     }
 }

@@ -6,6 +6,7 @@ import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
 import javax.swing.JComboBox;
@@ -13,6 +14,7 @@ import javax.swing.JComponent;
 import javax.swing.JTextArea;
 import javax.swing.JTextPane;
 import javax.swing.SwingUtilities;
+import lancer.Scene;
 import lancer.contrat.Section;
 import lancer.dessin.ReglagesDessin;
 import org.junit.jupiter.api.Test;
@@ -74,5 +76,18 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         faire(() -> banc.atelier.dessiner(presents.avec(1000, 1.0 / 256).avec(presents.getVariante("Antialias"), section), false));
         attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
         assertEquals(1, surFilEvenements(() -> banc.panneau.getReduction(banc.panneau.montree)));
+    }
+
+    @Test
+    void unEchecDUneClasseDuCoursEstSitueDansLeCoursEtNonDansLAnticrenelage() throws Exception {
+        banc = new BancFenetre(new MainLent(args()) {
+            @Override
+            public Scene getScene() {
+                super.getScene().getObjets().get(0).setKd(null);
+                return super.getScene();
+            }
+        });
+        attendre("l'échec se dit", () -> banc.panneau.bandeau.getText().contains(" pixels n'ont pu être calculés"));
+        assertTrue(banc.message().contains(" (lancer.Objet3D.getColor, Objet3D.java:"), banc.message());
     }
 }
