@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Font;
+import java.awt.Graphics;
 import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -12,7 +13,6 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.stream.IntStream;
@@ -41,6 +41,7 @@ import lancer.image.ImageMemoire;
 import lancer.inspection.Depliage;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
+import lancer.texte.Nombre;
 
 /**
  * Explication de la couleur d'un pixel, dans une fenêtre à côté de l'image, qui le suit d'un dessin à l'autre. Tout se
@@ -56,12 +57,23 @@ final class Inspecteur extends JDialog {
     private static final int COTE_FIGURES = 180;
     private static final int SAUT = 10;
     private static final Color CHANGE = new Color(0xFFE9A8);
+    private static final Color VOILE = new Color(0x90FFFFFF, true);
     private static final Color LIEN = new Color(0x0050A0);
     private static final String ARRONDI = "(nombres arrondis à cinq chiffres ; --pixel les écrit en entier)";
 
     private final Atelier atelier;
     private final PanneauImage panneau;
-    private final JTextPane texte = new JTextPane();
+    private final JTextPane texte = new JTextPane() {
+        @Override
+        protected void paintComponent(Graphics g) {
+            super.paintComponent(g);
+            if (enCours != null) {
+                // en gris : changer la couleur d'un long texte prendrait plus de temps que de le remplacer
+                g.setColor(VOILE);
+                g.fillRect(0, 0, getWidth(), getHeight());
+            }
+        }
+    };
     private final JScrollPane ascenseur = new JScrollPane(texte);
     private final JTextArea verdict = Bandeau.etiquette("verdict");
     private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
@@ -137,17 +149,15 @@ final class Inspecteur extends JDialog {
     }
 
     private void lierTouches(JComponent ou, int quand) {
-        int[] touches = {KeyEvent.VK_LEFT, KeyEvent.VK_RIGHT, KeyEvent.VK_UP, KeyEvent.VK_DOWN};
-        for (int pas : new int[] {1, SAUT}) {
-            for (int k = 0; k < touches.length; k++) {
-                int d = k % 2 == 0 ? -pas : pas;
-                int dx = k < 2 ? d : 0;
-                int dy = k < 2 ? 0 : d;
+        int[][] sens = {{KeyEvent.VK_LEFT, -1, 0}, {KeyEvent.VK_RIGHT, 1, 0}, {KeyEvent.VK_UP, 0, -1},
+            {KeyEvent.VK_DOWN, 0, 1}};
+        for (int[] s : sens) {
+            for (int pas : new int[] {1, SAUT}) {
                 ou.registerKeyboardAction(e -> {
                     if (isVisible()) {
-                        montrer(new Point(pixel.x + dx, pixel.y + dy));
+                        montrer(new Point(pixel.x + pas * s[1], pixel.y + pas * s[2]));
                     }
-                }, KeyStroke.getKeyStroke(touches[k], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
+                }, KeyStroke.getKeyStroke(s[0], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
             }
         }
     }
@@ -224,10 +234,10 @@ final class Inspecteur extends JDialog {
         int seul = rebond;
         enCours = nouvelle;
         verdict.setText("calcul…");
-        texte.setForeground(Color.GRAY);
+        texte.repaint();
         Atelier.confier(fil, () -> {
             nouvelle.faireOuEchouer(voulu);
-            List<Recit.Ligne> lignes = new Recit(nouvelle, x -> String.format(Locale.ROOT, "%.5g", x)).raconter();
+            List<Recit.Ligne> lignes = new Recit(nouvelle, Nombre::arrondir).raconter();
             lignes.add(1, new Recit.Ligne(ARRONDI, 0, ARRONDI, null, false));
             int garde = seul > nouvelle.getEtapes().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
@@ -241,7 +251,7 @@ final class Inspecteur extends JDialog {
         }
         enCours = null;
         rebond = seul;
-        depliage.remplacer(lignes);
+        depliage.remplacer(atelier.montre.fichier, lignes);
         ecrire();
         verdict.setText(nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
                 : comparer(nouvelle.getCouleur()));
@@ -258,7 +268,6 @@ final class Inspecteur extends JDialog {
         vues.forEach(vue -> ajouter(document, vue));
         // coupées aux blancs seuls : ce que Swing fait d'un texte latin, et non d'un qui a des signes comme ⊗
         document.putProperty("multiByte", false);
-        texte.setForeground(Color.BLACK);
         texte.setDocument(document);
         EventQueue.invokeLater(() -> ascenseur.getViewport().setViewPosition(place));
     }

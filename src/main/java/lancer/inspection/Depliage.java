@@ -12,20 +12,23 @@ import java.util.stream.Collectors;
 /** Un récit à lire : ses lignes repliées le restent tant qu'on ne les demande pas, celles qui changent le montrent. */
 public final class Depliage {
 
+    /** Scène du récit, {@code null} avant le premier. */
+    private String scene;
     private List<Recit.Ligne> lignes = Collections.emptyList();
     private final Map<String, String> anciens = new HashMap<>();
     private final Set<String> deplies = new HashSet<>();
 
-    /** Remplace le récit ; s'il est du même pixel, ce qui a changé se compare à l'ancien. */
-    public void remplacer(List<Recit.Ligne> nouvelles) {
+    /** Remplace le récit ; s'il est de cette même scène et du même pixel, ce qui a changé se compare à l'ancien. */
+    public void remplacer(String nouvelleScene, List<Recit.Ligne> nouvelles) {
         if (textes(nouvelles).equals(textes(lignes))) {
             // le même récit, redemandé : ce qui avait changé le reste
             return;
         }
         anciens.clear();
-        if (!lignes.isEmpty() && lignes.get(0).texte.equals(nouvelles.get(0).texte)) {
+        if (nouvelleScene.equals(scene) && lignes.get(0).texte.equals(nouvelles.get(0).texte)) {
             lignes.forEach(ligne -> anciens.put(ligne.sujet, ligne.texte));
         }
+        scene = nouvelleScene;
         lignes = nouvelles;
     }
 

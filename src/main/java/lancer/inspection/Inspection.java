@@ -154,10 +154,10 @@ public final class Inspection implements Vue, Toile {
         return echantillons;
     }
 
-    /** Rayon de cet échantillon ; {@code null} s'il n'y en a pas. */
+    /** Rayon de cet échantillon ; {@code null} s'il n'y en a pas, ou si c'est lui qui échoue. */
     public Rayon getDepart() {
-        return faute != null ? camera.getRayon(faute.xe, faute.ye)
-                : choisi == null ? null : camera.getRayon(choisi.xe, choisi.ye);
+        return getEtapes().isEmpty() ? null : faute != null ? camera.getRayon(faute.xe, faute.ye)
+                : camera.getRayon(choisi.xe, choisi.ye);
     }
 
     /** Échantillon dont voici la chaîne. */

@@ -248,11 +248,11 @@ public final class Recit {
                 : e.L == null ? "sans effet sur cette matière" : "cachées";
     }
 
-    /** La base et l'exposant de l'éclat d'une lampe, s'il a été calculé et les dit ; sinon l'éclat lui-même. */
+    /** La base et l'exposant de l'éclat d'une lampe, s'il les dit ; sinon l'éclat lui-même. */
     private String eclat(Etape etape, Eclairage e) {
         Specularite specularite = pixel.scene.getModele().getSpecularite();
         double base = specularite.base(etape.V, etape.N, e.L, etape.R);
-        return Double.isNaN(base) || etape.contact.objet.getKs().estNoire() ? "éclat " + ecrire(e.eclat)
+        return Double.isNaN(base) ? "éclat " + ecrire(e.eclat)
                 : (base < 0 ? "max(0, " : "(") + specularite.nomDeLaBase() + " " + ecrire(base) + ")^"
                 + ecrire(specularite.exposant(etape.contact.objet.getNs()));
     }

@@ -1,5 +1,7 @@
 package lancer.texte;
 
+import java.util.Locale;
+
 /**
  * L'écriture d'un nombre, dans les scènes comme en ligne de commande :
  * {@code [+-]?(chiffres[.chiffres] | chiffres. | .chiffres)([eE][+-]?chiffres)?}, et rien d'autre :
@@ -10,6 +12,13 @@ public final class Nombre {
     private static final String CARACTERES = "0123456789.eE+-";
 
     private Nombre() {
+    }
+
+    /** Arrondit à cinq chiffres ; d'un nombre proche de 1, à cinq de ce qui lui manque : une puissance l'agrandit. */
+    public static String arrondir(double x) {
+        double manque = 1 - Math.abs(x);
+        int chiffres = manque > 0 && manque < 0.1 ? 4 - (int) Math.floor(Math.log10(manque)) : 5;
+        return String.format(Locale.ROOT, "%." + chiffres + "g", x);
     }
 
     /** Le nombre écrit, infini s'il déborde, NaN si ce n'en est pas un. */

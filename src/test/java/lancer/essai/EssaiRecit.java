@@ -300,8 +300,8 @@ public final class EssaiRecit {
         double[] ditDiffus = produit("diffus = Kd", objet.getKd(), lampe, "N·L \\S+");
         proche(diffus, ditDiffus);
         String ligne = actuelle();
-        double[] dit = produit("\\+ reflet = Ks", objet.getKs(), lampe, new Couleur().equals(objet.getKs()) ? "éclat 0.0"
-                : "(\\(%s [^-]\\S*|max\\(0, %s -\\S+)\\)\\^\\S+".replace("%s", blinn == 0 ? "R·L" : "N·H"));
+        double[] dit = produit("\\+ reflet = Ks", objet.getKs(), lampe,
+                "(\\(%s [^-]\\S*|max\\(0, %s -\\S+)\\)\\^\\S+".replace("%s", blinn == 0 ? "R·L" : "N·H"));
         proche(reflet, dit);
         ajouter(ditDiffus, dit);
         double[] apport = lire("       = ");

@@ -9,11 +9,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Color;
 import java.awt.MouseInfo;
 import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -292,10 +292,21 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         lenteur.set(new CountDownLatch(1));
         presser(KeyEvent.VK_RIGHT);
         attendreVerdict("calcul…");
-        assertEquals(avant + Color.GRAY, surFilEvenements(() -> recit.getText() + recit.getForeground()));
+        assertEquals(avant, surFilEvenements(recit::getText));
+        assertTrue(plusNoir(recit) > 100, "il est en gris");
         lenteur.get().countDown();
         attendreVerdict("Au bit près");
         assertFalse(surFilEvenements(recit::getText).equals(avant));
+        assertEquals(0, plusNoir(recit), "le nouveau est en noir");
+    }
+
+    /** Le plus sombre des rouges d'un texte tel qu'il se peint, de 0 à 255. */
+    private static int plusNoir(JTextPane texte) throws Exception {
+        return surFilEvenements(() -> {
+            BufferedImage vue = new BufferedImage(texte.getWidth(), texte.getHeight(), BufferedImage.TYPE_INT_RGB);
+            texte.paint(vue.createGraphics());
+            return Arrays.stream(BancFenetre.codes(vue)).map(code -> code >> 16 & 255).min().getAsInt();
+        });
     }
 
     /** Un objet que rien ne touche, et dont l'intersection attend ce qu'on veut. */

@@ -162,7 +162,7 @@ class InspectionTest {
             Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
                     new Camera(9, 9), 5, 4, 4);
             pixel.faire();
-            depliage.remplacer(new Recit(pixel, Double::toString).raconter());
+            depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
         }
         List<String> marquees = depliage.getVues().stream().filter(ligne -> ligne.changee).map(ligne -> ligne.texte)
                 .collect(Collectors.toList());
@@ -183,7 +183,7 @@ class InspectionTest {
             LecteurScene lecteur = new LecteurScene();
             Inspection pixel = new Inspection(new Scene(fichier.toString(), lecteur), lecteur.origines, new Camera(9, 9), 5, 4, 4);
             pixel.faire();
-            depliage.remplacer(new Recit(pixel, Double::toString).raconter());
+            depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
         }
         List<String> marquees = depliage.getVues().stream().filter(ligne -> ligne.changee).map(ligne -> ligne.texte.trim().split(" ")[0])
                 .collect(Collectors.toList());
@@ -203,7 +203,7 @@ class InspectionTest {
             Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
                     new Camera(9, 9), 5, 4, 4);
             pixel.faire();
-            depliage.remplacer(new Recit(pixel, Double::toString).raconter());
+            depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
         }
         for (boolean ouvert : new boolean[] {false, true}) {
             List<String> marquees = depliage.getVues().stream().filter(ligne -> ligne.changee).map(ligne -> ligne.texte)
@@ -212,6 +212,34 @@ class InspectionTest {
             assertTrue(marquees.get(0).startsWith(ouvert ? "     lampe 5  N·(lampe − contact) = " : "     5 lampes dans le dos ▸"));
             depliage.basculer(null);
         }
+    }
+
+    @Test
+    void uneAutreSceneNeSeMarquePasCommeUnChangement() {
+        Depliage depliage = new Depliage();
+        for (double rayon : new double[] {2, 3}) {
+            Inspection pixel = new Inspection(new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 8), rayon)),
+                    Collections.emptyList()), new Origines(), new Camera(9, 9), 5, 4, 4);
+            pixel.faire();
+            depliage.remplacer("de rayon " + rayon, new Recit(pixel, Double::toString).raconter());
+        }
+        assertTrue(depliage.getVues().stream().noneMatch(ligne -> ligne.changee));
+    }
+
+    @Test
+    void unPixelDontLeRayonMemeEchoueSeRaconteJusquALaFaute() {
+        Camera camera = new Camera(9, 9) {
+            @Override
+            public Rayon getRayon(double xe, double ye) {
+                throw new IllegalStateException("pas encore écrit");
+            }
+        };
+        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), new Origines(), camera, 5, 4, 4);
+        pixel.faireOuEchouer(Inspection.AU_CENTRE);
+        List<String> lignes = new Recit(pixel, Double::toString).lignes();
+        assertEquals("pixel 4, 4", lignes.get(0));
+        assertTrue(lignes.get(1).startsWith("échec : java.lang.IllegalStateException: pas encore écrit ("), lignes.toString());
+        assertEquals(2, lignes.size());
     }
 
     @Test

@@ -28,6 +28,21 @@ class NombreTest {
     }
 
     @Test
+    void arrondieUneBaseDonneEncoreSaPuissanceATroisChiffres() {
+        Random hasard = new Random(31);
+        for (int k = 0; k < 100_000; k++) {
+            double base = 1 - Math.pow(10, -12 * hasard.nextDouble());
+            double exposant = -Math.log(hasard.nextDouble()) / -Math.log(base);
+            double puissance = Math.pow(base, exposant);
+            assertEquals(puissance, Math.pow(Double.parseDouble(Nombre.arrondir(base)), exposant), 1e-3 * puissance,
+                    base + " : " + Nombre.arrondir(base) + ", puissance " + exposant);
+        }
+        assertEquals("1.0000", Nombre.arrondir(1));
+        assertEquals("0.9999987300", Nombre.arrondir(0.99999873));
+        assertEquals("0.87000", Nombre.arrondir(0.87));
+    }
+
+    @Test
     void unNombreValideEstLuAuBitPresCommeParJava() {
         long graine = 20_260;
         Random hasard = new Random(graine);
