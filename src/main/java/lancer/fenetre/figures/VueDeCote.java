@@ -12,12 +12,16 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.IntConsumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.JPanel;
 import lancer.Camera;
 import lancer.Constantes;
@@ -25,6 +29,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Etape;
 import lancer.inspection.Inspection;
@@ -83,28 +88,30 @@ public final class VueDeCote extends JPanel {
         }
     }
 
-    /** Prend une échelle où l'œil, l'écran et les contacts tiennent ; ou le rebond choisi et ses voisins. */
+    /** Prend une échelle où l'œil, l'écran et les contacts tiennent ; ou le rebond choisi et son plus proche voisin. */
     private void cadrer() {
-        List<Point> vus = new ArrayList<>();
-        if (seul <= 1) {
-            vus.add(new Point(0, demiEcran(), 0));
-            vus.add(new Point(0, -demiEcran(), seul == 0 ? -Camera.FOCALE : 0));
-        }
-        for (Etape etape : pixel.getEtapes()) {
-            if (etape.contact != null && (seul == 0 || Math.abs(seul - etape.numero) <= 1)) {
-                vus.add(etape.contact);
-            }
+        List<Point> vus = pixel.getEtapes().stream().map(etape -> etape.contact).filter(Objects::nonNull)
+                .collect(Collectors.toCollection(ArrayList::new));
+        vus.add(0, new Point(0, demiEcran(), 0));
+        int rang = Math.min(seul, vus.size() - 1);
+        if (rang == 0) {
+            vus.add(new Point(0, -demiEcran(), -Camera.FOCALE));
+        } else {
+            Point ici = vus.get(rang);
+            vus = vus.subList(rang - 1, Math.min(rang + 2, vus.size()));
+            vus.sort(Comparator.comparingDouble(p -> new Vecteur(ici, p).norme()));
+            vus = vus.subList(0, 2);
         }
         DoubleSummaryStatistics z = vus.stream().mapToDouble(p -> p.z).summaryStatistics();
         DoubleSummaryStatistics y = vus.stream().mapToDouble(p -> p.y).summaryStatistics();
         // de quoi voir le bord de ce qui est touché
-        double marge = seul == 0 ? 1 + z.getMax() / 10
+        double marge = rang == 0 ? 1 + z.getMax() / 10
                 : 0.2 * Math.max(z.getMax() - z.getMin(), y.getMax() - y.getMin()) + 0.01;
-        z0 = seul == 0 ? z.getMin() : z.getMin() - marge;
+        z0 = rang == 0 ? z.getMin() : z.getMin() - marge;
         y0 = (y.getMin() + y.getMax()) / 2;
         echelle = Math.min((getWidth() - 2 * MARGE) / (z.getMax() + marge - z0),
                 (getHeight() - 2 * MARGE) / (y.getMax() - y.getMin() + 2 * marge));
-        if (seul > 0) {
+        if (rang > 0) {
             z0 = (z.getMin() + z.getMax()) / 2 - (getWidth() / 2.0 - MARGE) / echelle;
         }
     }
@@ -149,6 +156,9 @@ public final class VueDeCote extends JPanel {
             }
             depart = bout;
         }
+        g.setColor(Color.DARK_GRAY);
+        pixel.getEtapes().stream().filter(etape -> seul > 0 && Math.abs(seul - etape.numero) <= 1
+                && etape.contact != null && !noms.containsKey(etape.contact.objet)).forEach(etape -> nommer(g, etape));
     }
 
     /** Une lampe, et ce qui la cache ; en tirets jusqu'à celle-ci, si l'on regarde ce rebond de près. */
@@ -170,17 +180,20 @@ public final class VueDeCote extends JPanel {
         float y = (float) v(etape.contact.y) - 4;
         numeros.put(etape.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
         g.drawString(numero, x, y);
-        if (seul > 0 && Math.abs(seul - etape.numero) <= 1 && !noms.containsKey(etape.contact.objet)) {
-            g.setColor(Color.DARK_GRAY);
-            String nom = pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", "");
-            Rectangle2D place = g.getFontMetrics().getStringBounds(nom, g);
-            place.setRect(Math.min(x + 12, getWidth() - place.getWidth()), y + 4, place.getWidth(), cadre.getHeight());
-            while (noms.values().stream().anyMatch(place::intersects)) {
-                place.setRect(place.getX(), place.getMaxY(), place.getWidth(), place.getHeight());
-            }
-            noms.put(etape.contact.objet, place);
-            g.drawString(nom, (float) place.getX(), (float) place.getY() + g.getFontMetrics().getAscent());
+    }
+
+    /** Nomme une sphère près du numéro de son contact, là où il n'y a ni numéro, ni autre nom. */
+    private void nommer(Graphics2D g, Etape etape) {
+        String nom = pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", "");
+        Rectangle2D numero = numeros.get(etape.numero);
+        Rectangle2D place = g.getFontMetrics().getStringBounds(nom, g);
+        place.setRect(Math.min(numero.getX() + 12, getWidth() - place.getWidth()), numero.getMaxY(), place.getWidth(),
+                place.getHeight());
+        while (Stream.concat(noms.values().stream(), numeros.values().stream()).anyMatch(place::intersects)) {
+            place.setRect(place.getX(), place.getMaxY(), place.getWidth(), place.getHeight());
         }
+        noms.put(etape.contact.objet, place);
+        g.drawString(nom, (float) place.getX(), (float) place.getY() + g.getFontMetrics().getAscent());
     }
 
     /**

@@ -80,6 +80,12 @@ class VueDeCoteTest {
             pixel.getEtapes().stream().filter(etape -> etape.numero <= 3 && etape.contact != null)
                     .forEach(etape -> voisines.add(etape.contact.objet));
             assertEquals(voisines, vue.noms.keySet());
+            double pres = vue.h(1) - vue.h(0);
+            vue.montrer(pixel, 0);
+            vue.paint(new BufferedImage(170, 50, BufferedImage.TYPE_INT_RGB).createGraphics());
+            assertTrue(pres > vue.h(1) - vue.h(0) || voisines.size() < 2, "de près, " + pres + " pixels par unité");
+            vue.montrer(pixel, 2);
+            vue.paint(new BufferedImage(170, 50, BufferedImage.TYPE_INT_RGB).createGraphics());
             for (Rectangle2D place : vue.noms.values()) {
                 paires += vue.noms.size() - 1;
                 assertEquals(1, vue.noms.values().stream().filter(place::intersects).count(), vue.noms.values().toString());
