@@ -87,6 +87,7 @@ final class Enregistrement {
         dossier = cible.getParentFile();
         Atelier.confier(disque, () -> ecrire(image, cible, scene), panne -> {
             echoue = cible;
+            bandeau.dire(Sujet.AVIS, "");
             bandeau.dire(Sujet.DISQUE, panne);
         });
     }

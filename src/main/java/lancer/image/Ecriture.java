@@ -146,7 +146,9 @@ public final class Ecriture {
     }
 
     private static String raison(IOException e) {
-        return e instanceof NoSuchFileException ? "le dossier n'existe pas" : Texte.panne(e);
+        return !(e instanceof NoSuchFileException) ? Texte.panne(e)
+                : Files.isDirectory(Paths.get(e.getMessage()).toAbsolutePath().getParent())
+                ? "création refusée dans ce dossier" : "le dossier n'existe pas";
     }
 
     private Echec impossible(String raison) {

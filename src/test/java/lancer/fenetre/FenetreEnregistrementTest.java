@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Image;
 import java.awt.Toolkit;
@@ -18,6 +19,7 @@ import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
@@ -76,6 +78,18 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         attendre("l'image suit sa scène", () -> banc.atelier.getImageComplete() != null
                 && Arrays.equals(bleue, banc.atelier.getImageComplete().codes));
         assertTrue(banc.message().startsWith(perdue.toString()), banc.message());
+    }
+
+    @Test
+    void unDossierQuiRefuseUnFichierNEstPasDitAbsent() throws Exception {
+        assumeTrue(Files.isDirectory(Paths.get("/proc/self")), "un système où /proc refuse tout fichier");
+        ouvrir();
+        enregistrerSous(dossier.resolve("avant.png"));
+        banc.attendreMessage("enregistrée : avant.png");
+        enregistrerSous(Paths.get("/proc/rien.png"));
+        attendre("l'échec remplace ce qui se lisait", () -> banc.panneau.bandeau.getText().equals(
+                "/proc/rien.png : écriture impossible, " + (Files.isWritable(Paths.get("/proc")) ? "création refusée dans ce dossier"
+                : "écriture interdite dans le dossier /proc")));
     }
 
     @Test
