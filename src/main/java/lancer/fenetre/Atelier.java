@@ -23,6 +23,7 @@ import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
+import lancer.scene.Surveillance;
 
 /**
  * La vie d'un dessin dans la fenêtre : il commence, sa scène se lit, son brouillon puis son image se montrent, il
@@ -83,8 +84,8 @@ final class Atelier {
         this.fils = fils;
         this.panneau = panneau;
         this.taille = taille;
-        surveillance = new Surveillance(this::suivreFichier,
-                () -> panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste"));
+        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::suivreFichier), () -> EventQueue.invokeLater(
+                () -> panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste")));
     }
 
     /** Un fil à part, où les tâches attendent leur tour ; oisif il s'en va, et ne retient jamais le programme. */
@@ -143,7 +144,6 @@ final class Atelier {
 
     /** Lit cette scène et la dessine ; ce qui se dessinait est abandonné. */
     void ouvrir(File scene) {
-        panneau.dire("", true);
         dessiner(scene.getPath());
     }
 
@@ -233,6 +233,7 @@ final class Atelier {
     private void suivre(Tracage tracage) {
         courant = tracage;
         enCours = true;
+        panneau.dire("", true);
         prevenus.forEach(Runnable::run);
         observer();
     }
@@ -294,12 +295,19 @@ final class Atelier {
             if (montre.traceur.getEcart() != null) {
                 panneau.bandeau.dire(Sujet.AVIS, montre.traceur.getEcart());
             }
-            panneau.bandeau.dire(Sujet.DESSIN, direFautes() == null ? "" : direFautes() + " ; le premier : "
-                    + dessinateur.nommer(montre.traceur.getFautes().getPremiere()).getMessage());
-        } else if (panne instanceof SceneFautive && courant.fichier != null) {
+        }
+        Fautes fautes = courant.getDessin() == null ? null : courant.getDessin().traceur.getFautes();
+        if (panne instanceof SceneFautive && courant.fichier != null) {
             refuser(Pannes.message(panne));
-        } else if (panne != null) {
-            panneau.bandeau.dire(Sujet.DESSIN, Pannes.message(panne));
+        } else if (fautes != null && fautes.enMots() != null && !(panne instanceof Error)) {
+            panneau.bandeau.dire(Sujet.DESSIN, fautes.enMots() + (panne == null ? "" : ", et aucun n'a pu l'être")
+                    + " ; le premier : " + dessinateur.nommer(fautes.getPremiere()).getMessage());
+        } else if (panne != null || courant.isAcheve()) {
+            panneau.bandeau.dire(Sujet.DESSIN, panne == null ? "" : Pannes.message(panne));
+        }
+        if (fichier == null) {
+            fichier = courant.fichier;
+            panneau.dire("F5 pour lire la scène et la dessiner", true);
         }
         prevenus.forEach(Runnable::run);
     }

@@ -289,23 +289,22 @@ public final class Fenetre {
         decrire();
     }
 
-    /** Arrête le dessin en cours ; sinon ferme la fenêtre d'à côté, celle qui a le clavier ou l'inspecteur. */
+    /** Arrête le dessin en cours ; sinon ferme la fenêtre d'à côté. */
     private void echapper() {
         if (atelier.enCours) {
             atelier.arreter();
         } else if (aCote() != null) {
             aCote().setVisible(false);
-        } else if (inspecteur != null && inspecteur.isVisible()) {
-            inspecteur.setVisible(false);
         } else if (plein.isSelected()) {
             plein.doClick();
         }
     }
 
-    /** La fenêtre d'à côté qui a le clavier ; {@code null} s'il est à une autre. */
+    /** La fenêtre d'à côté qui a le clavier, à défaut la dernière ; {@code null} s'il n'y en a pas d'ouverte. */
     private Window aCote() {
-        Window devant = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow();
-        return devant instanceof JDialog && devant.getOwner() == cadre && !((JDialog) devant).isModal() ? devant : null;
+        return Arrays.stream(cadre.getOwnedWindows()).filter(fenetre -> fenetre.isVisible()
+                && fenetre instanceof JDialog && !((JDialog) fenetre).isModal())
+                .reduce(null, (une, autre) -> une != null && une.isFocused() ? une : autre);
     }
 
     /**
@@ -313,13 +312,14 @@ public final class Fenetre {
      * elle n'y ouvre pas un menu.
      */
     private boolean renvoyer(KeyEvent e) {
+        boolean aCote = aCote() != null && aCote().isFocused();
         boolean libre = !e.isConsumed() && !e.isAltDown() && e.getKeyCode() != KeyEvent.VK_F10;
         if (libre && e.getID() == KeyEvent.KEY_PRESSED && !e.isControlDown() && !e.isMetaDown()
-                && (aCote() != null || cadre.isFocused())
+                && (aCote || cadre.isFocused())
                 && MenuSelectionManager.defaultManager().getSelectedPath().length == 0) {
             caracteres.getOrDefault(Character.toLowerCase(e.getKeyChar()), () -> { }).run();
         }
-        if (libre && aCote() != null) {
+        if (libre && aCote) {
             SwingUtilities.processKeyBindings(new KeyEvent(cadre.getRootPane(), e.getID(), e.getWhen(),
                     e.getModifiersEx(), e.getKeyCode(), e.getKeyChar(), e.getKeyLocation()));
         }

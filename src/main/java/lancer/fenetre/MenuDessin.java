@@ -33,7 +33,9 @@ final class MenuDessin {
     /** @param variantes les noms de celles qui sont présentes */
     MenuDessin(JFrame cadre, Atelier atelier, List<String> variantes) {
         this.atelier = atelier;
-        Menus.siScene(atelier, menu, "Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5), atelier::relire);
+        JMenuItem relire = Menus.article(menu, "Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5),
+                atelier::relire);
+        atelier.prevenir(() -> relire.setEnabled(atelier.fichier != null));
         // la touche est liée ailleurs : Java l'afficherait « Escape »
         arreter = Menus.article(menu, "Arrêter (Échap)", null, atelier::arreter);
         menu.addSeparator();

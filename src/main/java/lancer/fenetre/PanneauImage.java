@@ -106,7 +106,7 @@ final class PanneauImage extends JPanel {
             }
             if (numero > 0) {
                 siNumero.accept(numero);
-            } else if (getPixelSouris(montree) != null) {
+            } else if (montree != null && getPlace(montree).contains(souris)) {
                 siClique.run();
             }
         }
@@ -329,9 +329,9 @@ final class PanneauImage extends JPanel {
 
     /** Le pixel de l'image montrée sous la souris, ou le plus près du milieu ; {@code null} s'il n'y en a pas. */
     Point getPixelVise() {
-        Point sous = getPixelSouris(montree);
-        return sous != null || montree == null ? sous
-                : getPixel(montree, new Point(getLibre().width / 2, getLibre().height / 2));
+        boolean sous = souris != null && montree != null && getPlace(montree).contains(souris);
+        return montree == null ? null
+                : getPixel(montree, sous ? souris : new Point(getLibre().width / 2, getLibre().height / 2));
     }
 
     /** Le pixel de cette image qui est sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas dessiné. */

@@ -17,7 +17,10 @@ import lancer.scene.FichierScene;
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
 
-    /** Temps après lequel un brouillon que rien ne montre n'arrête plus l'image : une fenêtre peut être réduite. */
+    /**
+     * Temps après lequel un brouillon que rien ne montre n'arrête plus l'image, car une fenêtre peut être réduite ; et
+     * un dessin qui n'a pas commencé dit ce qu'il attend.
+     */
     private static final long PATIENCE_MS = 2000;
 
     /** Le fichier de la scène à lire, {@code null} s'il n'y en a pas. */
@@ -142,19 +145,18 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** État du dessin : où il en est, et depuis combien de temps. */
     String getEtat() {
-        if (isAcheve()) {
-            // le temps du dessin se lit avec ce qu'il a coûté ; celui-ci compte aussi l'attente et la lecture
-            return "terminé";
-        }
-        if (getPanne() instanceof SceneFautive) {
-            return fichier == null ? "réglage impossible" : "scène fautive";
-        }
-        return (getPanne() != null ? "échec" : getEtape())
+        // le temps du dessin se lit avec ce qu'il a coûté ; celui-ci compte aussi l'attente et la lecture
+        return isAcheve() ? "terminé"
+                : getPanne() instanceof SceneFautive ? fichier == null ? "réglage impossible" : "scène refusée"
+                : (getPanne() != null ? "échec" : getEtape())
                 + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9);
     }
 
     private String getEtape() {
         Dessin sien = getDessin();
+        if (getState() == StateValue.PENDING && TimeUnit.NANOSECONDS.toMillis(getDureeNs()) > PATIENCE_MS) {
+            return "attend que le dessin d'avant s'arrête";
+        }
         if (sien == null) {
             return (fichier != null && avertissements == null ? "lecture" : "préparation")
                     + (isCancelled() ? " arrêtée" : " " + (int) (100 * dessinateur.getAvancement()) + " %");

@@ -1,15 +1,13 @@
-package lancer.fenetre;
+package lancer.scene;
 
-import java.awt.EventQueue;
 import java.util.Timer;
 import java.util.TimerTask;
-import lancer.scene.FichierScene;
 
 /**
  * Veille sur le fichier de la scène, dans un fil à elle. Elle regarde l'heure et la taille, car un éditeur qui
  * enregistre en renommant échappe aux notifications du système.
  */
-final class Surveillance extends TimerTask {
+public final class Surveillance extends TimerTask {
 
     private static final int PERIODE_MS = 250;
 
@@ -25,21 +23,21 @@ final class Surveillance extends TimerTask {
     private String vue;
 
     /**
-     * @param siChange appelé dans le fil des événements, une fois par changement
+     * @param siChange appelé dans ce fil, une fois par changement
      * @param siEfface appelé de même quand le fichier a disparu ; qu'il revienne est un changement
      */
-    Surveillance(Runnable siChange, Runnable siEfface) {
+    public Surveillance(Runnable siChange, Runnable siEfface) {
         this.siChange = siChange;
         this.siEfface = siEfface;
         veille.schedule(this, PERIODE_MS, PERIODE_MS);
     }
 
-    void terminer() {
+    public void terminer() {
         veille.cancel();
     }
 
     /** @param version celle qui est lue, que {@link FichierScene} a dite avant : ce qui change ensuite est vu */
-    synchronized void suivre(String aSuivre, String version) {
+    public synchronized void suivre(String aSuivre, String version) {
         fichier = aSuivre;
         connue = version;
     }
@@ -53,7 +51,7 @@ final class Surveillance extends TimerTask {
         vue = nouvelle;
         if (change || absences == ABSENCES) {
             connue = nouvelle;
-            EventQueue.invokeLater(change ? siChange : siEfface);
+            (change ? siChange : siEfface).run();
         }
     }
 }

@@ -13,6 +13,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Robot;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
@@ -20,7 +21,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.AbstractButton;
 import javax.swing.JTextArea;
 import javax.swing.JProgressBar;
@@ -241,6 +244,32 @@ class FenetreDessinTest extends EssaiFenetre {
     }
 
     @Test
+    void echapPendantLaPremiereLectureLaisseF5EtLeBoutonALaSceneDemandee() throws Exception {
+        AtomicBoolean arretee = new AtomicBoolean();
+        banc = new BancFenetre(new MainLent(args()) {
+            @Override
+            public void lireScene(String fichier, LecteurScene lecteur) {
+                if (arretee.compareAndSet(false, true)) {
+                    try {
+                        Window fenetre = SwingUtilities.getWindowAncestor(composant("avancement", JProgressBar.class));
+                        BancFenetre.mettreDevant(fenetre);
+                        new Robot().keyPress(KeyEvent.VK_ESCAPE);
+                        new Robot().keyRelease(KeyEvent.VK_ESCAPE);
+                        attendre("la lecture est arrêtée", () -> composantIci("lecture arrêtée — "));
+                    } catch (Exception e) {
+                        throw new CancellationException("arrêtée, comme une vraie lecture");
+                    }
+                }
+                super.lireScene(fichier, lecteur);
+            }
+        });
+        attendre("la fenêtre le dit", () -> banc.panneau.ligne.startsWith("F5 pour lire la scène"));
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("F5 la lit et la dessine", attendue(L, H));
+    }
+
+    @Test
     void siElleSeRefuseEnsuiteLaFenetreSeFerme() throws Exception {
         ecrire(FAUTIVE);
         BancFenetre.exigerEcran();
@@ -322,6 +351,21 @@ class FenetreDessinTest extends EssaiFenetre {
         programme.suite.countDown();
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         assertEquals(avant, surFilEvenements(banc.resume::getText));
+    }
+
+    @Test
+    void unDessinQuAttendQueCeluiDAvantSArreteLeDit() throws Exception {
+        PreparationRetenue programme = new PreparationRetenue();
+        banc = new BancFenetre(programme);
+        banc.imageAchevee();
+        programme.retenue = true;
+        banc.frapper(KeyEvent.VK_ADD);
+        attendre("il se prépare", () -> banc.avancement.getString().startsWith("préparation "));
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("le suivant attend", () -> banc.avancement.getString().startsWith("attend que le dessin d'avant s'arrête — "));
+        programme.retenue = false;
+        programme.suite.countDown();
+        banc.attendreImage("puis se fait", BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=10"));
     }
 
     @Test

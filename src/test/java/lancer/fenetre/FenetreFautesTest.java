@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import javax.swing.JDialog;
 import javax.swing.JTextArea;
 import javax.swing.JTextPane;
@@ -117,14 +118,20 @@ class FenetreFautesTest extends EssaiFenetre {
         ecrire("[Lampe 1]\nposition=0 5 0\ncouleur=1 1 1\n");
         ouvrirAvecUnMur(true);
         attendre("il est fini", () -> !banc.atelier.enCours);
-        banc.attendreMessage("pixel ");
-        assertTrue(banc.message().contains("boum"), banc.message());
+        banc.attendreMessage("1");
+        assertTrue(banc.message().matches("10\\d\\d pixels n'ont pu être calculés, et aucun n'a pu l'être ; le premier : pixel .*boum.*"),
+                banc.message());
         assertNull(surFilEvenements(banc.atelier::getImageComplete));
-        banc.frapper(KeyEvent.VK_ENTER);
-        JTextPane recit = composant("recit", JTextPane.class);
-        attendre("ce qui a été dessiné s'inspecte", () -> recit.getText().contains("\néchec : java.lang.IllegalStateException: boum ("));
         banc.frapperCtrl('s');
         attendre("et ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : 1"));
+        banc.cliquer(banc.panneau.bandeau, 5, banc.panneau.bandeau.getHeight() - 5);
+        banc.attendreMessage("");
+        // un pixel que personne n'a dessiné : il se calcule
+        int blanc = IntStream.range(0, L * H).filter(k -> k % L > 50 && k / L > 50 && banc.panneau.montree.codes[k] == 0)
+                .findFirst().getAsInt();
+        cliquer(blanc % L, blanc / L);
+        JTextPane recit = composant("recit", JTextPane.class);
+        attendre("ce qui a été dessiné s'inspecte", () -> recit.getText().contains("\néchec : java.lang.IllegalStateException: boum ("));
     }
 
     @Test

@@ -114,6 +114,20 @@ class FenetreTest extends EssaiFenetre {
     }
 
     @Test
+    void duCadreEchapFermeLUneApresLAutreLesFenetresDACote() throws Exception {
+        ouvrir();
+        banc.frapper(KeyEvent.VK_F3);
+        composant("vitesse", JDialog.class);
+        banc.frapper(KeyEvent.VK_F1);
+        composant("table", JLabel.class);
+        for (int reste = 1; reste >= 0; reste--) {
+            int encore = reste;
+            banc.frapper(KeyEvent.VK_ESCAPE);
+            attendre("une de moins", () -> Arrays.stream(banc.cadre.getOwnedWindows()).filter(Window::isVisible).count() == encore);
+        }
+    }
+
+    @Test
     void surUnPetitEcranUnPanneauCacheDAbordLeCadrePlutotQuUnAutrePanneau() {
         Rectangle ecran = new Rectangle(0, 0, 1024, 768);
         Rectangle cadre = new Rectangle(0, 0, 812, 720);
