@@ -69,12 +69,12 @@ public final class Pannes {
      * Une ligne : le pixel et la scène, la cause la plus profonde et l'endroit du code, et la commande qui dessine ce
      * pixel de nouveau, avec ces options et cette taille, en pixels.
      *
-     * @param classes celles de la scène et des variantes, où situer l'échec : voir {@link Texte#cause}
+     * @param classes où situer l'échec : voir {@link Texte#cause}
      */
-    public static String duPixel(PixelFautif panne, String classes, String options, String scene, int largeur,
+    public static String duPixel(PixelFautif panne, String[] classes, String options, String scene, int largeur,
             int hauteur) {
         return "pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : "
-                + Texte.cause(panne, classes, Texte.HORS_DE_JAVA) + " ; pour le revoir : "
+                + Texte.cause(panne, classes) + " ; pour le revoir : "
                 + commande(" --pixel " + panne.x + "," + panne.y, options, scene, largeur, hauteur);
     }
 

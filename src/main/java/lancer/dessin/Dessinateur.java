@@ -29,6 +29,7 @@ import lancer.image.ImageMemoire;
 import lancer.rapide.Preparation;
 import lancer.scene.LecteurScene;
 import lancer.scene.Origines;
+import lancer.texte.Texte;
 
 /**
  * Réglages de la scène du programme, sa préparation, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres
@@ -234,14 +235,16 @@ public final class Dessinateur {
     }
 
     /**
-     * Classes des objets, de l'air et du reflet, en une expression régulière : un échec y est situé d'abord. Celle de
-     * l'échantillonnage n'en est pas : elle demande chaque couleur, et serait de toutes les piles.
+     * Classes où situer un échec, par ordre de préférence : objets, air et reflet ; le cours ; l'échantillonnage, qui
+     * demande chaque couleur, et se trouve donc dans toutes les piles ; ce qui n'est pas de Java.
      */
-    static String classes(Scene scene) {
+    static String[] classes(Scene scene) {
         Modele modele = scene.getModele();
         // ce que la base met à la place d'une variante n'est pas en cause
-        return Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()), scene.getObjets().stream())
-                .map(Modele::nom).distinct().filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote)
-                .collect(Collectors.joining("|"));
+        String siennes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
+                scene.getObjets().stream()).map(Modele::nom).distinct()
+                .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
+        return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*",
+            "(?!lancer\\.contrat\\.)" + Pattern.quote(Modele.nom(modele.getEchantillonnage())), Texte.HORS_DE_JAVA};
     }
 }

@@ -124,7 +124,7 @@ public final class Ecriture {
                 ecrits += " ; " + Texte.echappe(fichier.nom) + " est écrit";
             }
         } catch (IOException e) {
-            throw enCours.impossible(raison(e) + ecrits);
+            throw enCours.impossible(enCours.raison(e) + ecrits);
         } finally {
             for (Ecriture fichier : fichiers.keySet()) {
                 if (fichier.provisoire != null) {
@@ -145,10 +145,10 @@ public final class Ecriture {
         return Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW);
     }
 
-    private static String raison(IOException e) {
+    private String raison(IOException e) {
         return !(e instanceof NoSuchFileException) ? Texte.panne(e)
-                : Files.isDirectory(Paths.get(e.getMessage()).toAbsolutePath().getParent())
-                ? "création refusée dans ce dossier" : "le dossier n'existe pas";
+                : cible != null && Files.isDirectory(cible.getParent()) ? "création refusée dans ce dossier"
+                : "le dossier n'existe pas";
     }
 
     private Echec impossible(String raison) {

@@ -19,6 +19,7 @@ import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.fils.Traceur;
 import lancer.rapide.Preparation;
+import lancer.texte.Texte;
 import org.junit.jupiter.api.Test;
 
 /** Un dessin qui échoue nomme son pixel, sa cause et la commande qui le redessine. */
@@ -67,7 +68,7 @@ class PannesPixelTest {
     void leMessageNommeLePixelLaSceneLaCauseLaLigneEtLaCommande() {
         PixelFautif panne = panne(null, 1);
         assertTrue(panne.x >= 20, panne.getMessage());
-        String message = Pannes.duPixel(panne, "", " --reflets 2", "ma scène.ini", 40, 30);
+        String message = Pannes.duPixel(panne, new String[] {Texte.HORS_DE_JAVA}, " --reflets 2", "ma scène.ini", 40, 30);
         String pixel = panne.x + "," + panne.y;
         assertTrue(message.startsWith("pixel " + pixel.replace(",", ", ") + " de ma scène.ini : "
                 + "java.lang.IllegalStateException: pas encore écrit (lancer.commande.PannesPixelTest$Mur.getNormale, "

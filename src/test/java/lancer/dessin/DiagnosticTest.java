@@ -71,7 +71,7 @@ class DiagnosticTest {
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele);
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        return Texte.cause(panne, Dessinateur.classes(scene), Texte.HORS_DE_JAVA).replace(DiagnosticTest.class.getName(), "")
+        return Texte.cause(panne, Dessinateur.classes(scene)).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");
     }
 
@@ -104,7 +104,7 @@ class DiagnosticTest {
     @Test
     void unEchecDitSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        String dit = Texte.cause(panne, Dessinateur.classes(scene(new Mur())), Texte.HORS_DE_JAVA);
+        String dit = Texte.cause(panne, Dessinateur.classes(scene(new Mur())));
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
 
