@@ -21,7 +21,7 @@ final class BarreEtat extends JPanel {
     private static final int INTERLIGNE = 4;
     private static final int POUR_MILLE = 1000;
     /** Largeur du résumé en chiffres, et ce que chaque variante y ajoute. */
-    private static final int LETTRES = 80;
+    private static final int LETTRES = 60;
     private static final int LETTRES_VARIANTE = 36;
 
     /** Le plus long texte d'un pixel achevé fait la moindre largeur de la fenêtre. */

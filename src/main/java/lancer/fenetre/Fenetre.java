@@ -3,6 +3,7 @@ package lancer.fenetre;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Frame;
 import java.awt.GraphicsDevice;
 import java.awt.Image;
 import java.awt.KeyEventPostProcessor;
@@ -355,6 +356,11 @@ public final class Fenetre {
         titrer();
         avancer();
         decrire();
+        // ce que prend de plus un long résumé, l'image ne le perd pas
+        int manque = barre.isVisible() ? barre.getPreferredSize().height - barre.getHeight() : 0;
+        if (manque > 0 && cadre.getExtendedState() == Frame.NORMAL) {
+            cadre.setSize(cadre.getWidth(), Math.min(cadre.getHeight() + manque, Dialogues.ecran().height));
+        }
     }
 
     /** Charge les icônes, entre lesquelles le bureau choisit, et que la première image n'a pas à attendre. */

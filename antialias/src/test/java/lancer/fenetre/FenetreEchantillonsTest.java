@@ -4,7 +4,6 @@ import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -75,7 +74,7 @@ class FenetreEchantillonsTest extends EssaiFenetre {
         Section section = presents.getSectionEssayee().avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
         faire(() -> banc.atelier.dessiner(presents.avec(1000, 1.0 / 256).avec(presents.getVariante("Antialias"), section), false));
         attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
-        assertEquals(1, surFilEvenements(() -> banc.panneau.getReduction(banc.panneau.montree)));
+        attendre("à sa taille", () -> banc.panneau.getReduction(banc.panneau.montree) == 1);
     }
 
     @Test
