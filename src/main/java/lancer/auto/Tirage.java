@@ -130,8 +130,7 @@ final class Tirage {
             Pixel pixel = pixels.get(k);
             int i = pixel.rang % semis.largeur;
             int j = pixel.rang / semis.largeur;
-            Pave pave = Pave.deRang(j / Pave.COTE * Pave.nombre(semis.largeur, 1, Pave.COTE) + i / Pave.COTE,
-                    semis.largeur, camera.getHauteur(), Pave.COTE);
+            Pave pave = Pave.autour(i, j, semis.largeur, camera.getHauteur());
             pixel.lances = 0;
             // ce qui entoure le pixel ne se compte pas
             Vue comptee = (xe, ye) -> {

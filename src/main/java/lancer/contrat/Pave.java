@@ -33,6 +33,11 @@ public final class Pave {
         return new Pave(i0, j0, Math.min(i0 + cote, largeur), Math.min(j0 + cote, hauteur));
     }
 
+    /** Pavé du dessin où est ce pixel. */
+    public static Pave autour(int x, int y, int largeur, int hauteur) {
+        return deRang(y / COTE * enColonnes(largeur, COTE) + x / COTE, largeur, hauteur, COTE);
+    }
+
     /**
      * Le k-ième pavé de ce côté dans un ordre qui saute d'un bout à l'autre de l'image : si elle commence par du ciel,
      * ce qui se dessine d'abord ressemble quand même à tout le reste.

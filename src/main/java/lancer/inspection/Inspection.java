@@ -93,9 +93,7 @@ public final class Inspection implements Vue, Toile {
     }
 
     private void expliquer(int rang) {
-        int largeur = camera.getLargeur();
-        Pave pave = Pave.deRang(y / Pave.COTE * Pave.nombre(largeur, 1, Pave.COTE) + x / Pave.COTE, largeur,
-                camera.getHauteur(), Pave.COTE);
+        Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
         scene.getModele().getEchantillonnage().pour(scene.getObjets(), camera)
                 .tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
         echantillons = vus.values().stream()

@@ -2,6 +2,8 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Lampe;
 
 /** Structures qui répondent à chaque sorte de rayon d'une scène. Partagées par tous les fils : sans état. */
@@ -32,11 +34,7 @@ final class Structures {
     /** Noms des structures : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */
     @Override
     public String toString() {
-        StringBuilder noms = new StringBuilder(premiers.getClass().getSimpleName() + " "
-                + suivants.getClass().getSimpleName());
-        for (Occultations ombre : ombres) {
-            noms.append(' ').append(ombre.getClass().getSimpleName());
-        }
-        return noms.toString();
+        return Stream.concat(Stream.of(premiers, suivants), Arrays.stream(ombres))
+                .map(structure -> structure.getClass().getSimpleName()).collect(Collectors.joining(" "));
     }
 }
