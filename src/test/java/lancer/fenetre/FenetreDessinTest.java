@@ -353,14 +353,20 @@ class FenetreDessinTest extends EssaiFenetre {
         assertEquals(avant, surFilEvenements(banc.resume::getText));
     }
 
-    @Test
-    void unDessinQuAttendQueCeluiDAvantSArreteLeDit() throws Exception {
+    /** Ouvre la fenêtre, et y change un réglage dont la préparation est retenue. */
+    private PreparationRetenue retenirUnReglage() throws Exception {
         PreparationRetenue programme = new PreparationRetenue();
         banc = new BancFenetre(programme);
         banc.imageAchevee();
         programme.retenue = true;
         banc.frapper(KeyEvent.VK_ADD);
         attendre("il se prépare", () -> banc.avancement.getString().startsWith("préparation "));
+        return programme;
+    }
+
+    @Test
+    void unDessinQuiAttendQueCeluiDAvantSArreteLeDit() throws Exception {
+        PreparationRetenue programme = retenirUnReglage();
         banc.frapper(KeyEvent.VK_F5);
         attendre("le suivant attend", () -> banc.avancement.getString().startsWith("attend que le dessin d'avant s'arrête — "));
         programme.retenue = false;
@@ -370,12 +376,7 @@ class FenetreDessinTest extends EssaiFenetre {
 
     @Test
     void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
-        PreparationRetenue programme = new PreparationRetenue();
-        banc = new BancFenetre(programme);
-        banc.imageAchevee();
-        programme.retenue = true;
-        banc.frapper(KeyEvent.VK_ADD);
-        attendre("il se prépare", () -> banc.avancement.getString().startsWith("préparation "));
+        PreparationRetenue programme = retenirUnReglage();
         Dessin dAvant = surFilEvenements(banc.atelier.courant::getDessin);
         double avancement = surFilEvenements(() -> banc.atelier.courant.getAvancement());
         programme.suite.countDown();

@@ -76,15 +76,21 @@ class FenetreFiguresTest extends EssaiInspecteur {
                 && Math.abs(image.getPixelVise().y - y) <= image.getHeight() / 32);
     }
 
-    @Test
-    void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
+    /** Le programme, son image montrée sur un écran de deux pixels par point. */
+    private Process surUnEcranDense() throws Exception {
         BancFenetre.exigerEcran();
         int[] attendue = attendue(L, H);
         Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
                 scene.toString()).start();
+        attendre("l'image est à l'écran", () -> BancFenetre.trouver(attendue, L) != null);
+        return programme;
+    }
+
+    @Test
+    void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
+        Process programme = surUnEcranDense();
         try {
-            attendre("l'image est à l'écran", () -> BancFenetre.trouver(attendue, L) != null);
-            Point coin = BancFenetre.trouver(attendue, L);
+            Point coin = BancFenetre.trouver(attendue(L, H), L);
             Robot robot = new Robot();
             robot.mouseMove(coin.x + 150, coin.y + 110);
             attendre("l'anneau", () -> {
@@ -104,12 +110,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
 
     @Test
     void surUnEcranDenseLeTableauDesTouchesDefileAuClavier() throws Exception {
-        BancFenetre.exigerEcran();
-        int[] attendue = attendue(L, H);
-        Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
-                scene.toString()).start();
+        Process programme = surUnEcranDense();
         try {
-            attendre("l'image est à l'écran", () -> BancFenetre.trouver(attendue, L) != null);
             Robot robot = new Robot();
             for (int touche : new int[] {KeyEvent.VK_F1, KeyEvent.VK_PAGE_DOWN}) {
                 int[] avant = ecranTranquille(robot);
