@@ -319,12 +319,12 @@ final class PanneauImage extends JPanel {
                 de.x, de.y, a.x + 1, a.y + 1, null);
     }
 
-    /** Le bandeau recouvre le bas de l'image, sans la pousser. */
+    /** Le bandeau recouvre le bas de l'image, sans la pousser ; plus haut qu'elle, c'est sa fin qui ne se voit pas. */
     @Override
     public void doLayout() {
         bandeau.setSize(getWidth(), Short.MAX_VALUE);
         int hauteur = bandeau.getPreferredSize().height;
-        bandeau.setBounds(0, getHeight() - hauteur, getWidth(), hauteur);
+        bandeau.setBounds(0, Math.max(0, getHeight() - hauteur), getWidth(), hauteur);
     }
 
     /** Le pixel de l'image montrée sous la souris, ou le plus près du milieu ; {@code null} s'il n'y en a pas. */

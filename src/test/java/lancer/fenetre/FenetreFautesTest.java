@@ -80,6 +80,12 @@ class FenetreFautesTest extends EssaiFenetre {
         });
     }
 
+    private void fermerLeMessage() throws Exception {
+        // le haut : il y reste, même si une ligne de plus l'agrandit pendant ce temps
+        banc.cliquer(banc.panneau.bandeau, 5, 5);
+        banc.attendreMessage("");
+    }
+
     @Test
     void unPixelQuiEchoueEstEnDamierLeResteSeDessineEtLaFauteSeRaconte() throws Exception {
         ouvrirAvecUnMur(false);
@@ -102,9 +108,8 @@ class FenetreFautesTest extends EssaiFenetre {
         banc.frapperCtrl('s');
         attendre("elle ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : " + dits));
         assertTrue(banc.message().startsWith(dits + " pixels"), "la faute se lit toujours : " + banc.message());
-        // le bandeau cache le bas de l'image : un clic le ferme
-        banc.cliquer(banc.panneau.bandeau, 5, banc.panneau.bandeau.getHeight() - 5);
-        banc.attendreMessage("");
+        // le bandeau cache le bas de l'image
+        fermerLeMessage();
         cliquer(premier % L, premier / L);
         JTextPane recit = composant("recit", JTextPane.class);
         attendre("la chaîne va jusqu'à la faute", () -> recit.getText().contains("  objet 3  d = ")
@@ -124,8 +129,8 @@ class FenetreFautesTest extends EssaiFenetre {
         assertNull(surFilEvenements(banc.atelier::getImageComplete));
         banc.frapperCtrl('s');
         attendre("et ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : 1"));
-        banc.cliquer(banc.panneau.bandeau, 5, banc.panneau.bandeau.getHeight() - 5);
-        banc.attendreMessage("");
+        attendre("d'un message plus haut que l'image, le début se lit", () -> banc.panneau.bandeau.getY() >= 0);
+        fermerLeMessage();
         // un pixel que personne n'a dessiné : il se calcule
         int blanc = IntStream.range(0, L * H).filter(k -> k % L > 50 && k / L > 50 && banc.panneau.montree.codes[k] == 0)
                 .findFirst().getAsInt();

@@ -3,19 +3,20 @@ package lancer.fenetre;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.nio.file.StandardOpenOption;
+import lancer.essai.Essai;
 import org.junit.jupiter.api.extension.AfterAllCallback;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
 /**
- * Les tests se partagent entre deux machines virtuelles, qui n'ont qu'un écran, où une fenêtre de l'une prendrait le clavier de
- * l'autre : celle qui ouvre des fenêtres garde un fichier pour elle, et l'autre attend.
+ * Les tests se partagent entre plusieurs machines virtuelles, qui n'ont qu'un écran, où une fenêtre de l'une prendrait le clavier
+ * d'une autre : celle qui ouvre des fenêtres garde un fichier pour elle, et les autres attendent.
  */
 final class UnSeulEcran implements BeforeAllCallback, AfterAllCallback {
 
-    private static final Path GARDE = Paths.get("target", "ecran");
+    /** À côté de cette classe, donc le même pour tous les modules, dont les tests vont ensemble. */
+    private static final Path GARDE = Essai.origine(UnSeulEcran.class).resolveSibling("ecran");
 
     private FileChannel garde;
 
