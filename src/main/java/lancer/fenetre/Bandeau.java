@@ -22,7 +22,7 @@ import javax.swing.UIManager;
 import lancer.texte.Texte;
 
 /**
- * Messages de la fenêtre, par-dessus le bas de l'image, en entier quelle que soit sa longueur ; invisible s'il n'y a
+ * Messages de la fenêtre, par-dessus le bas de l'image, sur autant de lignes qu'il y tient ; invisible s'il n'y a
  * rien à dire. La faute de la scène reste tant qu'elle y est, et les autres messages viennent dessous.
  */
 @SuppressWarnings("serial")

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.stream.IntStream;
 import javax.swing.JDialog;
 import javax.swing.JTextArea;
@@ -54,7 +55,7 @@ class FenetreFautesTest extends EssaiFenetre {
         @Override
         public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
             if (partout || contact.y < -8) {
-                throw new IllegalStateException("boum");
+                throw new IllegalStateException(String.join(" et ", Collections.nCopies(partout ? 100 : 1, "boum")));
             }
             return new Couleur(0.5);
         }
@@ -129,14 +130,16 @@ class FenetreFautesTest extends EssaiFenetre {
         assertNull(surFilEvenements(banc.atelier::getImageComplete));
         banc.frapperCtrl('s');
         attendre("et ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : 1"));
-        attendre("d'un message plus haut que l'image, le début se lit", () -> banc.panneau.bandeau.getY() >= 0);
+        attendre("d'un message plus haut que l'image, le début se lit",
+                () -> banc.panneau.bandeau.getHeight() > banc.panneau.getHeight() && banc.panneau.bandeau.getY() == 0);
         fermerLeMessage();
         // un pixel que personne n'a dessiné : il se calcule
         int blanc = IntStream.range(0, L * H).filter(k -> k % L > 50 && k / L > 50 && banc.panneau.montree.codes[k] == 0)
                 .findFirst().getAsInt();
         cliquer(blanc % L, blanc / L);
         JTextPane recit = composant("recit", JTextPane.class);
-        attendre("ce qui a été dessiné s'inspecte", () -> recit.getText().contains("\néchec : java.lang.IllegalStateException: boum ("));
+        attendre("ce qui a été dessiné s'inspecte",
+                () -> recit.getText().contains("\néchec : java.lang.IllegalStateException: boum et boum"));
     }
 
     @Test

@@ -21,10 +21,13 @@ import java.util.Arrays;
 import javax.swing.JComponent;
 import javax.swing.JTextPane;
 import lancer.image.ImageMemoire;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Les figures de l'inspecteur, par-dessus l'image et vues de côté. */
 class FenetreFiguresTest extends EssaiInspecteur {
+
+    private Process programme;
 
     @Test
     void echapArreteDAbordUnDessinPuisFermeEtLaFigureSEnVa() throws Exception {
@@ -76,53 +79,51 @@ class FenetreFiguresTest extends EssaiInspecteur {
                 && Math.abs(image.getPixelVise().y - y) <= image.getHeight() / 32);
     }
 
-    /** Le programme, son image montrée sur un écran de deux pixels par point. */
-    private Process surUnEcranDense() throws Exception {
+    /** Ouvre le programme sur un écran de deux pixels par point. @return la place de l'image */
+    private Point ouvrirSurUnEcranDense() throws Exception {
         BancFenetre.exigerEcran();
         int[] attendue = attendue(L, H);
-        Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
+        programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
                 scene.toString()).start();
         attendre("l'image est à l'écran", () -> BancFenetre.trouver(attendue, L) != null);
-        return programme;
+        return BancFenetre.trouver(attendue, L);
     }
 
-    @Test
-    void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
-        Process programme = surUnEcranDense();
-        try {
-            Point coin = BancFenetre.trouver(attendue(L, H), L);
-            Robot robot = new Robot();
-            robot.mouseMove(coin.x + 150, coin.y + 110);
-            attendre("l'anneau", () -> {
-                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-                return estEntoure(robot, coin.x + 150.5, coin.y + 110.5);
-            });
-            robot.mouseWheel(-1);
-            robot.mouseWheel(-1);
-            robot.mouseWheel(-1);
-            // autour de la souris, qui est au bord du pixel
-            attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150 + 4, coin.y + 110 + 4));
-        } finally {
+    @AfterEach
+    void arreterLeProgramme() {
+        if (programme != null) {
             programme.destroyForcibly();
         }
     }
 
     @Test
+    void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
+        Point coin = ouvrirSurUnEcranDense();
+        Robot robot = new Robot();
+        robot.mouseMove(coin.x + 150, coin.y + 110);
+        attendre("l'anneau", () -> {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+            return estEntoure(robot, coin.x + 150.5, coin.y + 110.5);
+        });
+        robot.mouseWheel(-1);
+        robot.mouseWheel(-1);
+        robot.mouseWheel(-1);
+        // autour de la souris, qui est au bord du pixel
+        attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150 + 4, coin.y + 110 + 4));
+    }
+
+    @Test
     void surUnEcranDenseLeTableauDesTouchesDefileAuClavier() throws Exception {
-        Process programme = surUnEcranDense();
-        try {
-            Robot robot = new Robot();
-            for (int touche : new int[] {KeyEvent.VK_F1, KeyEvent.VK_PAGE_DOWN}) {
-                int[] avant = ecranTranquille(robot);
-                attendre("l'écran change", () -> {
-                    robot.keyPress(touche);
-                    robot.keyRelease(touche);
-                    return !Arrays.equals(avant, ecranTranquille(robot));
-                });
-            }
-        } finally {
-            programme.destroyForcibly();
+        ouvrirSurUnEcranDense();
+        Robot robot = new Robot();
+        for (int touche : new int[] {KeyEvent.VK_F1, KeyEvent.VK_PAGE_DOWN}) {
+            int[] avant = ecranTranquille(robot);
+            attendre("l'écran change", () -> {
+                robot.keyPress(touche);
+                robot.keyRelease(touche);
+                return !Arrays.equals(avant, ecranTranquille(robot));
+            });
         }
     }
 
