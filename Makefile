@@ -10,7 +10,7 @@ FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
 .PHONY: test lanceurs javadoc images captures scene-geante noyaux mesures juge mesure-auto mutations squelette corrige corriger \
-	comparer reponses mesure-corriger image-classe aide propre
+	noter comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils $(LISTES)
@@ -152,11 +152,15 @@ corrige: $(CORRECTION)
 	@test -n "$(DOSSIER)" || { echo "Où l'écrire ? make corrige DOSSIER=../base-java [VARIANTE=brume]" >&2; exit 2; }
 	@$(JAVA) -jar $(CORRECTION) --corrige "$(DOSSIER)" $(if $(VARIANTE),--variante "$(VARIANTE)")
 
-# Noter une classe : make corriger RENDUS=rendus.zip NOTES=notes.csv ; SANS_CONFINEMENT=1 là où bwrap ne marche pas.
+# Juger et noter une classe : make corriger RENDUS=rendus.zip NOTES=notes.csv ; SANS_CONFINEMENT=1 là où bwrap ne marche pas.
 corriger: $(CORRECTION)
 	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv]" >&2; exit 2; }
 	@$(CORRIGER) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
 	    $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
+
+# Refaire les notes et les pages de ce qui a été jugé : après un changement de bareme.ini ou d'ajustements.csv.
+noter: $(CORRECTION)
+	@$(CORRIGER) --noter $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)")
 
 # Trente rendus différents : combien de temps, combien de mémoire.
 mesure-corriger: $(CORRECTION)
@@ -176,7 +180,8 @@ aide:
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène"
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corrige DOSSIER=…     écrit le programme fini du cours ; VARIANTE=brume, antialias ou blinn pour une extension"
-	@echo "make corriger RENDUS=…     note les rendus d'une classe, ou un seul dossier ; NOTES=feuille.csv de Moodle"
+	@echo "make corriger RENDUS=…     juge et note les rendus d'une classe, ou un seul dossier ; NOTES=feuille.csv de Moodle"
+	@echo "make noter                 refait les notes : bareme.ini ou ajustements.csv a changé ; NOTES=feuille.csv de Moodle"
 	@echo "make propre                efface ce qui est construit"
 	@echo "Options du programme : docs/options.md. Classe : docs/classe.md. Mesures, images, toutes les cibles : docs/construire.md"
 

@@ -5,20 +5,26 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.security.SecureRandom;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
+import lancer.correction.depot.Source;
+import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Jury;
+import lancer.correction.jugement.Resultat;
 import lancer.correction.modele.Modele;
 import lancer.correction.modele.Squelette;
 import lancer.correction.note.Ajustements;
@@ -27,10 +33,13 @@ import lancer.correction.note.FeuilleMoodle;
 import lancer.correction.note.Note;
 import lancer.correction.page.Pages;
 
-/** Le programme : note les rendus d'une classe, ou écrit le projet à compléter. */
+/** Le programme : juge les rendus d'une classe, puis les note ; ou écrit le projet à compléter. */
 public final class Correction {
 
     private static final String RENDUS = "RENDUS";
+    private static final String RESULTATS = "resultats";
+    /** Ce que le corrigé donne, à côté des résultats. */
+    private static final String GRILLE = "corrige.csv";
     private static final List<String> AVEC_VALEUR =
             List.of("--notes", "--sortie", "--bareme", "--corrige", "--variante", "--squelette");
 
@@ -45,7 +54,7 @@ public final class Correction {
         this.suivi = suivi;
         for (int k = 0; k < arguments.length && !demande.containsKey("--aide"); k++) {
             String nom = arguments[k];
-            if (List.of("--aide", "--help", "-h", "--sans-confinement").contains(nom)) {
+            if (List.of("--aide", "--help", "-h", "--sans-confinement", "--noter").contains(nom)) {
                 demande.put(nom.matches("--help|-h") ? "--aide" : nom, "");
             } else if (AVEC_VALEUR.contains(nom)) {
                 if (++k >= arguments.length || arguments[k].isEmpty()) {
@@ -59,8 +68,10 @@ public final class Correction {
                         + " » ; attendu : un dossier, ou une archive");
             }
         }
-        if (Collections.disjoint(demande.keySet(), List.of(RENDUS, "--aide", "--squelette", "--corrige"))) {
+        if (Collections.disjoint(demande.keySet(), List.of(RENDUS, "--aide", "--noter", "--squelette", "--corrige"))) {
             throw new Panne(2, "aucun rendu à noter ; attendu : un dossier, ou l'archive de Moodle");
+        } else if (demande.containsKey("--noter") && demande.containsKey(RENDUS)) {
+            throw new Panne(2, "--noter ne prend pas de rendus : il note ceux qui ont été jugés");
         }
     }
 
@@ -81,7 +92,13 @@ public final class Correction {
             } else if (demande.containsKey("--corrige")) {
                 Squelette.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
             } else {
-                correction.corriger();
+                Path dossier = Files.createDirectories(Paths.get(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
+                // une feuille de notes qui ne convient pas se dit tout de suite, pas après avoir tout jugé
+                FeuilleMoodle feuille = demande.containsKey("--notes") ? new FeuilleMoodle(Paths.get(demande.get("--notes"))) : null;
+                if (demande.containsKey(RENDUS)) {
+                    correction.juger(dossier);
+                }
+                correction.noter(dossier, feuille);
             }
             return 0;
         } catch (Panne e) {
@@ -93,15 +110,13 @@ public final class Correction {
         }
     }
 
-    private static String qui(Rendu rendu) {
-        return rendu.nom + (rendu.nom.equals(rendu.id) ? "" : " (" + rendu.id + ")");
+    private static String qui(Resultat resultat) {
+        return resultat.nom + (resultat.nom.equals(resultat.id) ? "" : " (" + resultat.id + ")");
     }
 
-    private void corriger() throws IOException {
-        Path dossier = Files.createDirectories(Paths.get(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
+    /** Juge chaque rendu, et écrit ce qu'il en a vu dans {@code resultats} : un fichier par rendu, et celui du corrigé. */
+    private void juger(Path dossier) throws IOException {
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
-        // une feuille de notes qui ne convient pas se dit tout de suite, pas après avoir tout jugé
-        FeuilleMoodle feuille = demande.containsKey("--notes") ? new FeuilleMoodle(Paths.get(demande.get("--notes"))) : null;
         List<Rendu> rendus = Depot.lire(Paths.get(demande.get(RENDUS)), travail);
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
@@ -109,45 +124,91 @@ public final class Correction {
                     + " ; pour exécuter quand même le code des étudiants, qui pourra lire et écrire vos fichiers : "
                     + "SANS_CONFINEMENT=1 (--sans-confinement)");
         }
-        suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu")
-                + " ; le corrigé d'abord");
-        try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES)) {
-            Grille grille = new Grille(jury.reference);
-            Bareme bareme = new Bareme(Paths.get(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
-            List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
-            criteres.addAll(bareme.libres);
-            Ajustements ajustements = new Ajustements(dossier.resolve("ajustements.csv"),
-                    rendus.stream().map(r -> r.id).collect(Collectors.toList()), criteres);
-            ajustements.fautes.forEach(f -> suivi.println("correction : " + f));
-            Eleve[] classe = new Eleve[rendus.size()];
+        suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
+        try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES, graine(dossier.resolve("graine.txt")))) {
             AtomicInteger finis = new AtomicInteger();
-            jury.juger(rendus, (rang, resultat) -> {
-                Rendu rendu = rendus.get(rang);
-                classe[rang] = new Eleve(rendu, resultat, new Note(grille, resultat, bareme, ajustements.de(rendu.id)),
-                        String.format("%02d-%s.html", rang + 1, rendu.id.replaceAll("[^A-Za-z0-9-]+", "_")));
-                suivi.println(String.format(Locale.FRANCE, "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(),
-                        qui(rendu), classe[rang].illisible() ? resultat.refus.get(0)
-                        : String.format(Locale.FRANCE, "%.2f/%.4g", classe[rang].note.total(), bareme.total())));
-            });
-            List<Eleve> eleves = List.of(classe);
-            String nonCorriges = eleves.stream().filter(e -> e.resultat.nonCorrige).map(e -> qui(e.rendu))
-                    .collect(Collectors.joining(", "));
-            Eleve.comparer(eleves);
-            Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
-            new Pages(grille, bareme, jury.reference, confinement).ecrire(dossier, eleves, ajustements.fautes);
-            sortie.println("La classe : " + dossier.resolve("index.html"));
-            if (feuille != null) {
-                FeuilleMoodle.ecrireRetours(dossier, eleves);
-                if (!sansNote.isEmpty()) {
-                    suivi.println("correction : absents de la feuille, ou que Moodle y a verrouillés : "
-                            + sansNote.stream().map(e -> qui(e.rendu)).collect(Collectors.joining(", ")));
+            List<Resultat> tous = jury.juger(rendus, (rang, resultat) -> suivi.println("correction : " + finis.incrementAndGet()
+                    + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
+            // à la fin seulement : interrompu, il ne laisse pas les résultats d'une partie de la classe
+            Path resultats = Files.createDirectories(dossier.resolve(RESULTATS));
+            for (Path ancien : contenu(resultats)) {
+                Files.delete(ancien);
+            }
+            jury.reference.grille.ecrire(resultats.resolve(GRILLE));
+            for (int rang = 0; rang < tous.size(); rang++) {
+                tous.get(rang).ecrire(resultats.resolve(String.format("%03d-%s.csv", rang + 1,
+                        tous.get(rang).id.replaceAll("[^A-Za-z0-9-]+", "_"))));
+            }
+        }
+    }
+
+    /**
+     * Le nombre d'où viennent les rayons, les boules et les lampes des vérifications : tiré une fois pour une classe, le même pour
+     * tous ses rendus, et que seul l'enseignant change.
+     */
+    private static long graine(Path fichier) throws IOException {
+        if (!Files.exists(fichier)) {
+            Files.writeString(fichier, new SecureRandom().nextInt(Integer.MAX_VALUE) + "\n");
+        }
+        String texte = Source.decoder(Files.readAllBytes(fichier)).trim();
+        if (!texte.matches("\\d{1,18}")) {
+            throw new Panne(2, fichier + " : « " + Echange.protege(texte) + " » ; attendu : un nombre entier");
+        }
+        return Long.parseLong(texte);
+    }
+
+    /** Les fichiers de résultats, dans l'ordre. */
+    private static List<Path> contenu(Path dossier) throws IOException {
+        try (Stream<Path> flux = Files.list(dossier)) {
+            return flux.filter(f -> f.toString().endsWith(".csv")).sorted().collect(Collectors.toList());
+        }
+    }
+
+    /** Fait les notes, les pages et les feuilles, de ce qui a été jugé, du barème, des ajustements et de la feuille donnée. */
+    private void noter(Path dossier, FeuilleMoodle feuille) throws IOException {
+        Grille grille;
+        Map<Path, Resultat> resultats = new LinkedHashMap<>();
+        try {
+            grille = Grille.lire(dossier.resolve(RESULTATS).resolve(GRILLE));
+            for (Path fichier : contenu(dossier.resolve(RESULTATS))) {
+                if (!fichier.endsWith(GRILLE)) {
+                    resultats.put(fichier, Resultat.lire(fichier));
                 }
-                sortie.println("À déposer dans Moodle : " + dossier.resolve("notes-a-deposer.csv") + " et "
-                        + dossier.resolve("retours.zip"));
             }
-            if (!nonCorriges.isEmpty()) {
-                throw new Panne(1, "non corrigés, sans que ce soit de leur faute ; recommencer ne refera qu'eux : " + nonCorriges);
+        } catch (IOException | RuntimeException e) {
+            throw new Panne(2, "rien à noter : " + dossier.resolve(RESULTATS) + " n'a pas les résultats d'une classe jugée ("
+                    + e + ") ; attendu : make corriger d'abord");
+        }
+        Bareme bareme = new Bareme(Paths.get(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
+        List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
+        criteres.addAll(bareme.libres);
+        Ajustements ajustements = new Ajustements(dossier, resultats.values().stream().map(r -> r.id).collect(Collectors.toList()),
+                criteres);
+        ajustements.fautes.forEach(f -> suivi.println("correction : " + f));
+        List<Eleve> eleves = new ArrayList<>();
+        resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, new Note(grille, resultat, bareme,
+                ajustements.de(resultat.id)), fichier.getFileName().toString().replace(".csv", ".html"))));
+        Eleve.comparer(eleves);
+        Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
+        ajustements.ecrireARemplir(dossier, eleves);
+        new Pages(grille, bareme).ecrire(dossier, eleves, ajustements.fautes);
+        sortie.println("La classe : " + dossier.resolve("index.html"));
+        if (eleves.stream().anyMatch(e -> !e.illisible() && !e.note.aNoter().isEmpty())) {
+            sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");
+        }
+        if (feuille != null) {
+            FeuilleMoodle.ecrireRetours(dossier, eleves);
+            if (!sansNote.isEmpty()) {
+                suivi.println("correction : absents de la feuille, ou que Moodle y a verrouillés : "
+                        + sansNote.stream().map(e -> qui(e.resultat)).collect(Collectors.joining(", ")));
             }
+            sortie.println("À déposer dans Moodle : " + dossier.resolve("notes-a-deposer.csv") + " et "
+                    + dossier.resolve("retours.zip"));
+        }
+        String nonCorriges = eleves.stream().filter(e -> e.resultat.nonCorrige).map(e -> qui(e.resultat))
+                .collect(Collectors.joining(", "));
+        if (!nonCorriges.isEmpty()) {
+            throw new Panne(1, "non corrigés, sans que ce soit de leur faute ; à juger de nouveau : " + nonCorriges);
         }
     }
 }

@@ -1,19 +1,22 @@
 package lancer.correction;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
-import lancer.correction.depot.Rendu;
 import lancer.correction.jugement.Resultat;
+import lancer.correction.jugement.Verdict;
 import lancer.correction.modele.Modele;
 import lancer.correction.note.Note;
 
-/** Une ligne de la classe : un rendu, ce qu'on en a trouvé, et sa note. */
+/** Une ligne de la classe : ce qu'on a trouvé d'un rendu, et sa note. */
 public final class Eleve {
 
-    public final Rendu rendu;
+    /** Nombre de méthodes pareilles à partir duquel deux rendus sont dits pareils. */
+    private static final int PAREILLES = 3;
+
     public final Resultat resultat;
     public final Note note;
     /** Le nom de sa page. */
@@ -21,15 +24,20 @@ public final class Eleve {
     /** Raisons pour lesquelles l'enseignant doit regarder ce rendu lui-même ; vide si rien ne le demande. */
     public final List<String> aRegarder;
 
-    Eleve(Rendu rendu, Resultat resultat, Note note, String page) {
-        this.rendu = rendu;
+    Eleve(Resultat resultat, Note note, String page) {
         this.resultat = resultat;
         this.note = note;
         this.page = page;
         aRegarder = new ArrayList<>(illisible() ? resultat.refus : resultat.aRegarder);
-        if (note.perduSansJuger > 0) {
-            aRegarder.add(String.format(Locale.FRANCE, "points perdus par ce qui n'a pu être évalué : %.2f",
-                    note.perduSansJuger));
+        dire("coûtés par ce qui ne se compile pas : ", Verdict.Etat.NE_SE_COMPILE_PAS, resultat.fautes);
+        dire("perdus par ce qui n'a pu être évalué", Verdict.Etat.NON_EVALUABLE, List.of());
+    }
+
+    private void dire(String cause, Verdict.Etat etat, List<String> fautes) {
+        double perdus = note.perdus(etat);
+        if (perdus > 0) {
+            aRegarder.add(fautes.isEmpty() ? aRegarder.size() : 0, String.format(Locale.FRANCE, "%.2f points %s%s", perdus, cause,
+                    fautes.isEmpty() ? "" : fautes.get(0)));
         }
     }
 
@@ -38,15 +46,23 @@ public final class Eleve {
         return !resultat.refus.isEmpty();
     }
 
-    /** Ajoute à ce qu'il faut regarder ce qu'on ne voit qu'en comparant : deux rendus pareils, une classe donnée que l'un a changée. */
+    /** Ajoute à ce qu'il faut regarder ce qu'on ne voit qu'en comparant : des méthodes pareilles, une classe donnée que l'un a changée. */
     static void comparer(List<Eleve> eleves) {
-        Map<List<String>, List<Eleve>> pareils = eleves.stream()
-                .filter(e -> e.resultat.empreintes.containsKey("Objet3D"))
-                .collect(Collectors.groupingBy(e -> Modele.A_COMPLETER.stream().map(e.resultat.empreintes::get)
-                .collect(Collectors.toList())));
-        pareils.values().stream().filter(p -> p.size() > 1).forEach(p -> p.forEach(e -> e.aRegarder.add(
-                "pareil, aux noms de variables et à la présentation près, à : " + p.stream().filter(a -> a != e)
-                .map(a -> a.rendu.nom).collect(Collectors.joining(", ")))));
+        Map<String, Integer> nombres = new HashMap<>();
+        eleves.forEach(e -> e.resultat.arbres.values().stream().distinct().forEach(a -> nombres.merge(a, 1, Integer::sum)));
+        // celle de presque tous vient du cours, et non d'un voisin
+        nombres.values().removeIf(n -> n > 2 && 4 * n > 3 * eleves.size());
+        for (Eleve e : eleves) {
+            for (Eleve autre : eleves) {
+                List<String> pareilles = e == autre ? List.of() : e.resultat.arbres.entrySet().stream()
+                        .filter(m -> nombres.containsKey(m.getValue()) && autre.resultat.arbres.containsValue(m.getValue()))
+                        .map(Map.Entry::getKey).collect(Collectors.toList());
+                if (pareilles.size() >= PAREILLES) {
+                    e.aRegarder.add("pareil à " + autre.resultat.nom + ", aux noms des variables et à la présentation près : "
+                            + String.join(", ", pareilles));
+                }
+            }
+        }
         for (String classe : Modele.DONNEES) {
             Map<String, List<Eleve>> textes = eleves.stream().filter(e -> !classe.equals("Main")
                     && e.resultat.empreintes.containsKey(classe))

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -88,11 +89,15 @@ class ClasseTest extends ClasseEssai {
 
     /** Il s'écarte un peu de ses surfaces, limite ses couleurs à 1, et affiche chacun de ses reflets. */
     @Test
-    void unRenduCompletALaNoteMaximale() {
-        assertEquals("20.00", classe.get("106").get("note"));
-        assertEquals("oui", classe.get("106").get("image identique"));
-        assertEquals("Reflets des objets ; extensions : brume, anticrénelage, reflet de Blinn",
+    void unRenduCompletATousLesPointsEtSesExtensionsSontANoter() throws IOException {
+        assertEquals(List.of("17.00", "20.00", "oui", "à noter"), List.of(classe.get("106").get("note"), classe.get("106").get("sur"),
+                classe.get("106").get("image identique"), classe.get("106").get("brume")));
+        assertEquals("Reflets des objets ; extensions : brume (à noter), anticrénelage (à noter), reflet de Blinn (à noter)",
                 classe.get("106").get("étape atteinte"));
+        contient(page(dossier, "106"), "<figcaption>reflet de Blinn</figcaption>", "<figcaption>sa base</figcaption>",
+                "<figcaption>le corrigé</figcaption>");
+        assertEquals("id,critère,points,commentaire\r\n106,brume,,\r\n106,antialias,,\r\n106,blinn,,\r\n",
+                Files.readString(dossier.resolve("ajustements-a-remplir.csv")));
     }
 
     @Test
@@ -129,21 +134,101 @@ class ClasseTest extends ClasseEssai {
         }
     }
 
-    @Test
-    void uneNouvelleNotationNeJugePasDeNouveauEtSuitLeBareme() throws IOException {
-        Path bareme = dossier.resolve("autre.ini");
-        Files.write(bareme, "[Barème]\nvecteurs=1\nimage=3\n".getBytes(StandardCharsets.UTF_8));
-        long avant = souvenirs();
-        Map<String, Map<String, String>> autre = noter(RENDUS.resolve("classe"), dossier, "--bareme", bareme);
-        assertEquals("4.00", autre.get("106").get("note"));
-        assertEquals("1.00", autre.get("104").get("note"));
-        assertEquals(avant, souvenirs(), "rien n'est jugé de nouveau");
+    /** Note de nouveau ce qui a été jugé. */
+    private static Essai renoter(Object... options) {
+        List<Object> arguments = new ArrayList<>(List.of("--noter", "--sortie", dossier));
+        arguments.addAll(List.of(options));
+        Essai essai = executer(arguments.toArray());
+        assertEquals(0, essai.code, essai.erreur);
+        return essai;
     }
 
-    private static long souvenirs() throws IOException {
-        try (java.util.stream.Stream<Path> flux = Files.list(dossier.resolve(".travail/souvenirs"))) {
-            return flux.mapToLong(f -> f.toFile().lastModified()).sum();
+    private static String ajuster(String lignes) throws IOException {
+        Files.writeString(dossier.resolve("ajustements.csv"), lignes);
+        String dit = renoter().erreur;
+        Files.delete(dossier.resolve("ajustements.csv"));
+        return dit;
+    }
+
+    @Test
+    void noterNeJugePasDeNouveauEtSuitLeBareme() throws IOException {
+        Path bareme = dossier.resolve("autre.ini");
+        Files.write(bareme, "[Barème]\nvecteurs=1\nimage=3\n".getBytes(StandardCharsets.UTF_8));
+        renoter("--bareme", bareme);
+        assertEquals(List.of("4.00", "4.00"), List.of(classe(dossier).get("106").get("note"), classe(dossier).get("106").get("sur")));
+        assertEquals("1.00", classe(dossier).get("104").get("note"));
+        renoter();
+        assertEquals(classe, classe(dossier));
+    }
+
+    @Test
+    void sansResultatsIlNYARienANoter(@TempDir Path vide) {
+        Essai essai = executer("--noter", "--sortie", vide);
+        assertEquals(2, essai.code);
+        assertEquals(1, essai.erreur.trim().split("\n").length, essai.erreur);
+        assertEquals(2, executer("--noter", RENDUS.resolve("classe")).code, "--noter ne juge rien");
+    }
+
+    @Test
+    void laGraineEstTireeUneFoisEtUneAutreEstRefuseeSiCeNEstPasUnNombre(@TempDir Path autre) throws IOException {
+        assertTrue(Files.readString(dossier.resolve("graine.txt")).matches("\\d+\n"));
+        Files.writeString(autre.resolve("graine.txt"), "douze\n");
+        Essai essai = executer("--sortie", autre, "--sans-confinement", RENDUS.resolve("classe"));
+        assertEquals(2, essai.code);
+        contient(essai.erreur, "graine.txt : « douze » ; attendu : un nombre entier");
+    }
+
+    @Test
+    void lesPointsDUneExtensionEtDUneLigneLibreSontCeuxQueLEnseignantDonne() throws IOException {
+        Path bareme = dossier.resolve("libre.ini");
+        Files.writeString(bareme, Files.readString(dossier.resolve("bareme.ini")) + "qualité du code=3\n");
+        renoter("--bareme", bareme);
+        assertEquals(List.of("17.00", "20.00", "à noter"), List.of(classe(dossier).get("106").get("note"), classe(dossier).get("106").get("sur"),
+                classe(dossier).get("106").get("qualité du code")), "une ligne libre n'enlève rien avant d'être donnée");
+        Path ajustements = dossier.resolve("ajustements.csv");
+        Files.writeString(ajustements, "106;brume;0,75;à peine visible\n106;qualité du code;2,5;\n106;blinn;;\n");
+        renoter("--bareme", bareme);
+        assertEquals(List.of("20.25", "23.00", "0,75/1"), List.of(classe(dossier).get("106").get("note"), classe(dossier).get("106").get("sur"),
+                classe(dossier).get("106").get("brume")));
+        assertEquals(classe.get("104").get("note"), classe(dossier).get("104").get("note"));
+        contient(Files.readString(dossier.resolve("ajustements-a-remplir.csv")), "106,brume,\"0,75\",à peine visible\r\n",
+                "106,antialias,,\r\n", "106,blinn,,\r\n", "104,qualité du code,,\r\n");
+        Files.delete(ajustements);
+    }
+
+    @Test
+    void uneNoteDeLEnseignantResteASaTroisiemeFoisCommeALaPremiere() throws IOException {
+        Path feuille = dossier.resolve("a-lui.csv");
+        String nous = "Correction automatique : 16.75, étape atteinte, « x » ; le détail est dans le fichier de retour.";
+        String entete = "Identifiant,Note,Dernière modification (note),Feedback par commentaires\n";
+        Files.writeString(feuille, entete + "Participant106,\"8,50\",-,\nParticipant104,12.00,-,\"Bien vu " + nous + "\"\nParticipant105,16.75,-,\""
+                + nous + "\"\nParticipant103,,-,Absent\nParticipant102," + classe.get("102").get("note") + ",-,\n");
+        String premiere = null;
+        for (int fois = 0; fois < 3; fois++) {
+            renoter("--notes", feuille);
+            String ecrit = Files.readString(dossier.resolve("notes-a-deposer.csv"));
+            assertEquals(premiere == null ? ecrit : premiere, ecrit);
+            premiere = ecrit;
+            contient(classe(dossier).get("106").get("à regarder"), "note de la feuille gardée, que nous n'avons pas écrite : 8,50 ; la "
+                    + "nôtre serait 17.00");
+            contient(ecrit, "Participant106,\"8,50\",-,\n", "Participant104,12.00,-,Bien vu\n",
+                    "Participant105," + classe.get("105").get("note") + ",-,\"Correction automatique : " + classe.get("105").get("note"),
+                    "Participant103," + classe.get("103").get("note") + ",-,\"Absent Correction automatique : ",
+                    "Participant102," + classe.get("102").get("note") + ",-,\n");
+            // déposée, puis donnée de nouveau par Moodle, elle en reste là
+            Files.copy(dossier.resolve("notes-a-deposer.csv"), feuille, java.nio.file.StandardCopyOption.REPLACE_EXISTING);
         }
+    }
+
+    @Test
+    void sansColonneDeCommentairesSeulesLesCasesVidesSontRemplies() throws IOException {
+        Path feuille = dossier.resolve("sans.csv");
+        Files.writeString(feuille, "Identifier,Grade,Last modified (grade)\nParticipant 106,17.00,-\nParticipant 104,3.00,-\n"
+                + "Participant 105,,-\n");
+        renoter("--notes", feuille);
+        assertEquals("Identifier,Grade,Last modified (grade)\nParticipant 106,17.00,-\nParticipant 104,3.00,-\nParticipant 105,"
+                + classe.get("105").get("note") + ",-\n", Files.readString(dossier.resolve("notes-a-deposer.csv")));
+        contient(classe(dossier).get("104").get("à regarder"), "la nôtre serait " + classe.get("104").get("note"));
     }
 
     @Test
@@ -162,7 +247,7 @@ class ClasseTest extends ClasseEssai {
                 + prefixe + "105,Étudiant 5,x,,20.00," + non + ",hier,-,,\n"
                 + prefixe + "999,Étudiant absent,x,,20.00," + oui + ",,-,,\n";
         Files.write(feuille, (entete + lignes).getBytes(StandardCharsets.UTF_8));
-        Essai essai = executer("--sortie", dossier, "--sans-confinement", "--notes", feuille, RENDUS.resolve("classe"));
+        Essai essai = renoter("--notes", feuille);
         contient(essai.erreur, "absents de la feuille, ou que Moodle y a verrouillés : Étudiant 1 (101), Étudiant 2 (102), "
                 + "Étudiant 3 (103), Étudiant 5 (105)\n");
         String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), StandardCharsets.UTF_8);
@@ -177,9 +262,9 @@ class ClasseTest extends ClasseEssai {
                 }
             }
         }
-        assertEquals("10.00", apres.get(1).get(3), "ramenée à la note maximale de la feuille");
+        assertEquals("8.50", apres.get(1).get(3), "ramenée à la note maximale de la feuille");
         contient(apres.get(1).get(9), "Reflets des objets ; extensions : brume");
-        assertTrue(apres.get(2).get(9).startsWith("Très bien ! "), "ce que l'enseignant a écrit reste");
+        assertEquals(List.of("3.00", "Très bien !"), List.of(apres.get(2).get(3), apres.get(2).get(9)), "ce que l'enseignant a écrit reste");
         try (ZipFile zip = new ZipFile(dossier.resolve("retours.zip").toFile())) {
             assertTrue(zip.getEntry("Étudiant 4_104_assignsubmission_file/correction.html") != null);
             assertEquals(6, zip.size());
@@ -187,28 +272,22 @@ class ClasseTest extends ClasseEssai {
     }
 
     @Test
-    void niLesPointsNiLaNoteDonnesALaMainNeSontPerdusEtUneLigneFausseNeCouteQuElle() throws IOException {
-        Path fichier = dossier.resolve("ajustements.csv");
-        String lignes = "id,critère,points,commentaire\n101,sphere,2.5,vu en TP\n999,sphere,1,\n102,flou,1,\n101,sphere,1,encore\n";
-        Files.writeString(fichier, lignes);
-        Path feuille = dossier.resolve("crlf.csv");
-        String entete = "Identifiant,Note,Dernière modification (note),Feedback par commentaires\r\n";
-        Files.writeString(feuille, entete + "Participant106,\"8,50\",-,\r\nParticipant104,,-,\r\n");
-        Essai essai = executer("--sortie", dossier, "--sans-confinement", "--notes", feuille, RENDUS.resolve("classe"));
-        contient(essai.erreur, "ligne 3 : l'étudiant « 999 » n'existe pas", "ligne 4 : le critère « flou » n'existe pas",
+    void desPointsDonnesALaMainComptentEtUneLigneFausseNeCouteQuElle() throws IOException {
+        String dit = ajuster("id,critère,points,commentaire\n101,sphere,2.5,vu en TP\n999,sphere,1,\n102,flou,1,\n101,sphere,1,encore\n");
+        contient(dit, "ligne 3 : l'étudiant « 999 » n'existe pas", "ligne 4 : le critère « flou » n'existe pas",
                 "ligne 5 : « sphere » a déjà été donné à « 101 » plus haut");
         assertEquals(Double.parseDouble(classe.get("101").get("note")) + 2.5, Double.parseDouble(classe(dossier).get("101").get("note")),
                 1e-9);
         assertEquals(classe.get("102").get("note"), classe(dossier).get("102").get("note"));
         contient(page(dossier, "101"), "Donné par l&#39;enseignant : vu en TP");
-        assertEquals(lignes, Files.readString(fichier), "la relance n'y touche pas");
-        Files.delete(fichier);
+    }
 
-        String ecrit = Files.readString(dossier.resolve("notes-a-deposer.csv"));
-        contient(ecrit, "Participant106,\"8,50\",-,", "Participant104," + classe.get("104").get("note") + ",-,");
-        assertEquals(-1, ecrit.replace("\r\n", "").indexOf('\n'), "CRLF reste CRLF");
-        contient(classe(dossier).get("106").get("à regarder"), "note de la feuille gardée, que nous n'avons pas écrite : 8,50 ; la nôtre "
-                + "serait 20.00");
+    @Test
+    void unFichierAuxFinsDeLigneDeWindowsLesGarde() throws IOException {
+        Path feuille = dossier.resolve("crlf.csv");
+        Files.writeString(feuille, "Identifiant,Note,Dernière modification (note)\r\nParticipant104,,-\r\n");
+        renoter("--notes", feuille);
+        assertEquals(-1, Files.readString(dossier.resolve("notes-a-deposer.csv")).replace("\r\n", "").indexOf('\n'));
     }
 
     @Test

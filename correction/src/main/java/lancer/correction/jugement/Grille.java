@@ -1,13 +1,17 @@
 package lancer.correction.jugement;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
-import lancer.correction.depot.Projet;
+import java.util.Map;
 import lancer.correction.modele.Modele;
+import org.apache.commons.csv.CSVRecord;
 
 /**
- * Critères qui se notent : les étapes de l'énoncé, dans son ordre, l'image, puis les variantes ; et pour chacune, ce qui
- * compte.
+ * Critères qui se notent, et ce que le corrigé en dessine : les étapes de l'énoncé, dans son ordre, l'image, les extensions, les
+ * consignes. La grille s'écrit à côté des résultats : les notes et les pages se refont sans rien juger.
  */
 public final class Grille {
 
@@ -56,26 +60,66 @@ public final class Grille {
     /** Étape de ce que l'énoncé demande de la façon de rendre : enlève des points, au lieu d'en donner. */
     public static final String CONSIGNES = "consignes";
 
-    public final List<Etape> etapes = new ArrayList<>();
+    /** Fin du nom d'une image : celle que dessine la base, sur la scène d'une extension. */
+    public static final String BASE = " (base)";
 
-    public Grille(Reference reference) {
-        for (Verification v : reference.verifications) {
-            etape(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", "")).criteres
-                    .add(new Critere(v.id(), v.classe, v.titre, reference.compte(v)));
-        }
-        Reference.SCENES.keySet().forEach(scene -> etape(IMAGE, "L'image entière").criteres.add(new Critere(IMAGE + "." + scene, "",
-                "la scène « " + scene + " », par toutes les classes du rendu, est celle du corrigé", true)));
-        Modele.VARIANTES.forEach(nom -> etape(nom, Variante.TITRES.get(nom)[0]).criteres
-                .add(new Critere(nom + ".image", "", Variante.TITRES.get(nom)[1], true)));
-        Projet.CONSIGNES.forEach((nom, titre) -> etape(CONSIGNES, "Consignes de rendu").criteres
-                .add(new Critere(CONSIGNES + "." + nom, "", titre, true)));
+    /** Titre, par extension, ce qu'on y regarde, et sur quelle scène. */
+    static final Map<String, String[]> EXTENSIONS = Map.of(
+            "brume", new String[] {"brume",
+                "la couleur de la base, mêlée à celle d'une brume, d'autant plus que c'est loin", "brume"},
+            "antialias", new String[] {"anticrénelage",
+                "les bords approchent la moyenne de plusieurs rayons par pixel, et le reste ne change pas", "scene1"},
+            "blinn", new String[] {"reflet de Blinn", "le reflet est (N.H) à la puissance ns, 2 ns ou 4 ns", "bowling"});
+
+    private static final String AU_CENTRE = " (au centre)";
+
+    public final List<Etape> etapes = new ArrayList<>();
+    /** Images du corrigé : par scène, aux coordonnées entières et au centre des pixels ; par extension, la sienne. */
+    private final Map<String, Image> images = new LinkedHashMap<>();
+    /** Raison pour laquelle le code des étudiants a tourné sans confinement ; vide s'il a été confiné. */
+    public final String sansConfinement;
+
+    Grille(String sansConfinement) {
+        this.sansConfinement = sansConfinement;
     }
 
-    /** La dernière étape, si c'est celle-là, sinon une de plus. */
-    private Etape etape(String nom, String titre) {
-        if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(nom)) {
-            etapes.add(new Etape(nom, titre));
+    /** Ajoute un critère à la dernière étape, si c'est celle-là, sinon à une de plus. */
+    void ajouter(String etape, String titreEtape, Critere critere) {
+        if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(etape)) {
+            etapes.add(new Etape(etape, titreEtape));
         }
-        return etapes.get(etapes.size() - 1);
+        etapes.get(etapes.size() - 1).criteres.add(critere);
+    }
+
+    void ajouter(String scene, boolean auCentre, Image image) {
+        images.put(scene + (auCentre ? AU_CENTRE : ""), image);
+    }
+
+    /** L'image du corrigé, aux coordonnées entières ou au centre des pixels ; d'une extension, ces dernières. */
+    public Image getImage(String scene, boolean auCentre) {
+        return images.get(scene + (auCentre ? AU_CENTRE : ""));
+    }
+
+    public void ecrire(Path fichier) throws IOException {
+        List<List<?>> lignes = new ArrayList<>();
+        lignes.add(List.of("sans confinement", sansConfinement));
+        etapes.forEach(etape -> etape.criteres.forEach(c ->
+                lignes.add(List.of("critère", etape.nom, etape.court, c.id, c.classe, c.titre, c.compte))));
+        images.forEach((nom, image) -> lignes.add(image.ligne(nom)));
+        Resultat.ecrire(fichier, lignes);
+    }
+
+    /** @throws RuntimeException si ce fichier n'est pas une grille */
+    public static Grille lire(Path fichier) throws IOException {
+        List<CSVRecord> lignes = Resultat.lignes(fichier);
+        Grille grille = new Grille(lignes.get(0).get(1));
+        for (CSVRecord l : lignes.subList(1, lignes.size())) {
+            if (l.get(0).equals("critère")) {
+                grille.ajouter(l.get(1), l.get(2), new Critere(l.get(3), l.get(4), l.get(5), Boolean.parseBoolean(l.get(6))));
+            } else {
+                grille.images.put(l.get(1), new Image(l));
+            }
+        }
+        return grille;
     }
 }

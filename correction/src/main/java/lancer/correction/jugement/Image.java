@@ -3,7 +3,9 @@ package lancer.correction.jugement;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.Base64;
+import java.util.List;
 import java.util.stream.IntStream;
+import org.apache.commons.csv.CSVRecord;
 
 /** Une image, en couleurs non limitées. */
 public final class Image {
@@ -18,7 +20,7 @@ public final class Image {
 
     public final int largeur;
     public final int hauteur;
-    final String texte;
+    private final String texte;
     private final float[] rvb;
 
     /**
@@ -35,6 +37,16 @@ public final class Image {
         } catch (IllegalArgumentException | BufferUnderflowException e) {
             throw new Dialogue.Echec("réponse incompréhensible au lieu d'une image");
         }
+    }
+
+    /** L'image qu'a écrite {@link #ligne}. */
+    Image(CSVRecord ligne) {
+        this(Integer.parseInt(ligne.get(2)), Integer.parseInt(ligne.get(3)), ligne.get(4));
+    }
+
+    /** Une ligne d'un fichier de résultats. */
+    List<?> ligne(String nom) {
+        return List.of("image", nom, largeur, hauteur, texte);
     }
 
     /** Une composante, limitée à [0, 1], en niveaux de 255 ; 0 si ce n'est pas un nombre. */
@@ -66,26 +78,6 @@ public final class Image {
     /** Nombre de composantes qui sont les mêmes dans les deux images, à quelques arrondis près. */
     long pareilles(Image autre) {
         return IntStream.range(0, rvb.length).filter(k -> Math.abs(rvb[k] - autre.rvb[k]) < PRES).count();
-    }
-
-    /**
-     * La ressemblance de ce qui distingue une image de {@code sans} à ce qui en distingue {@code attendue}, ailleurs que là où
-     * l'on voyait {@code ciel} : 1 si l'un est proportionnel à l'autre, 0 s'ils n'ont rien de commun.
-     */
-    static double accord(Image image, Image attendue, Image sans, Image ciel) {
-        double produits = 0;
-        double carres = 0;
-        double attendus = 0;
-        for (int k = 0; k < 3 * sans.pixels(); k++) {
-            if (sans.ecart(ciel, k / 3) > 0) {
-                double effet = image.niveau(k / 3, k % 3) - sans.niveau(k / 3, k % 3);
-                double attendu = attendue.niveau(k / 3, k % 3) - sans.niveau(k / 3, k % 3);
-                produits += effet * attendu;
-                carres += effet * effet;
-                attendus += attendu * attendu;
-            }
-        }
-        return carres > 0 && attendus > 0 ? produits / Math.sqrt(carres * attendus) : 0;
     }
 
     int pixels() {

@@ -37,7 +37,7 @@ final class Juge implements AutoCloseable {
     private final Projet projet;
     /** La machine de l'ensemble, et celle d'un autre assemblage : chacune n'a que ses classes. */
     private final Machines.Rendue[] vives;
-    final Resultat resultat = new Resultat();
+    final Resultat resultat;
     final JugeImage images;
     /** Toutes les classes de l'étudiant. */
     final Assemblage ensemble;
@@ -45,11 +45,13 @@ final class Juge implements AutoCloseable {
     /** Classes dont dépend une classe qui ne se compile pas seule dans le corrigé. */
     private final Map<String, String> dependances = new HashMap<>();
 
-    Juge(Reference reference, Machines.Compilation compilation, Machines machines, Projet projet) throws Arret {
+    Juge(Reference reference, Machines.Compilation compilation, Machines machines, Projet projet, Resultat resultat)
+            throws Arret {
         this.reference = reference;
         this.compilation = compilation;
         this.machines = machines;
         this.projet = projet;
+        this.resultat = resultat;
         vives = new Machines.Rendue[] {machines.new Rendue(Map.of()), machines.new Rendue(Map.of())};
         images = new JugeImage(this, reference);
         ensemble = assembler(base(Map.of()));
@@ -220,10 +222,8 @@ final class Juge implements AutoCloseable {
 
     private void variantes() throws Arret {
         for (Map.Entry<String, Map<String, String>> variante : projet.variantes.entrySet()) {
-            String nom = variante.getKey();
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
-            resultat.verdicts.put(nom + ".image", new Variante(images, nom).juger(ensemble, assembler(base(variante.getValue())),
-                    assembler(base(projet.noms.dans(Modele.ajoutees(nom))))));
+            images.montrer(variante.getKey(), assembler(base(variante.getValue())));
         }
     }
 

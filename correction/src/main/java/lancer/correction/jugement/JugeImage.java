@@ -81,10 +81,10 @@ final class JugeImage {
         try {
             Image image = dessiner(juge.ensemble, scene);
             // là où le rendu a raison, au ciel au moins, il l'a à un demi-pixel près : c'est là qu'on voit lequel
-            resultat.centre = resultat.images.isEmpty() ? image.pareilles(reference.getImage(scene, true))
-                    > image.pareilles(reference.getImage(scene, false)) : resultat.centre;
+            resultat.centre = resultat.images.isEmpty() ? image.pareilles(reference.grille.getImage(scene, true))
+                    > image.pareilles(reference.grille.getImage(scene, false)) : resultat.centre;
             resultat.images.put(scene, image);
-            Image attendue = reference.getImage(scene, resultat.centre);
+            Image attendue = reference.grille.getImage(scene, resultat.centre);
             // d'une seule couleur, c'est celle du projet à compléter
             boolean commencee = IntStream.range(1, image.pixels())
                     .anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
@@ -98,9 +98,27 @@ final class JugeImage {
         }
     }
 
+    /** Dessine une extension et la base du même rendu, que l'enseignant compare lui-même : rien n'en est jugé. */
+    void montrer(String extension, Assemblage variante) {
+        String message = "l'image de l'extension, celle de la base et celle du corrigé sont plus bas";
+        try {
+            resultat.images.put(extension, etendre(variante, extension, false));
+            resultat.images.put(extension + Grille.BASE, etendre(juge.ensemble, extension, false));
+        } catch (Arret | Dialogue.Echec e) {
+            message = "l'image n'a pas pu être dessinée : " + e.getMessage();
+        }
+        resultat.verdicts.put(extension + ".image", new Verdict(Etat.A_NOTER, message));
+    }
+
+    /** @param section vrai si la scène garde la section de l'extension, que le corrigé lit et qu'un rendu peut refuser */
+    Image etendre(Assemblage assemblage, String extension, boolean section) throws Arret {
+        String scene = Modele.scene(Grille.EXTENSIONS.get(extension)[2]);
+        return tracer(assemblage, section ? scene : scene.replaceFirst("(?s)\\[Brume\\].*?(?=\\n\\[)", ""), 160, 120, 5);
+    }
+
     private void chercherLaFaute(String scene) throws Arret {
         Image image = resultat.images.get(scene);
-        Image attendue = reference.getImage(scene, resultat.centre);
+        Image attendue = reference.grille.getImage(scene, resultat.centre);
         int pire = IntStream.range(0, image.pixels()).boxed().max(Comparator.comparing(p -> image.ecart(attendue, p))).get();
         resultat.chemin = chemin(scene, pire % image.largeur, pire / image.largeur);
         // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où cela vient
@@ -124,8 +142,8 @@ final class JugeImage {
     private boolean change(String scene, String classe) {
         try {
             Image image = juge.seule(classe).arrete ? null : dessiner(juge.seule(classe), scene);
-            return image == null || !image.pareille(reference.getImage(scene, false))
-                    && !image.pareille(reference.getImage(scene, true));
+            return image == null || !image.pareille(reference.grille.getImage(scene, false))
+                    && !image.pareille(reference.grille.getImage(scene, true));
         } catch (Arret | Dialogue.Echec e) {
             return true;
         }

@@ -3,13 +3,7 @@ package lancer.correction.jugement;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
-import java.math.BigInteger;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
-import java.security.GeneralSecurityException;
-import java.security.MessageDigest;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -28,10 +22,7 @@ import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
 
-/**
- * Juge tous les rendus, plusieurs à la fois, et se souvient de chacun : ce qui n'a pas changé n'est pas jugé de
- * nouveau.
- */
+/** Juge tous les rendus, plusieurs à la fois. */
 public final class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
@@ -40,31 +31,24 @@ public final class Jury implements AutoCloseable {
     private static final int ENTIER_MAX = 300;
     private static final ThreadMXBean FILS = ManagementFactory.getThreadMXBean();
 
-    private final Path souvenirs;
     private final Machines machines;
     private final Limites limites;
     /** Machines qui compilent, et qu'aucun rendu n'occupe. */
     private final Deque<Machines.Compilation> compilations = new ArrayDeque<>();
     private final Set<Integer> abandonnes = new HashSet<>();
-    /** Empreinte de ce qui juge : changé, il juge de nouveau. */
-    private final String regles;
     public final Reference reference;
 
-    /** @param travail dossier de travail ; @throws Panne si la machine ne peut juger */
-    public Jury(Path travail, Confinement confinement, Limites limites) {
+    /** @param travail dossier de travail ; @param graine d'où viennent les nombres des vérifications ; @throws Panne si la machine ne peut juger */
+    public Jury(Path travail, Confinement confinement, Limites limites, long graine) {
         if (Runtime.version().feature() < 17) {
             throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature());
         }
         this.limites = limites;
-        this.souvenirs = travail.resolve("souvenirs");
         try {
-            Files.createDirectories(souvenirs);
             machines = new Machines(confinement, limites, travail.resolve("machines"));
-            regles = List.of(confinement.confine, Runtime.version(), limites.calcul, limites.attente, limites.memoire,
-                    Files.getLastModifiedTime(Paths.get(Machines.lieu(Machines.class)))).toString();
             // chaud, ce qui a compilé le corrigé compile le premier rendu
             compilations.add(machines.new Compilation());
-            reference = new Reference(machines, compilations.peek());
+            reference = new Reference(machines, compilations.peek(), confinement.manque, graine);
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
         } catch (Arret e) {
@@ -155,19 +139,15 @@ public final class Jury implements AutoCloseable {
         }
     }
 
-    private Resultat juger(Rendu rendu, Machines.Compilation compilation) throws IOException, GeneralSecurityException {
+    private Resultat juger(Rendu rendu, Machines.Compilation compilation) {
         if (!rendu.refus.isEmpty()) {
             return refuse(rendu, rendu.refus);
-        }
-        Path souvenir = souvenirs.resolve(empreinte(rendu));
-        if (Files.exists(souvenir)) {
-            return Resultat.lire(souvenir);
         }
         Resultat resultat = null;
         try {
             // de plusieurs copies, celle qui réussit le plus
             for (Projet copie : Projet.copies(rendu)) {
-                try (Juge juge = new Juge(reference, compilation, machines, copie)) {
+                try (Juge juge = new Juge(reference, compilation, machines, copie, new Resultat(rendu.id, rendu.nom))) {
                     Resultat sien = juge.juger();
                     resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;
                 }
@@ -178,7 +158,6 @@ public final class Jury implements AutoCloseable {
         Echange.abreger(resultat.remarques);
         Echange.abreger(resultat.aRegarder);
         Echange.abreger(resultat.fautes);
-        resultat.ecrire(souvenir);
         return resultat;
     }
 
@@ -189,18 +168,10 @@ public final class Jury implements AutoCloseable {
     }
 
     private static Resultat refuse(Rendu rendu, List<String> causes) {
-        Resultat resultat = new Resultat();
+        Resultat resultat = new Resultat(rendu.id, rendu.nom);
         resultat.refus.addAll(causes);
         resultat.remarques.addAll(rendu.remarques);
         return resultat;
-    }
-
-    private String empreinte(Rendu rendu) throws GeneralSecurityException {
-        StringBuilder tout = new StringBuilder(regles + rendu.remarques + rendu.outils);
-        rendu.sources.forEach((nom, texte) -> tout.append("\0").append(nom).append("\0")
-                .append(new String(texte, StandardCharsets.ISO_8859_1)));
-        byte[] calcul = MessageDigest.getInstance("SHA-256").digest(tout.toString().getBytes(StandardCharsets.UTF_8));
-        return String.format("%064x", new BigInteger(1, calcul));
     }
 
     @Override

@@ -32,31 +32,50 @@ public final class Reference implements AutoCloseable {
     /** Verdicts du projet à compléter, par vérification : ses classes ensemble, et l'une seule parmi le corrigé. */
     private final Map<String, Verdict> duSquelette;
     private final Map<String, Verdict> dUneClasse = new HashMap<>();
-    /** Image du corrigé, par scène, aux coordonnées entières, et au centre des pixels. */
-    private final Map<String, List<Image>> images = new HashMap<>();
+    public final Grille grille;
     /** Le corrigé, compilé, et qui l'interroge. */
     private final Assemblage assemblage;
     private final Juge juge;
 
-    Reference(Machines machines, Machines.Compilation compilation) throws Arret {
+    Reference(Machines machines, Machines.Compilation compilation, String sansConfinement, long graine) throws Arret {
         Projet projet = new Projet(Modele.tout(Modele::squelette), Map.of(), List.of());
         // les vérifications sont compilées contre les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
         appels = doublures.getAppels();
         junit = new Verifications(compilation.compiler(doublures.sources).classes);
         verifications = junit.lister();
-        juge = new Juge(this, compilation, machines, projet);
+        juge = new Juge(this, compilation, machines, projet, new Resultat("", ""));
         assemblage = juge.assembler(Modele.tout(Modele::corrige));
-        for (String scene : SCENES.keySet()) {
-            int[] taille = SCENES.get(scene);
-            images.put(scene, List.of(juge.images.dessiner(assemblage, scene),
-                    juge.images.tracer(assemblage, Modele.scene(scene), taille[0], taille[1], taille[2])));
-        }
         duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
+        grille = new Grille(sansConfinement);
+        remplir();
         for (String classe : Modele.A_COMPLETER) {
             // après, ce qui compile est à un rendu
             juge.seule(classe);
         }
+    }
+
+    /** Remplit la grille : les vérifications, les scènes, les extensions et les consignes, et ce que le corrigé en dessine. */
+    private void remplir() throws Arret {
+        verifications.forEach(v -> grille.ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""),
+                new Grille.Critere(v.id(), v.classe, v.titre, compte(v))));
+        for (Map.Entry<String, int[]> scene : SCENES.entrySet()) {
+            String nom = scene.getKey();
+            int[] taille = scene.getValue();
+            grille.ajouter(Grille.IMAGE, "L'image entière", new Grille.Critere(Grille.IMAGE + "." + nom, "",
+                    "la scène « " + nom + " », par toutes les classes du rendu, est celle du corrigé", true));
+            grille.ajouter(nom, false, juge.images.dessiner(assemblage, nom));
+            grille.ajouter(nom, true, juge.images.tracer(assemblage, Modele.scene(nom), taille[0], taille[1], taille[2]));
+        }
+        for (String nom : Modele.VARIANTES) {
+            String[] titres = Grille.EXTENSIONS.get(nom);
+            grille.ajouter(nom, titres[0], new Grille.Critere(nom + ".image", "", titres[1], true));
+            Map<String, String> classes = Modele.tout(Modele::corrige);
+            classes.putAll(Modele.ajoutees(nom));
+            grille.ajouter(nom, false, juge.images.etendre(juge.assembler(classes), nom, true));
+        }
+        Projet.CONSIGNES.forEach((nom, titre) -> grille.ajouter(Grille.CONSIGNES, "Consignes de rendu",
+                new Grille.Critere(Grille.CONSIGNES + "." + nom, "", titre, true)));
     }
 
     /** Verdict de la classe du projet à compléter, seule parmi celles du corrigé, à cette vérification. */
@@ -70,11 +89,6 @@ public final class Reference implements AutoCloseable {
     /** Vrai si le projet à compléter ne la passe pas : elle compte. */
     public boolean compte(Verification v) {
         return duSquelette.get(v.id()).etat != Etat.REUSSI;
-    }
-
-    /** L'image du corrigé, aux coordonnées entières ou au centre des pixels. */
-    public Image getImage(String scene, boolean auCentre) {
-        return images.get(scene).get(auCentre ? 1 : 0);
     }
 
     /** Réponses, en chemin, que font les méthodes du corrigé. */

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,8 +13,15 @@ import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.CSVRecord;
 
-/** Tout ce qu'on a trouvé d'un rendu ; la note n'en est pas, qui dépend du barème. */
+/**
+ * Tout ce qu'on a trouvé d'un rendu, écrit dans un fichier à lui. La note n'en est pas : elle dépend du barème, et de ce que
+ * l'enseignant donne.
+ */
 public final class Resultat {
+
+    /** Identifiant et nom de l'étudiant. */
+    public final String id;
+    public final String nom;
 
     /** Raisons pour lesquelles rien n'a pu être jugé ; vide sinon. */
     public final List<String> refus = new ArrayList<>();
@@ -36,6 +42,9 @@ public final class Resultat {
     /** Texte de chaque classe changée du cours, sans ce qui n'est que présentation ni noms choisis, abrégé. */
     public final Map<String, String> empreintes = new LinkedHashMap<>();
 
+    /** Arbre abrégé de chaque longue méthode de l'étudiant, qui n'est ni celle du projet à compléter ni celle du corrigé. */
+    public final Map<String, String> arbres = new LinkedHashMap<>();
+
     /** Méthode de l'étudiant, par critère raté, qui en répond. */
     public final Map<String, String> methodes = new LinkedHashMap<>();
 
@@ -51,6 +60,11 @@ public final class Resultat {
     /** Les classes qui, seules parmi celles du corrigé, changent l'image. */
     public final List<String> classesFautives = new ArrayList<>();
 
+    Resultat(String id, String nom) {
+        this.id = id;
+        this.nom = nom;
+    }
+
     /** Ajoute une raison de regarder ce rendu, une fois. */
     void regarder(String raison) {
         if (!aRegarder.contains(raison)) {
@@ -64,53 +78,60 @@ public final class Resultat {
     }
 
     /** Nombre de critères réussis. */
-    double reussis() {
-        return verdicts.values().stream().mapToDouble(v -> v.part).sum();
+    long reussis() {
+        return verdicts.values().stream().filter(Verdict::compte).count();
     }
 
     private Map<String, List<String>> listes() {
-        return Map.of("remarque", remarques, "faute", fautes, "regarder", aRegarder, "fautive", classesFautives);
+        return Map.of("refus", refus, "remarque", remarques, "faute", fautes, "regarder", aRegarder, "fautive", classesFautives);
     }
 
     private Map<String, Map<String, String>> textes() {
-        return Map.of("empreinte", empreintes, "methode", methodes);
+        return Map.of("empreinte", empreintes, "arbre", arbres, "methode", methodes);
     }
 
-    /** Le garde dans un fichier : une chose par ligne, sa sorte, puis ses valeurs. */
-    void ecrire(Path fichier) throws IOException {
+    /** Écrit le résultat dans un fichier : une chose par ligne, sa sorte, puis ses valeurs. */
+    public void ecrire(Path fichier) throws IOException {
         List<List<?>> lignes = new ArrayList<>();
+        lignes.add(List.of("étudiant", id, nom, nonCorrige, centre));
         listes().forEach((sorte, liste) -> liste.forEach(texte -> lignes.add(List.of(sorte, texte))));
         textes().forEach((sorte, textes) -> textes.forEach((nom, texte) -> lignes.add(List.of(sorte, nom, texte))));
-        verdicts.forEach((id, v) -> lignes.add(List.of("verdict", id, v.etat, v.message, v.part)));
-        images.forEach((scene, image) -> lignes.add(List.of("image", scene, image.largeur, image.hauteur, image.texte)));
-        lignes.add(List.of("centre", centre));
+        verdicts.forEach((id, v) -> lignes.add(List.of("verdict", id, v.etat, v.message)));
+        images.forEach((nom, image) -> lignes.add(image.ligne(nom)));
         if (chemin != null) {
             lignes.add(List.of("chemin", chemin.x, chemin.y, chemin.reference, chemin.etudiant));
         }
-        StringBuilder texte = new StringBuilder();
-        new CSVPrinter(texte, CSVFormat.DEFAULT).printRecords(lignes);
-        // deux rendus identiques peuvent s'écrire en même temps
-        Path neuf = Files.createTempFile(fichier.getParent(), "neuf", null);
-        Files.write(neuf, texte.toString().getBytes(StandardCharsets.UTF_8));
-        Files.move(neuf, fichier, StandardCopyOption.REPLACE_EXISTING);
+        ecrire(fichier, lignes);
     }
 
-    static Resultat lire(Path fichier) throws IOException {
-        Resultat resultat = new Resultat();
-        for (CSVRecord ligne : CSVParser.parse(Files.readString(fichier), CSVFormat.DEFAULT)) {
+    static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
+        try (CSVPrinter csv = new CSVPrinter(Files.newBufferedWriter(fichier), CSVFormat.DEFAULT)) {
+            csv.printRecords(lignes);
+        }
+    }
+
+    static List<CSVRecord> lignes(Path fichier) throws IOException {
+        try (CSVParser csv = CSVParser.parse(fichier, StandardCharsets.UTF_8, CSVFormat.DEFAULT)) {
+            return csv.getRecords();
+        }
+    }
+
+    /** @throws RuntimeException si ce fichier n'est pas celui d'un résultat */
+    public static Resultat lire(Path fichier) throws IOException {
+        List<CSVRecord> lignes = lignes(fichier);
+        Resultat resultat = new Resultat(lignes.get(0).get(1), lignes.get(0).get(2));
+        resultat.nonCorrige = Boolean.parseBoolean(lignes.get(0).get(3));
+        resultat.centre = Boolean.parseBoolean(lignes.get(0).get(4));
+        for (CSVRecord ligne : lignes.subList(1, lignes.size())) {
             String sorte = ligne.get(0);
             if (resultat.listes().containsKey(sorte)) {
                 resultat.listes().get(sorte).add(ligne.get(1));
             } else if (resultat.textes().containsKey(sorte)) {
                 resultat.textes().get(sorte).put(ligne.get(1), ligne.get(2));
             } else if (sorte.equals("verdict")) {
-                resultat.verdicts.put(ligne.get(1), new Verdict(Verdict.Etat.valueOf(ligne.get(2)), ligne.get(3),
-                        Double.parseDouble(ligne.get(4))));
+                resultat.verdicts.put(ligne.get(1), new Verdict(Verdict.Etat.valueOf(ligne.get(2)), ligne.get(3)));
             } else if (sorte.equals("image")) {
-                resultat.images.put(ligne.get(1), new Image(Integer.parseInt(ligne.get(2)), Integer.parseInt(ligne.get(3)),
-                        ligne.get(4)));
-            } else if (sorte.equals("centre")) {
-                resultat.centre = Boolean.parseBoolean(ligne.get(1));
+                resultat.images.put(ligne.get(1), new Image(ligne));
             } else {
                 resultat.chemin = new Chemin(Integer.parseInt(ligne.get(1)), Integer.parseInt(ligne.get(2)), ligne.get(3),
                         ligne.get(4));

@@ -8,10 +8,11 @@ public final class Verdict {
         REUSSI("réussi"),
         /** La classe, seule parmi celles du corrigé, est juste ; une autre l'empêche de le montrer. */
         CACHE("juste, caché par une autre classe"),
-        /** Une extension, dont l'image ne montre qu'une part. */
-        PARTIEL("en partie"),
+        /** Une extension rendue, dont l'enseignant donne les points. */
+        A_NOTER("à noter"),
         NON_EVALUABLE("non évaluable"),
         NON_COMMENCE("non commencé"),
+        NE_SE_COMPILE_PAS("ne se compile pas"),
         RATE("raté");
 
         public final String texte;
@@ -23,21 +24,19 @@ public final class Verdict {
 
     public final Etat etat;
     public final String message;
-    /** Part que la vérification rapporte de ses points, de 0 à 1. */
-    public final double part;
 
     public Verdict(Etat etat, String message) {
-        this(etat, message, etat == Etat.REUSSI || etat == Etat.CACHE ? 1 : 0);
-    }
-
-    Verdict(Etat etat, String message, double part) {
         this.etat = etat;
         this.message = message;
-        this.part = part;
     }
 
     /** Vrai si la vérification rapporte ses points. */
     public boolean compte() {
-        return part == 1;
+        return etat == Etat.REUSSI || etat == Etat.CACHE;
+    }
+
+    /** Vrai si l'étudiant a écrit ce qu'elle demande, et que ce n'est pas juste. */
+    public boolean rate() {
+        return etat == Etat.RATE || etat == Etat.NE_SE_COMPILE_PAS;
     }
 }

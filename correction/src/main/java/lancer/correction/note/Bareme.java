@@ -84,9 +84,9 @@ public final class Bareme {
         return poids.getOrDefault(etape, 0.0);
     }
 
-    /** La note maximale ; les consignes, qui enlèvent des points, n'y sont pas. */
+    /** La note maximale. Les consignes, qui enlèvent des points, n'y sont pas ; les lignes libres non plus : {@link Note#sur}. */
     public double total() {
-        return poids.entrySet().stream().filter(p -> !p.getKey().equals(Grille.CONSIGNES))
+        return poids.entrySet().stream().filter(p -> !p.getKey().equals(Grille.CONSIGNES) && !libres.contains(p.getKey()))
                 .mapToDouble(Map.Entry::getValue).sum();
     }
 }

@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -29,16 +28,15 @@ import org.apache.commons.csv.QuoteMode;
 /**
  * La feuille de notes de Moodle, dont on ne change que les cases de la note et du commentaire (moodle, {@code
  * mod/assign/feedback/offline/importgradeslib.php}). Une note vide est ignorée par Moodle, mais un commentaire vide
- * efface celui qui y est : une case où il n'y a rien à dire est recopiée. Une note que nous n'avons pas écrite est gardée :
- * la nôtre est celle que répète notre commentaire, ou celle que nous avions déjà déposée dans ce dossier.
+ * efface celui qui y est : une case où il n'y a rien à dire est recopiée. Une note est la nôtre si notre commentaire la répète
+ * dans la même ligne ; sinon elle est celle de l'enseignant, et reste.
  */
 public final class FeuilleMoodle {
 
     private static final Pattern NUMERO = Pattern.compile("\\D*(\\d+)\\s*");
     private static final String DEBUT = "Correction automatique : ";
     private static final String FIN = " ; le détail est dans le fichier de retour.";
-    private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d, )?[^\n]*?" + Pattern.quote(FIN));
-    private static final String DEPOSEES = "notes-a-deposer.csv";
+    private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d), [^\n]*?" + Pattern.quote(FIN));
     private static final String BOM = "\uFEFF";
 
     private final Path fichier;
@@ -90,28 +88,16 @@ public final class FeuilleMoodle {
         return colonne >= 0 && colonne < ligne.size() ? ligne.get(colonne) : "";
     }
 
-    /** Les notes que nous avions écrites dans ce dossier, par identifiant ; aucune si ce n'est pas lisible. */
-    private Map<String, String> deposees(Path dossier) {
-        Map<String, String> notes = new HashMap<>();
-        try {
-            lignes(Files.readString(dossier.resolve(DEPOSEES))).forEach(l -> notes.put(valeur(l, identifiant), valeur(l, note)));
-        } catch (IOException | RuntimeException e) {
-            // la première fois, ou un autre tableau : rien de nous n'est à reconnaître
-        }
-        return notes;
-    }
-
     /**
      * Écrit {@code notes-a-deposer.csv}. Une note que nous n'avons pas écrite y reste : le rendu est à regarder.
      *
      * @return les rendus jugés dont la note n'est pas dans la feuille : elle ne les a pas, ou la leur est verrouillée
      */
     public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
-        Map<String, String> deposees = deposees(dossier);
         Map<String, Eleve> parId = new LinkedHashMap<>();
-        eleves.forEach(e -> parId.put(e.rendu.id, e));
-        lignes.stream().skip(1).forEach(ligne -> noter(ligne, parId, bareme, deposees));
-        try (BufferedWriter sortie = Files.newBufferedWriter(dossier.resolve(DEPOSEES))) {
+        eleves.forEach(e -> parId.put(e.resultat.id, e));
+        lignes.stream().skip(1).forEach(ligne -> noter(ligne, parId, bareme));
+        try (BufferedWriter sortie = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"))) {
             sortie.write(texte.startsWith(BOM) ? BOM : "");
             new CSVPrinter(sortie, CSVFormat.DEFAULT.builder().setRecordSeparator(texte.contains("\r\n") ? "\r\n" : "\n")
                     .setQuoteMode(QuoteMode.MINIMAL).get()).printRecords(lignes);
@@ -121,7 +107,7 @@ public final class FeuilleMoodle {
     }
 
     /** Note cette ligne, si elle est celle d'un de ces élèves, et se change ; il n'est alors plus à noter. */
-    private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme, Map<String, String> deposees) {
+    private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme) {
         Matcher m = NUMERO.matcher(valeur(ligne, identifiant));
         Eleve eleve = m.matches() ? parId.get(m.group(1)) : null;
         if (eleve == null || ligne.size() <= note || valeur(ligne, modifiable).trim().matches("(?i)no|non")) {
@@ -132,22 +118,19 @@ public final class FeuilleMoodle {
             return;
         }
         double sur = Double.isNaN(reel(valeur(ligne, maximum))) ? bareme.total() : reel(valeur(ligne, maximum));
-        String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.note.total() / bareme.total() * sur));
+        String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.note.total() / eleve.note.sur * sur));
+        String ancienne = ligne.get(note);
         String dit = valeur(ligne, commentaire);
-        Matcher notre = NOTRE.matcher(dit);
-        double ancienne = reel(ligne.get(note));
-        if (ligne.get(note).isBlank() || ancienne == reel(neuve)
-                || ancienne == reel(deposees.getOrDefault(ligne.get(identifiant), ""))
-                || notre.find() && notre.group(1) != null && ancienne == reel(notre.group(1).replace(", ", ""))) {
+        boolean aNous = ancienne.isBlank() || NOTRE.matcher(dit).results().anyMatch(r -> reel(ancienne) == reel(r.group(1)));
+        if (aNous) {
             ligne.set(note, neuve);
         } else {
-            eleve.aRegarder.add("note de la feuille gardée, que nous n'avons pas écrite : " + ligne.get(note)
-                    + " ; la nôtre serait " + neuve);
+            eleve.aRegarder.add("note de la feuille gardée, que nous n'avons pas écrite : " + ancienne + " ; la nôtre serait " + neuve);
         }
         if (commentaire >= 0 && commentaire < ligne.size()) {
-            // ce que l'enseignant y a mis reste ; ce que nous y avions mis est refait
-            String reste = NOTRE.matcher(dit).replaceFirst("").trim();
-            ligne.set(commentaire, (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "
+            // ce que l'enseignant y a mis reste ; ce que nous y avions mis s'en va, et revient avec une note à nous
+            String reste = NOTRE.matcher(dit).replaceAll("").trim();
+            ligne.set(commentaire, !aNous ? reste : (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "
                     + eleve.note.atteinte + " »" + FIN);
         }
     }
@@ -166,9 +149,9 @@ public final class FeuilleMoodle {
         try (OutputStream flux = Files.newOutputStream(dossier.resolve("retours.zip"));
                 ZipOutputStream zip = new ZipOutputStream(flux, StandardCharsets.UTF_8)) {
             for (Eleve eleve : eleves) {
-                if (eleve.rendu.id.matches("\\d+")) {
-                    String nom = eleve.rendu.nom.replaceAll("[_/\\\\\\p{Cntrl}]", " ").replaceFirst("^[.~]+", "");
-                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.rendu.id
+                if (eleve.resultat.id.matches("\\d+")) {
+                    String nom = eleve.resultat.nom.replaceAll("[_/\\\\\\p{Cntrl}]", " ").replaceFirst("^[.~]+", "");
+                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.resultat.id
                             + "_assignsubmission_file/correction.html"));
                     zip.write(Files.readAllBytes(dossier.resolve("etudiants").resolve(eleve.page)));
                     zip.closeEntry();

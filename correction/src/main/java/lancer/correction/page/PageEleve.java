@@ -1,6 +1,7 @@
 package lancer.correction.page;
 
 import java.util.HashSet;
+import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.function.IntBinaryOperator;
@@ -11,7 +12,6 @@ import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
-import lancer.correction.modele.Modele;
 import lancer.correction.note.Note;
 
 /** La page d'un rendu : où il en est, ce qui ne va pas, avec un exemple, et les images. */
@@ -30,15 +30,17 @@ final class PageEleve {
 
     String ecrire() {
         Resultat resultat = eleve.resultat;
-        html.element("h1", eleve.rendu.nom);
+        html.element("h1", resultat.nom);
         if (eleve.illisible()) {
             html.element("p class=\"avis\"", "Ce rendu n'a pas pu être jugé : " + String.join(" ; ", resultat.refus));
             html.liste("Remarques", resultat.remarques);
-            return html.page(eleve.rendu.nom);
+            return html.page(resultat.nom);
         }
-        html.brut("<p>").dire(Html.nombre(eleve.note.total()) + " points sur " + Html.nombre(classe.bareme.total()))
-                .dire(eleve.note.perduSansJuger > 0 ? " (dont " + Html.nombre(eleve.note.perduSansJuger)
-                + " perdus par ce qui n'a pu être évalué, et ne rapporte rien)" : "")
+        double perdus = eleve.note.perdus(Verdict.Etat.NON_EVALUABLE);
+        List<String> aNoter = eleve.note.aNoter();
+        html.brut("<p>").dire(Html.nombre(eleve.note.total()) + " points sur " + Html.nombre(eleve.note.sur))
+                .dire(perdus > 0 ? " (dont " + Html.nombre(perdus) + " perdus par ce qui n'a pu être évalué, et ne rapporte rien)" : "")
+                .dire(aNoter.isEmpty() ? "" : ", sans ce que l'enseignant n'a pas encore noté : " + String.join(", ", aNoter))
                 .dire(" ; étape atteinte : ").element("strong", eleve.note.atteinte).brut("</p>\n");
         classe.aReprendre(eleve, html, "<p class=\"avis\">À reprendre d'abord : ", "</p>\n");
         html.liste("Remarques", resultat.remarques);
@@ -47,7 +49,7 @@ final class PageEleve {
         etapes();
         images();
         chemin();
-        return html.page(eleve.rendu.nom);
+        return html.page(resultat.nom);
     }
 
     private void etapes() {
@@ -70,10 +72,10 @@ final class PageEleve {
         }
     }
 
-    /** « 5/8 », « 0,5/1 » ; d'une ligne libre, les points. */
+    /** « 5/8 » ; d'une extension ou d'une ligne libre, les points, ou « à noter ». */
     static String combien(Note.Part part) {
-        return part.comptent > 0 ? Html.nombre(part.reussis) + "/" + part.comptent
-                : part.ajustement != null ? Html.nombre(part.points) : "à donner";
+        return part.aNoter ? "à noter" : part.ajustement != null ? Html.nombre(part.points) + "/" + Html.nombre(part.sur)
+                : part.reussis + "/" + part.comptent;
     }
 
     static String pastille(Note.Part part) {
@@ -84,7 +86,7 @@ final class PageEleve {
         Verdict verdict = eleve.resultat.verdict(critere);
         Verdict.Etat etat = verdict.etat;
         boolean muet = verdict.message.isEmpty();
-        boolean ouvert = Set.of(Verdict.Etat.RATE, Verdict.Etat.PARTIEL).contains(etat) && !muet && deplies.add(verdict.message);
+        boolean ouvert = verdict.rate() && !muet && deplies.add(verdict.message);
         String methode = eleve.resultat.methodes.get(critere.id);
         html.brut(muet ? "<div>" : "<details" + (ouvert ? " open" : "") + "><summary>")
                 .element("span class=\"e " + etat.name().toLowerCase(Locale.ROOT) + "\"", etat.texte).dire(" " + critere.titre)
@@ -97,8 +99,8 @@ final class PageEleve {
     }
 
     static String classe(Note.Part part) {
-        return part.comptent == 0 ? "vide" : part.complete() ? "complet" : part.reussis > 0 ? "partiel"
-                : part.aFaire == part.comptent ? "vide" : "rate";
+        return part.aNoter ? "a_noter" : part.vide() ? "vide" : part.complete() ? "complet"
+                : part.reussis > 0 || part.points > 0 ? "partiel" : "rate";
     }
 
     private void images() {
@@ -118,13 +120,12 @@ final class PageEleve {
             if (lui == null) {
                 continue;
             }
-            Image nous = classe.reference.getImage(scene, resultat.centre);
+            Image nous = classe.grille.getImage(scene, resultat.centre);
             figure("la vôtre", lui, lui::code);
             figure("celle du corrigé", nous, nous::code);
             figure("leur différence, quatre fois plus forte", lui, (x, y) -> difference(lui.code(x, y), nous.code(x, y)));
         }
-        Modele.VARIANTES.stream().filter(resultat.images::containsKey).forEach(nom -> figure("l'extension « " + nom + " »",
-                resultat.images.get(nom), resultat.images.get(nom)::code));
+        classe.extensions(eleve, html, 1);
     }
 
     private void figure(String legende, Image taille, IntBinaryOperator pixel) {

@@ -14,10 +14,8 @@ import java.util.Map;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import lancer.correction.Eleve;
-import lancer.correction.isolement.Confinement;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
-import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Verdict;
 import lancer.correction.note.Bareme;
 import org.apache.commons.csv.CSVFormat;
@@ -30,14 +28,10 @@ public final class Pages {
 
     final Grille grille;
     final Bareme bareme;
-    final Reference reference;
-    private final Confinement confinement;
 
-    public Pages(Grille grille, Bareme bareme, Reference reference, Confinement confinement) {
+    public Pages(Grille grille, Bareme bareme) {
         this.grille = grille;
         this.bareme = bareme;
-        this.reference = reference;
-        this.confinement = confinement;
     }
 
     /**
@@ -70,9 +64,9 @@ public final class Pages {
             for (Eleve e : eleves) {
                 // ce qui n'a pu être jugé n'a pas zéro : rien
                 boolean juge = !e.illisible();
-                List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.rendu.id),
-                        sansFormule(e.rendu.nom), juge ? String.format(Locale.ROOT, "%.2f", e.note.total()) : "",
-                        String.format(Locale.ROOT, "%.2f", bareme.total()),
+                List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.resultat.id),
+                        sansFormule(e.resultat.nom), juge ? String.format(Locale.ROOT, "%.2f", e.note.total()) : "",
+                        String.format(Locale.ROOT, "%.2f", e.note.sur),
                         juge ? e.note.atteinte : "", !juge ? ""
                         : e.note.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
                         sansFormule(String.join(" ; ", e.resultat.refus)),
@@ -94,18 +88,18 @@ public final class Pages {
         int autres = eleves.size() - lisibles.size();
         html.element("h1", "La classe").element("p", eleves.size() + (eleves.size() > 1 ? " rendus" : " rendu")
                 + (autres > 0 ? ", dont " + autres + " que l'on n'a pas pu juger" : "") + (lisibles.isEmpty() ? ""
-                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(lisibles.stream().mapToDouble(e -> e.note.total())
-                .average().orElse(0)) + " sur " + Html.nombre(bareme.total())));
+                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(lisibles.stream().mapToDouble(e -> e.note.total() / e.note.sur
+                * bareme.total()).average().orElse(0)) + " sur " + Html.nombre(bareme.total())));
         avis.forEach(a -> html.element("p class=\"avis\"", a));
-        if (!confinement.confine) {
-            html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + confinement.manque
+        if (!grille.sansConfinement.isEmpty()) {
+            html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + grille.sansConfinement
                     + ". Il a pu lire et écrire les fichiers de cette machine, ces résultats compris.");
         }
         aRegarder(html, eleves);
         html.element("h2", "Où la classe s'arrête");
         ouLaClasseSArrete(html, lisibles);
         html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
-                .brut(vignette(reference.getImage("scene1", false), "l'image du corrigé")).brut("celle du corrigé"
+                .brut(vignette(grille.getImage("scene1", false), 2, "l'image du corrigé")).brut("celle du corrigé"
                 + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total())).brut("<th>étape atteinte");
         for (Grille.Etape etape : grille.etapes) {
             html.brut("<th class=\"debout\"><span>").dire(etape.court).brut("</span>");
@@ -117,19 +111,19 @@ public final class Pages {
         }
         html.brut("</table>\n<p class=\"petit gris\">")
                 .dire("Dans chaque case, les vérifications réussies, toutes les classes ensemble ou chacune seule "
-                + "parmi celles du corrigé. Vert : tout ; jaune : une partie ; rouge : rien ; gris : pas commencé, "
+                + "parmi celles du corrigé. Vert : tout ; jaune : une partie ; rouge : rien ; bleu : à noter ; gris : pas commencé, "
                 + "ou non évaluable, ce qui ne rapporte rien ; un astérisque : des points donnés à la main. Les points de "
-                + "chaque étape sont dans bareme.ini, ceux que l'on donne à la main dans ajustements.csv : les changer et "
-                + "relancer la même commande ne refait que les notes.").brut("</p>\n");
+                + "chaque étape sont dans bareme.ini, ceux que l'on donne à la main dans ajustements.csv : après les avoir "
+                + "changés, make noter refait les notes et les pages.").brut("</p>\n");
         return html.page("La classe");
     }
 
     private static void nommer(Html html, Eleve eleve) {
-        html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.rendu.nom).brut("</a>");
+        html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.resultat.nom).brut("</a>");
     }
 
     /** Liste de ce que le programme ne peut décider seul, d'abord. */
-    private static void aRegarder(Html html, List<Eleve> eleves) {
+    private void aRegarder(Html html, List<Eleve> eleves) {
         List<Eleve> siens = eleves.stream().filter(e -> !e.aRegarder.isEmpty()).collect(Collectors.toList());
         html.element("h2", "À regarder").brut(siens.isEmpty()
                 ? "<p>Aucun rendu : partout, l'image et les étapes disent la même chose.</p>\n" : "<table>\n");
@@ -137,7 +131,7 @@ public final class Pages {
             html.brut("<tr><td>");
             nommer(html, eleve);
             html.brut("<td class=\"n\">").dire(eleve.illisible() ? "non corrigé"
-                    : String.format(Locale.FRANCE, "%.2f", eleve.note.total())).brut("<td class=\"petit\">");
+                    : noteDe(eleve)).brut("<td class=\"petit\">");
             eleve.aRegarder.forEach(raison -> html.element("div", raison));
             html.brut("</tr>\n");
         }
@@ -149,7 +143,7 @@ public final class Pages {
         for (Grille.Etape etape : grille.etapes) {
             for (Grille.Critere critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdict(critere);
-                if (verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
+                if (verdict.rate() && bareme.poids(etape.nom) > 0) {
                     html.brut(debut).element("strong", etape.titre)
                             .dire((critere.classe.isEmpty() ? ", " : ", classe " + critere.classe + " : ") + critere.titre).brut("<br>")
                             .element("code", verdict.message).brut(fin);
@@ -163,17 +157,17 @@ public final class Pages {
         html.brut("<tr><td class=\"vignette\" rowspan=\"2\">");
         Image image = eleve.resultat.images.get("scene1");
         if (image != null) {
-            html.brut(vignette(image, "son image"));
+            html.brut(vignette(image, 2, "son image"));
         }
         html.brut("<td>");
         nommer(html, eleve);
-        html.brut("<br>").element("span class=\"petit gris\"", eleve.rendu.id.equals(eleve.rendu.nom) ? "" : eleve.rendu.id);
+        html.brut("<br>").element("span class=\"petit gris\"", eleve.resultat.id.equals(eleve.resultat.nom) ? "" : eleve.resultat.id);
         int colonnes = grille.etapes.size() + bareme.libres.size();
         if (eleve.illisible()) {
             html.brut("<td class=\"n\">–<td colspan=\"" + (colonnes + 1) + "\">")
                     .dire("non corrigé : " + String.join(" ; ", eleve.resultat.refus));
         } else {
-            html.brut("<td class=\"n\">").dire(String.format(Locale.FRANCE, "%.2f", eleve.note.total()))
+            html.brut("<td class=\"n\">").dire(noteDe(eleve))
                     .brut("<td class=\"petit\">").dire(eleve.note.atteinte);
             eleve.note.parts.values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));
         }
@@ -183,11 +177,38 @@ public final class Pages {
         }
         List<String> remarques = eleve.resultat.remarques;
         html.element("span class=\"gris\"", remarques.stream().limit(REMARQUES_MONTREES).collect(Collectors.joining(" ; "))
-                + (remarques.size() > REMARQUES_MONTREES ? " ; …" : "")).brut("</tr>\n");
+                + (remarques.size() > REMARQUES_MONTREES ? " ; …" : ""));
+        extensions(eleve, html, 4);
+        html.brut("</tr>\n");
     }
 
-    private static String vignette(Image image, String legende) {
-        return Html.image(image.largeur / 2, image.hauteur / 2, (x, y) -> image.code(2 * x, 2 * y), legende);
+    /** La note ; suivie de son maximum, si des lignes libres l'ont changé. */
+    private String noteDe(Eleve eleve) {
+        return String.format(Locale.FRANCE, "%.2f", eleve.note.total()) + (eleve.note.sur == bareme.total() ? ""
+                : "/" + Html.nombre(eleve.note.sur));
+    }
+
+    /** De chaque extension rendue, à la même échelle : son image, celle de la base du même étudiant, celle du corrigé. */
+    void extensions(Eleve eleve, Html html, int reduction) {
+        Map<String, Image> images = eleve.resultat.images;
+        grille.etapes.stream().filter(e -> e.extension && images.containsKey(e.nom)).forEach(e -> {
+            html.brut("<div class=\"extension\">");
+            figure(html, images.get(e.nom), reduction, e.court);
+            figure(html, images.get(e.nom + Grille.BASE), reduction, "sa base");
+            figure(html, grille.getImage(e.nom, false), reduction, "le corrigé");
+            html.brut("</div>\n");
+        });
+    }
+
+    private static void figure(Html html, Image image, int reduction, String legende) {
+        if (image != null) {
+            html.brut("<figure>" + vignette(image, reduction, legende)).element("figcaption", legende).brut("</figure>\n");
+        }
+    }
+
+    private static String vignette(Image image, int reduction, String legende) {
+        return Html.image(image.largeur / reduction, image.hauteur / reduction, (x, y) -> image.code(reduction * x, reduction * y),
+                legende);
     }
 
     /** Tableau : pour chaque étape, combien des rendus jugés en ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
@@ -201,11 +222,11 @@ public final class Pages {
                     .filter(e -> arrets.get(e) == plus).map(e -> e.titre).collect(Collectors.joining(", ")))
                     .brut(" (" + plus + ")</p>\n");
         }
-        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; gris, pas commencé"
+        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; bleu, à noter ; gris, pas commencé"
                 + "<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
         for (Grille.Etape etape : grille.etapes) {
             html.brut("<tr><td>").dire(etape.titre).brut("<td><div class=\"barre\">");
-            for (String sorte : List.of("complet", "partiel", "rate", "vide")) {
+            for (String sorte : List.of("complet", "partiel", "rate", "a_noter", "vide")) {
                 long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.note.parts.get(etape.nom)))).count();
                 html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"flex:" + n + "\">" + n + "</span>");
             }

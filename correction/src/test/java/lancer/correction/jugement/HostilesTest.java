@@ -91,13 +91,13 @@ class HostilesTest extends JuryEssai {
     }
 
     @Test
-    void unRenduQuiPrendToutLeTempsDuCorrecteurNEstPasCorrigeEtRienNEnEstRetenu() throws IOException {
+    void unRenduQuiPrendToutLeTempsDuCorrecteurNEstPasCorrige() throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
         Path travail = Files.createDirectories(dossier.resolve("travail"));
         List<Resultat> resultats = new ArrayList<>();
         for (Limites limites : List.of(new Limites(10, 60, 160, 0), PATIENTES)) {
-            try (Jury jury = new Jury(travail, new Confinement(false, ""), limites)) {
+            try (Jury jury = new Jury(travail, new Confinement(false, ""), limites, GRAINE)) {
                 resultats.add(juger(jury, rendus, travail).get("un"));
             }
         }

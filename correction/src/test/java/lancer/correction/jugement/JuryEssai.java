@@ -9,8 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.correction.ClasseEssai;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
@@ -28,6 +26,8 @@ abstract class JuryEssai extends ClasseEssai {
 
     /** Pour des rendus dont chacun finit : une machine où d'autres travaillent peut les faire attendre, ou calculer plus. */
     static final Limites PATIENTES = new Limites(10, 60, 160, 60);
+
+    static final long GRAINE = 20;
 
     /** Dossier de travail des jurys de ces essais. */
     @TempDir
@@ -48,19 +48,12 @@ abstract class JuryEssai extends ClasseEssai {
 
     static Jury jury(Confinement confinement, Limites limites) throws IOException {
         Path ici = Files.createDirectories(travail(confinement, limites)).toRealPath();
-        return JURYS.computeIfAbsent(ici.toString(), nom -> new Jury(ici, confinement, limites));
+        return JURYS.computeIfAbsent(ici.toString(), nom -> new Jury(ici, confinement, limites, GRAINE));
     }
 
-    /** Juge tous les rendus de ce dossier, sans souvenir d'aucun ; les résultats par nom. */
+    /** Juge tous les rendus de ce dossier ; les résultats par nom. */
     static Map<String, Resultat> juger(Path rendus, Confinement confinement, Limites limites) throws IOException {
-        Jury jury = jury(confinement, limites);
-        Path ici = travail(confinement, limites);
-        try (Stream<Path> souvenirs = Files.list(ici.resolve("souvenirs"))) {
-            for (Path souvenir : souvenirs.collect(Collectors.toList())) {
-                Files.delete(souvenir);
-            }
-        }
-        return juger(jury, rendus, ici);
+        return juger(jury(confinement, limites), rendus, travail(confinement, limites));
     }
 
     static Map<String, Resultat> juger(Jury jury, Path rendus, Path travail) throws IOException {
@@ -91,7 +84,7 @@ abstract class JuryEssai extends ClasseEssai {
     static TreeSet<String> ratees(Resultat resultat) {
         TreeSet<String> etapes = new TreeSet<>();
         resultat.verdicts.forEach((id, verdict) -> {
-            if (verdict.etat == Verdict.Etat.RATE) {
+            if (verdict.rate()) {
                 etapes.add(id.replaceFirst("\\..*", ""));
             }
         });
