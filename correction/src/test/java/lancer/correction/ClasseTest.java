@@ -92,9 +92,9 @@ class ClasseTest extends ClasseEssai {
     void unRenduCompletATousLesPointsEtSesExtensionsSontANoter() throws IOException {
         assertEquals(List.of("17.00", "20.00", "oui", "à noter"), List.of(classe.get("106").get("note"), classe.get("106").get("sur"),
                 classe.get("106").get("image identique"), classe.get("106").get("brume")));
-        assertEquals("Reflets des objets ; extensions : brume (à noter), anticrénelage (à noter), reflet de Blinn (à noter)",
+        assertEquals("Reflets des objets ; extensions à noter : brume, anticrénelage, reflet de Blinn",
                 classe.get("106").get("étape atteinte"));
-        contient(page(dossier, "106"), "<figcaption>reflet de Blinn</figcaption>", "<figcaption>sa base</figcaption>",
+        contient(page(dossier, "106"), "<figcaption>reflet de Blinn</figcaption>", "<figcaption>la base</figcaption>",
                 "<figcaption>le corrigé</figcaption>");
         assertEquals("id,critère,points,commentaire\r\n106,brume,,\r\n106,antialias,,\r\n106,blinn,,\r\n",
                 Files.readString(dossier.resolve("ajustements-a-remplir.csv")));
@@ -263,7 +263,7 @@ class ClasseTest extends ClasseEssai {
             }
         }
         assertEquals("8.50", apres.get(1).get(3), "ramenée à la note maximale de la feuille");
-        contient(apres.get(1).get(9), "Reflets des objets ; extensions : brume");
+        contient(apres.get(1).get(9), "Reflets des objets ; extensions à noter : brume");
         assertEquals(List.of("3.00", "Très bien !"), List.of(apres.get(2).get(3), apres.get(2).get(9)), "ce que l'enseignant a écrit reste");
         try (ZipFile zip = new ZipFile(dossier.resolve("retours.zip").toFile())) {
             assertTrue(zip.getEntry("Étudiant 4_104_assignsubmission_file/correction.html") != null);

@@ -20,7 +20,6 @@ public final class Image {
 
     public final int largeur;
     public final int hauteur;
-    private final String texte;
     private final float[] rvb;
 
     /**
@@ -30,7 +29,6 @@ public final class Image {
     Image(int largeur, int hauteur, String texte) {
         this.largeur = largeur;
         this.hauteur = hauteur;
-        this.texte = texte;
         rvb = new float[largeur * hauteur * 3];
         try {
             ByteBuffer.wrap(Base64.getDecoder().decode(texte)).asFloatBuffer().get(rvb);
@@ -41,12 +39,22 @@ public final class Image {
 
     /** L'image qu'a écrite {@link #ligne}. */
     Image(CSVRecord ligne) {
-        this(Integer.parseInt(ligne.get(2)), Integer.parseInt(ligne.get(3)), ligne.get(4));
+        largeur = Integer.parseInt(ligne.get(2));
+        hauteur = Integer.parseInt(ligne.get(3));
+        rvb = new float[largeur * hauteur * 3];
+        byte[] octets = Base64.getDecoder().decode(ligne.get(4));
+        for (int k = 0; k < rvb.length; k++) {
+            rvb[k] = (octets[k] & 255) / 255f;
+        }
     }
 
-    /** Une ligne d'un fichier de résultats. */
+    /** Une ligne d'un fichier de résultats : les couleurs y sont celles de l'écran, un octet par composante. */
     List<?> ligne(String nom) {
-        return List.of("image", nom, largeur, hauteur, texte);
+        byte[] octets = new byte[rvb.length];
+        for (int k = 0; k < rvb.length; k++) {
+            octets[k] = (byte) Math.round(niveau(k / 3, k % 3));
+        }
+        return List.of("image", nom, largeur, hauteur, Base64.getEncoder().encodeToString(octets));
     }
 
     /** Une composante, limitée à [0, 1], en niveaux de 255 ; 0 si ce n'est pas un nombre. */

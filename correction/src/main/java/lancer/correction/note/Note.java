@@ -77,6 +77,7 @@ public final class Note {
         List<Grille.Etape> avant = new ArrayList<>();
         List<String> manquent = new ArrayList<>();
         List<String> extensions = new ArrayList<>();
+        List<String> aNoter = new ArrayList<>();
         double maximum = bareme.total();
         for (Grille.Etape etape : grille.etapes) {
             Part part = new Part(etape.criteres, resultat, bareme.poids(etape.nom), etape.nom.equals(Grille.CONSIGNES),
@@ -89,7 +90,7 @@ public final class Note {
             } else if (etape.duCours) {
                 avant.add(etape);
             } else if (etape.extension && !part.vide()) {
-                extensions.add(etape.court + (part.aNoter ? " (à noter)" : ""));
+                (part.aNoter ? aNoter : extensions).add(etape.court);
             }
         }
         for (String libre : bareme.libres) {
@@ -101,7 +102,8 @@ public final class Note {
         arret = avant.isEmpty() ? "" : avant.get(0).nom;
         atteinte = (derniere.isEmpty() ? total() > 0 ? "aucune en entier" : "aucune" : derniere)
                 + (manquent.isEmpty() ? "" : ", mais reste à compléter : " + String.join(", ", manquent))
-                + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions));
+                + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions))
+                + (aNoter.isEmpty() ? "" : " ; extensions à noter : " + String.join(", ", aNoter));
     }
 
     /** Les points obtenus, sur {@link #sur} ; jamais moins que zéro. */

@@ -194,7 +194,7 @@ public final class Pages {
         grille.etapes.stream().filter(e -> e.extension && images.containsKey(e.nom)).forEach(e -> {
             html.brut("<div class=\"extension\">");
             figure(html, images.get(e.nom), reduction, e.court);
-            figure(html, images.get(e.nom + Grille.BASE), reduction, "sa base");
+            figure(html, images.get(e.nom + Grille.BASE), reduction, "la base");
             figure(html, grille.getImage(e.nom, false), reduction, "le corrigé");
             html.brut("</div>\n");
         });
