@@ -7,6 +7,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.ClassOrderer;
 import org.junit.jupiter.api.DisplayName;
@@ -23,6 +26,9 @@ import org.junit.jupiter.api.TestMethodOrder;
  * JUnit 5. Elles ne demandent que ce que l'énoncé demande, et chaque échec dit ce qui était attendu et ce qui est venu.
  * Une étape que l'on n'a pas commencée ({@code getColor} rend encore du jaune vif, {@code getClosestIntersection} ne
  * trouve rien) est abandonnée, pas ratée.
+ *
+ * <p>Avec {@code -Dtests.graine=7}, ou tout autre nombre, les valeurs ne sont plus celles qu'on lit ici : elles sont
+ * tirées de ce nombre, et la scène est tournée et déplacée. Ce qui est demandé reste le même.
  */
 @DisplayName("Vérifications élémentaires du TP")
 @TestClassOrder(ClassOrderer.OrderAnnotation.class)
@@ -36,9 +42,89 @@ public class Tests {
 
     private static final Couleur NOIR = new Couleur(0, 0, 0);
     private static final Couleur BLANC = new Couleur(1, 1, 1);
-    private static final Couleur GRIS = new Couleur(0.5, 0.5, 0.5);
     private static final Couleur JAUNE = new Couleur(1, 1, 0);
     private static final Couleur VERT = new Couleur(0, 1, 0);
+
+    /** D'où les valeurs sont tirées, toujours les mêmes pour une vérification et une graine ; {@code null} : elles ne le sont pas. */
+    private final SplittableRandom hasard = Long.getLong("tests.graine") == null ? null
+            : new SplittableRandom(Long.getLong("tests.graine"));
+
+    /** De quel angle la scène est tournée autour de la verticale, et où est son origine. */
+    private double tour = tirer(0, -3, 3);
+    private double[] origine = {tirer(0, -2, 2), tirer(0, -2, 2), tirer(0, -2, 2)};
+
+    /** Le cosinus d'une direction de biais, et son sinus. */
+    private final double c = tirer(0.8, 0.5, 0.9);
+    private final double s = sinus(c);
+
+    private final Couleur gris = teinte(0.5, 0.5, 0.5);
+    private final Couleur couleurOrange = teinte(1, 0.5, 0.25);
+
+    /** Cette valeur ou, si les valeurs sont tirées, une autre entre ces bornes, à deux décimales. */
+    private double tirer(double valeur, double min, double max) {
+        return hasard == null ? valeur : Math.rint(100 * hasard.nextDouble(min, max)) / 100;
+    }
+
+    private int entier(int valeur, int min, int max) {
+        return hasard == null ? valeur : hasard.nextInt(min, max);
+    }
+
+    /** Cette valeur ou, tirée, la moitié d'un entier, que même un {@code float} représente exactement. */
+    private double demi(double valeur) {
+        return hasard == null ? valeur : (hasard.nextBoolean() ? 0.5 : -0.5) * hasard.nextInt(2, 19);
+    }
+
+    private double[] demis(double x, double y, double z) {
+        return new double[] {demi(x), demi(y), demi(z)};
+    }
+
+    /** Cette couleur, chaque composante un peu assombrie si les valeurs sont tirées. */
+    private Couleur teinte(double rouge, double vert, double bleu) {
+        return new Couleur(part(rouge), part(vert), part(bleu));
+    }
+
+    private double part(double composante) {
+        return hasard == null ? composante : Math.rint(100 * composante * hasard.nextDouble(0.6, 0.95)) / 100;
+    }
+
+    /** Le sinus d'un angle de ce cosinus, et l'inverse : 0,6 pour 0,8, sans les derniers chiffres. */
+    private static double sinus(double cosinus) {
+        return arrondi(Math.sqrt(1 - cosinus * cosinus));
+    }
+
+    private static double arrondi(double x) {
+        return Math.rint(x * 1e9) / 1e9;
+    }
+
+    /** La scène reste où elle est écrite : devant l'écran. */
+    private void devantLaCamera() {
+        tour = 0;
+        origine = new double[3];
+    }
+
+    /** Où va cette direction quand la scène est tournée, et ce point. */
+    private double[] direction(double x, double y, double z) {
+        double cos = Math.cos(tour);
+        double sin = Math.sin(tour);
+        return new double[] {cos * x + sin * z, y, cos * z - sin * x};
+    }
+
+    private double[] lieu(double x, double y, double z) {
+        return somme(origine, 1, direction(x, y, z));
+    }
+
+    /** a + k b */
+    private static double[] somme(double[] a, double k, double[] b) {
+        return new double[] {a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]};
+    }
+
+    private static double produit(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+
+    private static double[] unitaire(double[] v) {
+        return somme(new double[3], 1 / Math.sqrt(produit(v, v)), v);
+    }
 
     private static boolean pres(double a, double b) {
         // l'égalité d'abord : elle seule compare deux infinis
@@ -46,22 +132,21 @@ public class Tests {
     }
 
     private static boolean pres(Couleur c, Couleur d) {
-        return Math.abs(c.r - d.r) <= PRES_COULEUR && Math.abs(c.v - d.v) <= PRES_COULEUR
-                && Math.abs(c.b - d.b) <= PRES_COULEUR;
+        return Math.abs(c.r - d.r) <= PRES_COULEUR && Math.abs(c.v - d.v) <= PRES_COULEUR && Math.abs(c.b - d.b) <= PRES_COULEUR;
     }
 
     private static void verifier(String demande, double attendu, double obtenu) {
-        dire(pres(attendu, obtenu), demande, lisible(attendu), lisible(obtenu));
+        dire(pres(attendu, obtenu), demande, arrondi(attendu), arrondi(obtenu));
     }
 
-    private static void verifier(String demande, double x, double y, double z, Tuple t) {
-        dire(t != null && pres(x, t.x) && pres(y, t.y) && pres(z, t.z), demande, triplet(x, y, z), t == null ? t
-                : triplet(t.x, t.y, t.z));
+    private static void verifier(String demande, double[] a, Tuple t) {
+        dire(t != null && pres(a[0], t.x) && pres(a[1], t.y) && pres(a[2], t.z), demande, lisible(a[0], a[1], a[2]),
+                t == null ? t : lisible(t.x, t.y, t.z));
     }
 
     private static void verifier(String demande, Couleur attendue, Couleur c) {
-        dire(c != null && pres(attendue, c), demande, triplet(attendue.r, attendue.v, attendue.b), c == null ? c
-                : triplet(c.r, c.v, c.b));
+        dire(c != null && pres(attendue, c), demande, lisible(attendue.r, attendue.v, attendue.b), c == null ? c
+                : lisible(c.r, c.v, c.b));
     }
 
     private static void dire(boolean juste, String demande, Object attendu, Object obtenu) {
@@ -70,39 +155,88 @@ public class Tests {
         }
     }
 
-    private static String triplet(double x, double y, double z) {
-        return "(" + lisible(x) + ", " + lisible(y) + ", " + lisible(z) + ")";
-    }
-
     /** Sans les derniers chiffres, qui ne sont que des arrondis : 0,8 et non 0,7999999999999999. */
-    private static double lisible(double x) {
-        return Math.rint(x * 1e9) / 1e9;
+    private static String lisible(double x, double y, double z) {
+        return "(" + arrondi(x) + ", " + arrondi(y) + ", " + arrondi(z) + ")";
     }
 
-    private static Sphere boule(double x, double y, double z, double rayon, Couleur Kd, Couleur Ks, double ns) {
-        Sphere boule = new Sphere(new Point(x, y, z), rayon);
+    private static String plus(double x) {
+        return (x < 0 ? " - " : " + ") + nb(Math.abs(x));
+    }
+
+    /** Un nombre d'une question, à trois décimales. */
+    private static String nb(double x) {
+        double proche = Math.rint(x * 1e3) / 1e3;
+        return proche == Math.rint(proche) ? String.valueOf((long) proche) : String.valueOf(proche);
+    }
+
+    private static String texte(double... t) {
+        return "(" + nb(t[0]) + "," + nb(t[1]) + "," + nb(t[2]) + ")";
+    }
+
+    private static String texte(Couleur c) {
+        return c.r == c.v && c.v == c.b ? nb(c.r) : texte(c.r, c.v, c.b);
+    }
+
+    /** Ce point et cette direction, tels qu'ils sont une fois la scène tournée. */
+    private String point(double x, double y, double z) {
+        return texte(lieu(x, y, z));
+    }
+
+    private String vers(double x, double y, double z) {
+        return x == 0 && y == 0 && hasard == null ? z > 0 ? "+z" : "-z" : texte(direction(x, y, z));
+    }
+
+    private Sphere boule(double x, double y, double z, double rayon) {
+        double[] centre = lieu(x, y, z);
+        return new Sphere(new Point(centre[0], centre[1], centre[2]), rayon);
+    }
+
+    private Sphere boule(double x, double y, double z, double rayon, Couleur Kd, Couleur Ks, double ns) {
+        Sphere boule = boule(x, y, z, rayon);
         boule.setKd(Kd);
         boule.setKs(Ks);
         boule.setNs(ns);
         return boule;
     }
 
-    private static Lampe lampe(double x, double y, double z) {
-        return new Lampe(new Point(x, y, z), BLANC);
+    /** Une boule de rayon 1, pour que seule l'étape 5 voie que N n'est pas normalisé, et touchée en (0,0,4) vers +z. */
+    private Sphere boule(Couleur Kd, Couleur Ks, double ns) {
+        return boule(0, 0, 5, 1, Kd, Ks, ns);
+    }
+
+    private Lampe lampe(double x, double y, double z, Couleur couleur) {
+        double[] position = lieu(x, y, z);
+        return new Lampe(new Point(position[0], position[1], position[2]), couleur);
+    }
+
+    private Lampe lampe(double x, double y, double z) {
+        return lampe(x, y, z, BLANC);
     }
 
     /** Une lampe dont chaque composante est autre : qui en oublie la couleur se voit. */
-    private static Lampe orange(double x, double y, double z) {
-        return new Lampe(new Point(x, y, z), new Couleur(1, 0.5, 0.25));
+    private Lampe orange(double x, double y, double z) {
+        return lampe(x, y, z, couleurOrange);
     }
 
     private static Scene scene(Lampe lampe, Sphere... boules) {
-        return new Scene(Arrays.asList(boules), lampe == null ? Collections.<Lampe>emptyList()
-                : Collections.singletonList(lampe));
+        return new Scene(Arrays.asList(boules), lampe == null ? Collections.<Lampe>emptyList() : Collections.singletonList(lampe));
     }
 
-    private static Rayon rayon(double px, double py, double pz, double vx, double vy, double vz) {
-        return new Rayon(new Point(px, py, pz), new Vecteur(vx, vy, vz));
+    private Rayon rayon(double px, double py, double pz, double vx, double vy, double vz) {
+        double[] p = lieu(px, py, pz);
+        double[] v = direction(vx, vy, vz);
+        return new Rayon(new Point(p[0], p[1], p[2]), new Vecteur(v[0], v[1], v[2]));
+    }
+
+    /** Le rayon de (0,0,0) vers +z. */
+    private Rayon devant() {
+        return rayon(0, 0, 0, 0, 0, 1);
+    }
+
+    /** La couleur du ciel, dans une direction de longueur 1 qui monte d'autant. */
+    private static Couleur ciel(double y) {
+        return y > 0 ? new Couleur(0.7 * (1 - y), 0.7 * (1 - y), 1) : new Couleur(0.5, 0.4 + 0.2 * y, 0.1);
     }
 
     /** La couleur que voit ce rayon : il doit rencontrer quelque chose. */
@@ -115,392 +249,368 @@ public class Tests {
     }
 
     /** La couleur vue sans reflet : à la profondeur 0, ou 1 pour qui compte à partir de 1, et rend noir à 0. */
-    private static Couleur vue(Scene scene, Rayon rayon) {
-        Scene eclairee = scene(lampe(0, 0, 3), boule(0, 0, 5, 1, GRIS, NOIR, 1));
-        boolean desUn = pres(NOIR, vue(eclairee, rayon(0, 0, 0, 0, 0, 1), 0));
-        return vue(scene, rayon, desUn ? 1 : 0);
+    private Couleur vue(Scene scene, Rayon rayon) {
+        Scene eclairee = scene(lampe(0, 0, 3), boule(gris, NOIR, 1));
+        Couleur couleur = vue(eclairee, devant(), 0);
+        Couleur encore = vue(eclairee, devant(), 0);
+        dire(pres(couleur, encore), "getColor ne doit rien garder d'un appel à l'autre : appelé deux fois de même",
+                lisible(couleur.r, couleur.v, couleur.b), lisible(encore.r, encore.v, encore.b));
+        return vue(scene, rayon, pres(NOIR, couleur) ? 1 : 0);
     }
 
     /** Ce que ces lampes ajoutent à la couleur que voit ce rayon : une couleur ambiante est la même sans elles. */
-    private static Couleur apport(List<Lampe> lampes, Rayon rayon, Sphere... boules) {
+    private Couleur apport(List<Lampe> lampes, Rayon rayon, Sphere... boules) {
         Rayon encore = new Rayon(rayon.getP(), rayon.getV());
         return vue(new Scene(Arrays.asList(boules), lampes), rayon).sub(vue(scene(null, boules), encore));
     }
 
-    private static Couleur apport(Lampe lampe, Rayon rayon, Sphere... boules) {
-        return apport(Collections.singletonList(lampe), rayon, boules);
+    /** Un rayon que rien ne distingue de celui-ci, aux arrondis près. */
+    private static Rayon aCote(Rayon rayon, int combien) {
+        return new Rayon(rayon.getP().add(new Vecteur(1e-7 * combien, 3e-7 * combien, 0)), rayon.getV());
+    }
+
+    /**
+     * Cette couleur, ici ou juste à côté : la première qui convienne. Une boule qui se cache elle-même, par des
+     * arrondis, ne le fait pas partout, et une seule vérification est chargée de le dire : pour les ombres, puis pour
+     * les reflets.
+     */
+    private static Couleur aCote(Rayon rayon, Predicate<Couleur> convient, Function<Rayon, Couleur> couleur) {
+        Couleur ici = couleur.apply(rayon);
+        Couleur trouvee = ici;
+        for (int k = 1; k < 15 && !convient.test(trouvee); k++) {
+            trouvee = couleur.apply(aCote(rayon, k));
+        }
+        return convient.test(trouvee) ? trouvee : ici;
+    }
+
+    private Couleur apport(Predicate<Couleur> convient, List<Lampe> lampes, Rayon rayon, Sphere boule) {
+        return aCote(rayon, convient, r -> apport(lampes, r, boule));
+    }
+
+    private void verifierApport(String demande, Couleur attendue, List<Lampe> lampes, Rayon rayon, Sphere boule) {
+        verifier(demande, attendue, apport(c -> pres(attendue, c), lampes, rayon, boule));
     }
 
     /** Abandonne le test tant que getClosestIntersection ne trouve rien. */
-    private static void sceneCommencee() {
-        assumeTrue(scene(null, new Sphere(new Point(0, 0, 5), 1))
-                .getClosestIntersection(rayon(0, 0, 0, 0, 0, 1), null) != null,
-                "étape non commencée : getClosestIntersection ne trouve encore rien, ou ne garde pas ce qu'elle "
-                + "trouve");
+    private void sceneCommencee() {
+        assumeTrue(scene(null, boule(0, 0, 5, 1)).getClosestIntersection(devant(), null) != null,
+                "étape non commencée : getClosestIntersection ne trouve encore rien, ou ne garde pas ce qu'elle trouve");
     }
 
     /** Abandonne le test tant que getColor rend du jaune vif. */
-    private static void couleurCommencee() {
+    private void couleurCommencee() {
         sceneCommencee();
-        Scene scene = scene(null, boule(0, 0, 5, 1, NOIR, NOIR, 1));
-        assumeTrue(!pres(JAUNE, vue(scene, rayon(0, 0, 0, 0, 0, 1), 1)),
+        assumeTrue(!pres(JAUNE, vue(scene(null, boule(NOIR, NOIR, 1)), devant(), 0)),
                 "étape non commencée : getColor rend encore du jaune vif");
     }
 
-    @Nested
-    @Order(1)
-    @Tag("vecteurs")
+    @Nested @Order(1) @Tag("vecteurs") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     @DisplayName("1. Points et vecteurs")
-    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     class Vecteurs {
 
-        private final Vecteur u = new Vecteur(1, 2, 3);
-        private final Vecteur v = new Vecteur(4, -5, 6);
-        private final Point p = new Point(1, 2, 3);
-        private final Point q = new Point(4, -5, 6);
+        private final double[] a = demis(1, 2, 3);
+        private final double[] b = demis(4, -5, 6);
+        private final double[] c = demis(0, 3, -4);
+        private final double k = Math.abs(demi(2));
+        private final Vecteur u = new Vecteur(a[0], a[1], a[2]);
+        private final Vecteur v = new Vecteur(b[0], b[1], b[2]);
+        private final Vecteur w = new Vecteur(c[0], c[1], c[2]);
+        private final Point p = new Point(a[0], a[1], a[2]);
+        private final Point q = new Point(b[0], b[1], b[2]);
 
-        @Test
-        @Order(1)
-        @Tag("Vecteur")
-        @DisplayName("new Vecteur(a, b) va de a à b")
+        @Test @Order(1) @Tag("Vecteur") @DisplayName("new Vecteur(a, b) va de a à b")
         void entreDeuxPointsUnVecteurVaDuPremierAuSecond() {
-            verifier("le vecteur de a(1,2,3) à b(4,-5,6) est b - a", 3, -7, 3, new Vecteur(p, q));
+            verifier("le vecteur de a" + texte(a) + " à b" + texte(b) + " est b - a", somme(b, -1, a), new Vecteur(p, q));
         }
 
-        @Test
-        @Order(2)
-        @Tag("Vecteur")
-        @DisplayName("u.sub(v) soustrait deux vecteurs")
+        @Test @Order(2) @Tag("Vecteur") @DisplayName("u.sub(v) soustrait deux vecteurs")
         void unVecteurSeSoustrait() {
-            verifier("(1,2,3) - (4,-5,6)", -3, 7, -3, u.sub(v));
-            verifier("Vecteur.sub(u, v) vaut u.sub(v)", -3, 7, -3, Vecteur.sub(u, v));
+            verifier(texte(a) + " - " + texte(b), somme(a, -1, b), u.sub(v));
+            verifier("Vecteur.sub(u, v) vaut u.sub(v)", somme(a, -1, b), Vecteur.sub(u, v));
         }
 
-        @Test
-        @Order(3)
-        @Tag("Point")
-        @DisplayName("p.sub(v) translate le point de -v")
+        @Test @Order(3) @Tag("Point") @DisplayName("p.sub(v) translate le point de -v")
         void unPointMoinsUnVecteurEstUnPoint() {
-            verifier("le point (1,2,3) translaté de -(4,-5,6)", -3, 7, -3, p.sub(v));
-            verifier("Point.sub(p, v) vaut p.sub(v)", -3, 7, -3, Point.sub(p, v));
+            verifier("le point " + texte(a) + " translaté de -" + texte(b), somme(a, -1, b), p.sub(v));
+            verifier("Point.sub(p, v) vaut p.sub(v)", somme(a, -1, b), Point.sub(p, v));
         }
 
-        @Test
-        @Order(4)
-        @Tag("Point")
-        @DisplayName("p.sub(q) est le vecteur de q à p")
+        @Test @Order(4) @Tag("Point") @DisplayName("p.sub(q) est le vecteur de q à p")
         void unPointMoinsUnPointEstUnVecteur() {
-            verifier("p(1,2,3) - q(4,-5,6), le vecteur qui va de q à p", -3, 7, -3, p.sub(q));
-            verifier("Point.sub(p, q) vaut p.sub(q)", -3, 7, -3, Point.sub(p, q));
+            verifier("p" + texte(a) + " - q" + texte(b) + ", le vecteur qui va de q à p", somme(a, -1, b), p.sub(q));
+            verifier("Point.sub(p, q) vaut p.sub(q)", somme(a, -1, b), Point.sub(p, q));
         }
 
-        @Test
-        @Order(5)
-        @Tag("Vecteur")
-        @DisplayName("u.dot(v) est le produit scalaire")
+        @Test @Order(5) @Tag("Vecteur") @DisplayName("u.dot(v) est le produit scalaire")
         void leProduitScalaireAjouteLesProduitsDesComposantes() {
-            verifier("(1,2,3)·(4,-5,6) = 4 - 10 + 18", 12, u.dot(v));
-            verifier("Vecteur.dot(u, v) vaut u.dot(v)", 12, Vecteur.dot(u, v));
+            verifier(texte(a) + "·" + texte(b) + " = " + nb(a[0] * b[0]) + plus(a[1] * b[1]) + plus(a[2] * b[2]),
+                    produit(a, b), u.dot(v));
+            verifier("Vecteur.dot(u, v) vaut u.dot(v)", produit(a, b), Vecteur.dot(u, v));
         }
 
-        @Test
-        @Order(6)
-        @Tag("Vecteur")
-        @DisplayName("norme2 est le carré de la norme")
+        @Test @Order(6) @Tag("Vecteur") @DisplayName("norme2 est le carré de la norme")
         void laNormeAuCarreEstLeProduitScalaireDuVecteurParLuiMeme() {
-            verifier("le carré de la norme de (1,2,3) : 1 + 4 + 9", 14, u.norme2());
-            verifier("la norme de (0,3,-4)", 5, new Vecteur(0, 3, -4).norme());
+            verifier("le carré de la norme de " + texte(a) + " : " + nb(a[0] * a[0]) + plus(a[1] * a[1]) + plus(a[2] * a[2]),
+                    produit(a, a), u.norme2());
+            verifier("la norme de " + texte(c), Math.sqrt(produit(c, c)), w.norme());
         }
 
-        @Test
-        @Order(7)
-        @Tag("Vecteur")
+        @Test @Order(7) @Tag("Vecteur")
         @DisplayName("les deux façons de normaliser donnent la longueur 1, sans changer la direction")
         void normaliseUnVecteurEstDeLongueurUnEtDeMemeDirection() {
-            verifier("(0,3,-4) normalisé par normalized()", 0, 0.6, -0.8, new Vecteur(0, 3, -4).normalized());
-            verifier("(0,3,-4) normalisé par Vecteur.normalize", 0, 0.6, -0.8,
-                    Vecteur.normalize(new Vecteur(0, 3, -4)));
+            verifier("norme2, qui sert à normaliser : le carré de la norme de " + texte(c), produit(c, c), w.norme2());
+            verifier(texte(c) + " normalisé par normalized()", unitaire(c), w.normalized());
+            verifier(texte(c) + " normalisé par Vecteur.normalize", unitaire(c), Vecteur.normalize(w));
         }
 
-        @Test
-        @Order(8)
-        @Tag("Vecteur")
-        @DisplayName("les opérations fournies marchent toujours")
+        @Test @Order(8) @Tag("Vecteur") @DisplayName("les opérations fournies marchent toujours")
         void lesAutresOperationsSontIntactes() {
-            verifier("(1,2,3) + (4,-5,6)", 5, -3, 9, u.add(v));
-            verifier("2 (1,2,3)", 2, 4, 6, u.mul(2));
-            verifier("(1,2,3) / 2", 0.5, 1, 1.5, u.div(2));
-            verifier("l'opposé de (1,2,3)", -1, -2, -3, u.neg());
-            verifier("le point (1,2,3) translaté de (4,-5,6)", 5, -3, 9, p.add(v));
+            verifier(texte(a) + " + " + texte(b), somme(a, 1, b), u.add(v));
+            verifier(nb(k) + " " + texte(a), somme(a, k - 1, a), u.mul(k));
+            verifier(texte(a) + " / " + nb(k), somme(a, 1 / k - 1, a), u.div(k));
+            verifier("l'opposé de " + texte(a), somme(a, -2, a), u.neg());
+            verifier("le point " + texte(a) + " translaté de " + texte(b), somme(a, 1, b), p.add(v));
         }
     }
 
-    @Nested
-    @Order(2)
-    @Tag("rayons")
+    @Nested @Order(2) @Tag("rayons") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     @DisplayName("2. Rayons et caméra")
-    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     class RayonsEtCamera {
+
+        private final int L = 2 * entier(400, 150, 750);
+        private final int H = 2 * entier(300, 100, 550);
+        private final Camera camera = new Camera(L, H);
+        private final double[] p = demis(1, 1, 1);
+        private final double[] v = demis(0, 3, 4);
 
         /** Un demi-pixel, si c'est le centre du pixel que vise cette caméra : la première vérification le dit seule. */
         private double decalage() {
-            return pres(-1 + 1 / 800.0, new Camera(800, 600).getRayon(0, 0).getP().x) ? 0.5 : 0;
+            return pres(-1 + 1.0 / L, camera.getRayon(0, 0).getP().x) ? 0.5 : 0;
         }
 
-        private void ecran(String demande, double x, double y, int largeur, int hauteur, double xe, double ye) {
-            double d = decalage() * 2 / largeur;
-            verifier(demande, x + d, y - d, 0, new Camera(largeur, hauteur).getRayon(xe, ye).getP());
+        /** Le point (xe, ye) est en x = (xe - L/2) ECHELLE / L, et en y de même. */
+        private void ecran(String demande, int largeur, int hauteur, double xe, double ye) {
+            double d = decalage();
+            verifier(demande, new double[] {2 * (xe + d) / largeur - 1, (hauteur - 2 * (ye + d)) / largeur, 0},
+                    new Camera(largeur, hauteur).getRayon(xe, ye).getP());
         }
 
-        @Test
-        @Order(1)
-        @Tag("Rayon")
-        @DisplayName("new Rayon(p1, p2) part de p1 vers p2, et son vecteur est normalisé")
+        private String ecran(int largeur, int hauteur) {
+            return " d'un écran " + largeur + " x " + hauteur;
+        }
+
+        @Test @Order(1) @Tag("Rayon") @DisplayName("new Rayon(p1, p2) part de p1 vers p2, et son vecteur est normalisé")
         void unRayonVaDUnPointVersUnAutre() {
-            Rayon rayon = new Rayon(new Point(1, 1, 1), new Point(1, 4, 5));
-            verifier("le rayon de (1,1,1) vers (1,4,5) part de (1,1,1)", 1, 1, 1, rayon.getP());
-            verifier("le rayon de (1,1,1) vers (1,4,5) a pour vecteur (0,3,4) normalisé", 0, 0.6, 0.8, rayon.getV());
+            double[] q = somme(p, 1, v);
+            String demande = "le rayon de " + texte(p) + " vers " + texte(q);
+            Rayon rayon = new Rayon(new Point(p[0], p[1], p[2]), new Point(q[0], q[1], q[2]));
+            verifier(demande + " part de " + texte(p), p, rayon.getP());
+            verifier(demande + " a pour vecteur " + texte(v) + " normalisé", unitaire(v), rayon.getV());
         }
 
-        @Test
-        @Order(2)
-        @Tag("Rayon")
-        @DisplayName("new Rayon(p, v) part de p, et son vecteur est normalisé")
+        @Test @Order(2) @Tag("Rayon") @DisplayName("new Rayon(p, v) part de p, et son vecteur est normalisé")
         void unRayonNormaliseSonVecteur() {
-            Rayon rayon = rayon(1, 2, 3, 0, 30, 40);
-            verifier("le rayon de départ (1,2,3)", 1, 2, 3, rayon.getP());
-            verifier("le rayon de direction (0,30,40) a pour vecteur cette direction normalisée", 0, 0.6, 0.8,
+            double[] q = demis(1, 2, 3);
+            double[] dix = somme(v, 9, v);
+            Rayon rayon = new Rayon(new Point(q[0], q[1], q[2]), new Vecteur(dix[0], dix[1], dix[2]));
+            verifier("le rayon de départ " + texte(q), q, rayon.getP());
+            verifier("le rayon de direction " + texte(dix) + " a pour vecteur cette direction normalisée", unitaire(v),
                     rayon.getV());
         }
 
-        @Test
-        @Order(3)
-        @Tag("Camera")
-        @DisplayName("le pixel (0, 0) est en haut à gauche, à x = -ECHELLE/2")
+        @Test @Order(3) @Tag("Camera") @DisplayName("le pixel (0, 0) est en haut à gauche, à x = -ECHELLE/2")
         void leCoinEnHautAGaucheEstAMoinsUn() {
-            Point coin = new Camera(800, 600).getRayon(0, 0).getP();
-            verifier("le pixel (0,0) d'un écran 800 x 600, avec ECHELLE = 2" + (decalage() > 0
-                    ? " (le vôtre est un demi-pixel plus loin)" : ""), -1, 0.75, 0, coin);
-            verifier("le pixel (0,0) d'un écran 1280 x 1024", -1, 0.8, 0, new Camera(1280, 1024).getRayon(0, 0).getP());
+            int autreL = 2 * entier(640, 150, 750);
+            int autreH = 2 * entier(512, 100, 550);
+            verifier("le pixel (0,0)" + ecran(L, H) + ", avec ECHELLE = 2" + (decalage() > 0
+                    ? " (le vôtre est un demi-pixel plus loin)" : ""), new double[] {-1, H / (double) L, 0},
+                    camera.getRayon(0, 0).getP());
+            verifier("le pixel (0,0)" + ecran(autreL, autreH), new double[] {-1, autreH / (double) autreL, 0},
+                    new Camera(autreL, autreH).getRayon(0, 0).getP());
         }
 
-        @Test
-        @Order(4)
-        @Tag("Camera")
-        @DisplayName("le coin (L, H) est en bas à droite, à x = ECHELLE/2")
+        @Test @Order(4) @Tag("Camera") @DisplayName("le coin (L, H) est en bas à droite, à x = ECHELLE/2")
         void leCoinEnBasADroiteEstAPlusUn() {
-            ecran("le coin (800,600) d'un écran 800 x 600", 1, -0.75, 800, 600, 800, 600);
+            ecran("le coin (" + L + "," + H + ")" + ecran(L, H), L, H, L, H);
         }
 
-        @Test
-        @Order(5)
-        @Tag("Camera")
-        @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
+        @Test @Order(5) @Tag("Camera") @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
         void leCadrageEstLeMemeAToutesLesTailles() {
-            ecran("(200,150) d'un écran 800 x 600", -0.5, 0.375, 800, 600, 200, 150);
-            ecran("(400,300) d'un écran 1600 x 1200 : le même point", -0.5, 0.375, 1600, 1200, 400, 300);
+            int xe = entier(200, 20, 280);
+            int ye = entier(150, 20, 180);
+            ecran("(" + xe + "," + ye + ")" + ecran(L, H), L, H, xe, ye);
+            ecran("(" + 2 * xe + "," + 2 * ye + ")" + ecran(2 * L, 2 * H) + " : le même point", 2 * L, 2 * H, 2 * xe, 2 * ye);
         }
 
-        @Test
-        @Order(6)
-        @Tag("Camera")
-        @DisplayName("au centre de l'écran, le rayon va droit devant")
+        @Test @Order(6) @Tag("Camera") @DisplayName("au centre de l'écran, le rayon va droit devant")
         void auCentreLeRayonVaDroitDevant() {
             double d = decalage();
-            Rayon rayon = new Camera(800, 600).getRayon(400 - d, 300 - d);
-            verifier("le centre de l'écran est l'origine", 0, 0, 0, rayon.getP());
-            verifier("l'œil est derrière l'écran, la scène devant (z > 0)", 0, 0, 1, rayon.getV());
+            Rayon rayon = camera.getRayon(L / 2.0 - d, H / 2.0 - d);
+            verifier("le centre de l'écran est l'origine", new double[3], rayon.getP());
+            verifier("l'œil, que place new Camera(L, H), est derrière l'écran, la scène devant (z > 0)", new double[] {0, 0, 1}, rayon.getV());
         }
 
-        @Test
-        @Order(7)
-        @Tag("Camera")
-        @DisplayName("l'œil voit la largeur de l'écran sous 30° (distance focale)")
+        @Test @Order(7) @Tag("Camera") @DisplayName("new Camera(L, H) : l'œil voit la largeur de l'écran sous 30° (distance focale)")
         void laLargeurDeLEcranEstVueSousTrenteDegres() {
             double d = decalage();
-            double sinus = new Camera(800, 600).getRayon(800 - d, 300 - d).getV().x;
-            verifier("au milieu du bord droit, le rayon s'écarte de l'axe de CHAMP/2 = 15° ; en degrés", 15,
+            double part = tirer(1, 0.4, 0.99);
+            double sinus = camera.getRayon(L * (1 + part) / 2 - d, H / 2.0 - d).getV().x;
+            verifier(part == 1 ? "au milieu du bord droit, le rayon s'écarte de l'axe de CHAMP/2 = 15° ; en degrés"
+                    : "à " + part + " du chemin qui va du centre au bord droit, l'écart du rayon à l'axe, de tangente "
+                    + part + " tan(CHAMP/2) ; en degrés", Math.toDegrees(Math.atan(part * Math.tan(Math.toRadians(15)))),
                     Math.toDegrees(Math.asin(sinus)));
         }
 
-        @Test
-        @Order(8)
-        @Tag("Camera")
-        @DisplayName("chaque rayon vient de l'œil")
+        @Test @Order(8) @Tag("Camera") @DisplayName("chaque rayon vient de l'œil")
         void tousLesRayonsPassentParLOeil() {
             double focale = 1 / Math.tan(Math.toRadians(15));
-            for (double[] pixel : new double[][] {{0, 0}, {800, 600}, {123, 456}}) {
-                Rayon rayon = new Camera(800, 600).getRayon(pixel[0], pixel[1]);
+            for (double[] pixel : new double[][] {{0, 0}, {L, H}, {entier(123, 0, L), entier(456, 0, H)}}) {
+                Rayon rayon = camera.getRayon(pixel[0], pixel[1]);
                 double recul = focale / rayon.getV().z;
-                String demande = "en reculant sur le rayon du pixel (" + pixel[0] + "," + pixel[1]
-                        + "), on arrive à l'œil";
-                verifier(demande, 0, 0, -focale, rayon.getP().add(rayon.getV().mul(-recul)));
+                String demande = "en reculant sur le rayon du pixel (" + pixel[0] + "," + pixel[1] + "), on arrive à l'œil";
+                verifier(demande, new double[] {0, 0, -focale}, rayon.getP().add(rayon.getV().mul(-recul)));
             }
         }
 
-        @Test
-        @Order(9)
-        @Tag("Camera")
-        @DisplayName("rien n'est arrondi à l'entier : ni L/2, ni H/2, ni xe, ni ye")
+        @Test @Order(9) @Tag("Camera") @DisplayName("rien n'est arrondi à l'entier : ni L/2, ni H/2, ni xe, ni ye")
         void uneTailleImpaireOuUnPointEntreDeuxPixelsNArronditRien() {
-            ecran("le pixel (0,0) d'un écran 81 x 61 : L/2 = 40.5", -1, 61 / 81.0, 81, 61, 0, 0);
-            ecran("le point (200.5,150.25) d'un écran 800 x 600", -0.49875, 0.374375, 800, 600, 200.5, 150.25);
+            int l = 2 * entier(40, 20, 100) + 1;
+            int h = 2 * entier(30, 20, 100) + 1;
+            double xe = entier(200, 0, L) + 0.5;
+            double ye = entier(150, 0, H) + 0.25;
+            ecran("le pixel (0,0)" + ecran(l, h) + " : L/2 = " + l / 2.0, l, h, 0, 0);
+            ecran("le point (" + xe + "," + ye + ")" + ecran(L, H), L, H, xe, ye);
         }
     }
 
-    @Nested
-    @Order(3)
-    @Tag("sphere")
+    @Nested @Order(3) @Tag("sphere") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     @DisplayName("3. Intersection d'un rayon et d'une sphère")
-    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     class UneSphere {
 
-        private final Sphere sphere = new Sphere(new Point(0, 0, 5), 1);
+        /** Son rayon, et la distance de son centre. */
+        private final double r = tirer(1, 0.7, 1.4);
+        private final double D = tirer(5, 4, 7);
+        private final Sphere sphere = boule(0, 0, D, r);
 
         private void distance(String demande, double attendue, Sphere sphere, Rayon rayon) {
             verifier(demande, attendue, sphere.getIntersectionDistance(rayon));
         }
 
-        @Test
-        @Order(1)
-        @Tag("Sphere")
-        @DisplayName("des deux points touchés, la distance est celle du plus proche")
+        @Test @Order(1) @Tag("Sphere") @DisplayName("des deux points touchés, la distance est celle du plus proche")
         void laDistanceEstCelleDuPlusProcheDesDeuxPoints() {
-            distance("sphère de centre (0,0,5) et de rayon 1, vue de (0,0,0) : points à 4 et 6", 4, sphere,
-                    rayon(0, 0, 0, 0, 0, 1));
-            distance("sphère de centre (4,0,-3) et de rayon 2, vue de (1,0,-7) : points à 3 et 7", 3,
-                    new Sphere(new Point(4, 0, -3), 2), rayon(1, 0, -7, 3, 0, 4));
+            distance("sphère de centre " + point(0, 0, D) + " et de rayon " + nb(r) + ", vue de " + point(0, 0, 0)
+                    + " : points à " + nb(D - r) + " et " + nb(D + r), D - r, sphere, devant());
+            // de biais, sa direction n'étant pas de longueur 1
+            double R = tirer(2, 0.8, 2.5);
+            double v = tirer(5, 2, 9);
+            distance("sphère de centre " + point(1 + s * D, 0, -7 + c * D) + " et de rayon " + nb(R) + ", vue de "
+                    + point(1, 0, -7) + " : points à " + nb(D - R) + " et " + nb(D + R), D - R,
+                    boule(1 + s * D, 0, -7 + c * D, R), rayon(1, 0, -7, v * s, 0, v * c));
         }
 
-        @Test
-        @Order(2)
-        @Tag("Sphere")
-        @DisplayName("un rayon qui ne passe pas par le centre touche plus loin")
+        @Test @Order(2) @Tag("Sphere") @DisplayName("un rayon qui ne passe pas par le centre touche plus loin")
         void lEcartALAxeCompte() {
-            distance("rayon de (0,0.6,0) vers +z : demi-corde 0.8, donc 5 - 0.8", 4.2, sphere,
-                    rayon(0, 0.6, 0, 0, 0, 1));
+            distance("rayon de " + point(0, r * s, 0) + " vers " + vers(0, 0, 1) + " : demi-corde " + nb(r * c) + ", donc "
+                    + nb(D) + " - " + nb(r * c), D - r * c, sphere, rayon(0, r * s, 0, 0, 0, 1));
         }
 
-        @Test
-        @Order(3)
-        @Tag("Sphere")
-        @DisplayName("sans intersection, la distance est +∞")
+        @Test @Order(3) @Tag("Sphere") @DisplayName("sans intersection, la distance est +∞")
         void aCoteLaDistanceEstInfinie() {
-            distance("rayon de (0,2,0) vers +z, qui passe à 2 du centre", Double.POSITIVE_INFINITY, sphere,
-                    rayon(0, 2, 0, 0, 0, 1));
+            double y = tirer(2, 1.7, 3);
+            distance("rayon de " + point(0, y, 0) + " vers " + vers(0, 0, 1) + ", qui passe à " + nb(y) + " du centre",
+                    Double.POSITIVE_INFINITY, sphere, rayon(0, y, 0, 0, 0, 1));
         }
 
-        @Test
-        @Order(4)
-        @Tag("Sphere")
-        @DisplayName("une sphère dans le dos du rayon n'est pas touchée")
+        @Test @Order(4) @Tag("Sphere") @DisplayName("une sphère dans le dos du rayon n'est pas touchée")
         void dansLeDosLaDistanceEstInfinie() {
-            distance("rayon de (0,0,0) vers -z : la sphère est derrière, à -4 et -6", Double.POSITIVE_INFINITY, sphere,
-                    rayon(0, 0, 0, 0, 0, -1));
+            distance("rayon de " + point(0, 0, 0) + " vers " + vers(0, 0, -1) + " : la sphère est derrière, à " + nb(r - D)
+                    + " et " + nb(-r - D), Double.POSITIVE_INFINITY, sphere, rayon(0, 0, 0, 0, 0, -1));
         }
 
-        @Test
-        @Order(5)
-        @Tag("Sphere")
-        @DisplayName("de l'intérieur, la distance est celle de la sortie, jamais négative")
+        @Test @Order(5) @Tag("Sphere") @DisplayName("de l'intérieur, la distance est celle de la sortie, jamais négative")
         void deLInterieurLaDistanceEstCelleDeLaSortie() {
-            distance("rayon parti de (0,0,5.5) vers -z : points à -0.5, dans le dos, et à 1.5", 1.5, sphere,
-                    rayon(0, 0, 5.5, 0, 0, -1));
+            double e = tirer(0.5, 0.1, 0.5);
+            distance("rayon parti de " + point(0, 0, D + e) + " vers " + vers(0, 0, -1) + " : points à " + nb(e - r)
+                    + ", dans le dos, et à " + nb(e + r), e + r, sphere, rayon(0, 0, D + e, 0, 0, -1));
         }
 
-        @Test
-        @Order(6)
-        @Tag("Sphere")
-        @DisplayName("la distance trouvée est aussi notée dans le rayon")
+        @Test @Order(6) @Tag("Sphere") @DisplayName("la distance trouvée est aussi notée dans le rayon")
         void laDistanceEstNoteeDansLeRayon() {
-            Rayon rayon = rayon(0, 0, 0, 0, 0, 1);
+            Rayon rayon = devant();
             sphere.getIntersectionDistance(rayon);
-            verifier("rayon.getDistance() après getIntersectionDistance", 4, rayon.getDistance());
+            verifier("rayon.getDistance() après getIntersectionDistance", D - r, rayon.getDistance());
         }
 
-        @Test
-        @Order(7)
-        @Tag("Sphere")
+        @Test @Order(7) @Tag("Sphere")
         @DisplayName("une sphère géante, comme le sol des scènes, est touchée au même endroit qu'une petite")
         void uneSphereGeanteEstToucheeSansGrain() {
-            double r = 9998.77;
-            distance("sphère de centre (0,0," + (r + 4) + ") et de rayon " + r + " (en float, il y a du grain)", 4,
-                    new Sphere(new Point(0, 0, r + 4), r), rayon(0, 0, 0, 0, 0, 1));
+            double R = tirer(9998.77, 9000, 10500);
+            double d = tirer(4, 3, 6);
+            distance("sphère de centre " + point(0, 0, R + d) + " et de rayon " + R + " (en float, il y a du grain)", d,
+                    boule(0, 0, R + d, R), devant());
         }
     }
 
-    @Nested
-    @Order(4)
-    @Tag("scene")
+    @Nested @Order(4) @Tag("scene") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     @DisplayName("4. Scène de sphères")
-    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     class UneScene {
 
-        private final Sphere pres = boule(0, 0, 5, 1, NOIR, NOIR, 1);
-        private final Sphere loin = boule(0, 0, 9, 1, NOIR, NOIR, 1);
-        private final Rayon devant = rayon(0, 0, 0, 0, 0, 1);
+        /** Le rayon de deux boules, et leurs distances. */
+        private final double r = tirer(1, 0.7, 1.4);
+        private final double d = tirer(4, 3, 5);
+        private final double D = tirer(8, 6, 10);
+        private final Sphere pres = boule(0, 0, d + r, r, NOIR, NOIR, 1);
+        private final Sphere loin = boule(0, 0, D + r, r, NOIR, NOIR, 1);
+        private final String boules = "boules à " + nb(d) + " (proche) et à " + nb(D) + " (lointaine), la ";
+        private final Rayon devant = devant();
 
         private void plusProche(String demande, Sphere attendue, PointContact contact) {
-            dire(contact != null && contact.objet == attendue, demande, nom(attendue), contact == null ? null
-                    : nom(contact.objet));
+            dire(contact != null && contact.objet == attendue, demande, nom(attendue), contact == null ? null : nom(contact.objet));
         }
 
         private String nom(Objet3D objet) {
             return objet == pres ? "la boule proche" : objet == loin ? "la boule lointaine" : String.valueOf(objet);
         }
 
-        @Test
-        @Order(1)
-        @Tag("Rayon")
-        @DisplayName("calcContact : le point P + distance V")
+        @Test @Order(1) @Tag("Rayon") @DisplayName("calcContact : le point P + distance V")
         void leContactEstSurLeRayonALaDistanceTrouvee() {
-            Rayon rayon = rayon(1, 0, 0, 0, 0, 1);
-            Sphere sphere = new Sphere(new Point(1, 0, 5), 1);
+            double x = tirer(1, 0.5, 3);
+            Rayon rayon = rayon(x, 0, 0, 0, 0, 1);
+            Sphere sphere = boule(x, 0, d + r, r);
             sphere.getIntersectionDistance(rayon);
             assumeTrue(Double.isInfinite(rayon.getDistance()) || rayon.calcContact() != null,
                     "étape non commencée : calcContact ne rend encore rien");
             PointContact contact = rayon.calcContact();
-            verifier("le contact du rayon de (1,0,0) vers +z avec la sphère de centre (1,0,5) et de rayon 1", 1, 0, 4,
-                    contact);
+            verifier("le contact du rayon de " + point(x, 0, 0) + " vers " + vers(0, 0, 1) + " avec la sphère de centre "
+                    + point(x, 0, d + r) + " et de rayon " + nb(r), lieu(x, 0, d), contact);
             dire(contact.objet == sphere, "l'objet du contact est la sphère touchée", sphere, contact.objet);
-            verifier("la distance que porte ce contact", 4, contact.distance);
+            verifier("la distance que porte ce contact", d, contact.distance);
         }
 
-        @Test
-        @Order(2)
-        @Tag("Rayon")
-        @DisplayName("calcContact : null si la distance est infinie")
+        @Test @Order(2) @Tag("Rayon") @DisplayName("calcContact : null si la distance est infinie")
         void sansDistanceIlNYAPasDeContact() {
             dire(devant.calcContact() == null, "calcContact d'un rayon qui n'a rien touché", null, "un contact");
         }
 
-        @Test
-        @Order(3)
-        @Tag("Scene")
+        @Test @Order(3) @Tag("Scene")
         @DisplayName("getClosestIntersection : la plus proche des sphères, quel que soit leur ordre")
         void laPlusProcheDesSpheresEstTrouvee() {
             sceneCommencee();
-            plusProche("boules à 4 (proche) et à 8 (lointaine), la lointaine en premier", pres,
-                    scene(null, loin, pres).getClosestIntersection(devant, null));
-            plusProche("boules à 4 (proche) et à 8 (lointaine), la proche en premier", pres,
-                    scene(null, pres, loin).getClosestIntersection(devant, null));
+            plusProche(boules + "lointaine en premier", pres, scene(null, loin, pres).getClosestIntersection(devant, null));
+            plusProche(boules + "proche en premier", pres, scene(null, pres, loin).getClosestIntersection(devant, null));
         }
 
-        @Test
-        @Order(4)
-        @Tag("Scene")
+        @Test @Order(4) @Tag("Scene")
         @DisplayName("getClosestIntersection : le contact a la distance et la position de la plus proche")
         void leContactEstCeluiDeLaPlusProche() {
             sceneCommencee();
             PointContact contact = scene(null, pres, loin).getClosestIntersection(devant, null);
-            verifier("la distance du contact, la boule proche étant à 4 et la lointaine à 8", 4, contact.distance);
-            verifier("le point de contact", 0, 0, 4, contact);
+            verifier("la distance du contact, la boule proche étant à " + nb(d) + " et la lointaine à " + nb(D), d,
+                    contact.distance);
+            verifier("le point de contact", lieu(0, 0, d), contact);
         }
 
-        @Test
-        @Order(5)
-        @Tag("Scene")
-        @DisplayName("getClosestIntersection : la sphère à ignorer est ignorée")
+        @Test @Order(5) @Tag("Scene") @DisplayName("getClosestIntersection : la sphère à ignorer est ignorée")
         void laSphereAIgnorerEstIgnoree() {
             sceneCommencee();
             plusProche("sauf la boule proche", loin, scene(null, loin, pres).getClosestIntersection(devant, pres));
@@ -509,187 +619,198 @@ public class Tests {
                     scene(null, pres, loin).getClosestIntersection(devant, pres));
         }
 
-        @Test
-        @Order(6)
-        @Tag("Scene")
-        @DisplayName("getClosestIntersection : null où il n'y a rien, même derrière le rayon")
+        @Test @Order(6) @Tag("Scene") @DisplayName("getClosestIntersection : null où il n'y a rien, même derrière le rayon")
         void ouIlNYARienIlNYAPasDeContact() {
             sceneCommencee();
             Scene scene = scene(null, pres, loin);
             dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 1, 0), null) == null,
                     "rayon vers le haut, boules devant", null, "un contact");
-            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 0, -1), null) == null, "rayon dos aux boules", null,
-                    "un contact");
-            dire(scene.getClosestIntersection(devant, null) != null && scene(null, pres)
-                    .getClosestIntersection(devant, pres) == null,
-                    "une seule boule, à ignorer", null, "un contact");
+            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 0, -1), null) == null, "rayon dos aux boules", null, "un contact");
+            dire(scene.getClosestIntersection(devant, null) != null
+                    && scene(null, pres).getClosestIntersection(devant, pres) == null, "une seule boule, à ignorer", null, "un contact");
         }
 
-        private Couleur pixel(Scene scene) {
+        private Couleur pixel(Scene scene, Camera camera, double xe, double ye, int profondeur) {
             sceneCommencee();
-            Couleur couleur = new Lancer(scene, new Camera(800, 600)).getCouleurPixel(400, 300, 1);
+            Couleur couleur = new Lancer(scene, camera).getCouleurPixel(xe, ye, profondeur);
             assumeTrue(!pres(VERT, couleur), "étape non commencée : getCouleurPixel rend encore du vert");
             return couleur;
         }
 
-        @Test
-        @Order(7)
-        @Tag("Lancer")
-        @DisplayName("getCouleurPixel : la couleur du ciel où il n'y a rien")
+        /** La couleur du ciel à travers un point d'un écran. */
+        private Couleur ciel(int largeur, int hauteur, double xe, double ye) {
+            double[] v = {2 * xe / largeur - 1, (hauteur - 2 * ye) / largeur, 1 / Math.tan(Math.toRadians(15))};
+            return Tests.ciel(unitaire(v)[1]);
+        }
+
+        /** La couleur que rend getColor ; qu'elle échoue n'est pas la faute de getCouleurPixel. */
+        private Couleur selonGetColor(Scene scene, Camera camera, double xe, double ye, int profondeur) {
+            Couleur vue = null;
+            try {
+                vue = vue(scene, camera.getRayon(xe, ye), profondeur);
+                vue = pres(vue, vue(scene, camera.getRayon(xe, ye), profondeur)) ? vue : null;
+            } catch (RuntimeException | StackOverflowError e) {
+                // à l'étape où getColor s'écrit de le dire
+            }
+            assumeTrue(vue != null, "étape non évaluable : getColor, que les étapes suivantes vérifient, échoue, ou ne rend "
+                    + "pas deux fois la même couleur");
+            return vue;
+        }
+
+        /** Ce que rend getColor pour le rayon de ce point ou, un demi-pixel plus loin, pour celui du centre du pixel. */
+        private void commeGetColor(String demande, Scene scene, Camera camera, double xe, double ye, int profondeur) {
+            Couleur coin = selonGetColor(scene, camera, xe, ye, profondeur);
+            Couleur centre = selonGetColor(scene, camera, xe + 0.5, ye + 0.5, profondeur);
+            Couleur pixel = pixel(scene, camera, xe, ye, profondeur);
+            verifier(demande, pres(centre, pixel) ? centre : coin, pixel);
+        }
+
+        @Test @Order(7) @Tag("Lancer") @DisplayName("getCouleurPixel : la couleur du ciel où il n'y a rien")
         void unPixelVideALaCouleurDuCiel() {
-            Couleur couleur = pixel(scene(null));
-            // le rayon passe par les coordonnées entières, V.y = 0, ou par le centre du pixel, un demi-pixel plus bas
-            double y = -0.5 * 2 / 800;
-            double focale = 1 / Math.tan(Math.toRadians(15));
-            Couleur centre = new Couleur(0.5, 0.4 + 0.2 * y / Math.sqrt(2 * y * y + focale * focale), 0.1);
-            verifier("le pixel du centre d'une scène vide : getSkyColor du rayon",
-                    pres(centre, couleur) ? centre : new Couleur(0.5, 0.4, 0.1), couleur);
+            int L = entier(800, 300, 1500);
+            int H = entier(600, 200, 1100);
+            int xe = entier(400, 0, L);
+            int ye = entier(300, 0, H);
+            Couleur couleur = pixel(scene(null), new Camera(L, H), xe, ye, 1);
+            // le rayon passe par les coordonnées entières, ou par le centre du pixel, un demi-pixel plus bas
+            Couleur centre = ciel(L, H, xe + 0.5, ye + 0.5);
+            verifier((hasard == null ? "le pixel du centre" : "le pixel (" + xe + "," + ye + "), écran " + L + " x " + H + ",")
+                    + " d'une scène vide : getSkyColor du rayon", pres(centre, couleur) ? centre : ciel(L, H, xe, ye), couleur);
         }
 
-        @Test
-        @Order(8)
-        @Tag("Lancer")
-        @DisplayName("getCouleurPixel : la couleur de la sphère la plus proche")
+        @Test @Order(8) @Tag("Lancer") @DisplayName("getCouleurPixel : la couleur de la sphère la plus proche")
         void unPixelALaCouleurDeLaPlusProcheSphere() {
-            Sphere rouge = boule(0, 0, 5, 1, new Couleur(0.8, 0, 0), NOIR, 1);
-            Scene scene = scene(lampe(0, 0, -9), boule(0, 0, 9, 1, BLANC, NOIR, 1), rouge);
-            Couleur couleur = pixel(scene);
-            verifier("le pixel du centre : getColor de la boule proche", vue(scene, devant, 1), couleur);
+            devantLaCamera();
+            int L = entier(800, 300, 1500);
+            int H = entier(600, 200, 1100);
+            Sphere rouge = boule(teinte(0.8, 0, 0), NOIR, 1);
+            commeGetColor("le pixel du centre : getColor de la boule proche", scene(lampe(0, 0, -9),
+                    boule(0, 0, D + r, r, BLANC, NOIR, 1), rouge), new Camera(L, H), L / 2, H / 2, 1);
         }
 
-        @Test
-        @Order(9)
-        @Tag("Lancer")
-        @DisplayName("getCouleurPixel : transmet à getColor la profondeur qu'on lui donne")
+        @Test @Order(9) @Tag("Lancer") @DisplayName("getCouleurPixel : transmet à getColor la profondeur qu'on lui donne")
         void unPixelALaProfondeurDemandee() {
-            Camera camera = new Camera(80, 60);
-            Scene scene = scene(orange(0, 3, 1), boule(0, 0, 5, 1, GRIS, GRIS, 20), boule(0, 0, -4, 2, GRIS, GRIS, 20));
-            pixel(scene);
+            devantLaCamera();
+            int L = entier(80, 60, 120);
+            int H = entier(60, 40, 100);
+            double R = tirer(2, 1.5, 2);
+            // hors de l'axe : deux miroirs y renverraient le rayon sans fin
             for (int p = 1; p < 3; p++) {
-                Couleur pixel = new Lancer(scene, camera).getCouleurPixel(41, 31, p);
-                Couleur coin = vue(scene, camera.getRayon(41, 31), p);
-                Couleur centre = vue(scene, camera.getRayon(41.5, 31.5), p);
-                verifier("une boule qui en reflète une autre, profondeur " + p + " : ce que rend getColor",
-                        pres(centre, pixel) ? centre : coin, pixel);
+                commeGetColor("une boule qui en reflète une autre, profondeur " + p + " : ce que rend getColor",
+                        scene(orange(0, 3, 1), boule(gris, gris, 20), boule(0, 0, -2 - R, R, gris, gris, 20)),
+                        new Camera(L, H), L / 2 + 1, H / 2 + 1, p);
+            }
+        }
+
+        @Test @Order(10) @Tag("Lancer") @DisplayName("getCouleurPixel : n'arrondit rien à l'entier, ni xe, ni ye")
+        void unPointEntreDeuxPixelsASaCouleur() {
+            devantLaCamera();
+            int L = entier(8, 7, 20);
+            int H = entier(6, 5, 15);
+            Camera camera = new Camera(L, H);
+            boolean auCentre = pres(ciel(L, H, 1.5, 1.5), pixel(scene(null), camera, 1, 1, 1));
+            for (double d : new double[] {0, 0.5, 0.25}) {
+                double e = auCentre ? d + 0.5 : d;
+                verifier("le ciel au point (1," + (1 + d) + ") d'un écran " + L + " x " + H, ciel(L, H, 1 + e - d, 1 + e),
+                        pixel(scene(null), camera, 1, 1 + d, 1));
+                commeGetColor("une boule au point (" + (L / 2 + d) + "," + H / 2 + ") d'un écran " + L + " x " + H,
+                        scene(lampe(-9, 0, 0), boule(0, 0, 5, 3, gris, NOIR, 1)), camera, L / 2 + d, H / 2, 1);
             }
         }
     }
 
-    @Nested
-    @Order(5)
-    @Tag("lambert")
+    @Nested @Order(5) @Tag("lambert") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     @DisplayName("5. Éclairement diffus (Lambert)")
-    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     class Lambert {
 
-        private final Rayon devant = rayon(0, 0, 0, 0, 0, 1);
-
-        private Couleur eclairee(Lampe lampe, Sphere boule) {
+        private void eclairee(String demande, Couleur attendue, Lampe lampe, Sphere boule) {
             couleurCommencee();
-            return apport(lampe, devant, boule);
+            verifierApport(demande, attendue, Collections.singletonList(lampe), devant(), boule);
         }
 
-        @Test
-        @Order(1)
-        @Tag("Sphere")
-        @DisplayName("getNormale : vers l'extérieur, de longueur 1")
+        /** Une lampe à cette distance du contact (0,0,4), dans la direction de biais. */
+        private Lampe deBiais(double distance, Couleur couleur) {
+            return lampe(s * distance, 0, 4 - c * distance, couleur);
+        }
+
+        @Test @Order(1) @Tag("Sphere") @DisplayName("getNormale : vers l'extérieur, de longueur 1")
         void laNormaleEstVersLExterieurEtDeLongueurUn() {
-            Sphere sphere = new Sphere(new Point(0, 0, 5), 2);
-            assumeTrue(!new Vecteur().equals(sphere.getNormale(new Point(0, 0, 3))),
-                    "étape non commencée : getNormale rend encore le vecteur nul");
-            verifier("la normale en (0,0,3) de la sphère de centre (0,0,5) et de rayon 2", 0, 0, -1,
-                    sphere.getNormale(new Point(0, 0, 3)));
-            verifier("la normale en (2,0,5)", 1, 0, 0, sphere.getNormale(new Point(2, 0, 5)));
+            double R = tirer(2, 0.6, 3);
+            double[] centre = lieu(0, 0, 5);
+            Sphere sphere = boule(0, 0, 5, R);
+            double[][] normales = {direction(0, 0, -1), direction(1, 0, 0)};
+            for (double[] n : normales) {
+                double[] p = somme(centre, R, n);
+                Vecteur obtenue = sphere.getNormale(new Point(p[0], p[1], p[2]));
+                assumeTrue(!new Vecteur().equals(obtenue), "étape non commencée : getNormale rend encore le vecteur nul");
+                verifier("la normale en " + texte(p) + (n == normales[0] ? " de la sphère de centre " + texte(centre)
+                        + " et de rayon " + nb(R) : ""), n, obtenue);
+            }
         }
 
-        @Test
-        @Order(2)
-        @Tag("Objet3D")
-        @DisplayName("face à la lampe : Kd")
+        @Test @Order(2) @Tag("Objet3D") @DisplayName("face à la lampe : Kd")
         void faceALaLampeLaCouleurEstKd() {
-            Couleur Kd = new Couleur(0.5, 0.25, 0.75);
-            verifier("lampe blanche droit devant, N.L = 1 : Kd", Kd,
-                    eclairee(lampe(0, 0, 3), boule(0, 0, 5, 1, Kd, NOIR, 1)));
+            Couleur Kd = teinte(0.5, 0.25, 0.75);
+            eclairee("lampe blanche droit devant, N.L = 1 : Kd", Kd, lampe(0, 0, 3), boule(Kd, NOIR, 1));
         }
 
-        @Test
-        @Order(3)
-        @Tag("Objet3D")
-        @DisplayName("de biais : Kd fois le cosinus N.L")
+        @Test @Order(3) @Tag("Objet3D") @DisplayName("de biais : Kd fois le cosinus N.L")
         void deBiaisLaCouleurSuitLeCosinus() {
-            // de (0, 0, 4), la lampe est dans la direction (0.6, 0, -0.8), à une distance de 1
-            verifier("N.L = 0.8", new Couleur(0.6, 0.4, 0.2),
-                    eclairee(lampe(0.6, 0, 3.2), boule(0, 0, 5, 1, new Couleur(0.75, 0.5, 0.25), NOIR, 1)));
+            Couleur Kd = teinte(0.75, 0.5, 0.25);
+            eclairee("N.L = " + nb(c), Kd.mul(c), deBiais(1, BLANC), boule(Kd, NOIR, 1));
         }
 
-        @Test
-        @Order(4)
-        @Tag("Objet3D")
-        @DisplayName("L est normalisé : l'éclairement ne dépend pas de la distance de la lampe")
+        @Test @Order(4) @Tag("Objet3D") @DisplayName("L est normalisé : l'éclairement ne dépend pas de la distance de la lampe")
         void laDistanceDeLaLampeNeChangeRien() {
-            for (double d : new double[] {0.5, 1, 5, 50}) {
-                verifier("lampe dans la direction (0.6,0,-0.8), à la distance " + d + ", N.L = 0.8",
-                        new Couleur(0.4, 0.4, 0.4),
-                        eclairee(lampe(0.6 * d, 0, 4 - 0.8 * d), boule(0, 0, 5, 1, GRIS, NOIR, 1)));
+            for (double k : new double[] {0.5, 1, 5, 50}) {
+                double d = arrondi(k * tirer(1, 0.7, 1.3));
+                eclairee("lampe dans la direction " + vers(s, 0, -c) + ", à la distance " + d + ", N.L = " + nb(c),
+                        gris.mul(c), deBiais(d, BLANC), boule(gris, NOIR, 1));
             }
         }
 
-        @Test
-        @Order(5)
-        @Tag("Objet3D")
-        @DisplayName("N est normalisé : l'éclairement ne dépend pas du rayon de la sphère")
+        @Test @Order(5) @Tag("Objet3D") @DisplayName("N est normalisé : l'éclairement ne dépend pas du rayon de la sphère")
         void leRayonDeLaSphereNeChangeRien() {
-            for (double r : new double[] {0.5, 1, 3}) {
-                verifier("sphère de rayon " + r + ", lampe à une distance de 1, N.L = 0.8", new Couleur(0.4, 0.4, 0.4),
-                        eclairee(lampe(0.6, 0, 3.2), boule(0, 0, 4 + r, r, GRIS, NOIR, 1)));
+            for (double k : new double[] {0.5, 1, 3}) {
+                double R = arrondi(k * tirer(1, 0.7, 1.3));
+                eclairee("sphère de rayon " + R + ", lampe à une distance de 1, N.L = " + nb(c), gris.mul(c),
+                        deBiais(1, BLANC), boule(0, 0, 4 + R, R, gris, NOIR, 1));
             }
         }
 
-        @Test
-        @Order(6)
-        @Tag("Objet3D")
-        @DisplayName("dans le dos (N.L négatif), rien")
+        @Test @Order(6) @Tag("Objet3D") @DisplayName("dans le dos (N.L négatif), rien")
         void dansLeDosIlFaitNoir() {
-            verifier("lampe derrière la boule, N.L = -1", NOIR,
-                    eclairee(lampe(0, 0, 9), boule(0, 0, 5, 1, GRIS, NOIR, 1)));
+            couleurCommencee();
+            assumeTrue(!pres(NOIR, apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(),
+                    boule(gris, NOIR, 1))), "étape non commencée : pour l'instant, une boule face à une lampe reste noire");
+            eclairee("lampe derrière la boule, N.L = -1", NOIR, lampe(0, 0, tirer(9, 7.5, 12)), boule(gris, NOIR, 1));
         }
 
-        @Test
-        @Order(7)
-        @Tag("Objet3D")
-        @DisplayName("la couleur de la lampe multiplie Kd, composante par composante")
+        @Test @Order(7) @Tag("Objet3D") @DisplayName("la couleur de la lampe multiplie Kd, composante par composante")
         void laCouleurDeLaLampeMultiplieKd() {
-            verifier("Kd (0.5,0.5,0.8), lampe (1,0.5,0.25), N.L = 1", new Couleur(0.5, 0.25, 0.2),
-                    eclairee(orange(0, 0, 3), boule(0, 0, 5, 1, new Couleur(0.5, 0.5, 0.8), NOIR, 1)));
+            Couleur Kd = teinte(0.5, 0.5, 0.8);
+            eclairee("Kd " + texte(Kd) + ", lampe " + texte(couleurOrange) + ", N.L = 1", Kd.mul(couleurOrange),
+                    orange(0, 0, 3), boule(Kd, NOIR, 1));
         }
 
-        @Test
-        @Order(8)
-        @Tag("Objet3D")
-        @DisplayName("plusieurs lampes s'ajoutent")
+        @Test @Order(8) @Tag("Objet3D") @DisplayName("plusieurs lampes s'ajoutent")
         void lesLampesSAjoutent() {
             couleurCommencee();
-            List<Lampe> deux = Arrays.asList(lampe(0, 0, 3), orange(0.6, 0, 3.2));
-            verifier("une lampe blanche à N.L = 1, une (1,0.5,0.25) à N.L = 0.8, Kd = 0.5", new Couleur(0.9, 0.7, 0.6),
-                    apport(deux, devant, boule(0, 0, 5, 1, GRIS, NOIR, 1)));
+            verifierApport("une lampe blanche à N.L = 1, une " + texte(couleurOrange) + " à N.L = " + nb(c) + ", Kd = "
+                    + texte(gris), gris.add(gris.mul(couleurOrange).mul(c)),
+                    Arrays.asList(lampe(0, 0, 3), deBiais(1, couleurOrange)), devant(), boule(gris, NOIR, 1));
         }
 
-        @Test
-        @Order(9)
-        @Tag("Objet3D")
-        @DisplayName("sans lampe, une boule mate est noire : rien d'autre ne s'ajoute")
+        @Test @Order(9) @Tag("Objet3D") @DisplayName("sans lampe, une boule mate est noire : rien d'autre ne s'ajoute")
         void sansLampeIlFaitNoir() {
             couleurCommencee();
             verifier("aucune lampe, Ks nul ; le cours n'a pas de couleur ambiante", NOIR,
-                    vue(scene(null, boule(0, 0, 5, 1, GRIS, NOIR, 1)), devant));
+                    vue(scene(null, boule(gris, NOIR, 1)), devant()));
         }
     }
 
-    @Nested
-    @Order(6)
-    @Tag("phong")
+    @Nested @Order(6) @Tag("phong") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     @DisplayName("6. Éclairement spéculaire (Phong)")
-    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     class Phong {
 
         @BeforeEach
@@ -697,110 +818,111 @@ public class Tests {
             couleurCommencee();
         }
 
+        private final double ns = tirer(8, 3, 40);
+        /** Le sinus et le cosinus d'un regard de biais, et ceux d'une lumière rasante. */
+        private final double sv = tirer(0.6, 0.6, 0.8);
+        private final double cv = sinus(sv);
+        private final double sr = tirer(0.96, 0.94, 0.98);
+        private final double cr = sinus(sr);
+
         /** Ce qu'une lampe, à une distance de 1 du contact (0, 0, 4), ajoute à une boule noire et brillante. */
-        private Couleur reflet(Couleur Ks, double ns, double vx, double vz, double lx, double lz) {
-            return apport(lampe(lx, 0, 4 + lz), rayon(-vx, 0, 4 - vz, vx, 0, vz), boule(0, 0, 5, 1, NOIR, Ks, ns));
+        private void reflet(String demande, Couleur attendue, Couleur Ks, double ns, double vx, double vz, double lx, double lz) {
+            verifierApport(demande, attendue, Collections.singletonList(lampe(lx, 0, 4 + lz)),
+                    rayon(-vx, 0, 4 - vz, vx, 0, vz), boule(NOIR, Ks, ns));
         }
 
         /** Rien de faux où il ne faut rien ne prouve rien tant qu'il n'y a rien nulle part. */
         private void refletCommence() {
-            assumeTrue(!pres(NOIR, reflet(GRIS, 1, 0, 1, 0, -1)),
-                    "étape non commencée : face à la lampe et à l'œil, aucun reflet");
+            assumeTrue(!pres(NOIR, apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(),
+                    boule(NOIR, gris, 1))), "étape non commencée : pour l'instant, face à la lampe et à l'œil, aucun reflet");
         }
 
-        @Test
-        @Order(1)
-        @Tag("Objet3D")
-        @DisplayName("face à la lampe et à l'œil : Ks")
+        @Test @Order(1) @Tag("Objet3D") @DisplayName("face à la lampe et à l'œil : Ks")
         void faceALaLampeEtALOeilLeRefletEstKs() {
-            Couleur Ks = new Couleur(0.5, 0.25, 0.125);
-            verifier("L, N et -V confondus : R.-V = 1, donc Ks", Ks, reflet(Ks, 8, 0, 1, 0, -1));
+            Couleur Ks = teinte(0.5, 0.25, 0.125);
+            reflet("L, N et -V confondus : R.-V = 1, donc Ks", Ks, Ks, ns, 0, 1, 0, -1);
         }
 
-        @Test
-        @Order(2)
-        @Tag("Objet3D")
-        @DisplayName("dans la direction du miroir : Ks")
+        @Test @Order(2) @Tag("Objet3D") @DisplayName("dans la direction du miroir : Ks")
         void dansLaDirectionDuMiroirLeRefletEstKs() {
-            verifier("V (0.6,0,0.8), N (0,0,-1), L (0.6,0,-0.8) : l'œil est sur le miroir de L, R.-V = 1", GRIS,
-                    reflet(GRIS, 8, 0.6, 0.8, 0.6, -0.8));
+            reflet("V " + vers(s, 0, c) + ", N " + texte(direction(0, 0, -1)) + ", L " + vers(s, 0, -c)
+                    + " : l'œil est sur le miroir de L, R.-V = 1", gris, gris, ns, s, c, s, -c);
         }
 
-        @Test
-        @Order(3)
-        @Tag("Objet3D")
-        @DisplayName("hors du miroir : Ks fois le cosinus R.-V à la puissance ns")
+        @Test @Order(3) @Tag("Objet3D") @DisplayName("hors du miroir : Ks fois le cosinus R.-V à la puissance ns")
         void leRefletEstUnePuissanceDuCosinus() {
-            verifier("R.-V = 0.8, ns = 1, Ks = 0.5", GRIS.mul(0.8), reflet(GRIS, 1, 0, 1, 0.6, -0.8));
-            verifier("R.-V = 0.8, ns = 2.5, Ks = 0.5", GRIS.mul(Math.pow(0.8, 2.5)), reflet(GRIS, 2.5, 0, 1, 0.6, -0.8));
-            verifier("V (0.6,0,0.8), L (0.8,0,-0.6) : R.-V = 0.96, ns = 50, Ks = 0.5", GRIS.mul(Math.pow(0.96, 50)),
-                    reflet(GRIS, 50, 0.6, 0.8, 0.8, -0.6));
+            for (double n : new double[] {1, tirer(2.5, 1.5, 4)}) {
+                reflet("R.-V = " + nb(c) + ", ns = " + nb(n) + ", Ks = " + texte(gris), gris.mul(Math.pow(c, n)), gris, n,
+                        0, 1, s, -c);
+            }
+            // la lampe s'écarte de la normale d'un angle de plus que l'œil, de l'autre côté
+            double cosinus = tirer(0.96, 0.95, 0.98);
+            double lx = arrondi(s * cosinus + c * sinus(cosinus));
+            double lz = arrondi(c * cosinus - s * sinus(cosinus));
+            double n = tirer(50, 20, 60);
+            reflet("V " + vers(s, 0, c) + ", L " + vers(lx, 0, -lz) + " : R.-V = " + nb(cosinus) + ", ns = " + nb(n)
+                    + ", Ks = " + texte(gris), gris.mul(Math.pow(cosinus, n)), gris, n, s, c, lx, -lz);
         }
 
-        @Test
-        @Order(4)
-        @Tag("Objet3D")
-        @DisplayName("un cosinus négatif ne donne pas de reflet, même élevé au carré")
+        @Test @Order(4) @Tag("Objet3D") @DisplayName("un cosinus négatif ne donne pas de reflet, même élevé au carré")
         void unCosinusNegatifNeDonneRien() {
             refletCommence();
-            verifier("V (0.6,0,0.8), L (-0.96,0,-0.28) : R.-V = -0.352, ns = 2", NOIR,
-                    reflet(GRIS, 2, 0.6, 0.8, -0.96, -0.28));
+            reflet("V " + vers(sv, 0, cv) + ", L " + vers(-sr, 0, -cr) + " : R.-V = " + nb(cv * cr - sv * sr) + ", ns = 2",
+                    NOIR, gris, 2, sv, cv, -sr, -cr);
         }
 
-        @Test
-        @Order(5)
-        @Tag("Objet3D")
-        @DisplayName("une lampe derrière la surface ne s'y reflète pas")
+        @Test @Order(5) @Tag("Objet3D") @DisplayName("une lampe derrière la surface ne s'y reflète pas")
         void uneLampeDerriereNeSeRefletePas() {
             refletCommence();
-            verifier("N.L = -0.28 et R.-V = 0.352", NOIR, reflet(GRIS, 1, 0.6, 0.8, 0.96, 0.28));
+            reflet("N.L = " + nb(-cr) + " et R.-V = " + nb(sv * sr - cv * cr), NOIR, gris, 1, sv, cv, sr, cr);
         }
 
-        @Test
-        @Order(6)
-        @Tag("Objet3D")
-        @DisplayName("le reflet s'ajoute à l'éclairement diffus")
+        @Test @Order(6) @Tag("Objet3D") @DisplayName("le reflet s'ajoute à l'éclairement diffus")
         void leRefletSAjouteAuDiffus() {
             refletCommence();
-            Lampe lampe = lampe(0, 0, 3);
-            Rayon devant = rayon(0, 0, 0, 0, 0, 1);
-            Couleur Kd = new Couleur(0.3, 0.25, 0.125);
-            Couleur Ks = new Couleur(0.2, 0.3, 0.25);
-            Couleur mate = apport(lampe, devant, boule(0, 0, 5, 1, Kd, NOIR, 8));
-            Couleur noire = apport(lampe, devant, boule(0, 0, 5, 1, NOIR, Ks, 8));
-            Couleur deux = apport(lampe, devant, boule(0, 0, 5, 1, Kd, Ks, 8));
-            verifier("une boule mate et brillante : ce que donne la mate (Ks nul), plus ce que donne la brillante "
-                    + "(Kd nul)",
-                    mate.add(noire), deux);
+            List<Lampe> lampe = Collections.singletonList(lampe(0, 0, 3));
+            Couleur Kd = teinte(0.3, 0.25, 0.125);
+            Couleur Ks = teinte(0.2, 0.3, 0.25);
+            Couleur mate = apport(c -> !pres(NOIR, c), lampe, devant(), boule(Kd, NOIR, ns));
+            Couleur noire = apport(c -> !pres(NOIR, c), lampe, devant(), boule(NOIR, Ks, ns));
+            verifierApport("une boule mate et brillante : ce que donne la mate (Ks nul), plus ce que donne la brillante (Kd nul)",
+                    mate.add(noire), lampe, devant(), boule(Kd, Ks, ns));
         }
 
-        @Test
-        @Order(7)
-        @Tag("Objet3D")
-        @DisplayName("la couleur de chaque lampe multiplie Ks, composante par composante")
+        @Test @Order(7) @Tag("Objet3D") @DisplayName("la couleur de chaque lampe multiplie Ks, composante par composante")
         void laCouleurDesLampesMultiplieKs() {
             refletCommence();
-            Couleur Ks = new Couleur(0.3, 0.2, 0.4);
-            verifier("L, N et -V confondus, lampes (1,0.5,0.25) et blanche : Ks (1,0.5,0.25) + Ks",
-                    new Couleur(0.6, 0.3, 0.5),
-                    apport(Arrays.asList(orange(0, 0, 3), lampe(0, 0, 3)), rayon(0, 0, 0, 0, 0, 1),
-                            boule(0, 0, 5, 1, NOIR, Ks, 8)));
+            Couleur Ks = teinte(0.3, 0.2, 0.4);
+            verifierApport("L, N et -V confondus, lampes " + texte(couleurOrange) + " et blanche : Ks " + texte(couleurOrange)
+                    + " + Ks", Ks.mul(couleurOrange).add(Ks), Arrays.asList(orange(0, 0, 3), lampe(0, 0, 3)),
+                    devant(), boule(NOIR, Ks, ns));
         }
     }
 
-    @Nested
-    @Order(7)
-    @Tag("ombres")
+    @Nested @Order(7) @Tag("ombres") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     @DisplayName("7. Ombres portées")
-    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     class Ombres {
 
-        private final Sphere boule = boule(0, 0, 5, 1, new Couleur(0.5, 0.5, 0.5), new Couleur(0.25, 0.25, 0.25), 1);
-        // du contact (0, 0, 4), dans la direction (0.6, 0, -0.8), à une distance de 10
-        private final Lampe lampe = orange(6, 0, -4);
+        private final Sphere boule = boule(gris, teinte(0.25, 0.25, 0.25), 1);
+        /** Du contact (0, 0, 4) à la lampe, qui est de biais. */
+        private final double D = tirer(10, 8, 12);
+        private final Lampe lampe = orange(s * D, 0, 4 - c * D);
+        private final double R = tirer(1, 0.7, 1.2);
+
+        /** Où l'on regarde : si la boule se met elle-même à l'ombre, ce n'est pas partout. */
+        private int ou;
 
         private Couleur couleur(Lampe lampe, Sphere... boules) {
-            return vue(scene(lampe, boules), rayon(0, 0, 0, 0, 0, 1));
+            return vue(scene(lampe, boules), aCote(devant(), ou));
+        }
+
+        /** Une boule sur le chemin qui va du contact (à 0) à la lampe (à 1), ou d'autant plus haut. */
+        private Sphere surLeChemin(double ou, double plusHaut) {
+            return boule(s * D * ou, plusHaut, 4 - c * D * ou, R, BLANC, NOIR, 1);
+        }
+
+        private Sphere aMiChemin() {
+            return surLeChemin(0.5, 0);
         }
 
         private Couleur eclairee;
@@ -809,121 +931,111 @@ public class Tests {
         @BeforeEach
         void commencee() {
             couleurCommencee();
-            eclairee = couleur(lampe, boule);
             eteinte = couleur(null, boule);
-            assumeTrue(!pres(eclairee, eteinte),
-                    "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
+            for (eclairee = couleur(lampe, boule); ou < 15 && pres(eclairee, eteinte); eclairee = couleur(lampe, boule)) {
+                ou++;
+            }
+            assumeTrue(!pres(eclairee, eteinte), "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
         }
 
         private void ombreCommencee() {
-            assumeTrue(!pres(eclairee, couleur(lampe, boule, boule(3, 0, 0, 1, BLANC, NOIR, 1))),
-                    "étape non commencée : une boule entre la lampe et le contact ne change rien");
+            assumeTrue(!pres(eclairee, couleur(lampe, boule, aMiChemin())),
+                    "étape non commencée : pour l'instant, une boule entre la lampe et le contact ne change encore rien");
         }
 
-        @Test
-        @Order(1)
-        @Tag("Objet3D")
-        @DisplayName("une boule entre la lampe et le contact le met à l'ombre")
+        @Test @Order(1) @Tag("Objet3D") @DisplayName("une boule entre la lampe et le contact le met à l'ombre")
         void unObstacleMetALOmbre() {
             verifier("une boule à mi-chemin de la lampe : comme si la lampe était éteinte", eteinte,
-                    couleur(lampe, boule, boule(3, 0, 0, 1, BLANC, NOIR, 1)));
+                    couleur(lampe, boule, aMiChemin()));
         }
 
-        @Test
-        @Order(2)
-        @Tag("Objet3D")
-        @DisplayName("un obstacle est un obstacle, où qu'il soit dans la liste")
+        @Test @Order(2) @Tag("Objet3D") @DisplayName("un obstacle est un obstacle, où qu'il soit dans la liste")
         void lOrdreDesBoulesNeComptePas() {
-            verifier("la boule qui cache est la première de la scène", eteinte,
-                    couleur(lampe, boule(3, 0, 0, 1, BLANC, NOIR, 1), boule));
+            verifier("la boule qui cache est la première de la scène", eteinte, couleur(lampe, aMiChemin(), boule));
         }
 
-        @Test
-        @Order(3)
-        @Tag("Objet3D")
-        @DisplayName("une boule derrière la lampe ne fait pas d'ombre")
+        @Test @Order(3) @Tag("Objet3D") @DisplayName("une boule derrière la lampe ne fait pas d'ombre")
         void derriereLaLampeRienNeCache() {
             ombreCommencee();
-            verifier("une boule au-delà de la lampe : rien ne change", eclairee,
-                    couleur(lampe, boule, boule(12, 0, -12, 1, BLANC, NOIR, 1)));
+            verifier("une boule au-delà de la lampe : rien ne change", eclairee, couleur(lampe, boule, surLeChemin(2, 0)));
         }
 
-        @Test
-        @Order(4)
-        @Tag("Objet3D")
-        @DisplayName("une boule à côté, ou de l'autre côté, ne fait pas d'ombre")
+        @Test @Order(4) @Tag("Objet3D") @DisplayName("une boule à côté, ou de l'autre côté, ne fait pas d'ombre")
         void aCoteRienNeCache() {
             ombreCommencee();
-            verifier("une boule à côté du chemin de la lumière", eclairee,
-                    couleur(lampe, boule, boule(3, 3, 0, 1, BLANC, NOIR, 1)));
+            verifier("une boule à côté du chemin de la lumière", eclairee, couleur(lampe, boule, surLeChemin(0.5, tirer(3, 2, 4))));
             verifier("une boule derrière la boule éclairée, dans le prolongement", eclairee,
-                    couleur(lampe, boule, boule(-6, 0, 12, 1, BLANC, NOIR, 1)));
+                    couleur(lampe, boule, surLeChemin(-1, 0)));
         }
 
-        @Test
-        @Order(5)
-        @Tag("Objet3D")
-        @DisplayName("une boule seule n'est pas dans sa propre ombre")
+        @Test @Order(5) @Tag("Objet3D") @DisplayName("une boule seule n'est pas dans sa propre ombre")
         void uneBouleNeSeCachePasElleMeme() {
             ombreCommencee();
             int noirs = 0;
             int points = 0;
-            for (double y = -0.55; y < 0.6; y += 0.1) {
-                for (double x = -0.53; x < 0.6; x += 0.1) {
+            double pas = tirer(0.1, 0.1, 0.13);
+            for (double y = -0.55; y < 0.6; y += pas) {
+                for (double x = -0.53; x < 0.6; x += pas) {
                     Rayon rayon = rayon(x, y, 0, 0.01, 0.02, 1);
                     points++;
-                    noirs += pres(NOIR, apport(lampe(1, 2, -7), rayon, boule(0, 0, 5, 1, GRIS, NOIR, 1))) ? 1 : 0;
+                    noirs += pres(NOIR, apport(Collections.singletonList(lampe(1, 2, 3 - D)), rayon, boule(gris, NOIR, 1))) ? 1 : 0;
                 }
             }
             dire(noirs == 0, "points noirs sur " + points
                     + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même", 0, noirs);
         }
 
-        @Test
-        @Order(6)
-        @Tag("Objet3D")
-        @DisplayName("l'ombre d'une lampe n'enlève rien aux autres")
+        @Test @Order(6) @Tag("Objet3D") @DisplayName("l'ombre d'une lampe n'enlève rien aux autres")
         void lesAutresLampesRestent() {
-            List<Sphere> boules = Arrays.asList(boule, boule(3, 0, 0, 1, BLANC, NOIR, 1));
-            Lampe autre = lampe(-6, 0, -4);
-            Rayon devant = rayon(0, 0, 0, 0, 0, 1);
+            List<Sphere> boules = Arrays.asList(boule, aMiChemin());
+            Lampe autre = lampe(-s * D, 0, 4 - c * D);
             verifier("la première de deux lampes est cachée : il reste l'autre", couleur(autre, boule),
-                    vue(new Scene(boules, Arrays.asList(lampe, autre)), devant));
+                    vue(new Scene(boules, Arrays.asList(lampe, autre)), aCote(devant(), ou)));
         }
     }
 
-    @Nested
-    @Order(8)
-    @Tag("reflets")
+    @Nested @Order(8) @Tag("reflets") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     @DisplayName("8. Reflets des objets")
-    @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
     class Reflets {
 
-        private final Couleur Ks = new Couleur(0.5, 0.25, 0.75);
-        private final Rayon devant = rayon(0, 0, 0, 0, 0, 1);
-        /** À une distance de 1 du contact (0, 0, 4.2) du miroir ; sa tache brillante est ailleurs, ns étant très grand. */
-        private final Lampe lampe = orange(0.6, 0, 3.4);
+        private final Couleur Ks = teinte(0.5, 0.25, 0.75);
+        /** Le rayon rencontre le miroir à cette distance ; il en repart dans la direction (0, ry, rz). */
+        private final double z = tirer(4.2, 3.5, 4.8);
+        private final double sn = tirer(0.6, 0.52, 0.66);
+        private final double cn = sinus(sn);
+        private final double ry = arrondi(2 * sn * cn);
+        private final double rz = arrondi(1 - 2 * cn * cn);
+        private final Couleur ciel = ciel(ry);
+        /** À une distance de 1 du contact du miroir ; sa tache brillante est ailleurs, ns étant très grand. */
+        private final Lampe lampe = orange(s, 0, z - c);
 
         @BeforeEach
         void commencee() {
             couleurCommencee();
         }
 
-        /** De N (0, 0.6, -0.8), le rayon (0, 0, 1) repart de (0, 0, 4.2) dans la direction (0, 0.96, -0.28). */
+        /** De normale (0, 0.6, -0.8), un miroir renvoie (0, 0, 1) dans la direction (0, 0.96, -0.28). */
         private Sphere miroir(Couleur Ks) {
-            return boule(0, -0.6, 5, 1, NOIR, Ks, 1e5);
+            return boule(0, -sn, z + cn, 1, NOIR, Ks, 1e5);
         }
 
-        private final Couleur ciel = rayon(0, 0, 0, 0, 0.96, -0.28).getSkyColor();
+        /** Le rayon réfléchi, parti un peu plus loin. */
+        private Rayon reflechi(double t) {
+            return rayon(0, ry * t, z + rz * t, 0, ry, rz);
+        }
 
         /** Ce que montre une boule parce que Ks n'est pas nul. */
-        private Couleur reflet(List<Lampe> lampes, int profondeur, Sphere... autres) {
+        private Couleur reflet(Predicate<Couleur> convient, List<Lampe> lampes, int profondeur, Sphere... autres) {
             List<Sphere> avec = new ArrayList<>(Arrays.asList(autres));
             List<Sphere> sans = new ArrayList<>(Arrays.asList(autres));
             avec.add(miroir(Ks));
             sans.add(miroir(NOIR));
-            return vue(new Scene(avec, lampes), devant, profondeur)
-                    .sub(vue(new Scene(sans, lampes), rayon(0, 0, 0, 0, 0, 1), profondeur));
+            return aCote(devant(), convient, rayon -> vue(new Scene(avec, lampes), new Rayon(rayon.getP(), rayon.getV()), profondeur)
+                    .sub(vue(new Scene(sans, lampes), rayon, profondeur)));
+        }
+
+        private void verifierReflet(String demande, Couleur attendue, List<Lampe> lampes, int profondeur, Sphere... autres) {
+            verifier(demande, attendue, reflet(c -> pres(attendue, c), lampes, profondeur, autres));
         }
 
         private void commenceeOuSansFin() {
@@ -935,125 +1047,109 @@ public class Tests {
         }
 
         private void refletCommence() {
-            assumeTrue(!pres(NOIR, reflet(Collections.singletonList(lampe), 1)),
-                    "étape non commencée : une boule brillante, seule, ne reflète rien");
+            assumeTrue(!pres(NOIR, reflet(c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)),
+                    "étape non commencée : pour l'instant, une boule brillante, seule, ne reflète encore rien");
         }
 
-        @Test
-        @Order(1)
-        @Tag("Objet3D")
-        @DisplayName("une boule seule reflète le ciel, multiplié par Ks")
+        @Test @Order(1) @Tag("Objet3D") @DisplayName("une boule seule reflète le ciel, multiplié par Ks")
         void uneBouleRefleteLeCiel() {
-            verifier("Ks fois le ciel dans la direction du miroir, (0,0.96,-0.28)", Ks.mul(ciel),
-                    reflet(Collections.singletonList(lampe), 1));
+            verifierReflet("Ks fois le ciel dans la direction du miroir, " + vers(0, ry, rz), Ks.mul(ciel),
+                    Collections.singletonList(lampe), 1);
         }
 
-        @Test
-        @Order(2)
-        @Tag("Objet3D")
-        @DisplayName("le ciel reflété ne dépend pas du nombre de lampes")
+        @Test @Order(2) @Tag("Objet3D") @DisplayName("le ciel reflété ne dépend pas du nombre de lampes")
         void unRefletNeSAjouteQuUneFois() {
             commenceeOuSansFin();
-            verifier("sans aucune lampe", Ks.mul(ciel), reflet(Collections.<Lampe>emptyList(), 1));
-            verifier("avec deux lampes", Ks.mul(ciel), reflet(Arrays.asList(lampe, lampe(-0.6, 0, 3.4)), 1));
+            verifierReflet("sans aucune lampe", Ks.mul(ciel), Collections.<Lampe>emptyList(), 1);
+            List<Lampe> lampes = new ArrayList<>(Arrays.asList(lampe, lampe(-s, 0, z - c), lampe(0, 0, z - 1)));
+            int combien = entier(2, 2, 4);
+            verifierReflet("avec " + (combien == 2 ? "deux" : "trois") + " lampes", Ks.mul(ciel), lampes.subList(0, combien), 1);
         }
 
-        @Test
-        @Order(3)
-        @Tag("Objet3D")
-        @DisplayName("une boule mate (Ks nul) ne reflète rien")
+        @Test @Order(3) @Tag("Objet3D") @DisplayName("une boule mate (Ks nul) ne reflète rien")
         void sansKsIlNYAPasDeReflet() {
             commenceeOuSansFin();
-            Scene mate = scene(null, boule(0, 0, 5, 1, NOIR, NOIR, 1));
+            Scene mate = scene(null, boule(NOIR, NOIR, 1));
             verifier("Ks = (0,0,0), sans lampe : la profondeur 1 moins la profondeur 0", NOIR,
-                    vue(mate, devant, 1).sub(vue(mate, rayon(0, 0, 0, 0, 0, 1), 0)));
+                    vue(mate, rayon(0, s, 0, 0, 0, 1), 1).sub(vue(mate, rayon(0, s, 0, 0, 0, 1), 0)));
         }
 
-        @Test
-        @Order(4)
-        @Tag("Objet3D")
-        @DisplayName("une boule reflète les autres boules")
+        @Test @Order(4) @Tag("Objet3D") @DisplayName("une boule reflète les autres boules")
         void uneBouleRefleteUneAutreBoule() {
             // sur le chemin du rayon réfléchi, suivi un peu plus loin
-            Sphere mate = boule(0, 4.8, 2.8, 1, new Couleur(0.25, 0.5, 0.75), NOIR, 1);
-            Lampe derriere = orange(0, 0, 8);
+            double D = tirer(5, 4.5, 6);
+            Sphere mate = boule(0, ry * D, z + rz * D, tirer(1, 0.7, 1.2), teinte(0.25, 0.5, 0.75), NOIR, 1);
+            Lampe derriere = orange(0, 0, tirer(8, 7.8, 9));
             Scene scene = scene(derriere, miroir(Ks), mate);
-            Couleur reflechie = vue(scene, rayon(0, 0.96, 3.92, 0, 0.96, -0.28), 1);
+            Couleur reflechie = vue(scene, reflechi(1), 1);
             for (double t = 0.25; t < 2; t += 0.25) {
-                assumeTrue(!pres(NOIR, reflechie) && pres(reflechie,
-                        vue(scene, rayon(0, 0.96 * t, 4.2 - 0.28 * t, 0, 0.96, -0.28), 1)),
-                        "étape non évaluable : la boule à refléter n'est pas éclairée, ou pas toujours de même "
-                        + "(ombre d'elle-même ?)");
+                assumeTrue(!pres(NOIR, reflechie) && pres(reflechie, vue(scene, reflechi(t), 1)), "étape non évaluable : "
+                        + "la boule à refléter n'est pas éclairée, ou pas toujours de même (ombre d'elle-même ?)");
             }
-            verifier("à la profondeur 2, Ks fois la couleur de la boule reflétée", Ks.mul(reflechie),
-                    reflet(Collections.singletonList(derriere), 2, mate));
+            verifierReflet("à la profondeur 2, Ks fois la couleur de la boule reflétée", Ks.mul(reflechie),
+                    Collections.singletonList(derriere), 2, mate);
         }
 
-        @Test
-        @Order(5)
-        @Tag("Objet3D")
-        @DisplayName("une boule ne se reflète pas elle-même")
+        @Test @Order(5) @Tag("Objet3D") @DisplayName("une boule ne se reflète pas elle-même")
         void uneBouleNeSeRefletePasElleMeme() {
-            Sphere miroir = boule(0, 0, 5, 1, NOIR, GRIS, 1e5);
+            Sphere miroir = boule(NOIR, gris, 1e5);
             for (double y = -0.55; y < 0.6; y += 0.1) {
                 Couleur vue = vue(scene(null, miroir), rayon(0.13, y, 0, 0.01, 0.02, 1), 1);
                 dire(vue.b > 0.025, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y,
-                        "le ciel", triplet(vue.r, vue.v, vue.b));
+                        "le ciel", lisible(vue.r, vue.v, vue.b));
             }
         }
 
-        @Test
-        @Order(6)
-        @Tag("Objet3D")
-        @DisplayName("à profondeur 0, pas de reflet")
+        @Test @Order(6) @Tag("Objet3D") @DisplayName("à profondeur 0, pas de reflet")
         void aProfondeurZeroIlNYAPasDeReflet() {
             commenceeOuSansFin();
-            verifier("une boule noire et brillante, à profondeur 0 : ce que Ks y ajoute", NOIR,
-                    reflet(Collections.singletonList(lampe), 0));
+            verifierReflet("une boule noire et brillante, à profondeur 0 : ce que Ks y ajoute", NOIR,
+                    Collections.singletonList(lampe), 0);
         }
 
-        /** Deux miroirs face à face, Ks = 1/2, de même couleur. */
+        /** Ni trop faible, que la moitié de la moitié se voie, ni trop fort, que la somme de tous reste sous 1. */
+        private final double k = tirer(0.5, 0.43, 0.5);
+        private final double ecart = 5 + entier(0, -2, 3) / 4.0;
+
+        /** Deux miroirs face à face, de même couleur. */
         private Couleur face(int profondeur, Lampe lampe) {
-            Sphere loin = boule(0, 0, 9, 1, lampe == null ? NOIR : GRIS, GRIS, 20);
-            Sphere pres = boule(0, 0, -1, 1, lampe == null ? NOIR : GRIS, GRIS, 20);
-            return vue(scene(lampe, loin, pres), rayon(0, 0, 4, 0, 0, 1), profondeur);
+            // un axe : tourné ou déplacé, il ne serait plus exact
+            devantLaCamera();
+            Couleur Kd = lampe == null ? NOIR : new Couleur(k, k, k);
+            Couleur Ks = new Couleur(k, k, k);
+            return vue(scene(lampe, boule(0, 0, 4 + ecart, 1, Kd, Ks, 20), boule(0, 0, 4 - ecart, 1, Kd, Ks, 20)),
+                    rayon(0, 0, 4, 0, 0, 1), profondeur);
         }
 
-        @Test
-        @Order(7)
-        @Tag("Objet3D")
+        @Test @Order(7) @Tag("Objet3D")
         @DisplayName("deux miroirs face à face : un reflet de plus à chaque niveau de profondeur")
         void deuxMiroirsSeRenvoientLaLumiere() {
             commenceeOuSansFin();
             try {
-                // des couleurs qui restent sous 1, où l'on peut vouloir les limiter
-                Lampe milieu = orange(0, 3, 4);
+                devantLaCamera();
+                Lampe milieu = lampe(0, 0, 4, couleurOrange.mul(0.4));
                 for (int p = 2; p < 5; p++) {
                     Couleur ajoute = face(p, milieu).sub(face(p - 1, milieu));
                     dire(ajoute.r > PRES_COULEUR, "deux miroirs face à face : ce qu'ajoute le reflet de profondeur " + p,
-                            "plus que rien", triplet(ajoute.r, ajoute.v, ajoute.b));
-                    verifier("deux miroirs face à face, Ks = 1/2 : le reflet de profondeur " + (p + 1)
-                            + " ajoute la moitié de ce qu'ajoute celui de profondeur " + p, ajoute.mul(0.5),
-                            face(p + 1, milieu).sub(face(p, milieu)));
+                            "plus que rien", lisible(ajoute.r, ajoute.v, ajoute.b));
+                    verifier("deux miroirs face à face, Ks = " + (k == 0.5 ? "1/2" : nb(k)) + " : le reflet de profondeur "
+                            + (p + 1) + " ajoute " + (k == 0.5 ? "la moitié" : nb(k) + " fois") + " de ce qu'ajoute celui de "
+                            + "profondeur " + p, ajoute.mul(k), face(p + 1, milieu).sub(face(p, milieu)));
                 }
             } catch (StackOverflowError e) {
-                fail("deux miroirs face à face se renvoient le rayon sans fin : la profondeur doit diminuer à chaque "
-                        + "reflet");
+                fail("deux miroirs face à face se renvoient le rayon sans fin : la profondeur doit diminuer à chaque reflet");
             }
         }
 
-        @Test
-        @Order(8)
-        @Tag("Objet3D")
-        @DisplayName("deux miroirs face à face : la récursion s'arrête")
+        @Test @Order(8) @Tag("Objet3D") @DisplayName("deux miroirs face à face : la récursion s'arrête")
         void laRecursionSArrete() {
             commenceeOuSansFin();
             try {
-                verifier("deux miroirs noirs face à face, sans lampe : de même à profondeur 20 qu'à profondeur 19",
-                        face(19, null), face(20, null));
+                int p = entier(19, 17, 24);
+                verifier("deux miroirs noirs face à face, sans lampe : de même à profondeur " + (p + 1) + " qu'à profondeur " + p,
+                        face(p, null), face(p + 1, null));
             } catch (StackOverflowError e) {
-                fail("deux miroirs face à face se renvoient le rayon sans fin : le paramètre profondeur doit arrêter "
-                        + "les appels");
+                fail("deux miroirs face à face se renvoient le rayon sans fin : le paramètre profondeur doit arrêter les appels");
             }
         }
     }

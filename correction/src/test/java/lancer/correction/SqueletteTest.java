@@ -38,13 +38,17 @@ class SqueletteTest extends ClasseEssai {
 
     /** Compile les classes du projet, comme pour Java 8, et rend ce que le compilateur en dit. */
     private String compiler(Path sources, Path classes) throws IOException, URISyntaxException {
+        return compiler(sources, classes, ini4j());
+    }
+
+    static String compiler(Path sources, Path classes, String chemin) throws IOException {
         JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
         StringWriter dit = new StringWriter();
         try (StandardJavaFileManager gestion = javac.getStandardFileManager(null, null, StandardCharsets.UTF_8);
                 Stream<Path> flux = Files.walk(sources)) {
             List<File> fichiers = flux.filter(f -> f.toString().endsWith(".java")).map(Path::toFile).collect(Collectors.toList());
             List<String> options = Arrays.asList("--release", "8", "-Xlint:all,-options", "-d", Files.createDirectories(classes).toString(),
-                    "-cp", ini4j());
+                    "-cp", chemin);
             javac.getTask(dit, gestion, null, options, null, gestion.getJavaFileObjectsFromFiles(fichiers)).call();
         }
         return dit.toString();

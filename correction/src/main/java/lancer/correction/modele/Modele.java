@@ -5,10 +5,17 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même
@@ -31,6 +38,12 @@ public final class Modele {
 
     public static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
             "tournesol");
+
+    /** Rayon d'une boule trop grande pour qu'on la déplace : un sol, un miroir presque plat. */
+    private static final double IMMENSE = 100;
+
+    private static final Pattern RAYON = Pattern.compile("(?m)^rayon=(\\S+)");
+    private static final Pattern TRIPLET = Pattern.compile("(?m)^(centre|position|Kd|Ks|couleur)=(\\S+) (\\S+) (\\S+)$");
 
     private Modele() {
     }
@@ -105,6 +118,28 @@ public final class Modele {
 
     public static String scene(String nom) {
         return ressource("scenes/" + nom + ".ini");
+    }
+
+    /** Cette scène, ses boules et ses lampes un peu déplacées, ses couleurs un peu assombries, chacune autrement selon la graine. */
+    public static String scene(String nom, long graine) {
+        SplittableRandom hasard = new SplittableRandom(graine);
+        StringBuilder texte = new StringBuilder();
+        for (String section : scene(nom).split("(?m)^(?=\\[)")) {
+            Matcher rayon = RAYON.matcher(section);
+            double r = rayon.find() ? Double.parseDouble(rayon.group(1)) : IMMENSE;
+            texte.append(TRIPLET.matcher(section).replaceAll(triplet -> tirer(hasard, triplet, r)));
+        }
+        return texte.toString();
+    }
+
+    private static String tirer(SplittableRandom hasard, MatchResult triplet, double rayon) {
+        double[] t = IntStream.rangeClosed(2, 4).mapToDouble(k -> Double.parseDouble(triplet.group(k))).toArray();
+        String cle = triplet.group(1);
+        // un huitième de son rayon, un vingtième de sa distance
+        double pas = cle.equals("position") ? Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]) / 20
+                : cle.equals("centre") && rayon < IMMENSE ? rayon / 8 : 0;
+        return cle + "=" + Arrays.stream(t).map(x -> cle.matches("centre|position") ? x + pas * hasard.nextDouble(-1, 1)
+                : x * hasard.nextDouble(0.75, 1)).mapToObj(x -> String.format(Locale.ROOT, "%.4f", x)).collect(Collectors.joining(" "));
     }
 
     /** Un texte de l'archive du programme. */

@@ -31,7 +31,7 @@ import org.junit.platform.launcher.TestPlan;
  */
 public class Etapes implements TestExecutionListener {
 
-    private static final Path SOURCES = Paths.get("src/main/java/lancer");
+    private static final Path SOURCES = Paths.get(System.getProperty("etapes.sources", "src/main/java/lancer"));
 
     /** Secondes laissées à une vérification avant de la dire sans fin ; 0 : autant qu'elle en veut. */
     private static final int PATIENCE = Integer.getInteger("etapes.patience", 0);
@@ -93,7 +93,8 @@ public class Etapes implements TestExecutionListener {
     @Override
     public synchronized void testPlanExecutionFinished(TestPlan fini) {
         StringBuilder bilan = new StringBuilder("\n");
-        StringBuilder detail = new StringBuilder();
+        String detail = "";
+        Manque aReprendre = null;
         String suivante = "Toutes les étapes sont faites : restent les images à regarder, et les extensions.";
         for (TestIdentifier etape : etapes(fini)) {
             List<TestIdentifier> verifications = enOrdre(fini, etape);
@@ -102,12 +103,14 @@ public class Etapes implements TestExecutionListener {
             bilan.append(etape.getDisplayName()).append(" : ").append(verifications.size() - manques.size()).append('/')
                     .append(verifications.size());
             if (!manques.isEmpty()) {
-                Manque premier = manques.get(0);
-                bilan.append(!premier.essayee ? " ; pas essayée"
+                Manque premier = manques.stream().filter(m -> !m.nonEvaluable).findFirst().orElse(manques.get(0));
+                bilan.append(!premier.essayee ? " ; pas essayée" : premier.nonEvaluable ? " ; le reste n'est pas évaluable"
                         : premier.aCommencer ? " ; à commencer : " + premier.dit
                         : " ; à reprendre d'abord : " + premier.intitule);
-                if (detail.length() == 0) {
-                    manques.stream().map(Manque::toString).distinct().forEach(detail::append);
+                // ce qu'une étape d'après explique n'est pas imputé à celle-ci
+                if (aReprendre == null || aReprendre.nonEvaluable && !premier.nonEvaluable) {
+                    aReprendre = premier;
+                    detail = manques.stream().map(Manque::toString).distinct().collect(Collectors.joining());
                     suivante = "L'étape suivante : " + etape.getDisplayName() + " ; à " + premier.aFaire;
                 }
             }
@@ -140,6 +143,7 @@ public class Etapes implements TestExecutionListener {
         private final String question;
         private final String aFaire;
         private final boolean essayee;
+        private final boolean nonEvaluable;
         private final boolean aCommencer;
 
         Manque(TestIdentifier qui, TestIdentifier etape) {
@@ -157,17 +161,21 @@ public class Etapes implements TestExecutionListener {
             }
             String classe = qui.getTags().stream().map(TestTag::getName).filter(t -> Files.exists(fichier(t)))
                     .findFirst().orElse("");
-            String lieu = lieu(classe, intitule);
+            String lieu;
             if (abandonnee || cause instanceof AssertionError) {
-                dit = String.valueOf(cause.getMessage())
-                        .replaceFirst("^Assumption failed: (étape non commencée : )?", "");
+                dit = String.valueOf(cause.getMessage()).replaceFirst("^Assumption failed: (étape non commencée : )?", "");
+                lieu = lieu(classe, intitule + " : " + dit);
+            } else if (cause instanceof StackOverflowError && premiere(cause, p -> p.getMethodName().equals("getColor")).isPresent()) {
+                // en haut de la pile, la dernière méthode appelée, qui n'y est pour rien
+                dit = "des appels sans fin : la profondeur ne diminue pas, ou rien ne la regarde, dans Objet3D.getColor";
+                lieu = lieu("Objet3D", "getColor");
             } else {
                 // une exception : elle est née dans une des classes de l'étudiant
                 dit = cause.toString().replaceFirst("^java\\.lang\\.(Error: )?", "");
-                lieu = premiere(cause, p -> p.getClassName().startsWith("lancer.")
-                        && !p.getClassName().startsWith("lancer.Tests"))
-                        .map(p -> p.getFileName() + ":" + p.getLineNumber()).orElse(lieu);
+                lieu = premiere(cause, p -> p.getClassName().matches("lancer\\.(?!Tests).*"))
+                        .map(p -> p.getFileName() + ":" + p.getLineNumber()).orElse(lieu(classe, intitule));
             }
+            nonEvaluable = abandonnee && dit.startsWith("étape non évaluable");
             aCommencer = abandonnee && lieu.endsWith(FIXME);
             aFaire = (lieu.endsWith(FIXME) ? "compléter : " : "reprendre : ") + lieu;
         }
@@ -187,15 +195,16 @@ public class Etapes implements TestExecutionListener {
         return SOURCES.resolve(classe + ".java");
     }
 
-    /** Où est, dans cette classe, la méthode dont parle un intitulé ; à défaut le premier FIXME, ou celle à compléter. */
-    private static String lieu(String classe, String intitule) {
+    /** Où est, dans cette classe, la première méthode que nomme un texte ; à défaut le premier FIXME, ou celle à compléter. */
+    private static String lieu(String classe, String dit) {
         String texte;
         try {
             texte = new String(Files.readAllBytes(fichier(classe)), StandardCharsets.UTF_8);
         } catch (IOException e) {
             return classe;
         }
-        Matcher nom = Pattern.compile("(\\w+)(?:\\(([^)]*)\\))?").matcher(intitule);
+        // un nom suivi d'un point est celui d'une classe
+        Matcher nom = Pattern.compile("\\b(\\w+)\\b(?!\\.)(?:\\(([^)]*)\\))?").matcher(dit);
         int ou = -1;
         while (ou < 0 && nom.find()) {
             ou = methode(texte, nom.group(1), nom.group(2) == null ? "" : nom.group(2));

@@ -1,0 +1,244 @@
+package lancer.correction;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.LongStream;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.correction.modele.Modele;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Des valeurs que personne ne connaît d'avance : les vérifications et les scènes, tirées d'un nombre. */
+class GrainesTest {
+
+    private static final String GEANTE = "Sphere.uneSphereGeanteEstToucheeSansGrain";
+
+    /** Un étudiant qui recopie des réponses : une table, que l'on remplit avec le corrigé, puis que l'on récite. */
+    private static final String TABLE = "package lancer;\nimport java.util.*;\nimport java.util.function.*;\nclass Table {\n"
+            + "@SuppressWarnings(\"unchecked\") static double[] dire(Supplier<double[]> calcul, double[] sinon, Object... quoi) {\n"
+            + "StringBuilder cle = new StringBuilder();\n"
+            + "for (Object o : quoi) cle.append(o instanceof Double ? Math.round(1e4 * (Double) o) : o).append(' ');\n"
+            + "Map<String, double[]> table = (Map<String, double[]>) System.getProperties().get(\"table\");\n"
+            + "if (Boolean.getBoolean(\"table.apprend\")) table.put(cle.toString(), calcul.get());\n"
+            + "return table.getOrDefault(cle.toString(), sinon);\n}\n}\n";
+
+    @TempDir
+    static Path dossier;
+
+    private static Programme corrige() {
+        return new Programme(dossier);
+    }
+
+    private static long[] graines(int combien) {
+        return LongStream.rangeClosed(1, combien).toArray();
+    }
+
+    @Test
+    void leCorrigePasseToutQuelleQueSoitLaGraine() {
+        Map<Long, Map<String, String>> rates = corrige().rates(graines(200));
+        rates.values().removeIf(Map::isEmpty);
+        assertEquals(Map.of(), rates);
+        assertEquals(Map.of(), corrige().rates(0));
+    }
+
+    /** Le corrigé, chaque nombre arrondi à un {@code float}. */
+    private static Programme enFloat() {
+        Programme programme = corrige();
+        for (String champ : List.of("x", "y", "z")) {
+            programme.changer("Tuple", "this." + champ + " = ", "this." + champ + " = (float) ");
+        }
+        for (String champ : List.of("r", "v", "b")) {
+            programme.changer("Couleur", "this." + champ + " = ", "this." + champ + " = (float) ");
+        }
+        return programme.changer("Vecteur", "x * v.x + y * v.y + z * v.z",
+                "(float) x * (float) v.x + (float) y * (float) v.y + (float) z * (float) v.z")
+                .changer("Vecteur", "return Math.sqrt", "return (float) Math.sqrt")
+                .changer("Sphere", "double b = 2 * CP", "float b = 2 * (float) CP")
+                .changer("Sphere", "double c = CP.norme2() - rayon * rayon", "float c = (float) CP.norme2() - (float) rayon * (float) rayon")
+                .changer("Sphere", "double delta", "float delta").changer("Sphere", "double racine = ", "float racine = (float) ")
+                .changer("Camera", "double focale = ", "double focale = (float) ")
+                .changer("Objet3D", "double cosinus = ", "float cosinus = (float) ").changer("Objet3D", "double eclat = ",
+                        "float eclat = (float) ");
+    }
+
+    @Test
+    void unProgrammeEnFloatNePerdQueLaSphereGeante() {
+        Map<Long, Map<String, String>> rates = enFloat().rates(graines(50));
+        assertTrue(rates.values().stream().filter(r -> r.containsKey(GEANTE)).count() > 40, "il y a du grain");
+        rates.values().forEach(r -> r.remove(GEANTE));
+        rates.values().removeIf(Map::isEmpty);
+        assertEquals(Map.of(), rates);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"Lancer", "Camera"})
+    void viserUnDemiPixelPlusLoinNEstPasUneFauteDePlusQueSansGraine(String classe) {
+        Programme decale = classe.equals("Lancer") ? corrige().changer("Lancer", "(xe, ye)", "(xe + 0.5, ye + 0.5)")
+                : corrige().changer("Camera", "(xe - ", "(xe + 0.5 - ").changer("Camera", "2.0 - ye)", "2.0 - ye - 0.5)");
+        Set<String> sans = decale.rates(0).keySet();
+        assertEquals(new TreeSet<>(classe.equals("Lancer") ? Set.of() : Set.of("Camera.leCoinEnHautAGaucheEstAMoinsUn")), new TreeSet<>(sans));
+        decale.rates(graines(20)).forEach((graine, rates) -> assertEquals(sans, rates.keySet(), "graine " + graine));
+    }
+
+    /** Les seules qui lui coûtent : celles d'une autre classe, juste par ailleurs, sont dites cachées. */
+    @Test
+    void uneFauteSeVoitAuxMemesVerificationsDeSaClasseQuelleQueSoitLaGraine() throws IOException {
+        Map<String, String> ecarts = new TreeMap<>();
+        for (EtapesTest.Faute faute : EtapesTest.fautes(dossier)) {
+            Map<Long, Map<String, String>> rates = faute.programme.rates(0, 1 + faute.nom.length());
+            rates.values().forEach(r -> r.keySet().removeIf(v -> !v.startsWith(faute.classe + ".")));
+            Set<String> sans = rates.get(0L).keySet();
+            rates.forEach((graine, r) -> {
+                if (!r.keySet().equals(sans)) {
+                    ecarts.put(faute.nom + ", graine " + graine, r.keySet() + " au lieu de " + sans);
+                }
+            });
+        }
+        assertEquals(Map.of(), ecarts);
+    }
+
+    @Test
+    void leProjetACompleterNeReussitRienDePlusAvecUneGraine() {
+        Programme squelette = corrige();
+        Modele.A_COMPLETER.forEach(classe -> squelette.ecrire(classe, Modele.squelette(classe)));
+        assertEquals(squelette.rates(0).keySet(), squelette.rates(7).keySet());
+    }
+
+    @Test
+    void recopierLesReponsesAuxValeursPubliquesNeRapporteRien() {
+        Programme copie = corrige().ecrire("Table", TABLE)
+                .changer("Sphere", "public double getIntersectionDistance(Rayon incident) {", "public double getIntersectionDistance("
+                        + "Rayon incident) {\n        Vecteur d = new Vecteur(incident.getP(), centre);\n"
+                        + "        double su = Table.dire(() -> new double[] {calculer(incident)}, new double[] {0}, \"d\", d.norme(), "
+                        + "d.dot(incident.getV()), rayon)[0];\n        incident.setContact(this, su);\n        return su;\n    }\n\n"
+                        + "    private double calculer(Rayon incident) {")
+                .changer("Camera", "public Rayon getRayon(double xe, double ye) {", "public Rayon getRayon(double xe, double ye) {\n"
+                        + "        double[] su = Table.dire(() -> {\n            Rayon r = calculer(xe, ye);\n            return new double[] {"
+                        + "r.getP().x, r.getP().y, r.getV().x, r.getV().y, r.getV().z};\n        }, new double[] {9, 9, 0, 1, 0}, \"c\", "
+                        + "xe / largeur, ye / hauteur, 1.0 * hauteur / largeur);\n        return new Rayon(new Point(su[0], su[1], 0), "
+                        + "new Vecteur(su[2], su[3], su[4]));\n    }\n\n    private Rayon calculer(double xe, double ye) {")
+                .changer("Objet3D", "int profondeur) {", "int profondeur) {\n        java.util.List<Object> cle = new java.util."
+                        + "ArrayList<>();\n        Vecteur N = getNormale(contact);\n        cle.addAll(java.util.Arrays.asList(profondeur, "
+                        + "Kd.r, Kd.v, Kd.b, Ks.r, Ks.v, Ks.b, ns, N.dot(incident.getV())));\n        for (Lampe l : scene.getLampes()) {\n"
+                        + "            Vecteur L = new Vecteur(contact, l.getPosition());\n            cle.addAll(java.util.Arrays.asList("
+                        + "L.norme(), N.dot(L), incident.getV().dot(L), l.getCouleur().v, l.getCouleur().b));\n        }\n"
+                        + "        for (Objet3D o : scene.getObjets()) {\n            Vecteur L = new Vecteur(contact, ((Sphere) o)."
+                        + "getCentre());\n            cle.addAll(java.util.Arrays.asList(L.norme(), N.dot(L), o.getKd().v));\n        }\n"
+                        + "        double[] su = Table.dire(() -> {\n            Couleur c = calculer(scene, incident, contact, profondeur)"
+                        + ";\n            return new double[] {c.r, c.v, c.b};\n        }, new double[] {1, 1, 0}, cle.toArray());\n"
+                        + "        return new Couleur(su[0], su[1], su[2]);\n    }\n\n    private Couleur calculer(Scene scene, Rayon "
+                        + "incident, PointContact contact, int profondeur) {");
+        Map<String, double[]> table = new HashMap<>();
+        System.getProperties().put("table", table);
+        try {
+            Map<Long, Map<String, String>> ignorant = copie.rates(1, 2, 3, 4, 5);
+            System.setProperty("table.apprend", "true");
+            assertEquals(Map.of(), copie.rates(0));
+            System.clearProperty("table.apprend");
+            assertTrue(table.size() > 100, table.size() + " réponses");
+            assertEquals(Map.of(), copie.rates(0), "récitée, la table passe tout ce qui est public");
+            Map<Long, Map<String, String>> savant = copie.rates(1, 2, 3, 4, 5);
+            savant.forEach((graine, rates) -> assertEquals(ignorant.get(graine).keySet(), rates.keySet(), "graine " + graine));
+        } finally {
+            System.getProperties().remove("table");
+            System.clearProperty("table.apprend");
+        }
+    }
+
+    private static Scene lire(String texte) throws IOException {
+        Path fichier = Files.writeString(Files.createTempFile(dossier, "scene", ".ini"), texte);
+        Scene lue = new Scene(fichier.toString());
+        // sans les variantes, que les tests de ce module ont dans leur chemin
+        return new Scene(lue.getObjets(), lue.getLampes());
+    }
+
+    private static List<Sphere> boules(Scene scene) {
+        List<Sphere> boules = new ArrayList<>();
+        scene.getObjets().forEach(objet -> boules.add((Sphere) objet));
+        return boules;
+    }
+
+    private static double ecart(Point p, Point q) {
+        return new Vecteur(p, q).norme();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"scene1", "ombres", "miroirs", "bowling", "brume"})
+    void uneSceneTireeResteUneSceneValideEtSemblable(String nom) throws IOException {
+        List<Sphere> avant = boules(lire(Modele.scene(nom)));
+        List<Lampe> lampes = lire(Modele.scene(nom)).getLampes();
+        assertEquals(Modele.scene(nom, 3), Modele.scene(nom, 3));
+        assertNotEquals(Modele.scene(nom, 3), Modele.scene(nom, 4));
+        for (long graine : graines(20)) {
+            Scene tiree = lire(Modele.scene(nom, graine));
+            List<Sphere> apres = boules(tiree);
+            assertEquals(avant.size(), apres.size());
+            assertEquals(lampes.size(), tiree.getLampes().size());
+            for (int k = 0; k < avant.size(); k++) {
+                Sphere a = avant.get(k);
+                Sphere b = apres.get(k);
+                assertEquals(a.getRayon(), b.getRayon());
+                double permis = a.getRayon() < 100 ? 0.22 * a.getRayon() : 0;
+                assertTrue(ecart(a.getCentre(), b.getCentre()) <= permis, a + " " + b);
+                assertTrue(a.getRayon() >= 100 || ecart(b.getCentre(), Camera.OEIL) > b.getRayon(), b + " : l'œil y est");
+                for (Objet3D autre : apres.subList(0, k)) {
+                    double jeu = ecart(b.getCentre(), ((Sphere) autre).getCentre()) - b.getRayon() - ((Sphere) autre).getRayon();
+                    assertTrue(jeu > -0.4 * Math.min(b.getRayon(), ((Sphere) autre).getRayon()), b + " est dans " + autre);
+                }
+            }
+            for (int k = 0; k < lampes.size(); k++) {
+                double bouge = ecart(lampes.get(k).getPosition(), tiree.getLampes().get(k).getPosition());
+                assertTrue(bouge <= 0.09 * ecart(new Point(), lampes.get(k).getPosition()), nom + " : " + bouge);
+            }
+        }
+    }
+
+    /** La part des pixels, parmi ceux qui ne sont pas du ciel, qui ne sont plus les mêmes. */
+    private static double changes(Scene avant, Scene apres) {
+        Camera camera = new Camera(40, 30);
+        int vus = 0;
+        int changes = 0;
+        for (int p = 0; p < 1200; p++) {
+            double xe = p % 40 + 0.5;
+            double ye = p / 40 + 0.5;
+            if (apres.getClosestIntersection(camera.getRayon(xe, ye), null) != null) {
+                vus++;
+                Couleur a = new Lancer(avant, camera).getCouleurPixel(xe, ye, 5);
+                Couleur b = new Lancer(apres, camera).getCouleurPixel(xe, ye, 5);
+                changes += Math.max(Math.abs(a.r - b.r), Math.max(Math.abs(a.v - b.v), Math.abs(a.b - b.b))) > 2 / 255.0 ? 1 : 0;
+            }
+        }
+        return changes / (double) vus;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"scene1", "ombres", "miroirs"})
+    void lImageDUneSceneTireeNEstPasCelleQueLOnConnait(String nom) throws IOException {
+        for (long graine : graines(5)) {
+            double part = changes(lire(Modele.scene(nom)), lire(Modele.scene(nom, graine)));
+            assertTrue(part > 0.85, nom + ", graine " + graine + " : " + part);
+        }
+    }
+}

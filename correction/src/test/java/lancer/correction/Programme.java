@@ -1,0 +1,169 @@
+package lancer.correction;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lancer.correction.enfant.Execution;
+import lancer.correction.modele.Modele;
+import org.junit.platform.engine.TestExecutionResult;
+import org.junit.platform.engine.TestTag;
+import org.junit.platform.engine.discovery.DiscoverySelectors;
+import org.junit.platform.engine.support.descriptor.MethodSource;
+import org.junit.platform.launcher.TestExecutionListener;
+import org.junit.platform.launcher.TestIdentifier;
+import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
+import org.junit.platform.launcher.core.LauncherFactory;
+
+/** Le corrigé, où l'on change ce que l'on veut, et sur lequel {@code lancer.Tests} se lance ici même. */
+final class Programme {
+
+    private static final String GRAINE = "tests.graine";
+
+    private final Path dossier;
+    private final Map<String, String> sources = Modele.tout(Modele::corrige);
+    private final Map<String, String> changees = new TreeMap<>();
+
+    /** @param dossier où compiler, le même pour tous : le corrigé ne l'est qu'une fois */
+    Programme(Path dossier) {
+        this.dossier = dossier;
+    }
+
+    /** Une partie du texte d'une classe en devient une autre. */
+    Programme changer(String classe, String avant, String apres) {
+        String texte = sources.get("lancer/" + classe);
+        assertTrue(texte.contains(avant), classe + " : " + avant);
+        return ecrire(classe, texte.replace(avant, apres));
+    }
+
+    Programme ecrire(String classe, String texte) {
+        sources.put("lancer/" + classe, texte);
+        changees.put("lancer/" + classe, texte);
+        return this;
+    }
+
+    /** La ligne où commence la méthode qui contient cette ligne-ci. */
+    String methode(String classe, int ligne) {
+        List<String> lignes = Arrays.asList(sources.get("lancer/" + classe).split("\n")).subList(0, ligne);
+        return lignes.stream().filter(l -> l.matches("    (public|private|static).*\\{")).reduce("", (avant, apres) -> apres);
+    }
+
+    private Map<String, byte[]> compiler() {
+        try {
+            Path corrige = dossier.resolve("corrige");
+            if (!Files.exists(corrige)) {
+                Map<String, String> tout = Modele.tout(Modele::corrige);
+                tout.put("lancer/Tests", Modele.ressource("modele/lancer/Tests.java"));
+                tout.put("lancer/Etapes", Modele.ressource("projet/src/test/java/lancer/Etapes.java"));
+                compiler(tout, corrige, System.getProperty("java.class.path"));
+            }
+            Map<String, byte[]> classes = new HashMap<>(lire(corrige));
+            if (!changees.isEmpty()) {
+                Path ici = Files.createTempDirectory(dossier, "change");
+                compiler(changees, ici, corrige + File.pathSeparator + System.getProperty("java.class.path"));
+                classes.putAll(lire(ici));
+            }
+            return classes;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static void compiler(Map<String, String> sources, Path classes, String chemin) throws IOException {
+        Path textes = Files.createTempDirectory(Files.createDirectories(classes), "textes");
+        for (Map.Entry<String, String> source : sources.entrySet()) {
+            Path fichier = textes.resolve(source.getKey() + ".java");
+            Files.createDirectories(fichier.getParent());
+            Files.writeString(fichier, source.getValue());
+        }
+        assertEquals("", SqueletteTest.compiler(textes, classes, chemin));
+    }
+
+    private static Map<String, byte[]> lire(Path classes) throws IOException {
+        try (Stream<Path> flux = Files.list(classes.resolve("lancer"))) {
+            return flux.filter(f -> f.toString().endsWith(".class")).collect(Collectors.toMap(
+                    f -> "lancer." + f.getFileName().toString().replace(".class", ""), f -> {
+                        try {
+                            return Files.readAllBytes(f);
+                        } catch (IOException e) {
+                            throw new UncheckedIOException(e);
+                        }
+                    }));
+        }
+    }
+
+    /** Les vérifications qui ne réussissent pas, par leur classe et leur nom, et pourquoi. @param graine d'où tirer les valeurs, 0 si elles ne le sont pas */
+    Map<String, String> rates(long graine) {
+        return rates(compiler(), graine);
+    }
+
+    /** La même chose, pour chacune de ces graines. */
+    Map<Long, Map<String, String>> rates(long... graines) {
+        Map<String, byte[]> classes = compiler();
+        Map<Long, Map<String, String>> tous = new TreeMap<>();
+        Arrays.stream(graines).forEach(graine -> tous.put(graine, rates(classes, graine)));
+        return tous;
+    }
+
+    private static Map<String, String> rates(Map<String, byte[]> classes, long graine) {
+        Map<String, String> rates = new TreeMap<>();
+        if (graine != 0) {
+            System.setProperty(GRAINE, String.valueOf(graine));
+        }
+        try {
+            lancer(new Execution.Classes(classes, Programme.class.getClassLoader()), new TestExecutionListener() {
+                @Override
+                public void executionFinished(TestIdentifier qui, TestExecutionResult resultat) {
+                    if (qui.isTest() && resultat.getStatus() != TestExecutionResult.Status.SUCCESSFUL) {
+                        String classe = qui.getTags().stream().map(TestTag::getName).filter(Modele.A_COMPLETER::contains).findFirst().get();
+                        rates.put(classe + "." + ((MethodSource) qui.getSource().get()).getMethodName(),
+                                String.valueOf(resultat.getThrowable().get()));
+                    }
+                }
+            });
+        } finally {
+            System.clearProperty(GRAINE);
+        }
+        return rates;
+    }
+
+    private static void lancer(ClassLoader chargeur, TestExecutionListener ecoute) {
+        LauncherFactory.create().execute(LauncherDiscoveryRequestBuilder.request()
+                .selectors(DiscoverySelectors.selectClass(chargeur, "lancer.Tests"))
+                .enableImplicitConfigurationParameters(false).build(), ecoute);
+    }
+
+    /** Ce que dit « make test » : le bilan de la classe {@code Etapes}. */
+    String bilan() throws IOException, ReflectiveOperationException {
+        Path projet = Files.createTempDirectory(dossier, "sources");
+        for (Map.Entry<String, String> source : sources.entrySet()) {
+            Files.writeString(projet.resolve(source.getKey().replace("lancer/", "") + ".java"), source.getValue());
+        }
+        System.setProperty("etapes.sources", projet.toString());
+        PrintStream sortie = System.out;
+        ByteArrayOutputStream dit = new ByteArrayOutputStream();
+        System.setOut(new PrintStream(dit, true, "UTF-8"));
+        try {
+            ClassLoader chargeur = new Execution.Classes(compiler(), Programme.class.getClassLoader());
+            lancer(chargeur, (TestExecutionListener) chargeur.loadClass("lancer.Etapes").getConstructor().newInstance());
+        } finally {
+            System.setOut(sortie);
+            System.clearProperty("etapes.sources");
+        }
+        return dit.toString(StandardCharsets.UTF_8);
+    }
+}
