@@ -15,6 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
+import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
 import lancer.correction.jugement.Grille;
@@ -85,10 +86,10 @@ public final class Correction {
             }
             return 0;
         } catch (Panne e) {
-            erreur.println("correction : " + e.getMessage().replaceAll("\\s+", " "));
+            erreur.println("correction : " + Echange.protege(e.getMessage()));
             return e.code;
         } catch (IOException e) {
-            erreur.println("correction : lecture ou écriture impossible : " + e);
+            erreur.println("correction : lecture ou écriture impossible : " + Echange.protege(e.toString()));
             return 1;
         }
     }
@@ -118,13 +119,13 @@ public final class Correction {
             criteres.addAll(bareme.libres);
             Ajustements ajustements = new Ajustements(dossier.resolve("ajustements.csv"),
                     rendus.stream().map(r -> r.id).collect(Collectors.toList()), criteres);
-            ajustements.fautes.forEach(f -> suivi.println("correction : " + f));
+            ajustements.fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
             Eleve[] classe = new Eleve[rendus.size()];
             AtomicInteger finis = new AtomicInteger();
             jury.juger(rendus, (rang, resultat) -> {
                 Rendu rendu = rendus.get(rang);
                 classe[rang] = new Eleve(rendu, resultat, new Note(grille, resultat, bareme, ajustements.de(rendu.id)),
-                        String.format("%02d-%s.html", rang + 1, rendu.id.replaceAll("[^A-Za-z0-9-]+", "_")));
+                        rendu.fichier(rang) + ".html");
                 suivi.println(String.format(Locale.FRANCE, "correction : %d/%d %s : %s", finis.incrementAndGet(), rendus.size(),
                         qui(rendu), classe[rang].illisible() ? resultat.refus.get(0)
                         : String.format(Locale.FRANCE, "%.2f/%.4g", classe[rang].note.total(), bareme.total())));

@@ -14,9 +14,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Deque;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -45,7 +43,6 @@ public final class Jury implements AutoCloseable {
     private final Limites limites;
     /** Machines qui compilent, et qu'aucun rendu n'occupe. */
     private final Deque<Machines.Compilation> compilations = new ArrayDeque<>();
-    private final Set<Integer> abandonnes = new HashSet<>();
     /** Empreinte de ce qui juge : changé, il juge de nouveau. */
     private final String regles;
     public final Reference reference;
@@ -81,7 +78,7 @@ public final class Jury implements AutoCloseable {
             for (boolean seul : new boolean[] {false, true}) {
                 juger(rendus, rangs, seul ? 1 : Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()), (rang, resultat) -> {
                     resultats[rang] = resultat;
-                    if (seul || !resultat.nonCorrige || abandonnes.contains(rang)) {
+                    if (seul || !resultat.nonCorrige) {
                         rangs.remove(rang);
                         fini.accept(rang, resultat);
                     }
@@ -109,9 +106,11 @@ public final class Jury implements AutoCloseable {
             fil = new Thread(() -> {
                 try {
                     resultat = juger(rendu, compilation);
-                } catch (Throwable e) {
-                    // quoi qu'il nous fasse, ce rendu ne coûte leur note qu'à lui
+                } catch (Panne | OutOfMemoryError | IOException | GeneralSecurityException e) {
                     resultat = nonCorrige(rendu, String.valueOf(e instanceof Panne ? e.getMessage() : e));
+                } catch (Throwable e) {
+                    // quoi qu'il nous fasse, ce rendu ne coûte sa note qu'à lui
+                    resultat = refuse(rendu, List.of("arrêté : le correcteur n'a pas su le lire (" + Echange.protege(e.toString()) + ")"));
                 }
             }, "jury");
             fil.setDaemon(true);
@@ -125,11 +124,10 @@ public final class Jury implements AutoCloseable {
             if (resultat != null || !propre && System.nanoTime() - debut < ENTIER_MAX * 1e9) {
                 return resultat;
             }
-            abandonnes.add(rang);
             fil.interrupt();
             compilation.close();
-            return nonCorrige(rendu, propre ? "arrêté : plus de " + Math.round(limites.propre)
-                    + " s de calcul du correcteur lui-même" : "arrêté : plus de " + ENTIER_MAX + " s en tout");
+            return refuse(rendu, List.of(propre ? "arrêté : plus de " + Math.round(limites.propre)
+                    + " s de calcul du correcteur lui-même" : "arrêté : plus de " + ENTIER_MAX + " s en tout"));
         }
     }
 
@@ -175,6 +173,7 @@ public final class Jury implements AutoCloseable {
         } catch (Arret e) {
             return refuse(rendu, List.of(e.getMessage() + " (à la compilation)"));
         }
+        rendu.aRegarder.forEach(resultat::regarder);
         Echange.abreger(resultat.remarques);
         Echange.abreger(resultat.aRegarder);
         Echange.abreger(resultat.fautes);
