@@ -171,7 +171,7 @@ public final class Jury implements AutoCloseable {
                 }
             }
         } catch (Arret e) {
-            return refuse(rendu, List.of(e.getMessage() + " (à la compilation)"));
+            return refuse(rendu, List.of(e.getMessage() + " (à la compilation, ou en prenant ses classes)"));
         }
         rendu.aRegarder.forEach(resultat::regarder);
         Echange.abreger(resultat.remarques);
