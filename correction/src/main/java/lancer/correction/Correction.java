@@ -102,10 +102,10 @@ public final class Correction {
             }
             return 0;
         } catch (Panne e) {
-            erreur.println("correction : " + e.getMessage().replaceAll("\\s+", " "));
+            erreur.println("correction : " + Echange.protege(e.getMessage()));
             return e.code;
         } catch (IOException e) {
-            erreur.println("correction : lecture ou écriture impossible : " + e);
+            erreur.println("correction : lecture ou écriture impossible : " + Echange.protege(e.toString()));
             return 1;
         }
     }
@@ -136,8 +136,7 @@ public final class Correction {
             }
             jury.reference.grille.ecrire(resultats.resolve(GRILLE));
             for (int rang = 0; rang < tous.size(); rang++) {
-                tous.get(rang).ecrire(resultats.resolve(String.format("%03d-%s.csv", rang + 1,
-                        tous.get(rang).id.replaceAll("[^A-Za-z0-9-]+", "_"))));
+                tous.get(rang).ecrire(resultats.resolve(rendus.get(rang).fichier(rang) + ".csv"));
             }
         }
     }
@@ -184,7 +183,7 @@ public final class Correction {
         criteres.addAll(bareme.libres);
         Ajustements ajustements = new Ajustements(dossier, resultats.values().stream().map(r -> r.id).collect(Collectors.toList()),
                 criteres);
-        ajustements.fautes.forEach(f -> suivi.println("correction : " + f));
+        ajustements.fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
         List<Eleve> eleves = new ArrayList<>();
         resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, new Note(grille, resultat, bareme,
                 ajustements.de(resultat.id)), fichier.getFileName().toString().replace(".csv", ".html"))));

@@ -107,7 +107,7 @@ class ClasseTest extends ClasseEssai {
         Map<String, String> ligne = noter(autre.resolve("rendus"), autre.resolve("notes")).get("109");
         assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
                 ligne.get("image identique")));
-        contient(ligne.get("refus"), "tp.7z : format non pris en charge");
+        contient(ligne.get("refus"), "tp.7z : à déplier à la main");
         contient(index(autre.resolve("notes")), "1 rendu", "Étudiant 9</a><td class=\"n\">non corrigé<td class=\"petit\"><div>tp.7z");
     }
 

@@ -8,6 +8,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -29,8 +30,10 @@ public final class Depot {
     private static final int SOURCE_MAX = 1 << 20;
     private static final int CHEMIN_MAX = 1000;
     private static final int EMBOITEMENT_MAX = 3;
+    private static final int OUTILS_MAX = 30;
+    private static final String A_DEPLIER = " : à déplier à la main ; seuls les dossiers et les .zip le sont ici";
     private static final Pattern AUTRE_ARCHIVE =
-            Pattern.compile("(?is).*\\.(rar|7z|tar|tgz|tar\\.(gz|xz|bz2)|gz|xz|bz2|zipx)");
+            Pattern.compile("(?is).*\\.(rar|7z(\\.\\d+)?|zip\\.\\d+|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|lzh|zipx|ace|arj|cab|dmg|iso)");
     /** Fichiers que les systèmes et les outils ajoutent, et qui ne sont le travail de personne. */
     private static final Pattern DEBRIS = Pattern.compile(
             "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|"
@@ -44,9 +47,10 @@ public final class Depot {
      * Le nom que Moodle donne à un rendu : {@code <nom>_<numéro>_assignsubmission_file}, suivi ou non de « _ », puis en
      * mode plat du nom du fichier (moodle, {@code mod/assign/classes/downloader.php}).
      */
-    private static final Pattern MOODLE = Pattern.compile("([^/]*?)_(\\d+)_assignsubmission_([a-z]+)(?:_(.*))?");
+    private static final Pattern MOODLE = Pattern.compile("(?s)([^/]*?)_(\\d{1,18})_assignsubmission_([a-z]+)(?:_(.*))?");
 
     private final Map<String, Rendu> rendus = new LinkedHashMap<>();
+    private final Set<String> ids = new HashSet<>();
     private final Path temporaire;
 
     private Depot(Path temporaire) {
@@ -62,7 +66,9 @@ public final class Depot {
         String nom = rendus.toAbsolutePath().normalize().getFileName().toString();
         try {
             if (Files.isDirectory(rendus)) {
-                depot.repartir(nom, duDossier(rendus.toRealPath()));
+                List<Entree> entrees = new ArrayList<>();
+                ajouter(rendus.toRealPath(), "", entrees);
+                depot.repartir(nom, entrees);
             } else if (!Files.isRegularFile(rendus)) {
                 throw new Panne(2, "aucun rendu à cet endroit : " + rendus + " ; attendu : un dossier, ou un .zip");
             } else if (AUTRE_ARCHIVE.matcher(nom).matches()) {
@@ -84,22 +90,19 @@ public final class Depot {
         return liste;
     }
 
-    /** Tout ce que contient un dossier, dans l'ordre. */
-    private static List<Entree> duDossier(Path dossier) {
-        List<Entree> entrees = new ArrayList<>();
-        ajouter(dossier, dossier, entrees);
-        entrees.sort(Comparator.comparing(e -> e.chemin));
-        return entrees;
-    }
-
-    /** Un lien n'est pas suivi ; ce qui se lit mal ne coûte qu'à lui, à sa lecture. */
-    private static void ajouter(Path racine, Path dossier, List<Entree> entrees) {
+    /** Tout ce que contient un dossier, dans l'ordre. Un lien n'est pas suivi ; ce qui se lit mal ne coûte qu'à lui, à sa lecture. */
+    private static void ajouter(Path dossier, String debut, List<Entree> entrees) {
+        Set<String> vus = new HashSet<>();
         try (Stream<Path> flux = Files.list(dossier)) {
-            for (Path f : flux.collect(Collectors.toList())) {
-                String chemin = racine.relativize(f).toString().replace('\\', '/');
+            for (Path f : flux.sorted().collect(Collectors.toList())) {
+                String chemin = debut + f.getFileName();
+                while (!vus.add(chemin)) {
+                    // des octets que la langue de cette machine ne sait pas lire : deux noms se lisent pareils
+                    chemin = debut + "'" + chemin.substring(debut.length());
+                }
                 if (Files.isDirectory(f, LinkOption.NOFOLLOW_LINKS)) {
                     entrees.add(new Entree(chemin + "/", false, 0, null));
-                    ajouter(racine, f, entrees);
+                    ajouter(f, chemin + "/", entrees);
                 } else {
                     boolean lien = !Files.isRegularFile(f, LinkOption.NOFOLLOW_LINKS);
                     entrees.add(new Entree(chemin, lien, lien ? 0 : f.toFile().length(), () -> Files.newInputStream(f)));
@@ -144,7 +147,14 @@ public final class Depot {
     }
 
     private Rendu rendu(String id, String nom) {
-        return rendus.computeIfAbsent(id, i -> new Rendu(i, nom.isEmpty() ? i : nom));
+        return rendus.computeIfAbsent(id, i -> {
+            // de deux noms qui, une fois propres, sont le même, le second en a un autre
+            String sien = Rendu.propre(i);
+            for (int k = 2; !ids.add(sien); k++) {
+                sien = Rendu.propre(i) + " " + k;
+            }
+            return new Rendu(sien, nom.isEmpty() || nom.equals(i) ? sien : Rendu.propre(nom));
+        });
     }
 
     private static String sansFin(String nom) {
@@ -168,8 +178,8 @@ public final class Depot {
     /** Prend une entrée, si c'est une source ou une archive ; ce qui s'y lit mal ne coûte qu'à elle. */
     private void prendre(Rendu rendu, String chemin, Entree entree, int niveau) {
         Matcher outil = OUTIL.matcher(chemin);
-        if (outil.matches()) {
-            rendu.outils.add(outil.group(1));
+        if (outil.matches() && rendu.outils.size() < OUTILS_MAX) {
+            rendu.outils.add(Rendu.propre(outil.group(1)));
         }
         boolean source = chemin.toLowerCase(Locale.ROOT).endsWith(".java");
         // ce qu'on lit pèse ce qu'on en lit, quoi qu'il annonce
@@ -183,7 +193,7 @@ public final class Depot {
         } else if (entree.lien) {
             rendu.refus.add("lien refusé : " + brut.replaceFirst("(?s).*/", ""));
         } else if (AUTRE_ARCHIVE.matcher(chemin).matches()) {
-            rendu.refus.add(chemin + " : format non pris en charge ; attendu : un dossier, ou un .zip");
+            rendu.refus.add(chemin + A_DEPLIER);
         } else if (source) {
             try (InputStream flux = entree.contenu.ouvrir()) {
                 byte[] octets = flux.readNBytes(SOURCE_MAX + 1);

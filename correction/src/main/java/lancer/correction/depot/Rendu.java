@@ -1,5 +1,6 @@
 package lancer.correction.depot;
 
+import java.text.Normalizer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -16,8 +17,10 @@ public final class Rendu {
     private static final int FICHIERS_MAX = 20_000;
     private static final int SOURCES_MAX = 500;
     private static final int PESEE_MAX = 6 << 20;
+    /** Signes d'un nom : au plus 255 octets, une fois suivi de ce qu'y ajoute Moodle. */
+    private static final int NOM_MAX = 70;
 
-    /** Identifiant qui le distingue des autres : le numéro de Moodle, ou à défaut le nom du dossier. */
+    /** Identifiant qui le distingue des autres : le numéro de Moodle, ou à défaut le nom du dossier, en une ligne. */
     public final String id;
     public final String nom;
     /** Les fichiers .java, par chemin. */
@@ -25,6 +28,8 @@ public final class Rendu {
     /** Raisons pour lesquelles ce rendu ne peut être jugé ; vide s'il peut l'être. */
     public final List<String> refus = new ArrayList<>();
     public final List<String> remarques = new ArrayList<>();
+    /** Raisons pour lesquelles l'enseignant doit le regarder lui-même : ce qui n'a pu être lu, à côté de ce qui l'a été. */
+    public final List<String> aRegarder = new ArrayList<>();
     /** Les fichiers et les dossiers que les outils ajoutent, et qu'il fallait enlever. */
     public final Set<String> outils = new TreeSet<>();
     /** Octets qu'il pèse, une fois déplié. */
@@ -35,6 +40,18 @@ public final class Rendu {
     public Rendu(String id, String nom) {
         this.id = id;
         this.nom = nom;
+    }
+
+    /** Un nom d'étudiant, de dossier ou d'archive, en une ligne, et court. */
+    static String propre(String nom) {
+        String propre = Echange.protege(nom, NOM_MAX);
+        return propre.isEmpty() ? "sans nom" : propre;
+    }
+
+    /** Le début, sans fin de nom, du nom de tout fichier que l'on écrit pour lui. @param rang dans la classe : aucun autre n'a le même */
+    public String fichier(int rang) {
+        String lettres = Normalizer.normalize(id, Normalizer.Form.NFD).replaceAll("\\p{M}", "").replaceAll("[^A-Za-z0-9]+", "-");
+        return String.format("%03d-%s", rang + 1, lettres);
     }
 
     /** @return faux si c'en est un de trop, par son nombre ou par son poids */
@@ -58,12 +75,14 @@ public final class Rendu {
             sources.clear();
         } else if (!sources.isEmpty()) {
             remarques.addAll(refus);
+            aRegarder.addAll(refus);
             refus.clear();
         } else if (refus.isEmpty()) {
             refus.add("aucun fichier .java dans ce rendu");
         }
         Echange.abreger(refus);
         Echange.abreger(remarques);
+        Echange.abreger(aRegarder);
     }
 
     /** Compte un fichier de plus. @return faux si c'en est un de trop, ou si tout ce qui est rendu, une fois déplié, est trop gros */

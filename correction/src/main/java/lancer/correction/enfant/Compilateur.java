@@ -56,7 +56,7 @@ public final class Compilateur {
             try {
                 reponse = compiler(compilateur, gestion, dossier.toRealPath(),
                         Echange.lireTout(new DataInputStream(new ByteArrayInputStream(demande))));
-            } catch (IOException | RuntimeException | StackOverflowError e) {
+            } catch (IOException | RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
                 // ce que le compilateur ne supporte pas : il ne servira plus
                 reponse = Echange.message(m -> {
                     Echange.ecrireValeur(m, null, o -> null);

@@ -12,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 
 /**
  * Messages que le correcteur et une machine virtuelle à part se disent : des messages numérotés, dont la longueur est dite
@@ -24,6 +25,12 @@ public final class Echange {
 
     /** La même chose, où l'on attend une image ou des classes. */
     public static final int GROSSE_REPONSE_MAX = 8 << 20;
+
+    /**
+     * Signes qui commandent un terminal ou changent le sens de l'écriture, et moitiés de caractères ; ni les tabulations, ni les fins de
+     * ligne.
+     */
+    public static final Pattern NUISIBLES = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Cs}\\p{Zl}\\p{Zp}&&[^\n\t]]");
 
     private static final int TEXTE_MAX = 2000;
     private static final int LIGNES_MAX = 30;
@@ -159,10 +166,15 @@ public final class Echange {
         }
     }
 
-    /** Un texte en une ligne, et pas trop long. */
+    /** Un texte en une ligne, et pas trop long, qui n'agit sur rien de ce qui le montre. */
     public static String protege(String texte) {
-        String court = texte.length() > TEXTE_MAX ? texte.substring(0, TEXTE_MAX) + "…" : texte;
-        return court.replaceAll("[\\p{Cntrl}\\s]+", " ").trim();
+        return protege(texte, TEXTE_MAX);
+    }
+
+    /** Le même, d'au plus tant de signes, et « … » s'il en avait plus. */
+    public static String protege(String texte, int max) {
+        String court = texte.length() > max ? texte.substring(0, max) + "…" : texte;
+        return NUISIBLES.matcher(court).replaceAll(" ").replaceAll("\\s+", " ").trim();
     }
 
     /** Fait d'une liste peu de lignes, chacune pas trop longue : de quoi tenir dans une page, quoi qu'un rendu contienne. */

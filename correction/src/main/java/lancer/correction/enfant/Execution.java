@@ -70,8 +70,8 @@ public final class Execution {
             for (String nom : octets.keySet()) {
                 try {
                     loadClass(nom);
-                } catch (ClassNotFoundException | LinkageError e) {
-                    // il n'est rien resté de cette classe : ce qui la nomme le dira
+                } catch (ClassNotFoundException | LinkageError | RuntimeException | StackOverflowError e) {
+                    // il n'est rien resté de cette classe, ou Java n'en veut pas (SecurityException) : ce qui la nomme le dira
                 }
             }
         }

@@ -5,11 +5,11 @@ public final class Arret extends Exception {
 
     private static final long serialVersionUID = 1;
 
-    /** Vrai si rien ne l'a arrêté. */
-    public final boolean deLuiMeme;
+    /** Vrai si un autre que nous l'a tué. */
+    public final boolean tue;
 
-    public Arret(String cause, boolean deLuiMeme) {
+    public Arret(String cause, boolean tue) {
         super(cause);
-        this.deLuiMeme = deLuiMeme;
+        this.tue = tue;
     }
 }

@@ -2,12 +2,16 @@ package lancer.correction.isolement;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -24,32 +28,97 @@ public final class Confinement {
     /** Place de Java : Linux en dit le vrai chemin, sans lien. */
     private static final String JAVA = System.getProperty("java.home");
     private static final String BOITE = "/boite.jar";
+    /**
+     * Par sorte de processeur : le numéro que lui donne le noyau (linux/audit.h), celui de l'appel clone, et ceux qu'on refuse. Ce sont
+     * fork, vfork, et ceux par lesquels de la mémoire n'est celle d'aucun processus, et ne serait pas comptée : shmget, msgget,
+     * memfd_create, memfd_secret.
+     */
+    private static final Map<String, int[]> APPELS = Map.of("amd64", new int[] {0xC000003E, 56, 57, 58, 29, 68, 319, 447},
+            "aarch64", new int[] {0xC00000B7, 220, 194, 186, 279, 447});
+    private static final int CLONE3 = 435;
 
     public final boolean confine;
     /** Raison qui empêche de confiner, vide s'il n'y en a pas. */
     public final String manque;
+    /** Ce qu'on demande de plus à bubblewrap, et le filtre qu'on lui donne. */
+    private final List<String> enPlus;
+    private final Path filtre;
 
     public Confinement(boolean confine, String manque) {
-        this.confine = confine;
-        this.manque = manque;
+        this(confine, manque, List.of(), null);
     }
 
-    /** Essaie bubblewrap. */
+    private Confinement(boolean confine, String manque, List<String> enPlus, Path filtre) {
+        this.confine = confine;
+        this.manque = manque;
+        this.enPlus = enPlus;
+        this.filtre = filtre;
+    }
+
+    /** Essaie bubblewrap, et d'abord en y interdisant les espaces d'utilisateurs, que les anciens ne savent pas interdire. */
     public static Confinement essayer() {
-        List<String> essai = enveloppe();
-        essai.add("/usr/bin/true");
         try {
-            Process processus = new ProcessBuilder(essai).redirectErrorStream(true).start();
-            processus.getOutputStream().close();
+            Path filtre = Files.write(Files.createTempFile("filtre", null), filtre());
+            filtre.toFile().deleteOnExit();
+            Confinement ferme = essayer(List.of("--unshare-user", "--disable-userns"), filtre);
+            return ferme.confine ? ferme : essayer(List.of(), filtre);
+        } catch (IOException e) {
+            return new Confinement(false, "dossier temporaire inutilisable : " + e);
+        }
+    }
+
+    /**
+     * Programme qui refuse ces appels (seccomp(2)), et ceux d'une autre sorte de processeur : un rendu a des fils, et ne lance aucun
+     * programme. Là où l'on ne connaît pas les numéros, rien n'est refusé.
+     */
+    private static byte[] filtre() {
+        int[] a = APPELS.get(System.getProperty("os.arch"));
+        ByteBuffer programme = ByteBuffer.allocate(1024).order(ByteOrder.nativeOrder());
+        int refus = a == null ? 0 : a.length + 8;
+        if (a != null) {
+            // lire la sorte, puis le numéro ; un très grand est d'une autre sorte (x32)
+            ajouter(programme, 0x20, 0, 0, 4);
+            ajouter(programme, 0x15, 0, refus - 2, a[0]);
+            ajouter(programme, 0x20, 0, 0, 0);
+            ajouter(programme, 0x35, refus - 4, 0, 0x40000000);
+            ajouter(programme, 0x15, refus - 4, 0, CLONE3);
+            ajouter(programme, 0x15, refus - 9, 0, a[1]);
+            for (int k = 2; k < a.length; k++) {
+                ajouter(programme, 0x15, refus - 5 - k, 0, a[k]);
+            }
+            ajouter(programme, 0x05, 0, 0, 2);
+            // clone : lire ses options, et permettre CLONE_THREAD
+            ajouter(programme, 0x20, 0, 0, 16);
+            ajouter(programme, 0x45, 0, 1, 0x10000);
+        }
+        ajouter(programme, 0x06, 0, 0, 0x7FFF0000);
+        // EPERM ; ENOSYS, après quoi clone tient lieu de clone3
+        ajouter(programme, 0x06, 0, 0, 0x00050000 | 1);
+        ajouter(programme, 0x06, 0, 0, 0x00050000 | 38);
+        return Arrays.copyOf(programme.array(), programme.position());
+    }
+
+    /** Une instruction : son code, de combien sauter si oui, si non, et sa valeur. */
+    private static void ajouter(ByteBuffer programme, int code, int oui, int non, int valeur) {
+        programme.putShort((short) code).put((byte) oui).put((byte) non).putInt(valeur);
+    }
+
+    private static Confinement essayer(List<String> enPlus, Path filtre) {
+        List<String> essai = enveloppe(enPlus);
+        // le filtre par l'entrée
+        essai.addAll(List.of("--seccomp", "0", "/usr/bin/true"));
+        try {
+            Process processus = new ProcessBuilder(essai).redirectErrorStream(true).redirectInput(filtre.toFile()).start();
             if (!processus.waitFor(ESSAI_SECONDES, TimeUnit.SECONDS)) {
                 processus.destroyForcibly();
                 return new Confinement(false, "bwrap ne répond pas");
             }
             String dit = new String(processus.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
             return new Confinement(processus.exitValue() == 0, processus.exitValue() == 0 ? ""
-                    : "bwrap refuse : " + dit.replaceAll("\\s+", " "));
+                    : "bwrap refuse : " + dit.replaceAll("\\s+", " "), enPlus, filtre);
         } catch (IOException e) {
-            return new Confinement(false, "bwrap n'est pas installé (sudo apt-get install bubblewrap)");
+            return new Confinement(false, System.getProperty("os.name").startsWith("Linux")
+                    ? "bwrap n'est pas installé (sudo apt-get install bubblewrap)" : "bwrap n'existe que sous Linux");
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return new Confinement(false, "interrompu");
@@ -66,29 +135,27 @@ public final class Confinement {
     public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire,
             Limites limites) {
         List<String> commande = new ArrayList<>();
-        String classes = chemin;
+        String classes = confine && !visibles ? BOITE : chemin;
+        if (Files.isExecutable(Paths.get("/bin/sh"))) {
+            // pas de fichier sans fin ; l'archive par un descripteur : un lien se lirait dans mountinfo, un argument dans la commande
+            commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; f=$1; shift; exec \"$@\""
+                    + (classes.equals(BOITE) ? " 8<\"$f\" 9<\"$0\"" : ""), chemin, String.valueOf(filtre)));
+        }
         if (confine) {
-            if (!visibles) {
-                // par un descripteur : un lien se lirait dans mountinfo, un argument dans la ligne de commande
-                commande.addAll(List.of("/bin/sh", "-c", "exec \"$@\" 9<\"$0\"", chemin));
-                classes = BOITE;
-            }
-            commande.addAll(enveloppe());
+            commande.addAll(enveloppe(enPlus));
             List<String> vus = visibles ? List.of(chemin.split(File.pathSeparator)) : List.of();
             vus.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
             if (!visibles) {
-                commande.addAll(List.of("--ro-bind-data", "9", BOITE));
+                commande.addAll(List.of("--seccomp", "8", "--ro-bind-data", "9", BOITE));
             }
             commande.addAll(List.of("--remount-ro", "/", "--remount-ro", "/dev", "--chdir", "/tmp"));
-        } else if (Files.isExecutable(Paths.get("/bin/sh"))) {
-            // à défaut d'un disque à part, au moins pas de fichier sans fin
-            commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; exec \"$@\"", "sh"));
         }
         commande.addAll(List.of(JAVA + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m",
                 "-XX:MaxDirectMemorySize=32m",
                 "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
-                "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData", "-XX:+DisplayVMOutputToStderr",
+                "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
                 // la sortie est celle des réponses, et d'elles seules
+                "-XX:+DisplayVMOutputToStderr", "-Xlog:disable",
                 "--add-opens", "java.base/java.io=ALL-UNNAMED",
                 "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr",
                 "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire), "-cp", classes,
@@ -96,10 +163,11 @@ public final class Confinement {
         return commande;
     }
 
-    private static List<String> enveloppe() {
+    private static List<String> enveloppe(List<String> enPlus) {
         List<String> commande = new ArrayList<>(List.of("bwrap", "--unshare-all", "--die-with-parent", "--new-session",
                 "--cap-drop", "ALL", "--hostname", "boite", "--clearenv",
                 "--setenv", "LANG", "C.UTF-8", "--setenv", "PATH", "/usr/bin", "--ro-bind", "/usr", "/usr"));
+        commande.addAll(enPlus);
         for (String dossier : List.of("/lib", "/lib64", "/bin")) {
             Path ici = Paths.get(dossier);
             if (Files.isSymbolicLink(ici)) {

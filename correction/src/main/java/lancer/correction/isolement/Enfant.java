@@ -2,12 +2,17 @@ package lancer.correction.isolement;
 
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -16,6 +21,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 
@@ -31,9 +38,13 @@ public final class Enfant implements AutoCloseable {
 
     private static final long TOUR_MS = 100;
     private static final long PAGE = 4096;
+    /** Unités de temps par seconde, dans ce que dit Linux (sysconf, {@code _SC_CLK_TCK}). */
+    private static final double TICS = 100;
     /** Mémoire que prennent, en plus de la mémoire de Java, la machine virtuelle et les programmes qu'elle lance. */
     private static final long HORS_DU_TAS = 400;
     private static final byte[] FIN = new byte[0];
+    /** Statut de qui est tué, par le système qui n'a plus de mémoire ou par une main. */
+    private static final int TUE = 128 + 9;
     /** Le numéro attendu quand rien n'est demandé. */
     private static final int RIEN = 0;
 
@@ -51,6 +62,9 @@ public final class Enfant implements AutoCloseable {
     private double debut;
     private double dernier;
     private long controle;
+    /** Au dernier contrôle : nombre de fils, et mémoire tenue, en octets, par chaque processus et par chaque fichier en mémoire. */
+    private int fils;
+    private final Map<Object, Long> tenue = new HashMap<>();
 
     public Enfant(List<String> commande, Limites limites) {
         this.limites = limites;
@@ -156,9 +170,12 @@ public final class Enfant implements AutoCloseable {
             throw arreter("arrêté : lance sans fin d'autres programmes");
         }
         tous.add(processus.toHandle());
-        // le temps de processeur, en secondes, de l'enfant et de ce qu'il a lancé
-        double maintenant = tous.stream().map(p -> p.info().totalCpuDuration().orElse(Duration.ZERO))
-                .mapToLong(Duration::toMillis).sum() / 1e3;
+        tenue.clear();
+        fils = 0;
+        double maintenant = tous.stream().mapToDouble(this::mesurer).sum();
+        if (fils > Limites.FILS) {
+            throw arreter("arrêté : lance sans fin des fils");
+        }
         boolean travaille = !(maintenant - dernier <= TOUR_MS / 2e4);
         dernier = maintenant;
         controle = System.nanoTime();
@@ -166,19 +183,38 @@ public final class Enfant implements AutoCloseable {
         if (maintenant - debut > calculMax) {
             throw arreter("arrêté : plus de " + Math.round(calculMax) + " s de calcul, une boucle sans fin ?");
         }
-        if (tous.stream().mapToLong(Enfant::occupe).sum() > (limites.memoire + HORS_DU_TAS) << 20) {
+        if (tenue.values().stream().mapToLong(o -> o).sum() > (limites.memoire + HORS_DU_TAS) << 20) {
             throw arreter("arrêté : mémoire épuisée");
         }
         return travaille;
     }
 
-    /** La mémoire qu'occupe un processus, en octets ; 0 là où le système ne le dit pas ainsi. */
-    private static long occupe(ProcessHandle processus) {
+    /** Temps de processeur, en secondes, d'un processus et de ceux qu'il a lancés et qui ont fini (proc(5), {@code stat}). */
+    private double mesurer(ProcessHandle processus) {
+        Path ici = Paths.get("/proc", "" + processus.pid());
         try {
-            String[] pages = Files.readString(Paths.get("/proc", "" + processus.pid(), "statm")).split(" ");
-            return Long.parseLong(pages[1]) * PAGE;
+            String stat = Files.readString(ici.resolve("stat"), StandardCharsets.ISO_8859_1);
+            // après le nom, où un programme met ce qu'il veut
+            String[] champs = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
+            fils += Integer.parseInt(champs[17]);
+            tenue.put(processus.pid(), Long.parseLong(champs[21]) * PAGE);
+            File[] fichiers = ici.resolve("fd").toFile().listFiles();
+            Stream.of(fichiers == null ? new File[0] : fichiers).forEach(f -> ajouter(f.toPath()));
+            return IntStream.range(11, 15).mapToLong(k -> Long.parseLong(champs[k])).sum() / TICS;
         } catch (IOException | RuntimeException e) {
-            return 0;
+            // il a fini, ou ce système ne le dit pas ainsi
+            return processus.info().totalCpuDuration().orElse(Duration.ZERO).toMillis() / 1e3;
+        }
+    }
+
+    /** Un fichier qui n'est qu'en mémoire se compte une fois : ses pages ne sont celles d'un processus que s'il les regarde. */
+    private void ajouter(Path fichier) {
+        try {
+            if (Files.readSymbolicLink(fichier).toString().startsWith("/memfd:")) {
+                tenue.put("fichier " + Files.getAttribute(fichier, "unix:ino"), Files.size(fichier));
+            }
+        } catch (IOException | RuntimeException e) {
+            // fermé entre temps
         }
     }
 
@@ -198,7 +234,7 @@ public final class Enfant implements AutoCloseable {
         close();
         return inattendu ? new Arret("arrêté : a répondu ce qu'on ne lui demandait pas", false)
                 : statut == 3 ? new Arret("arrêté : mémoire épuisée", false)
-                : new Arret("arrêté : il s'est arrêté de lui-même (System.exit ?), statut " + statut, true);
+                : new Arret("arrêté : il s'est arrêté de lui-même (System.exit ?), statut " + statut, statut == TUE);
     }
 
     /** Tue la machine virtuelle, et tout ce qu'elle a lancé. */

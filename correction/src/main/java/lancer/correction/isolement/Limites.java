@@ -9,6 +9,8 @@ public final class Limites {
     public static final Limites DE_COMPILATION = new Limites(30, 30, 512, 60);
     /** Nombre de processus. */
     static final int PROCESSUS = 40;
+    /** Nombre de fils, tous processus ensemble. */
+    static final int FILS = 2000;
 
     /** Temps de processeur, en secondes, de la machine virtuelle et de tout ce qu'elle a lancé. */
     public final double calcul;

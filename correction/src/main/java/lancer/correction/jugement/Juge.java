@@ -89,7 +89,9 @@ final class Juge implements AutoCloseable {
         vives[1].close();
     }
 
+    /** @throws Arret si ces classes ne se compilent pas, ou si une machine ne peut les prendre */
     Resultat juger() throws Arret {
+        machine(ensemble).commencer(1);
         resultat.remarques.addAll(projet.remarques);
         resultat.aRegarder.addAll(projet.aRegarder);
         Modele.A_COMPLETER.stream().filter(c -> projet.texte(c) == null).forEach(c -> resultat.remarques.add("la classe " + c

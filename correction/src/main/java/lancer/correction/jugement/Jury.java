@@ -8,9 +8,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Deque;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -35,10 +33,13 @@ public final class Jury implements AutoCloseable {
     private final Limites limites;
     /** Machines qui compilent, et qu'aucun rendu n'occupe. */
     private final Deque<Machines.Compilation> compilations = new ArrayDeque<>();
-    private final Set<Integer> abandonnes = new HashSet<>();
     public final Reference reference;
 
-    /** @param travail dossier de travail ; @param graine d'où viennent les nombres des vérifications ; @throws Panne si la machine ne peut juger */
+    /**
+     * @param travail dossier de travail
+     * @param graine le nombre d'où viennent les valeurs des vérifications
+     * @throws Panne si la machine ne peut juger
+     */
     public Jury(Path travail, Confinement confinement, Limites limites, long graine) {
         if (Runtime.version().feature() < 17) {
             throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature());
@@ -65,7 +66,7 @@ public final class Jury implements AutoCloseable {
             for (boolean seul : new boolean[] {false, true}) {
                 juger(rendus, rangs, seul ? 1 : Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()), (rang, resultat) -> {
                     resultats[rang] = resultat;
-                    if (seul || !resultat.nonCorrige || abandonnes.contains(rang)) {
+                    if (seul || !resultat.nonCorrige) {
                         rangs.remove(rang);
                         fini.accept(rang, resultat);
                     }
@@ -93,9 +94,11 @@ public final class Jury implements AutoCloseable {
             fil = new Thread(() -> {
                 try {
                     resultat = juger(rendu, compilation);
-                } catch (Throwable e) {
-                    // quoi qu'il nous fasse, ce rendu ne coûte leur note qu'à lui
+                } catch (Panne | OutOfMemoryError e) {
                     resultat = nonCorrige(rendu, String.valueOf(e instanceof Panne ? e.getMessage() : e));
+                } catch (Throwable e) {
+                    // quoi qu'il nous fasse, ce rendu ne coûte sa note qu'à lui
+                    resultat = refuse(rendu, List.of("arrêté : le correcteur n'a pas su le lire (" + Echange.protege(e.toString()) + ")"));
                 }
             }, "jury");
             fil.setDaemon(true);
@@ -109,11 +112,10 @@ public final class Jury implements AutoCloseable {
             if (resultat != null || !propre && System.nanoTime() - debut < ENTIER_MAX * 1e9) {
                 return resultat;
             }
-            abandonnes.add(rang);
             fil.interrupt();
             compilation.close();
-            return nonCorrige(rendu, propre ? "arrêté : plus de " + Math.round(limites.propre)
-                    + " s de calcul du correcteur lui-même" : "arrêté : plus de " + ENTIER_MAX + " s en tout");
+            return refuse(rendu, List.of(propre ? "arrêté : plus de " + Math.round(limites.propre)
+                    + " s de calcul du correcteur lui-même" : "arrêté : plus de " + ENTIER_MAX + " s en tout"));
         }
     }
 
@@ -153,8 +155,9 @@ public final class Jury implements AutoCloseable {
                 }
             }
         } catch (Arret e) {
-            return refuse(rendu, List.of(e.getMessage() + " (à la compilation)"));
+            return refuse(rendu, List.of(e.getMessage() + " (à la compilation, ou en prenant ses classes)"));
         }
+        rendu.aRegarder.forEach(resultat::regarder);
         Echange.abreger(resultat.remarques);
         Echange.abreger(resultat.aRegarder);
         Echange.abreger(resultat.fautes);

@@ -1,6 +1,7 @@
 package lancer.correction.jugement;
 
 import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -97,6 +98,21 @@ final class Machines {
 
         Enfant enfant;
 
+        /**
+         * Lance la machine, et attend d'elle une première réponse : ce qui l'arrête ensuite vient de ce qu'on lui donne.
+         *
+         * @throws Panne si elle ne répond pas
+         */
+        void lancer(List<String> commande, Limites siennes, Echange.Redaction bonjour) {
+            enfant = new Enfant(commande, siennes);
+            try {
+                enfant.commencer(Limites.DE_COMPILATION.calcul);
+                demander(bonjour, Echange.REPONSE_MAX, DataInputStream::readAllBytes);
+            } catch (Arret e) {
+                throw new Panne(1, "une machine virtuelle n'a pas pu commencer : " + e.getMessage());
+            }
+        }
+
         /** Pose une question, et lit toute la réponse ; ce qui n'en est pas une arrête la machine. */
         <T> T demander(Echange.Redaction demande, int max, Lecture<T> lecture) throws Arret {
             try {
@@ -150,14 +166,15 @@ final class Machines {
 
         /**
          * @param sources le texte de chaque fichier, par son nom : {@code lancer/Vecteur}
-         * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles
+         * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles, ou si un autre le tue
          */
         Assemblage compiler(Map<String, String> sources) throws Arret {
             Map<String, byte[]> textes = new LinkedHashMap<>();
             sources.forEach((nom, texte) -> textes.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
             Limites larges = Limites.DE_COMPILATION;
             if (enfant == null) {
-                enfant = new Enfant(confinement.java(Compilateur.class, chemin(), true, outillage.getParent(), larges), larges);
+                lancer(confinement.java(Compilateur.class, chemin(), true, outillage.getParent(), larges), larges,
+                        m -> Echange.ecrireTout(m, Map.of()));
             }
             enfant.commencer(larges.calcul);
             try {
@@ -172,8 +189,8 @@ final class Machines {
                 }
                 return assemblage;
             } catch (Arret e) {
-                if (e.deLuiMeme) {
-                    throw new Panne(1, "le compilateur s'est arrêté : " + e.getMessage());
+                if (e.tue) {
+                    throw new Panne(1, "le compilateur a été tué : " + e.getMessage());
                 }
                 throw e;
             }
@@ -205,23 +222,20 @@ final class Machines {
 
         /**
          * @param fois combien de fois le temps ordinaire d'une demande est permis à ce qui suit
-         * @throws Panne si une machine neuve n'a pu prendre les classes : rien du rendu n'y a encore tourné
+         * @throws Arret si ces classes arrêtent une machine neuve
          */
-        void commencer(double fois) {
+        void commencer(double fois) throws Arret {
             if (enfant == null) {
-                enfant = new Enfant(confinement.java(Execution.class, outillage.toString(), false,
-                        outillage.getParent(), limites), limites);
-                try {
-                    enfant.commencer(Limites.DE_COMPILATION.calcul);
-                    demander(m -> {
-                        m.writeChar(Execution.CLASSES);
-                        Echange.ecrireTout(m, classes);
-                    }, 0, reponse -> null);
-                } catch (Arret e) {
-                    throw new Panne(1, "une machine virtuelle n'a pas pris les classes du rendu : " + e.getMessage());
-                }
+                lancer(confinement.java(Execution.class, outillage.toString(), false, outillage.getParent(), limites), limites,
+                        m -> donner(m, Map.of()));
+                demander(m -> donner(m, classes), 0, reponse -> null);
             }
             enfant.commencer(fois * limites.calcul);
+        }
+
+        private void donner(DataOutputStream message, Map<String, byte[]> siennes) throws IOException {
+            message.writeChar(Execution.CLASSES);
+            Echange.ecrireTout(message, siennes);
         }
 
         /** Réponse de la sonde sur cette scène. @param max ce que la réponse peut peser, en octets */

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.function.IntBinaryOperator;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
+import lancer.correction.enfant.Echange;
 import lancer.correction.modele.Modele;
 
 /** Façon d'écrire du HTML où rien de ce que vient d'un étudiant ne soit pris pour du HTML. */
@@ -49,9 +50,8 @@ final class Html {
     }
 
     static String echappe(String texte) {
-        // ni commandes, ni signes qui changent le sens de l'écriture
-        return texte.replaceAll("[\\p{Cntrl}&&[^\n]]|[\u202A-\u202E\u2066-\u2069]|\\p{Cs}", "�").replace("&", "&amp;")
-                .replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;").replace("'", "&#39;");
+        return Echange.NUISIBLES.matcher(texte).replaceAll("�").replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+                .replace("\"", "&quot;").replace("'", "&#39;");
     }
 
     /** Une image, dans la page même. @param pixel de (x, y), 0xRRVVBB */

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import lancer.correction.Eleve;
+import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Verdict;
@@ -77,9 +78,9 @@ public final class Pages {
         }
     }
 
-    /** Un tableur prendrait pour une formule un texte qui commence ainsi. */
-    private static String sansFormule(String texte) {
-        return texte.matches("(?s)[=+@\\-\\t].*") ? "'" + texte : texte;
+    /** Un tableur prendrait pour une formule un texte qui commence ainsi, ou sa suite, là où « ; » sépare les cases. */
+    static String sansFormule(String texte) {
+        return Echange.protege(texte, Integer.MAX_VALUE).replaceAll("(^|;)([\\s\"']*)(?=[=+@-])", "$1$2'");
     }
 
     private String classe(List<Eleve> eleves, List<String> avis) {

@@ -120,8 +120,8 @@ class DepotTest extends DepotEssai {
         ecrireLien(lien, "Vecteur.java", secret.toString());
         Map<String, Rendu> lus = lire(rendus);
         assertEquals(7, lus.size());
-        refuse(lus.get("11"), "tp.rar : format non pris en charge");
-        refuse(lus.get("12"), "tp.7z : format non pris en charge");
+        refuse(lus.get("11"), "tp.rar : à déplier à la main");
+        refuse(lus.get("12"), "tp.7z : à déplier à la main");
         refuse(lus.get("13"), "tp.zip : archive illisible");
         refuse(lus.get("14"), "../../evade.java");
         refuse(lus.get("15"), "plus de 50 Mo");
@@ -150,6 +150,43 @@ class DepotTest extends DepotEssai {
         try (OutputStream sortie = Files.newOutputStream(archive)) {
             sortie.write(octets.array());
         }
+    }
+
+    @Test
+    void ceQuiResteADeplierEstARegarderMemeACoteDeSources() throws IOException {
+        for (String nom : List.of("tp.7z", "TP.RAR", "tp.tar.gz", "tp.tgz", "tp.7z.001", "tp.zip.002", "tp.tar.zst")) {
+            ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/" + nom), "x");
+        }
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java"), CLASSE);
+        Rendu rendu = lire(rendus).get("11");
+        verifier(rendu, "Étudiant 1");
+        assertEquals(7, rendu.aRegarder.stream().filter(r -> r.contains(" : à déplier à la main")).count(), rendu.aRegarder.toString());
+        assertEquals(rendu.aRegarder, rendu.remarques);
+    }
+
+    @Test
+    void niLaLongueurNiLesSignesDUnNomNeTouchentAuxFichiersNiAuxAutresRendus() throws IOException {
+        String accent = "%C3%A9";
+        for (String nom : List.of("x".repeat(252), "x".repeat(251) + "y", "a%0Ab", "%1B%5B2K", "m" + accent, "m%E9", "m%E8", "%E2%80%8F")) {
+            Path dossier = Path.of(java.net.URI.create(rendus.toUri() + nom));
+            ecrire(dossier.resolve("lancer").resolve("Vecteur.java"), CLASSE);
+        }
+        // une barre à l'envers n'est pas celle d'un dossier : celui-là n'entre pas chez un autre
+        ecrire(rendus.resolve("martin/lancer/Vecteur.java"), CLASSE);
+        ClasseEssai.archiver(rendus.resolve("martin"), rendus.resolve("martin\\dupont.zip"), "");
+        List<Rendu> lus = Depot.lire(rendus, travail);
+        assertEquals(10, lus.size());
+        TreeSet<String> ids = new TreeSet<>();
+        TreeSet<String> fichiers = new TreeSet<>();
+        for (int rang = 0; rang < lus.size(); rang++) {
+            Rendu rendu = lus.get(rang);
+            assertEquals(1, rendu.sources.size(), rendu.id);
+            assertTrue((rendu.nom + rendu.id).matches("[\\P{C}&&[^\\u200F]]{2,150}"), rendu.nom);
+            assertTrue(rendu.fichier(rang).matches("[A-Za-z0-9-]{4,80}"), rendu.fichier(rang));
+            ids.add(rendu.id);
+            fichiers.add(rendu.fichier(rang));
+        }
+        assertEquals(List.of(10, 10), List.of(ids.size(), fichiers.size()));
     }
 
     @Test

@@ -2,6 +2,7 @@ package lancer.correction.isolement;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -10,12 +11,15 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Paths;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.FutureTask;
 import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Execution;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -121,6 +125,47 @@ class EnfantTest {
                 assertTrue(arret.getMessage().startsWith("arrêté"), arret.getMessage());
             }
         }
+    }
+
+    private static String arret(Limites limites, List<String> commande) throws Exception {
+        try (Enfant enfant = new Enfant(commande, limites)) {
+            enfant.commencer(limites.calcul);
+            return assertThrows(Arret.class, () -> enfant.demander(new byte[0], 0)).getMessage();
+        }
+    }
+
+    @Test
+    void leTempsDesProgrammesQuiOntFiniCompte() throws Exception {
+        String court = "i=0; while [ $i -lt 60000 ]; do i=$((i+1)); done";
+        for (String facon : List.of("/bin/sh -c \"$0\"", "(/bin/sh -c \"$0\" & wait)")) {
+            String dit = arret(new Limites(1, 5, 64, 60), List.of("/bin/sh", "-c", "for k in $(seq 130); do " + facon + "; done", court));
+            assertTrue(dit.contains("s de calcul"), dit);
+        }
+    }
+
+    @Test
+    void unFichierEnMemoireEstDeLaMemoire() throws Exception {
+        assumeTrue(new File("/usr/bin/perl").canExecute());
+        int appel = System.getProperty("os.arch").equals("aarch64") ? 279 : 319;
+        // 20 fichiers de 50 Mo, écrits sans être montrés à personne
+        String dit = arret(LIMITES, List.of("/usr/bin/perl", "-e", "for (1..20) { my $n = 'a'; my $f = syscall(" + appel
+                + ", $n, 0); open(my $h, '>&=', $f) or die; push @h, $h; syswrite($h, 'y' x (1 << 20)) for 1..50; } sleep 30;"));
+        assertEquals("arrêté : mémoire épuisée", dit);
+    }
+
+    @Test
+    void uneClasseQueJavaRefuseNeCouteQuElle() throws Exception {
+        byte[] classe;
+        try (InputStream flux = Echo.class.getResourceAsStream("EnfantTest$Echo.class")) {
+            classe = flux.readAllBytes();
+        }
+        String nom = Echo.class.getName();
+        String interdit = "java.lang." + "x".repeat(nom.length() - 10);
+        byte[] volee = new String(classe, StandardCharsets.ISO_8859_1).replace(nom.replace('.', '/'), interdit.replace('.', '/'))
+                .getBytes(StandardCharsets.ISO_8859_1);
+        ClassLoader chargeur = new Execution.Classes(Map.of(interdit, volee, nom, classe), getClass().getClassLoader());
+        assertSame(chargeur, Class.forName(nom, true, chargeur).getClassLoader());
+        assertThrows(ClassNotFoundException.class, () -> Class.forName(interdit, true, chargeur));
     }
 
     @Test

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
@@ -91,7 +92,47 @@ class HostilesTest extends JuryEssai {
     }
 
     @Test
-    void unRenduQuiPrendToutLeTempsDuCorrecteurNEstPasCorrige() throws IOException {
+    void confineUnRenduNeLanceAucunProgrammeEtRienDeLuiNeFaitUnePanne() throws IOException {
+        Confinement confinement = Confinement.essayer();
+        assumeTrue(confinement.confine, confinement.manque);
+        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
+        ecrireCorrige(rendus.resolve("ordinaire"));
+        attaque(rendus.resolve("programme"), "try { new ProcessBuilder(\"/bin/sh\", \"-c\", \"true\").start(); } "
+                + "catch (java.io.IOException e) { throw new IllegalStateException(e.getMessage()); }");
+        attaque(rendus.resolve("fils-sans-fin"), "for (int k = 0; k < 9000; k++) new Thread(() -> { try { Thread.sleep(99999); } "
+                + "catch (InterruptedException e) { } }).start();");
+        attaque(rendus.resolve("message"), "throw new RuntimeException() { public String getMessage() { while (true) { } } };");
+        attaque(rendus.resolve("pile"), "throw new RuntimeException() { public StackTraceElement[] getStackTrace() { throw new Error(); } };");
+        ecrire(ecrireCorrige(rendus.resolve("java-lang")), "Deux", "p\\u0061ckage java.lang;\npublic cl\\u0061ss Deux { }\n");
+        // dans chacune, une table de 15 000 méthodes : des classes qu'une machine ne peut prendre
+        Path classes = ecrireCorrige(rendus.resolve("classes"));
+        ecrire(classes, "A", "package lancer; class A { " + methodes(15_000) + "}");
+        for (int k = 0; k < 19; k++) {
+            String nom = "B" + k + "x";
+            ecrire(classes, nom, "package lancer;\n" + IntStream.range(0, 99).mapToObj(n -> "class " + nom + n + " extends A {}\n")
+                    .collect(Collectors.joining()));
+        }
+        Map<String, Resultat> resultats = juger(rendus, confinement, COURTES);
+        assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
+        assertTrue(imageJuste(resultats.get("ordinaire")));
+        rate(resultats, "programme", "Operation not permitted");
+        rate(resultats, "fils-sans-fin", "lance sans fin des fils");
+        rate(resultats, "message", "s de calcul");
+        rate(resultats, "pile", "arrêté de lui-même");
+        assertEquals(List.of("arrêté : mémoire épuisée (à la compilation, ou en prenant ses classes)"), resultats.remove("classes").refus);
+        assertEquals(Verdict.Etat.REUSSI, resultats.get("java-lang").verdicts.get(SOUSTRACTION).etat);
+        resultats.forEach((nom, resultat) -> {
+            assertFalse(resultat.nonCorrige, nom + " : " + resultat.refus);
+            assertEquals(List.of(), resultat.refus, nom);
+        });
+    }
+
+    private static String methodes(int combien) {
+        return IntStream.range(0, combien).mapToObj(k -> "void m" + k + "() {}").collect(Collectors.joining());
+    }
+
+    @Test
+    void unRenduQuiPrendToutLeTempsDuCorrecteurEstRefuse() throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
         Path travail = Files.createDirectories(dossier.resolve("travail"));
@@ -101,8 +142,8 @@ class HostilesTest extends JuryEssai {
                 resultats.add(juger(jury, rendus, travail).get("un"));
             }
         }
-        assertTrue(resultats.get(0).nonCorrige);
-        assertTrue(resultats.get(0).refus.get(0).startsWith("non corrigé : arrêté : plus de 0 s"), resultats.get(0).refus.toString());
+        assertFalse(resultats.get(0).nonCorrige, "ce n'est pas une panne");
+        assertTrue(resultats.get(0).refus.get(0).startsWith("arrêté : plus de 0 s"), resultats.get(0).refus.toString());
         Resultat ensuite = resultats.get(1);
         assertFalse(ensuite.nonCorrige);
         assertEquals(new TreeSet<>(), ratees(ensuite));

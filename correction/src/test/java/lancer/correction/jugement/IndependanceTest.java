@@ -6,14 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
 import java.util.stream.Stream;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.modele.Modele;
@@ -38,18 +36,6 @@ class IndependanceTest extends JuryEssai {
         for (String classe : Modele.A_COMPLETER) {
             ecrire(Files.createDirectories(rendus.resolve("vide/src/lancer")), classe, Modele.squelette(classe));
         }
-    }
-
-    private static void ecrire(Path dossier, String classe, String texte) throws IOException {
-        Files.write(dossier.resolve(classe + ".java"), texte.getBytes(StandardCharsets.UTF_8));
-    }
-
-    /** Un rendu achevé, dont la soustraction fait d'abord ceci. */
-    private static Path attaque(Path rendu, String java) throws IOException {
-        Path sources = ecrireCorrige(rendu);
-        ecrire(sources, "Vecteur", Modele.corrige("Vecteur").replaceFirst("(public Vecteur sub\\(Vecteur v\\) \\{)",
-                "$1 " + Matcher.quoteReplacement("if (true) { " + java + " }")));
-        return sources;
     }
 
     private static Map<String, String> etats(Resultat resultat) {

@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
 import lancer.correction.ClasseEssai;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
@@ -72,6 +73,18 @@ abstract class JuryEssai extends ClasseEssai {
         for (String classe : Modele.A_COMPLETER) {
             Files.write(sources.resolve(classe + ".java"), Modele.corrige(classe).getBytes(StandardCharsets.UTF_8));
         }
+        return sources;
+    }
+
+    static void ecrire(Path dossier, String classe, String texte) throws IOException {
+        Files.write(dossier.resolve(classe + ".java"), texte.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Un rendu achevé, dont la soustraction fait d'abord ceci. */
+    static Path attaque(Path rendu, String java) throws IOException {
+        Path sources = ecrireCorrige(rendu);
+        ecrire(sources, "Vecteur", Modele.corrige("Vecteur").replaceFirst("(public Vecteur sub\\(Vecteur v\\) \\{)",
+                "$1 " + Matcher.quoteReplacement("if (true) { " + java + " }")));
         return sources;
     }
 

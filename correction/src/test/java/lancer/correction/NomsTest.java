@@ -1,0 +1,102 @@
+package lancer.correction;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
+import java.util.zip.ZipOutputStream;
+import lancer.correction.enfant.Echange;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Ce que des noms hostiles ne font pas, et ce que la documentation dit de la défense. */
+@EnabledForJreRange(min = JRE.JAVA_17)
+class NomsTest extends ClasseEssai {
+
+    private static final Path DOCUMENT = Paths.get("..", "docs", "classe.md");
+    private static final List<String> NOMS = List.of("x".repeat(252), "\u001b[2K\rcorrection : 9/9 forge\ncorrection : 9/9 forge : 20",
+            "a;=cmd|' C calc'!A0;b", "é".repeat(20_000) + "_11_assignsubmission_file");
+
+    @TempDir
+    Path dossier;
+
+    @Test
+    void aucunNomNePerdLaClasseNeForgeDeLigneNiDeFormule() throws IOException {
+        Path archive = dossier.resolve("classe.zip");
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive))) {
+            for (String nom : NOMS) {
+                zip.putNextEntry(new ZipEntry(nom + "/lisez-moi.txt"));
+                zip.putNextEntry(new ZipEntry(nom + "/lancer/Vecteur.7z"));
+            }
+        }
+        Path feuille = dossier.resolve("notes.csv");
+        Files.writeString(feuille, "Identifiant,Note,Dernière modification (note)\nParticipant11,,-\n");
+        Path pages = dossier.resolve("pages");
+        Essai essai = executer("--sans-confinement", "--sortie", pages, "--notes", feuille, archive);
+        assertEquals(0, essai.code, essai.erreur);
+        String[] lignes = essai.erreur.split("\n");
+        assertEquals(1 + NOMS.size(), lignes.length, "une ligne chacun : " + essai.erreur);
+        for (String ligne : lignes) {
+            assertTrue(ligne.matches("correction : (\\d/4 .*|4 rendus .*)") && !Echange.NUISIBLES.matcher(ligne).find(), ligne);
+        }
+        assertEquals(NOMS.size(), pages.resolve("etudiants").toFile().list((d, nom) -> nom.matches("[A-Za-z0-9.-]{8,100}")).length);
+        assertFalse(Files.readString(pages.resolve("classe.csv")).matches("(?s).*;\\s*=.*"));
+        try (ZipFile zip = new ZipFile(pages.resolve("retours.zip").toFile())) {
+            String nom = zip.entries().nextElement().getName();
+            assertTrue(nom.endsWith("_11_assignsubmission_file/correction.html"), nom);
+            assertTrue(nom.split("/")[0].getBytes(StandardCharsets.UTF_8).length <= 255, nom);
+        }
+    }
+
+    @Test
+    void sansBwrapRienNeSExecuteEtCeQuIlFautTaperEstDit() throws IOException, InterruptedException {
+        Path rendu = Files.createDirectories(dossier.resolve("rendu/src/lancer"));
+        Files.writeString(rendu.resolve("Vecteur.java"), "package lancer; class Vecteur { }");
+        ProcessBuilder programme = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"), "-Dfile.encoding=UTF-8", Correction.class.getName(), "--sortie",
+                dossier.resolve("pages").toString(), dossier.resolve("rendu").toString());
+        programme.environment().put("PATH", dossier.toString());
+        Process lance = programme.redirectErrorStream(true).redirectOutput(dossier.resolve("dit").toFile()).start();
+        assertTrue(lance.waitFor(2, TimeUnit.MINUTES));
+        assertEquals(1, lance.exitValue());
+        List<String> dit = Files.readAllLines(dossier.resolve("dit"));
+        assertEquals(1, dit.size(), dit.toString());
+        contient(dit.get(0), "rien n'a été exécuté : bwrap n'", "SANS_CONFINEMENT=1 (--sans-confinement)");
+        contient(Files.readString(DOCUMENT), "Sans `bwrap` (Windows, Mac), rien n'est exécuté et le statut est 1 ;",
+                "`SANS_CONFINEMENT=1`");
+    }
+
+    @Test
+    void chaqueAttaqueDeLaDocumentationAUnEssaiQuiExiste() throws IOException {
+        List<String> rangees = Files.readAllLines(DOCUMENT).stream().filter(l -> l.startsWith("|") && l.contains("Test."))
+                .collect(Collectors.toList());
+        assertTrue(rangees.size() >= 10, "une table de dix rangées au moins");
+        for (String rangee : rangees) {
+            Matcher essai = Pattern.compile("`(\\w+Test)\\.(\\w+)`").matcher(rangee);
+            assertTrue(essai.find(), rangee);
+            do {
+                String nom = essai.group(1) + ".java";
+                try (Stream<Path> flux = Files.walk(Paths.get("src", "test", "java"))) {
+                    File source = flux.filter(f -> f.endsWith(nom)).findFirst().orElseThrow(() -> new AssertionError(nom)).toFile();
+                    contient(Files.readString(source.toPath()), "void " + essai.group(2) + "(");
+                }
+            } while (essai.find());
+        }
+    }
+}
