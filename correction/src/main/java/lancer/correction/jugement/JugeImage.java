@@ -36,7 +36,7 @@ final class JugeImage {
         int[] taille = Reference.SCENES.get(scene);
         // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
         return new Image(taille[0], taille[1], sonder(assemblage, taille[2] > 5 ? 1 : TEMPS, "dessiner",
-                Modele.scene(scene), taille[0], taille[1], taille[2]));
+                reference.scene(scene), taille[0], taille[1], taille[2]));
     }
 
     /** Une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec de même */
@@ -47,7 +47,7 @@ final class JugeImage {
     /** Réponses, en chemin, que font les méthodes de ces classes. */
     String decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
-        return sonder(assemblage, TEMPS, "decrire", Modele.scene(scene), taille[0], taille[1], xe, ye, Math.min(5, taille[2]));
+        return sonder(assemblage, TEMPS, "decrire", reference.scene(scene), taille[0], taille[1], xe, ye, Math.min(5, taille[2]));
     }
 
     private String sonder(Assemblage assemblage, double temps, String methode, String scene, Object... arguments) throws Arret {

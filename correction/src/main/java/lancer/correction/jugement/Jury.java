@@ -27,6 +27,8 @@ public final class Jury implements AutoCloseable {
     private static final int TOUR_MS = 20;
     /** Durée permise à un rendu, en secondes : chacune de ses réponses à temps, leur somme serait sans fin. */
     private static final int ENTIER_MAX = 300;
+    /** Propriété où {@code lancer.Tests} lit la sienne. */
+    private static final String GRAINE = "tests.graine";
     private static final ThreadMXBean FILS = ManagementFactory.getThreadMXBean();
 
     private final Machines machines;
@@ -45,6 +47,7 @@ public final class Jury implements AutoCloseable {
             throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature());
         }
         this.limites = limites;
+        System.setProperty(GRAINE, String.valueOf(graine));
         try {
             machines = new Machines(confinement, limites, travail.resolve("machines"));
             // chaud, ce qui a compilé le corrigé compile le premier rendu
@@ -181,5 +184,6 @@ public final class Jury implements AutoCloseable {
     public void close() {
         compilations.forEach(Machines.Compilation::close);
         reference.close();
+        System.clearProperty(GRAINE);
     }
 }

@@ -32,12 +32,15 @@ public final class Reference implements AutoCloseable {
     /** Verdicts du projet à compléter, par vérification : ses classes ensemble, et l'une seule parmi le corrigé. */
     private final Map<String, Verdict> duSquelette;
     private final Map<String, Verdict> dUneClasse = new HashMap<>();
+    private final long graine;
     public final Grille grille;
     /** Le corrigé, compilé, et qui l'interroge. */
     private final Assemblage assemblage;
     private final Juge juge;
 
+    /** @param graine d'où sont tirées les scènes dont on juge l'image */
     Reference(Machines machines, Machines.Compilation compilation, String sansConfinement, long graine) throws Arret {
+        this.graine = graine;
         Projet projet = new Projet(Modele.tout(Modele::squelette), Map.of(), List.of());
         // les vérifications sont compilées contre les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
@@ -55,6 +58,11 @@ public final class Reference implements AutoCloseable {
         }
     }
 
+    /** Le texte d'une scène dont on juge l'image. */
+    String scene(String nom) {
+        return Modele.scene(nom, graine);
+    }
+
     /** Remplit la grille : les vérifications, les scènes, les extensions et les consignes, et ce que le corrigé en dessine. */
     private void remplir() throws Arret {
         verifications.forEach(v -> grille.ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""),
@@ -65,7 +73,7 @@ public final class Reference implements AutoCloseable {
             grille.ajouter(Grille.IMAGE, "L'image entière", new Grille.Critere(Grille.IMAGE + "." + nom, "",
                     "la scène « " + nom + " », par toutes les classes du rendu, est celle du corrigé", true));
             grille.ajouter(nom, false, juge.images.dessiner(assemblage, nom));
-            grille.ajouter(nom, true, juge.images.tracer(assemblage, Modele.scene(nom), taille[0], taille[1], taille[2]));
+            grille.ajouter(nom, true, juge.images.tracer(assemblage, scene(nom), taille[0], taille[1], taille[2]));
         }
         for (String nom : Modele.VARIANTES) {
             String[] titres = Grille.EXTENSIONS.get(nom);
