@@ -13,6 +13,9 @@ import lancer.correction.note.Note;
 /** Une ligne de la classe : un rendu, ce qu'on en a trouvé, et sa note. */
 public final class Eleve {
 
+    /** Nombre de longues méthodes égales qui font deux rendus pareils. */
+    private static final int PAREILLES = 3;
+
     public final Rendu rendu;
     public final Resultat resultat;
     public final Note note;
@@ -40,13 +43,13 @@ public final class Eleve {
 
     /** Ajoute à ce qu'il faut regarder ce qu'on ne voit qu'en comparant : deux rendus pareils, une classe donnée que l'un a changée. */
     static void comparer(List<Eleve> eleves) {
-        Map<List<String>, List<Eleve>> pareils = eleves.stream()
-                .filter(e -> e.resultat.empreintes.containsKey("Objet3D"))
-                .collect(Collectors.groupingBy(e -> Modele.A_COMPLETER.stream().map(e.resultat.empreintes::get)
-                .collect(Collectors.toList())));
-        pareils.values().stream().filter(p -> p.size() > 1).forEach(p -> p.forEach(e -> e.aRegarder.add(
-                "pareil, aux noms de variables et à la présentation près, à : " + p.stream().filter(a -> a != e)
-                .map(a -> a.rendu.nom).collect(Collectors.joining(", ")))));
+        for (Eleve e : eleves) {
+            String pareils = eleves.stream().filter(a -> a != e && e.resultat.arbres.entrySet().stream()
+                    .filter(a.resultat.arbres.entrySet()::contains).count() >= PAREILLES).map(a -> a.rendu.nom).collect(Collectors.joining(", "));
+            if (!pareils.isEmpty()) {
+                e.aRegarder.add("pareil, aux noms de variables et à la présentation près, à : " + pareils);
+            }
+        }
         for (String classe : Modele.DONNEES) {
             Map<String, List<Eleve>> textes = eleves.stream().filter(e -> !classe.equals("Main")
                     && e.resultat.empreintes.containsKey(classe))

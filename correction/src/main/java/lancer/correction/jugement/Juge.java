@@ -3,7 +3,9 @@ package lancer.correction.jugement;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -12,8 +14,8 @@ import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lancer.correction.depot.Methode;
 import lancer.correction.depot.Projet;
-import lancer.correction.depot.Source;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
@@ -30,6 +32,13 @@ final class Juge implements AutoCloseable {
 
     /** Étapes qui s'ajoutent à une méthode déjà écrite pour une étape d'avant. */
     private static final Set<String> DANS_LA_MEME_METHODE = Set.of("phong", "ombres", "reflets");
+
+    /** Ce que dit une vérification d'appels sans fin ; une boucle sans fin est autre chose. */
+    private static final Pattern SANS_FIN = Pattern.compile("(?<!boucle )sans fin");
+    private static final String NON_COMMENCEE = "étape non commencée : ";
+
+    /** Nombre d'instructions au-delà duquel deux méthodes ne sont pas égales par hasard. */
+    private static final int LONGUE = 5;
 
     private final Reference reference;
     private final Machines.Compilation compilation;
@@ -92,8 +101,9 @@ final class Juge implements AutoCloseable {
         resultat.aRegarder.addAll(projet.aRegarder);
         Modele.A_COMPLETER.stream().filter(c -> projet.texte(c) == null).forEach(c -> resultat.remarques.add("la classe " + c
                 + " manque : celle du projet à compléter en tient lieu"));
-        ensemble.fautes.stream().filter(f -> projet.base.containsKey(f.fichier.replaceFirst("\\.java$", "")))
-                .forEach(f -> resultat.fautes.add(f.toString()));
+        List<Faute> siennes = ensemble.fautes.stream().filter(f -> projet.base.containsKey(f.fichier.replaceFirst("\\.java$", "")))
+                .sorted(Comparator.comparing(f -> !f.demandeJava())).collect(Collectors.toList());
+        siennes.forEach(f -> resultat.fautes.add(f.toString()));
         Verifications.Bilan toutes = lancer(ensemble, reference.verifications);
         Map<String, Verdict> parSeule = new HashMap<>();
         for (String classe : changees(Modele.A_COMPLETER)) {
@@ -117,7 +127,9 @@ final class Juge implements AutoCloseable {
         }
         variantes();
         consignes();
+        retenir();
         confronter();
+        direLaFaute(siennes);
         return resultat;
     }
 
@@ -153,6 +165,17 @@ final class Juge implements AutoCloseable {
         }
     }
 
+    /** Dit d'abord la faute de compilation qui coûte quelque chose. */
+    private void direLaFaute(List<Faute> fautes) {
+        Set<String> perdues = verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.NE_SE_COMPILE_PAS).stream()
+                .map(v -> projet.noms.classe(v.classe)).collect(Collectors.toSet());
+        if (resultat.verdicts.values().stream().anyMatch(v -> v.etat == Etat.NE_SE_COMPILE_PAS)) {
+            Stream.concat(fautes.stream().filter(f -> f.demandeJava() || perdues.contains(f.classe())), fautes.stream()).findFirst()
+                    .ifPresent(f -> resultat.aRegarder.add(0, NE_SE_COMPILE_PAS + " : " + f + (fautes.size() < 2 ? ""
+                    : " ; et " + (fautes.size() - 1) + (fautes.size() > 2 ? " autres fautes" : " autre faute"))));
+        }
+    }
+
     private void charger(Verification v, String message, String classe) {
         resultat.verdicts.put(v.id(), new Verdict(Etat.RATE, message + (classe.equals(v.classe) ? ""
                 : " ; " + v.classe + " est juste, la faute est dans " + classe)));
@@ -172,17 +195,17 @@ final class Juge implements AutoCloseable {
         return classes.stream().filter(projet.changees::contains).collect(Collectors.toList());
     }
 
-    /** Classes du rendu où ce mot est employé. */
-    private String emploient(String mot) {
-        return changees(Modele.classes()).stream().filter(c -> Pattern.compile(mot)
-                .matcher(Source.sansCommentaires(projet.texte(c))).find()).collect(Collectors.joining(", "));
+    /** Classes du rendu où ce nom est employé. */
+    private String emploient(String nom) {
+        return changees(Modele.classes()).stream().filter(c -> projet.type(c).noms.contains(nom)).collect(Collectors.joining(", "));
     }
 
     /** Garde, pour la page, la méthode qui répond d'une vérification. */
     private void montrer(Verification v, String classe) {
         if (projet.texte(classe) != null) {
-            resultat.methodes.put(v.id(), (classe.equals(v.classe) ? nommees(v) : methodes(classe).keySet()).stream()
-                    .map(m -> Source.methode(projet.texte(classe), m)).collect(Collectors.joining()));
+            Set<String> lesquelles = classe.equals(v.classe) ? nommees(v) : methodes(classe).keySet();
+            resultat.methodes.put(v.id(), projet.type(classe).methodes.stream().filter(m -> lesquelles.contains(m.nom))
+                    .map(m -> m.texte + "\n").collect(Collectors.joining()));
         }
     }
 
@@ -191,7 +214,16 @@ final class Juge implements AutoCloseable {
                 .forEach(c -> projet.noter(Projet.FIXME, "reste dans " + c));
         Projet.CONSIGNES.keySet().forEach(nom -> resultat.verdicts.put(Grille.CONSIGNES + "." + nom, projet.ecarts.containsKey(nom)
                 ? new Verdict(Etat.RATE, projet.ecarts.get(nom)) : new Verdict(Etat.REUSSI, "")));
-        changees(Modele.classes()).forEach(c -> resultat.empreintes.put(c, Source.empreinte(projet.texte(c))));
+    }
+
+    /** Retient de quoi comparer ce rendu aux autres : ce qui n'est ni donné, ni la solution du cours. */
+    private void retenir() {
+        for (String classe : changees(Modele.classes())) {
+            Set<String> communs = projet.cours.arbres(classe);
+            projet.type(classe).methodes.stream().filter(m -> m.instructions > LONGUE && !communs.contains(m.arbre))
+                    .forEach(m -> resultat.arbres.put(classe + "." + m.signature(), m.arbre));
+        }
+        changees(Modele.DONNEES).forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
     }
 
     /** L'image et les étapes doivent dire la même chose. */
@@ -206,13 +238,17 @@ final class Juge implements AutoCloseable {
             resultat.regarder("étapes toutes réussies, mais une autre image : « " + String.join(" », « ", autres) + " »"
                     + (resultat.classesFautives.isEmpty() ? "" : ", par " + String.join(", ", resultat.classesFautives)));
         }
-        String enFloat = emploient("\\bfloat\\b");
+        String enFloat = emploient("float");
         if (!enFloat.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
             String grain = "des calculs en float (" + enFloat + ") : de là peut venir du grain, que le cours évite par des double";
             resultat.remarques.add(0, grain);
             resultat.regarder(grain);
         }
-        String lisent = emploient("\\bSystem\\s*\\.\\s*in\\b");
+        if (resultat.verdicts.entrySet().stream().filter(e -> e.getValue().rate() && SANS_FIN.matcher(e.getValue().message).find())
+                .map(e -> e.getKey().matches("(reflets|" + Grille.IMAGE + ")\\..*")).reduce(Boolean::logicalAnd).orElse(false)) {
+            resultat.regarder("appels sans fin d'un miroir à l'autre : la profondeur ne diminue pas, ou ne les arrête pas");
+        }
+        String lisent = emploient("System.in");
         if (!lisent.isEmpty()) {
             resultat.regarder("lit l'entrée standard (" + lisent + ") : elle est vide ici, ce qu'il y attend n'a pas été essayé");
         }
@@ -241,30 +277,31 @@ final class Juge implements AutoCloseable {
         sources.put("lancer/" + projet.noms.classe(classe), projet.texte(classe) != null ? projet.texte(classe)
                 : projet.noms.dans(Modele.squelette(classe)));
         Assemblage seule = assembler(sources);
-        if (fautesNouvelles(seule, classe)) {
-            List<String> nommees = new ArrayList<>();
-            for (String autre : Modele.classes()) {
-                String texte = projet.texte(autre);
-                String sien = projet.noms.classe(autre);
-                if (texte != null && !autre.equals(classe) && !autre.equals("Main")
-                        && Pattern.compile("\\b" + sien + "\\b|\\." + autre.toLowerCase() + "\\b")
-                        .matcher(projet.texte(classe)).find()) {
-                    nommees.add(autre);
-                    sources.put("lancer/" + sien, texte);
-                }
+        // celles des siennes qu'elle emploie, puis celles que celles-là emploient
+        Set<String> avec = new LinkedHashSet<>();
+        while (fautesNouvelles(seule, classe)) {
+            List<String> deplus = employees(avec.isEmpty() ? Set.of(classe) : avec);
+            deplus.remove(classe);
+            if (!avec.addAll(deplus)) {
+                Set<String> cassees = seule.fautes.stream().map(Faute::classe).filter(avec::contains).collect(Collectors.toCollection(TreeSet::new));
+                dependances.put(classe, String.join(", ", cassees.isEmpty() ? avec : cassees));
+                break;
             }
+            avec.forEach(c -> sources.put("lancer/" + projet.noms.classe(c), projet.texte(c)));
             seule = assembler(sources);
-            if (fautesNouvelles(seule, classe)) {
-                Set<String> cassees = seule.fautes.stream().map(Faute::classe).filter(nommees::contains)
-                        .collect(Collectors.toCollection(TreeSet::new));
-                dependances.put(classe, String.join(", ", cassees.isEmpty() ? nommees : cassees));
-            } else {
-                resultat.remarques.add(classe + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
-                        + String.join(", ", nommees));
-            }
+        }
+        if (!avec.isEmpty() && !dependances.containsKey(classe)) {
+            resultat.remarques.add(classe + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes " + String.join(", ", avec));
         }
         seules.put(classe, seule);
         return seule;
+    }
+
+    /** Les classes rendues qu'emploient celles-ci, par leur nom ou par un champ qui porte ce nom. */
+    private List<String> employees(Set<String> classes) {
+        return Modele.classes().stream().filter(c -> projet.texte(c) != null && !c.equals("Main") && classes.stream().map(projet::type)
+                .anyMatch(t -> t.noms.contains(projet.noms.classe(c)) || t.noms.contains(c.toLowerCase(Locale.ROOT))))
+                .collect(Collectors.toList());
     }
 
     /** Vrai si là, parmi celles du corrigé, elle ne se compile plus comme avec celles de l'étudiant, ou les en empêche. */
@@ -294,7 +331,8 @@ final class Juge implements AutoCloseable {
             return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + " est celle du projet à compléter");
         }
         if (seule != null && seule.etat == Etat.REUSSI) {
-            return new Verdict(Etat.CACHE, ensemble.message);
+            return new Verdict(Etat.CACHE, ecrite(v, ensemble.message) == null ? ensemble.message
+                : ensemble.message.replace(NON_COMMENCEE, "") + " ; " + v.classe + " est juste, la faute est ailleurs");
         }
         // si elle ne se compile que parmi les siennes, c'est là qu'on la juge
         Verdict verdict = seule == null || seule.message.startsWith(NE_SE_COMPILE_PAS)
@@ -302,13 +340,14 @@ final class Juge implements AutoCloseable {
         montrer(v, v.classe);
         if (verdict.etat == Etat.NON_COMMENCE) {
             return verdict.message.startsWith("étape non évaluable") ? new Verdict(Etat.NON_EVALUABLE, verdict.message)
-                    : ecrite(v, verdict.message) ? new Verdict(Etat.RATE, verdict.message.replace("étape non commencée : ", ""))
-                    : verdict;
+                    : commencee(v, verdict, ecrite(v, verdict.message));
         }
         if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
+            String appelee = NE_SE_COMPILE_PAS + ", appelé par la vérification : ";
             return dependances.containsKey(v.classe)
                     ? new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe))
-                    : new Verdict(Etat.RATE, verdict.message + (verdict.message.contains(" : ") ? ""
+                    : verdict.message.startsWith(appelee) ? new Verdict(Etat.RATE, verdict.message.substring(appelee.length()))
+                    : Verdict.rate(verdict.message + (verdict.message.contains(" : ") ? ""
                             : Stream.concat(this.ensemble.fautesDe(projet.noms.classe(v.classe)).stream().map(Faute::toString),
                             resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("")));
         }
@@ -317,8 +356,16 @@ final class Juge implements AutoCloseable {
                 ? new Verdict(Etat.NON_COMMENCE, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }
 
+    /** Les noms des méthodes à compléter de cette classe ; faux pour celles qu'il n'a pas changées. */
     private Map<String, Boolean> methodes(String classe) {
-        return Source.commencees(projet.texte(classe), projet.noms.dans(Modele.squelette(classe)));
+        Map<String, Boolean> noms = new TreeMap<>();
+        for (Methode m : projet.cours.squelette(classe).methodes) {
+            if (m.texte.contains("// FIXME")) {
+                noms.merge(m.nom, projet.type(classe).methodes.stream().noneMatch(s -> s.nom.equals(m.nom) && s.arbre.equals(m.arbre)),
+                        Boolean::logicalAnd);
+            }
+        }
+        return noms;
     }
 
     /** Les méthodes à compléter dont parle cette vérification, à défaut toutes celles de sa classe. */
@@ -329,9 +376,29 @@ final class Juge implements AutoCloseable {
         return nommees.isEmpty() ? toutes : nommees;
     }
 
-    /** Vrai si la méthode qui, dit ce message, ne rend encore rien, est une des siennes, et qu'il l'a écrite. */
-    private boolean ecrite(Verification v, String message) {
-        return !DANS_LA_MEME_METHODE.contains(v.etape) && methodes(v.classe).entrySet().stream()
-                .anyMatch(m -> m.getValue() && projet.noms.dans(message).contains(m.getKey()));
+    /** La classe qui a écrit la méthode qui, dit ce message, ne rend encore rien ; {@code null} si aucune ne l'a écrite. */
+    private String ecrite(Verification v, String message) {
+        return changees(Modele.A_COMPLETER).stream().filter(c -> message.startsWith(NON_COMMENCEE)
+                && !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape)) && methodes(c).entrySet().stream()
+                .anyMatch(m -> m.getValue() && projet.noms.dans(message).contains(m.getKey()))).findFirst().orElse(null);
+    }
+
+    /** Une étape que rien ne montre : commencée, et fausse, si la méthode dont cela dépend est écrite, dans sa classe ou dans une autre. */
+    private Verdict commencee(Verification v, Verdict verdict, String ecrite) {
+        String message = verdict.message.replace(NON_COMMENCEE, "");
+        if (ecrite == null || ecrite.equals(v.classe)) {
+            return ecrite == null ? verdict : new Verdict(Etat.RATE, message);
+        }
+        // jugée plus tôt, une des autres a déjà une faute à elle ; celle qui l'a écrite d'abord
+        String fautive = Stream.concat(Stream.of(ecrite), Modele.A_COMPLETER.stream()).filter(c -> !c.equals(v.classe)
+                && verifications(a -> a.classe.equals(c) && resultat.verdicts.containsKey(a.id()) && resultat.verdicts.get(a.id()).rate())
+                .size() > 0).findFirst().orElse(ecrite);
+        resultat.regarder(message + " : la faute est dans " + fautive + ", et " + v.classe + " n'a pu être évaluée sans elle");
+        return new Verdict(Etat.NON_EVALUABLE, message + " ; la faute est dans " + fautive);
+    }
+
+    /** Vrai s'il a écrit cette méthode à compléter. */
+    boolean aEcrit(String classe, String methode) {
+        return projet.changees.contains(classe) && methodes(classe).getOrDefault(methode, false);
     }
 }

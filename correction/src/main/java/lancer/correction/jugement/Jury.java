@@ -20,7 +20,9 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import javax.tools.ToolProvider;
 import lancer.correction.Panne;
+import lancer.correction.depot.Alias;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
 import lancer.correction.enfant.Echange;
@@ -49,11 +51,15 @@ public final class Jury implements AutoCloseable {
     /** Empreinte de ce qui juge : changé, il juge de nouveau. */
     private final String regles;
     public final Reference reference;
+    /** Noms que l'enseignant déclare, lus à côté des pages quand on commence à juger. */
+    public Alias alias;
 
     /** @param travail dossier de travail ; @throws Panne si la machine ne peut juger */
     public Jury(Path travail, Confinement confinement, Limites limites) {
-        if (Runtime.version().feature() < 17) {
-            throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature());
+        boolean sansCompilateur = ToolProvider.getSystemJavaCompiler() == null;
+        if (Runtime.version().feature() < 17 || sansCompilateur) {
+            throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature()
+                    + (sansCompilateur ? ", sans son compilateur" : ""));
         }
         this.limites = limites;
         this.souvenirs = travail.resolve("souvenirs");
@@ -74,6 +80,7 @@ public final class Jury implements AutoCloseable {
 
     /** @param fini appelé pour chaque rendu, dès qu'il est jugé, avec son rang ; dans l'ordre où ils finissent */
     public List<Resultat> juger(List<Rendu> rendus, BiConsumer<Integer, Resultat> fini) {
+        alias = new Alias(souvenirs.resolve("../../alias.csv").normalize(), rendus.stream().map(r -> r.id).collect(Collectors.toList()));
         Resultat[] resultats = new Resultat[rendus.size()];
         try {
             List<Integer> rangs = IntStream.range(0, resultats.length).boxed().collect(Collectors.toList());
@@ -166,7 +173,7 @@ public final class Jury implements AutoCloseable {
         Resultat resultat = null;
         try {
             // de plusieurs copies, celle qui réussit le plus
-            for (Projet copie : Projet.copies(rendu)) {
+            for (Projet copie : Projet.copies(rendu, compilation::lire, reference.cours, alias.de(rendu.id))) {
                 try (Juge juge = new Juge(reference, compilation, machines, copie)) {
                     Resultat sien = juge.juger();
                     resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;
@@ -196,7 +203,7 @@ public final class Jury implements AutoCloseable {
     }
 
     private String empreinte(Rendu rendu) throws GeneralSecurityException {
-        StringBuilder tout = new StringBuilder(regles + rendu.remarques + rendu.outils);
+        StringBuilder tout = new StringBuilder(regles + rendu.remarques + rendu.outils + rendu.bibliotheques + alias.de(rendu.id));
         rendu.sources.forEach((nom, texte) -> tout.append("\0").append(nom).append("\0")
                 .append(new String(texte, StandardCharsets.ISO_8859_1)));
         byte[] calcul = MessageDigest.getInstance("SHA-256").digest(tout.toString().getBytes(StandardCharsets.UTF_8));

@@ -33,7 +33,10 @@ public final class Resultat {
     /** Raisons pour lesquelles l'enseignant doit le regarder lui-même. */
     public final List<String> aRegarder = new ArrayList<>();
 
-    /** Texte de chaque classe changée du cours, sans ce qui n'est que présentation ni noms choisis, abrégé. */
+    /** Arbre de chaque longue méthode, {@code Classe.methode(types)}, qui n'est ni celle du projet à compléter, ni celle du corrigé. */
+    public final Map<String, String> arbres = new LinkedHashMap<>();
+
+    /** Empreinte de chaque classe donnée qui a été changée. */
     public final Map<String, String> empreintes = new LinkedHashMap<>();
 
     /** Méthode de l'étudiant, par critère raté, qui en répond. */
@@ -73,7 +76,7 @@ public final class Resultat {
     }
 
     private Map<String, Map<String, String>> textes() {
-        return Map.of("empreinte", empreintes, "methode", methodes);
+        return Map.of("arbre", arbres, "empreinte", empreintes, "methode", methodes);
     }
 
     /** Le garde dans un fichier : une chose par ligne, sa sorte, puis ses valeurs. */

@@ -12,6 +12,7 @@ public final class Verdict {
         PARTIEL("en partie"),
         NON_EVALUABLE("non évaluable"),
         NON_COMMENCE("non commencé"),
+        NE_SE_COMPILE_PAS("ne se compile pas"),
         RATE("raté");
 
         public final String texte;
@@ -34,6 +35,16 @@ public final class Verdict {
         this.etat = etat;
         this.message = message;
         this.part = part;
+    }
+
+    /** Raté, ou qui ne se compile pas, si c'est ce que dit ce message. */
+    static Verdict rate(String message) {
+        return new Verdict(message.startsWith(Juge.NE_SE_COMPILE_PAS) ? Etat.NE_SE_COMPILE_PAS : Etat.RATE, message);
+    }
+
+    /** Vrai si c'est une faute : ratée, ou qui ne se compile pas. */
+    public boolean rate() {
+        return etat == Etat.RATE || etat == Etat.NE_SE_COMPILE_PAS;
     }
 
     /** Vrai si la vérification rapporte ses points. */

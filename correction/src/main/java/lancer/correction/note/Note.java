@@ -32,7 +32,7 @@ public final class Note {
 
         Part(List<Grille.Critere> criteres, Resultat resultat, double poids, boolean enleve, Ajustements.Ligne ajustement) {
             // ce que le projet à compléter réussit ne rapporte rien, mais le perdre coûte
-            List<Verdict> verdicts = criteres.stream().filter(c -> c.compte || resultat.verdict(c).etat == Verdict.Etat.RATE)
+            List<Verdict> verdicts = criteres.stream().filter(c -> c.compte || resultat.verdict(c).rate())
                     .map(resultat::verdict).collect(Collectors.toList());
             comptent = verdicts.size();
             reussis = verdicts.stream().mapToDouble(v -> v.part).sum();

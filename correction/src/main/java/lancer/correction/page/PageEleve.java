@@ -84,7 +84,7 @@ final class PageEleve {
         Verdict verdict = eleve.resultat.verdict(critere);
         Verdict.Etat etat = verdict.etat;
         boolean muet = verdict.message.isEmpty();
-        boolean ouvert = Set.of(Verdict.Etat.RATE, Verdict.Etat.PARTIEL).contains(etat) && !muet && deplies.add(verdict.message);
+        boolean ouvert = (verdict.rate() || etat == Verdict.Etat.PARTIEL) && !muet && deplies.add(verdict.message);
         String methode = eleve.resultat.methodes.get(critere.id);
         html.brut(muet ? "<div>" : "<details" + (ouvert ? " open" : "") + "><summary>")
                 .element("span class=\"e " + etat.name().toLowerCase(Locale.ROOT) + "\"", etat.texte).dire(" " + critere.titre)

@@ -149,7 +149,7 @@ public final class Pages {
         for (Grille.Etape etape : grille.etapes) {
             for (Grille.Critere critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdict(critere);
-                if (verdict.etat == Verdict.Etat.RATE && bareme.poids(etape.nom) > 0) {
+                if (verdict.rate() && bareme.poids(etape.nom) > 0) {
                     html.brut(debut).element("strong", etape.titre)
                             .dire((critere.classe.isEmpty() ? ", " : ", classe " + critere.classe + " : ") + critere.titre).brut("<br>")
                             .element("code", verdict.message).brut(fin);

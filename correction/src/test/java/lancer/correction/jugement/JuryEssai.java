@@ -91,7 +91,7 @@ abstract class JuryEssai extends ClasseEssai {
     static TreeSet<String> ratees(Resultat resultat) {
         TreeSet<String> etapes = new TreeSet<>();
         resultat.verdicts.forEach((id, verdict) -> {
-            if (verdict.etat == Verdict.Etat.RATE) {
+            if (verdict.rate()) {
                 etapes.add(id.replaceFirst("\\..*", ""));
             }
         });
