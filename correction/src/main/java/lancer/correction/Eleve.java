@@ -45,7 +45,8 @@ public final class Eleve {
     static void comparer(List<Eleve> eleves) {
         for (Eleve e : eleves) {
             String pareils = eleves.stream().filter(a -> a != e && e.resultat.arbres.entrySet().stream()
-                    .filter(a.resultat.arbres.entrySet()::contains).count() >= PAREILLES).map(a -> a.rendu.nom).collect(Collectors.joining(", "));
+                    .filter(a.resultat.arbres.entrySet()::contains).count() >= PAREILLES).map(a -> a.rendu.nom)
+                    .collect(Collectors.joining(", "));
             if (!pareils.isEmpty()) {
                 e.aRegarder.add("pareil, aux noms de variables et à la présentation près, à : " + pareils);
             }

@@ -45,9 +45,9 @@ public final class Methode {
     /**
      * Écrit la forme attendue de chaque méthode dont l'étudiant a changé l'ordre ou la sorte des paramètres : elle appelle la sienne.
      *
-     * @param autres reçoit celles dont c'est dit une fois chacune ; @param enFloat celles qui n'ont que des {@code float} de plus
+     * @param dites reçoit ces changements
      */
-    static String ponts(Type duCours, Type lui, List<String> autres, List<String> enFloat) {
+    static String ponts(Type duCours, Type lui, List<String> dites) {
         StringBuilder ponts = new StringBuilder();
         for (Methode attendue : duCours.methodes) {
             List<Methode> siennes = lui.methodes.stream().filter(m -> m.nom.equals(attendue.nom) && m.statique == attendue.statique
@@ -59,13 +59,8 @@ public final class Methode {
                     ponts.append(" public " + (m.statique ? "static " : "") + m.rend + " " + m.nom + "(" + String.join(", ", parametres)
                             + ") { " + (m.rend.isEmpty() ? "this" : (m.rend.equals("void") ? "" : "return ") + m.nom)
                             + "(" + String.join(", ", m.arguments(attendue)) + "); }");
-                    String qui = m.rend.isEmpty() ? m.signature() : lui.nom + "." + m.signature();
-                    if (String.join(" ", m.types).replace("float", "double").equals(String.join(" ", attendue.types))) {
-                        enFloat.add(qui);
-                    } else {
-                        autres.add("signature : " + qui + " au lieu de (" + String.join(", ", attendue.types)
-                                + ") ; jugée comme si elle avait celle du cours");
-                    }
+                    dites.add((m.rend.isEmpty() ? "" : lui.nom + ".") + m.signature() + " au lieu de ("
+                            + String.join(", ", attendue.types) + ")");
                 });
             }
         }

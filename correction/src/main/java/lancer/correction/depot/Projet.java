@@ -61,7 +61,6 @@ public final class Projet {
     public final List<String> remarques;
     /** Les classes du cours, sous les noms qu'il leur donne. */
     public final Cours cours;
-    public final Noms noms;
     /** Les classes du cours qui ne sont plus celles du projet à compléter, parmi celles qu'il a rendues. */
     public final Set<String> changees;
     /** Écarts à ce que l'énoncé demande : par consigne, ce qu'on en dit. */
@@ -72,30 +71,28 @@ public final class Projet {
     private Projet(Cours cours, Map<String, Source> sources, Map<String, Map<String, Source>> autres, List<String> remarques) {
         this.cours = cours;
         this.remarques = new ArrayList<>(remarques);
-        noms = cours.noms;
         sources.forEach((nom, source) -> types.put(nom, source.type));
         List<String> signatures = new ArrayList<>();
-        List<String> enFloat = new ArrayList<>();
-        base.putAll(avecPonts(sources, signatures, enFloat));
-        autres.forEach((nom, siennes) -> variantes.put(nom, avecPonts(siennes, new ArrayList<>(), new ArrayList<>())));
-        this.remarques.addAll(signatures);
-        aRegarder.addAll(signatures);
-        if (!enFloat.isEmpty()) {
-            this.remarques.add("des float au lieu de double : " + String.join(", ", enFloat) + " ; jugées comme si elles étaient celles du cours");
+        base.putAll(avecPonts(sources, signatures));
+        autres.forEach((nom, siennes) -> variantes.put(nom, avecPonts(siennes, new ArrayList<>())));
+        if (!signatures.isEmpty()) {
+            dire("jugé comme s'il avait les signatures du cours : " + quelques(signatures));
         }
         changees = Modele.classes().stream().filter(c -> texte(c) != null
                 && !type(c).empreinte.equals(cours.squelette(c).empreinte)).collect(Collectors.toSet());
     }
 
-    /** Les textes, avec la forme attendue des méthodes dont il a changé les paramètres : c'est dit une fois, rien d'autre n'en souffre. */
-    private Map<String, String> avecPonts(Map<String, Source> sources, List<String> signatures, List<String> enFloat) {
+    /** Les textes, avec la forme attendue des méthodes dont il a changé les paramètres : c'est dit une fois, rien n'en souffre. */
+    private Map<String, String> avecPonts(Map<String, Source> sources, List<String> signatures) {
         Map<String, String> textes = new TreeMap<>();
         sources.forEach((nom, source) -> textes.put(nom, source.texte));
-        for (String classe : Modele.classes()) {
-            textes.computeIfPresent("lancer/" + noms.classe(classe), (nom, texte) -> SANS_PONT.contains(classe) ? texte
-                    : sources.get(nom).avec(Methode.ponts(cours.squelette(classe), sources.get(nom).type, signatures, enFloat)));
-        }
+        Modele.classes().stream().filter(c -> !SANS_PONT.contains(c)).forEach(c -> textes.computeIfPresent("lancer/" + cours.classe(c),
+                (nom, texte) -> sources.get(nom).avec(Methode.ponts(cours.squelette(c), sources.get(nom).type, signatures))));
         return textes;
+    }
+
+    private static String quelques(List<String> noms) {
+        return noms.stream().limit(NOMS_DITS).collect(Collectors.joining(", ")) + (noms.size() > NOMS_DITS ? "…" : "");
     }
 
     /**
@@ -113,9 +110,10 @@ public final class Projet {
         Map<String, Set<String>> dites = new TreeMap<>();
         Map<String, Map<String, List<Source>>> groupes = new TreeMap<>();
         for (Source source : toutes) {
-            Matcher m = VARIANTE.matcher(Normalizer.normalize(source.racine, Normalizer.Form.NFD).replaceAll("\\p{M}", ""));
+            Matcher m = VARIANTE.matcher(Normalizer.normalize(source.fichier.racine, Normalizer.Form.NFD).replaceAll("\\p{M}", ""));
             String partie = m.find() ? m.group(1).toLowerCase(Locale.ROOT).replaceFirst("^anti.*", "antialias") : "";
-            groupes.computeIfAbsent(partie, p -> new TreeMap<>()).computeIfAbsent(source.racine, r -> new ArrayList<>()).add(source);
+            groupes.computeIfAbsent(partie, p -> new TreeMap<>()).computeIfAbsent(source.fichier.racine, r -> new ArrayList<>())
+                    .add(source);
         }
         Map<String, Map<String, Source>> variantes = new LinkedHashMap<>();
         for (String nom : Modele.VARIANTES) {
@@ -141,7 +139,7 @@ public final class Projet {
             Projet projet = new Projet(cours, base, variantes, remarques);
             projet.consignes(rendu, dites);
             remarques.stream().filter(r -> r.contains(DE_COTE)).forEach(r -> projet.aRegarder.add("arrêté : " + r));
-            alias.forEach((sien, nom) -> projet.declarer(sien, nom, declares));
+            alias.forEach(projet::declarer);
             projet.absences(rendu.id);
             if (bases.size() > 1) {
                 projet.dire("plusieurs copies du projet : jugée, « " + racine + " » ; laissée, « " + bases.keySet().stream()
@@ -159,11 +157,10 @@ public final class Projet {
         aRegarder.add(quoi);
     }
 
-    private void declarer(String duCours, String sien, Map<String, String> declares) {
-        if (declares.containsKey(duCours)) {
-            String change = (Modele.classes().contains(duCours) ? "la classe " : "la méthode ") + duCours + " s'appelle " + sien;
-            remarques.add(change);
-            noter(NOMS, change);
+    private void declarer(String duCours, String sien) {
+        if (cours.dans(duCours).equals(sien)) {
+            remarques.add(duCours + " s'appelle " + sien);
+            noter(NOMS, duCours + " s'appelle " + sien);
         } else {
             aRegarder.add("alias.csv : « " + sien + " » n'est le nom de rien dans ce rendu");
         }
@@ -175,30 +172,27 @@ public final class Projet {
         for (String classe : Modele.classes()) {
             Set<String> attendues = cours.squelette(classe).nommees();
             if (texte(classe) == null && !SANS_PONT.contains(classe)) {
-                Map<String, Long> siennes = new TreeMap<>();
-                types.forEach((nom, type) -> siennes.put(type.nom, attendues.stream().filter(type.nommees()::contains).count()));
-                siennes.keySet().removeIf(nom -> Modele.classes().contains(nom) || prises.contains(nom) || 2 * siennes.get(nom) <= attendues.size());
-                if (siennes.size() == 1) {
-                    String nom = siennes.keySet().iterator().next();
-                    prises.add(nom);
-                    absente(id, classe, classe, nom, nom + " a " + siennes.get(nom) + " de ses " + attendues.size() + " méthodes");
+                List<Type> siens = types.values().stream().filter(s -> !Modele.classes().contains(s.nom) && !prises.contains(s.nom)
+                        && 2 * s.parmi(attendues) > attendues.size()).collect(Collectors.toList());
+                if (siens.size() == 1 && prises.add(siens.get(0).nom)) {
+                    absente(id, classe, classe, siens.get(0).nom, siens.get(0).nom + " a " + siens.get(0).parmi(attendues) + " de ses "
+                            + attendues.size() + " méthodes");
                 }
             } else if (Modele.A_COMPLETER.contains(classe)) {
                 attendues.stream().filter(m -> !type(classe).nommees().contains(m)).forEach(m -> chercher(id, classe, m, prises));
             }
         }
-        long presentes = Modele.A_COMPLETER.stream().filter(c -> texte(c) != null
-                && !Collections.disjoint(type(c).nommees(), cours.squelette(c).nommees())).count();
+        long presentes = Modele.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
         List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !n.isEmpty() && !Modele.classes().contains(n))
                 .sorted().collect(Collectors.toList());
         if (presentes < 2 && autres.size() > presentes) {
             aRegarder.add(0, "un autre projet : " + (presentes == 0 ? "aucune" : "une") + " des " + Modele.A_COMPLETER.size()
                     + " classes à compléter n'y est comme dans le cours ; les siennes sont "
-                    + autres.stream().limit(NOMS_DITS).collect(Collectors.joining(", ")) + (autres.size() > NOMS_DITS ? "…" : ""));
+                    + quelques(autres));
         }
     }
 
-    /** Cherche la seule méthode inconnue qui prend et rend la même chose que celle du cours qui manque ; ou l'autre classe où elle est. */
+    /** Cherche la seule méthode inconnue qui prend et rend la même chose que celle qui manque ; ou l'autre classe où elle est. */
     private void chercher(String id, String classe, String methode, Set<String> prises) {
         Set<String> connues = cours.squelette(classe).nommees();
         Set<String> semblables = cours.squelette(classe).methodes.stream().filter(m -> m.nom.equals(methode))
@@ -265,12 +259,12 @@ public final class Projet {
                 classes = copies.computeIfAbsent(racine, r -> new TreeMap<>());
             }
             for (Source source : groupes.get(racine)) {
-                String nom = source.paquet.isEmpty() ? source.classe : source.paquet.replace('.', '/') + "/"
-                        + source.classe;
-                if (source.intrusion != null) {
-                    remarques.add(source.chemin + DE_COTE + source.intrusion);
+                String nom = (source.fichier.paquet + ".").replaceFirst("^\\.", "").replace('.', '/') + source.classe;
+                String intrusion = source.intrusion();
+                if (intrusion != null) {
+                    remarques.add(source.fichier.chemin + DE_COTE + intrusion);
                 } else if (classes.putIfAbsent(nom, source) == null) {
-                    source.remarques.forEach(r -> dites.computeIfAbsent(r, q -> new TreeSet<>()).add(source.chemin));
+                    source.fichier.remarques.forEach(r -> dites.computeIfAbsent(r, q -> new TreeSet<>()).add(source.fichier.chemin));
                 }
             }
         }
@@ -279,11 +273,11 @@ public final class Projet {
 
     /** Le texte d'une classe du cours, sous le nom qu'il lui donne ; {@code null} si elle n'est pas rendue. */
     public String texte(String classe) {
-        return base.get("lancer/" + noms.classe(classe));
+        return base.get("lancer/" + cours.classe(classe));
     }
 
     /** Ce qui s'en lit ; rien si elle n'est pas rendue, ou si son fichier ne la déclare pas. */
     public Type type(String classe) {
-        return types.getOrDefault("lancer/" + noms.classe(classe), Type.RIEN);
+        return types.getOrDefault("lancer/" + cours.classe(classe), Type.RIEN);
     }
 }

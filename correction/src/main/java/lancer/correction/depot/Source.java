@@ -27,31 +27,21 @@ public final class Source {
     private static final Pattern NOM_DE_CLASSE = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]{0,99}+");
     private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
             + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
+    private static final List<String> NOTRES = List.of("Appels", "Sonde");
 
-    final String chemin;
+    final Fichier fichier;
     final String classe;
-    /** Le dossier où commencent les paquets. */
-    final String racine;
-    final String paquet;
     final String texte;
     final Type type;
     /** Où finit cette classe dans ce texte ; négatif si on ne le sait pas. */
     private final int fin;
-    /** Remarques sur ce qu'il a fallu arranger. */
-    final List<String> remarques;
-    /** Raison pour laquelle elle est à laisser de côté, {@code null} s'il n'y en a pas. */
-    final String intrusion;
 
-    private Source(Fichier fichier, String classe, String texte, Type type, int fin, List<String> remarques) {
-        chemin = fichier.chemin;
-        racine = fichier.racine;
-        paquet = fichier.arrive;
+    private Source(Fichier fichier, String classe, String texte, Type type, int fin) {
+        this.fichier = fichier;
         this.classe = classe;
         this.texte = texte;
         this.type = type;
         this.fin = fin;
-        this.remarques = remarques;
-        intrusion = fichier.intrusion(classe);
     }
 
     /** Les classes que déclare un fichier, telles que le JDK les lit. */
@@ -59,32 +49,34 @@ public final class Source {
         return ((List<?>) lu.get(5)).stream().map(t -> new Type((List<?>) t, texte)).collect(Collectors.toList());
     }
 
-    /** Ce que le JDK lit d'un fichier. */
-    private static final class Fichier {
+    /** Un fichier, et ce que le JDK en lit. */
+    static final class Fichier {
 
-        private final String chemin;
-        private final String nu;
+        final String chemin;
+        /** Le dossier où commencent les paquets. */
+        final String racine;
+        /** Le paquet, une fois arrangé. */
+        String paquet;
+        /** Remarques sur ce qu'il a fallu arranger. */
+        final List<String> remarques = new ArrayList<>();
         private final String texte;
         private final List<?> lu;
-        private final String paquet;
         private final int entete;
         private final List<Type> types;
-        private final String racine;
-        /** Le paquet où il arrive, une fois arrangé. */
-        private String arrive;
 
-        Fichier(String chemin, String texte, List<?> lu) {
+        Fichier(String chemin, byte[] octets, List<?> lu) {
             this.chemin = chemin;
-            this.texte = texte;
             this.lu = lu;
+            texte = decoder(octets);
             paquet = (String) lu.get(0);
-            arrive = paquet;
             entete = (Integer) lu.get(3);
             types = types(lu, texte);
             String dossier = chemin.substring(0, chemin.lastIndexOf('/') + 1);
-            nu = chemin.substring(dossier.length(), chemin.length() - ".java".length());
             String suffixe = paquet.isEmpty() ? "lancer/" : paquet.replace('.', '/') + "/";
             racine = dossier.endsWith(suffixe) ? dossier.substring(0, dossier.length() - suffixe.length()) : dossier;
+            if (codage(octets) != StandardCharsets.UTF_8) {
+                remarques.add("n'est pas en UTF-8, lu en " + codage(octets).name());
+            }
         }
 
         boolean declare(Set<String> noms) {
@@ -92,7 +84,7 @@ public final class Source {
         }
 
         /** L'en-tête, aux mêmes lignes, où ces paquets sont {@code lancer}. */
-        private String arranger(Set<String> paquets) {
+        private String arranger(Set<String> paquets, String autres) {
             StringBuilder neuf = new StringBuilder(texte.substring(0, entete));
             List<?> importations = (List<?>) lu.get(4);
             for (int k = importations.size() - 1; k >= 0; k--) {
@@ -101,34 +93,34 @@ public final class Source {
                 paquets.stream().filter(p -> !p.isEmpty() && nom.startsWith(p + ".") && neuf.indexOf(p, debut) == debut)
                         .max(Comparator.comparing(String::length)).ifPresent(p -> neuf.replace(debut, debut + p.length(), "lancer"));
             }
-            if (!arrive.equals(paquet) && paquet.isEmpty()) {
+            if (paquets.contains(paquet) && paquet.isEmpty()) {
                 // sur la première ligne : les numéros des autres restent ceux de l'étudiant
                 neuf.insert(0, "package lancer; ");
-            } else if (!arrive.equals(paquet)) {
+                remarques.add("la ligne « package lancer; » manque");
+                paquet = "lancer";
+            } else if (paquets.contains(paquet) && !paquet.equals("lancer")) {
+                int debut = (Integer) lu.get(1);
                 int fin = (Integer) lu.get(2);
-                neuf.replace((Integer) lu.get(1), fin, "lancer" + texte.substring((Integer) lu.get(1), fin).replaceAll("[^\n]", ""));
+                neuf.replace(debut, fin, "lancer" + texte.substring(debut, fin).replaceAll("[^\n]", ""));
+                remarques.add("le paquet est « " + autres + " » au lieu de « lancer »");
+                paquet = "lancer";
             }
             return neuf.toString();
         }
 
         /** Une source pour chaque classe, à ses lignes, si plusieurs, dont une du cours, se partagent la place. */
-        List<Source> sources(Set<String> paquets, Set<String> duCours, String autres) {
-            List<String> remarques = new ArrayList<>();
-            if (paquets.contains(paquet) && !paquet.equals("lancer")) {
-                arrive = "lancer";
-                remarques.add(paquet.isEmpty() ? "la ligne « package lancer; » manque"
-                        : "le paquet est « " + autres + " » au lieu de « lancer »");
-            }
-            String debut = arranger(paquets);
+        private List<Source> sources(Set<String> paquets, Set<String> duCours, String autres) {
+            String debut = arranger(paquets, autres);
+            String nu = chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", "");
             // « Vecteur (1).java », « Copie de Vecteur.java » : ce qu'il déclare dit mieux ce qu'il est
             String classe = !NOM_DE_CLASSE.matcher(nu).matches() && !types.isEmpty() ? types.get(0).nom : nu;
             // une faute hors de toute classe peut en avoir changé les limites
-            boolean separables = types.size() > 1 && types.size() <= Lecteur.CLASSES_MAX && declare(duCours) && types.get(0).debut >= entete
-                    && ((List<?>) lu.get(6)).stream().allMatch(f -> types.stream().anyMatch(t -> t.debut <= (Integer) f && (Integer) f <= t.fin));
-            if (!separables) {
+            if (types.size() < 2 || types.size() > Lecteur.CLASSES_MAX || !declare(duCours) || types.get(0).debut < entete
+                    || !((List<?>) lu.get(6)).stream().map(Integer.class::cast)
+                    .allMatch(f -> types.stream().anyMatch(t -> t.debut <= f && f <= t.fin))) {
                 Type sien = types.stream().filter(t -> t.nom.equals(classe)).findFirst().orElse(Type.RIEN);
                 return List.of(new Source(this, classe, debut + texte.substring(entete), sien,
-                        sien.fin > entete ? sien.fin + debut.length() - entete : -1, remarques));
+                        sien.fin > entete ? sien.fin + debut.length() - entete : -1));
             }
             if (types.stream().anyMatch(t -> duCours.contains(t.nom) && !t.nom.equals(classe))) {
                 remarques.add("contient plusieurs classes (" + types.stream().map(t -> t.nom).collect(Collectors.joining(", "))
@@ -137,32 +129,8 @@ public final class Source {
             return IntStream.range(0, types.size()).mapToObj(k -> {
                 int avant = k == 0 ? entete : types.get(k - 1).fin;
                 String sienne = debut + texte.substring(entete, avant).replaceAll("[^\n]", " ") + texte.substring(avant, types.get(k).fin);
-                return new Source(this, types.get(k).nom, sienne, types.get(k), sienne.length(), k == 0 ? remarques : List.of());
+                return new Source(this, types.get(k).nom, sienne, types.get(k), sienne.length());
             }).collect(Collectors.toList());
-        }
-
-        /** Raison pour laquelle ce fichier est à laisser de côté : ce qu'il déclare cacherait ce qui ne lui appartient pas. */
-        private String intrusion(String classe) {
-            if (!NOM_DE_PAQUET.matcher(arrive).matches() || !NOM_DE_CLASSE.matcher(classe).matches()) {
-                return "« " + arrive + " », « " + classe + " » : ce ne sont pas des noms de paquet et de classe";
-            } else if (RESERVES.matcher(arrive).matches()) {
-                return "le paquet « " + arrive + " » n'est pas à vous";
-            } else if (types.size() > Lecteur.CLASSES_MAX) {
-                return "il déclare plus de " + Lecteur.CLASSES_MAX + " classes";
-            }
-            return !arrive.equals("lancer") ? null : types.stream().map(t -> t.nom).filter(Source::estPrise).findFirst().map(nom ->
-                    "il déclare une classe " + nom + " qui cacherait celle de " + (NOTRES.contains(nom) ? "la correction" : "Java"))
-                    .orElse(null);
-        }
-    }
-
-    private static final List<String> NOTRES = List.of("Appels", "Sonde");
-
-    private static boolean estPrise(String nom) {
-        try {
-            return NOTRES.contains(nom) || Class.forName("java.lang." + nom, false, null) != null;
-        } catch (ClassNotFoundException | LinkageError e) {
-            return false;
         }
     }
 
@@ -172,31 +140,45 @@ public final class Source {
      * @param duCours les noms des classes du cours, et ceux qu'il leur donne ; @param remarques reçoit les fichiers que l'on n'a pu lire
      */
     static List<Source> lire(Map<String, byte[]> octets, Cours.Lecture lecture, Set<String> duCours, List<String> remarques) throws Arret {
-        List<String> textes = octets.values().stream().map(Source::decoder).collect(Collectors.toList());
-        List<?> lus = lecture.lire(textes);
+        List<?> lus = lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList()));
         List<Fichier> fichiers = new ArrayList<>();
+        int rang = 0;
         for (String chemin : octets.keySet()) {
-            int k = fichiers.size();
-            fichiers.add(lus.get(k) == null ? null : new Fichier(chemin, textes.get(k), (List<?>) lus.get(k)));
-            if (lus.get(k) == null) {
+            List<?> lu = (List<?>) lus.get(rang++);
+            if (lu == null) {
                 remarques.add(chemin + Projet.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
                         + "dans l'autre");
+            } else {
+                fichiers.add(new Fichier(chemin, octets.get(chemin), lu));
             }
         }
-        fichiers.removeIf(f -> f == null);
         Set<String> paquets = fichiers.stream().filter(f -> f.declare(duCours)).map(f -> f.paquet)
                 .collect(Collectors.toCollection(TreeSet::new));
         String autres = paquets.stream().filter(p -> !p.isEmpty() && !p.equals("lancer")).collect(Collectors.joining(" », « "));
-        List<Source> sources = new ArrayList<>();
-        for (Fichier f : fichiers) {
-            Charset codage = codage(octets.get(f.chemin));
-            List<Source> siennes = f.sources(paquets, duCours, autres);
-            if (codage != StandardCharsets.UTF_8) {
-                siennes.get(0).remarques.add("n'est pas en UTF-8, lu en " + codage.name());
-            }
-            sources.addAll(siennes);
+        return fichiers.stream().flatMap(f -> f.sources(paquets, duCours, autres).stream()).collect(Collectors.toList());
+    }
+
+    /** Raison pour laquelle elle est à laisser de côté : ce que déclare son fichier cacherait ce qui ne lui appartient pas. */
+    String intrusion() {
+        String paquet = fichier.paquet;
+        if (!NOM_DE_PAQUET.matcher(paquet).matches() || !NOM_DE_CLASSE.matcher(classe).matches()) {
+            return "« " + paquet + " », « " + classe + " » : ce ne sont pas des noms de paquet et de classe";
+        } else if (RESERVES.matcher(paquet).matches()) {
+            return "le paquet « " + paquet + " » n'est pas à vous";
+        } else if (fichier.types.size() > Lecteur.CLASSES_MAX) {
+            return "il déclare plus de " + Lecteur.CLASSES_MAX + " classes";
         }
-        return sources;
+        return fichier.types.stream().map(t -> t.nom).filter(nom -> paquet.equals("lancer") && estPrise(nom)).findFirst()
+                .map(nom -> "il déclare une classe " + nom + " qui cacherait celle de " + (NOTRES.contains(nom) ? "la correction" : "Java"))
+                .orElse(null);
+    }
+
+    private static boolean estPrise(String nom) {
+        try {
+            return NOTRES.contains(nom) || Class.forName("java.lang." + nom, false, null) != null;
+        } catch (ClassNotFoundException | LinkageError e) {
+            return false;
+        }
     }
 
     /** Le texte, où ceci est ajouté à la fin de la classe. */
@@ -216,11 +198,10 @@ public final class Source {
             return StandardCharsets.UTF_16;
         }
         // sans marque : en Java, une lettre sur deux octets a presque toujours le même nul, avant ou après
-        for (int k = 0; k < 2; k++) {
-            int rang = k;
-            if (octets.length > 1 && IntStream.range(0, octets.length / 2).filter(n -> octets[2 * n + rang] == 0).count() > octets.length / 4) {
-                return k == 0 ? StandardCharsets.UTF_16BE : StandardCharsets.UTF_16LE;
-            }
+        long[] nuls = IntStream.range(0, 2).mapToLong(k -> IntStream.range(0, octets.length / 2).filter(n -> octets[2 * n + k] == 0)
+                .count()).toArray();
+        if (4 * Math.max(nuls[0], nuls[1]) > octets.length) {
+            return nuls[0] > nuls[1] ? StandardCharsets.UTF_16BE : StandardCharsets.UTF_16LE;
         }
         try {
             StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets));

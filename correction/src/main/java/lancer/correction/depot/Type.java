@@ -38,4 +38,9 @@ public final class Type {
         nommees.removeAll(List.of("toString", "equals", "hashCode"));
         return nommees;
     }
+
+    /** Nombre de méthodes qu'elle a, de celles-ci. */
+    long parmi(Set<String> attendues) {
+        return attendues.stream().filter(nommees()::contains).count();
+    }
 }

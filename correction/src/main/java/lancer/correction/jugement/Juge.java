@@ -67,14 +67,14 @@ final class Juge implements AutoCloseable {
     /** Compile des classes, avec ce qui les appelle et les sonde, où nos noms sont les siens. */
     Assemblage assembler(Map<String, String> classes) throws Arret {
         Map<String, String> sources = new TreeMap<>(classes);
-        sources.put("lancer/Appels", projet.noms.dans(reference.appels));
-        sources.put("lancer/Sonde", projet.noms.dans(Modele.ressource("sondes/lancer/Sonde.java")));
+        sources.put("lancer/Appels", projet.cours.dans(reference.appels));
+        sources.put("lancer/Sonde", projet.cours.dans(Modele.ressource("sondes/lancer/Sonde.java")));
         return compilation.compiler(sources);
     }
 
     /** Sources qu'il a rendues de la base, et pour le reste le projet à compléter, puis ces classes-ci. */
     private Map<String, String> base(Map<String, String> enPlus) {
-        Map<String, String> sources = projet.noms.dans(Modele.tout(Modele::squelette));
+        Map<String, String> sources = projet.cours.dans(Modele.tout(Modele::squelette));
         sources.putAll(projet.base);
         sources.putAll(enPlus);
         return sources;
@@ -168,7 +168,7 @@ final class Juge implements AutoCloseable {
     /** Dit d'abord la faute de compilation qui coûte quelque chose. */
     private void direLaFaute(List<Faute> fautes) {
         Set<String> perdues = verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.NE_SE_COMPILE_PAS).stream()
-                .map(v -> projet.noms.classe(v.classe)).collect(Collectors.toSet());
+                .map(v -> projet.cours.classe(v.classe)).collect(Collectors.toSet());
         if (resultat.verdicts.values().stream().anyMatch(v -> v.etat == Etat.NE_SE_COMPILE_PAS)) {
             Stream.concat(fautes.stream().filter(f -> f.demandeJava() || perdues.contains(f.classe())), fautes.stream()).findFirst()
                     .ifPresent(f -> resultat.aRegarder.add(0, NE_SE_COMPILE_PAS + " : " + f + (fautes.size() < 2 ? ""
@@ -183,7 +183,8 @@ final class Juge implements AutoCloseable {
     }
 
     boolean aUneFaute(String classe) {
-        return !verifications(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()).isEmpty();
+        return !verifications(v -> v.classe.equals(classe) && resultat.verdicts.containsKey(v.id())
+                && !resultat.verdicts.get(v.id()).compte()).isEmpty();
     }
 
     List<Verification> verifications(Predicate<Verification> lesquelles) {
@@ -259,7 +260,7 @@ final class Juge implements AutoCloseable {
             String nom = variante.getKey();
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
             resultat.verdicts.put(nom + ".image", new Variante(images, nom).juger(ensemble, assembler(base(variante.getValue())),
-                    assembler(base(projet.noms.dans(Modele.ajoutees(nom))))));
+                    assembler(base(projet.cours.dans(Modele.ajoutees(nom))))));
         }
     }
 
@@ -273,9 +274,9 @@ final class Juge implements AutoCloseable {
         }
         // celles qu'il a ajoutées, puis le corrigé, puis elle ; ou, s'il ne l'a pas rendue, celle du projet à compléter
         Map<String, String> sources = new TreeMap<>(projet.base);
-        sources.putAll(projet.noms.dans(Modele.tout(Modele::corrige)));
-        sources.put("lancer/" + projet.noms.classe(classe), projet.texte(classe) != null ? projet.texte(classe)
-                : projet.noms.dans(Modele.squelette(classe)));
+        sources.putAll(projet.cours.dans(Modele.tout(Modele::corrige)));
+        sources.put("lancer/" + projet.cours.classe(classe), projet.texte(classe) != null ? projet.texte(classe)
+                : projet.cours.dans(Modele.squelette(classe)));
         Assemblage seule = assembler(sources);
         // celles des siennes qu'elle emploie, puis celles que celles-là emploient
         Set<String> avec = new LinkedHashSet<>();
@@ -283,15 +284,17 @@ final class Juge implements AutoCloseable {
             List<String> deplus = employees(avec.isEmpty() ? Set.of(classe) : avec);
             deplus.remove(classe);
             if (!avec.addAll(deplus)) {
-                Set<String> cassees = seule.fautes.stream().map(Faute::classe).filter(avec::contains).collect(Collectors.toCollection(TreeSet::new));
-                dependances.put(classe, String.join(", ", cassees.isEmpty() ? avec : cassees));
+                String cassees = seule.fautes.stream().map(Faute::classe).filter(avec::contains).distinct()
+                        .collect(Collectors.joining(", "));
+                dependances.put(classe, cassees.isEmpty() ? String.join(", ", avec) : cassees);
                 break;
             }
-            avec.forEach(c -> sources.put("lancer/" + projet.noms.classe(c), projet.texte(c)));
+            avec.forEach(c -> sources.put("lancer/" + projet.cours.classe(c), projet.texte(c)));
             seule = assembler(sources);
         }
         if (!avec.isEmpty() && !dependances.containsKey(classe)) {
-            resultat.remarques.add(classe + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes " + String.join(", ", avec));
+            resultat.remarques.add(classe + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
+                    + String.join(", ", avec));
         }
         seules.put(classe, seule);
         return seule;
@@ -300,13 +303,13 @@ final class Juge implements AutoCloseable {
     /** Les classes rendues qu'emploient celles-ci, par leur nom ou par un champ qui porte ce nom. */
     private List<String> employees(Set<String> classes) {
         return Modele.classes().stream().filter(c -> projet.texte(c) != null && !c.equals("Main") && classes.stream().map(projet::type)
-                .anyMatch(t -> t.noms.contains(projet.noms.classe(c)) || t.noms.contains(c.toLowerCase(Locale.ROOT))))
+                .anyMatch(t -> t.noms.contains(projet.cours.classe(c)) || t.noms.contains(c.toLowerCase(Locale.ROOT))))
                 .collect(Collectors.toList());
     }
 
     /** Vrai si là, parmi celles du corrigé, elle ne se compile plus comme avec celles de l'étudiant, ou les en empêche. */
     private boolean fautesNouvelles(Assemblage seule, String classe) {
-        String sienne = projet.noms.classe(classe);
+        String sienne = projet.cours.classe(classe);
         return seule.fautesDe(sienne).size() > ensemble.fautesDe(sienne).size() || seule.fautes.stream().anyMatch(f ->
                 Modele.classes().contains(f.classe()) && !f.classe().equals(sienne) && ensemble.fautesDe(f.classe()).isEmpty());
     }
@@ -348,7 +351,7 @@ final class Juge implements AutoCloseable {
                     ? new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe))
                     : verdict.message.startsWith(appelee) ? new Verdict(Etat.RATE, verdict.message.substring(appelee.length()))
                     : Verdict.rate(verdict.message + (verdict.message.contains(" : ") ? ""
-                            : Stream.concat(this.ensemble.fautesDe(projet.noms.classe(v.classe)).stream().map(Faute::toString),
+                            : Stream.concat(this.ensemble.fautesDe(projet.cours.classe(v.classe)).stream().map(Faute::toString),
                             resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("")));
         }
         return verdict.message.equals(reference.duSquelette(v).message)
@@ -372,7 +375,7 @@ final class Juge implements AutoCloseable {
     private Set<String> nommees(Verification v) {
         Set<String> toutes = methodes(v.classe).keySet();
         Set<String> nommees = toutes.stream().filter(m -> Pattern.compile("\\b" + m + "\\b")
-                .matcher(projet.noms.dans(v.titre)).find()).collect(Collectors.toCollection(TreeSet::new));
+                .matcher(projet.cours.dans(v.titre)).find()).collect(Collectors.toCollection(TreeSet::new));
         return nommees.isEmpty() ? toutes : nommees;
     }
 
@@ -380,19 +383,18 @@ final class Juge implements AutoCloseable {
     private String ecrite(Verification v, String message) {
         return changees(Modele.A_COMPLETER).stream().filter(c -> message.startsWith(NON_COMMENCEE)
                 && !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape)) && methodes(c).entrySet().stream()
-                .anyMatch(m -> m.getValue() && projet.noms.dans(message).contains(m.getKey()))).findFirst().orElse(null);
+                .anyMatch(m -> m.getValue() && projet.cours.dans(message).contains(m.getKey()))).findFirst().orElse(null);
     }
 
-    /** Une étape que rien ne montre : commencée, et fausse, si la méthode dont cela dépend est écrite, dans sa classe ou dans une autre. */
+    /** Une étape que rien ne montre, mais dont dépend une méthode qu'il a écrite : dans cette classe, c'est une faute ; sinon on la dit. */
     private Verdict commencee(Verification v, Verdict verdict, String ecrite) {
         String message = verdict.message.replace(NON_COMMENCEE, "");
         if (ecrite == null || ecrite.equals(v.classe)) {
             return ecrite == null ? verdict : new Verdict(Etat.RATE, message);
         }
-        // jugée plus tôt, une des autres a déjà une faute à elle ; celle qui l'a écrite d'abord
-        String fautive = Stream.concat(Stream.of(ecrite), Modele.A_COMPLETER.stream()).filter(c -> !c.equals(v.classe)
-                && verifications(a -> a.classe.equals(c) && resultat.verdicts.containsKey(a.id()) && resultat.verdicts.get(a.id()).rate())
-                .size() > 0).findFirst().orElse(ecrite);
+        // celle qui l'a écrite, ou celle, jugée plus tôt, dont elle dépend
+        String fautive = Stream.concat(Stream.of(ecrite), Modele.A_COMPLETER.stream()).filter(c -> !c.equals(v.classe) && aUneFaute(c))
+                .findFirst().orElse(ecrite);
         resultat.regarder(message + " : la faute est dans " + fautive + ", et " + v.classe + " n'a pu être évaluée sans elle");
         return new Verdict(Etat.NON_EVALUABLE, message + " ; la faute est dans " + fautive);
     }

@@ -46,7 +46,8 @@ public final class Reference implements AutoCloseable {
     Reference(Machines machines, Machines.Compilation compilation) throws Arret {
         cours = new Cours(compilation::lire, Map.of());
         Rendu squelette = new Rendu("", "");
-        Modele.tout(Modele::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java", texte.getBytes(StandardCharsets.UTF_8)));
+        Modele.tout(Modele::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
+                texte.getBytes(StandardCharsets.UTF_8)));
         Projet projet = Projet.copies(squelette, compilation::lire, cours, Map.of()).get(0);
         // les vérifications sont compilées contre les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);

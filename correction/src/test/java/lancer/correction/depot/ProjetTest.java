@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -68,21 +69,22 @@ class ProjetTest extends DepotEssai {
         }
         Rendu rendu = lire(rendus).get("11");
         Projet lu = projet(rendu);
-        assertEquals(List.of("Sphere.getNormale absente ; normale prend et rend la même chose ; pour la déclarer, dans alias.csv : "
-                + "11,normale,getNormale", "Scene absente ; Monde a 3 de ses 3 méthodes ; pour la déclarer, dans alias.csv : 11,Monde,Scene"),
-                lu.aRegarder);
-        assertEquals("class Scene", lu.noms.dans("class Scene"));
-        Projet declare = projet(rendu, Map.of("Scene", "Monde", "getNormale", "normale", "Camera", "Appareil"));
-        assertEquals("class Monde { normale() }", declare.noms.dans("class Scene { getNormale() }"));
+        String declarer = " ; pour la déclarer, dans alias.csv : 11,";
+        assertEquals(List.of("Sphere.getNormale absente ; normale prend et rend la même chose" + declarer + "normale,getNormale",
+                "Scene absente ; Monde a 3 de ses 3 méthodes" + declarer + "Monde,Scene"), lu.aRegarder);
+        assertEquals("class Scene", lu.cours.dans("class Scene"));
+        Projet declare = projet(rendu, new TreeMap<>(Map.of("Scene", "Monde", "getNormale", "normale", "Camera", "Appareil")));
+        assertEquals("class Monde { normale() }", declare.cours.dans("class Scene { getNormale() }"));
         assertEquals(List.of("alias.csv : « Appareil » n'est le nom de rien dans ce rendu"), declare.aRegarder);
         assertTrue(declare.changees.contains("Scene") && declare.texte("Scene").contains("class Monde"));
-        assertTrue(declare.ecarts.get(Projet.NOMS).contains("la classe Scene s'appelle Monde"), declare.ecarts.toString());
+        assertEquals("Scene s'appelle Monde ; getNormale s'appelle normale", declare.ecarts.get(Projet.NOMS));
     }
 
     @Test
     void unAutreProjetSeDitEtUnDebutNEnEstPasUn() throws IOException {
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/banque/Compte.java"), "package banque; class Compte { void debiter() { } }");
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/banque/Scene.java"), "package banque; class Scene { void jouer() { } }");
+        Path banque = rendus.resolve("Étudiant 1_11_assignsubmission_file/banque");
+        ecrire(banque.resolve("Compte.java"), "package banque; class Compte { void debiter() { } }");
+        ecrire(banque.resolve("Scene.java"), "package banque; class Scene { void jouer() { } }");
         ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/lancer/Vecteur.java"), Modele.squelette("Vecteur"));
         Map<String, Rendu> lus = lire(rendus);
         assertEquals(List.of("un autre projet : aucune des 8 classes à compléter n'y est comme dans le cours ; les siennes sont Compte"),
