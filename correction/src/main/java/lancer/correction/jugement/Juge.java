@@ -33,12 +33,7 @@ final class Juge implements AutoCloseable {
     /** Étapes qui s'ajoutent à une méthode déjà écrite pour une étape d'avant. */
     private static final Set<String> DANS_LA_MEME_METHODE = Set.of("phong", "ombres", "reflets");
 
-    /** Ce que dit une vérification d'appels sans fin ; une boucle sans fin est autre chose. */
-    private static final Pattern SANS_FIN = Pattern.compile("(?<!boucle )sans fin");
     private static final String NON_COMMENCEE = "étape non commencée : ";
-
-    /** Nombre d'instructions au-delà duquel deux méthodes ne sont pas égales par hasard. */
-    private static final int LONGUE = 5;
 
     private final Reference reference;
     private final Machines.Compilation compilation;
@@ -126,10 +121,7 @@ final class Juge implements AutoCloseable {
             images.juger();
         }
         variantes();
-        consignes();
-        retenir();
-        confronter();
-        direLaFaute(siennes);
+        new Constats(this, reference, projet).dire(siennes);
         return resultat;
     }
 
@@ -165,19 +157,8 @@ final class Juge implements AutoCloseable {
         }
     }
 
-    /** Dit d'abord la faute de compilation qui coûte quelque chose. */
-    private void direLaFaute(List<Faute> fautes) {
-        Set<String> perdues = verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.NE_SE_COMPILE_PAS).stream()
-                .map(v -> projet.cours.classe(v.classe)).collect(Collectors.toSet());
-        if (resultat.verdicts.values().stream().anyMatch(v -> v.etat == Etat.NE_SE_COMPILE_PAS)) {
-            Stream.concat(fautes.stream().filter(f -> f.demandeJava() || perdues.contains(f.classe())), fautes.stream()).findFirst()
-                    .ifPresent(f -> resultat.aRegarder.add(0, NE_SE_COMPILE_PAS + " : " + f + (fautes.size() < 2 ? ""
-                    : " ; et " + (fautes.size() - 1) + (fautes.size() > 2 ? " autres fautes" : " autre faute"))));
-        }
-    }
-
     private void charger(Verification v, String message, String classe) {
-        resultat.verdicts.put(v.id(), new Verdict(Etat.RATE, message + (classe.equals(v.classe) ? ""
+        resultat.verdicts.put(v.id(), Verdict.rate(message + (classe.equals(v.classe) ? ""
                 : " ; " + v.classe + " est juste, la faute est dans " + classe)));
         montrer(v, classe);
     }
@@ -196,62 +177,12 @@ final class Juge implements AutoCloseable {
         return classes.stream().filter(projet.changees::contains).collect(Collectors.toList());
     }
 
-    /** Classes du rendu où ce nom est employé. */
-    private String emploient(String nom) {
-        return changees(Modele.classes()).stream().filter(c -> projet.type(c).noms.contains(nom)).collect(Collectors.joining(", "));
-    }
-
     /** Garde, pour la page, la méthode qui répond d'une vérification. */
     private void montrer(Verification v, String classe) {
         if (projet.texte(classe) != null) {
             Set<String> lesquelles = classe.equals(v.classe) ? nommees(v) : methodes(classe).keySet();
             resultat.methodes.put(v.id(), projet.type(classe).methodes.stream().filter(m -> lesquelles.contains(m.nom))
                     .map(m -> m.texte + "\n").collect(Collectors.joining()));
-        }
-    }
-
-    private void consignes() {
-        changees(Modele.A_COMPLETER).stream().filter(c -> !aUneFaute(c) && projet.texte(c).contains("FIXME"))
-                .forEach(c -> projet.noter(Projet.FIXME, "reste dans " + c));
-        Projet.CONSIGNES.keySet().forEach(nom -> resultat.verdicts.put(Grille.CONSIGNES + "." + nom, projet.ecarts.containsKey(nom)
-                ? new Verdict(Etat.RATE, projet.ecarts.get(nom)) : new Verdict(Etat.REUSSI, "")));
-    }
-
-    /** Retient de quoi comparer ce rendu aux autres : ce qui n'est ni donné, ni la solution du cours. */
-    private void retenir() {
-        for (String classe : changees(Modele.classes())) {
-            Set<String> communs = projet.cours.arbres(classe);
-            projet.type(classe).methodes.stream().filter(m -> m.instructions > LONGUE && !communs.contains(m.arbre))
-                    .forEach(m -> resultat.arbres.put(classe + "." + m.signature(), m.arbre));
-        }
-        changees(Modele.DONNEES).forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
-    }
-
-    /** L'image et les étapes doivent dire la même chose. */
-    private void confronter() {
-        List<Verification> perdues = verifications(v -> reference.compte(v) && !resultat.verdicts.get(v.id()).compte());
-        List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
-                .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
-        if (autres.isEmpty() && !perdues.isEmpty()) {
-            resultat.regarder("image juste, mais " + perdues.size() + (perdues.size() > 1 ? " vérifications perdues, dont"
-                    : " vérification perdue :") + " « " + perdues.get(0).titre + " »");
-        } else if (perdues.isEmpty() && !autres.isEmpty()) {
-            resultat.regarder("étapes toutes réussies, mais une autre image : « " + String.join(" », « ", autres) + " »"
-                    + (resultat.classesFautives.isEmpty() ? "" : ", par " + String.join(", ", resultat.classesFautives)));
-        }
-        String enFloat = emploient("float");
-        if (!enFloat.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
-            String grain = "des calculs en float (" + enFloat + ") : de là peut venir du grain, que le cours évite par des double";
-            resultat.remarques.add(0, grain);
-            resultat.regarder(grain);
-        }
-        if (resultat.verdicts.entrySet().stream().filter(e -> e.getValue().rate() && SANS_FIN.matcher(e.getValue().message).find())
-                .map(e -> e.getKey().matches("(reflets|" + Grille.IMAGE + ")\\..*")).reduce(Boolean::logicalAnd).orElse(false)) {
-            resultat.regarder("appels sans fin d'un miroir à l'autre : la profondeur ne diminue pas, ou ne les arrête pas");
-        }
-        String lisent = emploient("System.in");
-        if (!lisent.isEmpty()) {
-            resultat.regarder("lit l'entrée standard (" + lisent + ") : elle est vide ici, ce qu'il y attend n'a pas été essayé");
         }
     }
 
