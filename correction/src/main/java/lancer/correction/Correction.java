@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lancer.correction.depot.Alias;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.depot.Source;
@@ -127,7 +128,8 @@ public final class Correction {
         suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
         try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES, graine(dossier.resolve("graine.txt")))) {
             AtomicInteger finis = new AtomicInteger();
-            List<Resultat> tous = jury.juger(rendus, (rang, resultat) -> suivi.println("correction : " + finis.incrementAndGet()
+            Alias alias = new Alias(dossier, rendus.stream().map(r -> r.id).collect(Collectors.toList()));
+            List<Resultat> tous = jury.juger(rendus, alias, (rang, resultat) -> suivi.println("correction : " + finis.incrementAndGet()
                     + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
             // à la fin seulement : interrompu, il ne laisse pas les résultats d'une partie de la classe
             Path resultats = Files.createDirectories(dossier.resolve(RESULTATS));
@@ -181,16 +183,18 @@ public final class Correction {
         Bareme bareme = new Bareme(Paths.get(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
         List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         criteres.addAll(bareme.libres);
-        Ajustements ajustements = new Ajustements(dossier, resultats.values().stream().map(r -> r.id).collect(Collectors.toList()),
-                criteres);
-        ajustements.fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
+        List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());
+        Ajustements ajustements = new Ajustements(dossier, ids, criteres);
+        List<String> fautes = new ArrayList<>(new Alias(dossier, ids).fautes);
+        fautes.addAll(ajustements.fautes);
+        fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
         List<Eleve> eleves = new ArrayList<>();
         resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, new Note(grille, resultat, bareme,
                 ajustements.de(resultat.id)), fichier.getFileName().toString().replace(".csv", ".html"))));
         Eleve.comparer(eleves);
         Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
         ajustements.ecrireARemplir(dossier, eleves);
-        new Pages(grille, bareme).ecrire(dossier, eleves, ajustements.fautes);
+        new Pages(grille, bareme).ecrire(dossier, eleves, fautes);
         sortie.println("La classe : " + dossier.resolve("index.html"));
         if (eleves.stream().anyMatch(e -> !e.illisible() && !e.note.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");

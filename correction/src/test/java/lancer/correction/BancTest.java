@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -31,6 +33,9 @@ class BancTest extends ClasseEssai {
         private String nom;
         private double[] note;
         private String dit;
+        /** Ce que sa rangée ne doit pas dire. */
+        private String tu;
+        private Charset codage = StandardCharsets.UTF_8;
         private final List<String> recette = new ArrayList<>();
         private final Map<String, Map<String, String>> parties = new LinkedHashMap<>();
         private final Map<String, String> fichiers = new TreeMap<>();
@@ -66,6 +71,12 @@ class BancTest extends ClasseEssai {
                 } else if (mots[0].equals("partout")) {
                     String[] deux = ligne.substring(8).split(ligne.contains(";") ? "(?<=;) " : " ");
                     remplacer("", deux[0], deux[1]);
+                } else if (mots[0].equals("donnees")) {
+                    Modele.DONNEES.forEach(c -> partie.put(c, Modele.corrige(c)));
+                } else if (mots[0].equals("codage")) {
+                    codage = Charset.forName(mots[1]);
+                } else if (mots[0].equals("alias")) {
+                    ALIAS.add(nom + "," + mots[1] + "," + mots[2]);
                 } else if (mots[0].equals("fichier")) {
                     fichiers.put("lancer-base/" + mots[1], "");
                 } else if (mots[0].equals("copie")) {
@@ -85,10 +96,13 @@ class BancTest extends ClasseEssai {
             for (Map.Entry<String, String> fichier : fichiers.entrySet()) {
                 Path chemin = racine.resolve(fichier.getKey());
                 Files.createDirectories(chemin.getParent());
-                Files.writeString(chemin, fichier.getValue());
+                Files.writeString(chemin, fichier.getValue(), codage);
             }
         }
     }
+
+    /** Les noms déclarés à la place de ceux du cours. */
+    private static final List<String> ALIAS = new ArrayList<>(List.of("id,nom écrit,nom du cours"));
 
     private static List<Essai> lire() throws IOException {
         List<Essai> essais = new ArrayList<>();
@@ -100,12 +114,13 @@ class BancTest extends ClasseEssai {
                 }
                 essai = null;
             } else if (essai == null) {
-                String[] moities = ligne.split(" = ");
+                String[] moities = ligne.split(" [=!] ");
                 String[] mots = moities[0].split(" ");
                 essai = new Essai();
                 essai.nom = mots[0];
                 essai.note = new double[] {Double.parseDouble(mots[1]), Double.parseDouble(mots[2])};
-                essai.dit = moities.length > 1 ? moities[1] : "";
+                essai.dit = ligne.contains(" = ") ? moities[1] : "";
+                essai.tu = ligne.contains(" ! ") ? moities[1] : "rien de tel";
                 essais.add(essai);
             } else {
                 essai.recette.add(ligne);
@@ -122,6 +137,7 @@ class BancTest extends ClasseEssai {
         for (Essai essai : essais) {
             essai.ecrire(dossier.resolve("rendus").resolve(essai.nom));
         }
+        Files.write(Files.createDirectories(dossier.resolve("notes")).resolve("alias.csv"), ALIAS);
         Map<String, Map<String, String>> classe = noter(dossier.resolve("rendus"), dossier.resolve("notes"));
         String index = Files.readString(dossier.resolve("notes/index.html"));
         List<DynamicTest> verifications = new ArrayList<>();
@@ -133,6 +149,7 @@ class BancTest extends ClasseEssai {
                 String[] rangees = index.split("-" + essai.nom + "\\.html");
                 String rangee = ligne.get("à regarder") + rangees[rangees.length - 1].split("<td class=\"vignette\"")[0];
                 assertTrue(rangee.contains(essai.dit), essai.nom + " : « " + essai.dit + " » n'est pas dans " + rangee);
+                assertFalse(rangee.contains(essai.tu), essai.nom + " : « " + essai.tu + " » est dans " + rangee);
                 String page = page(dossier.resolve("notes"), essai.nom);
                 assertTrue(!page.contains("en partie") || page.matches("(?s).*<details open><summary><span class=\"e partiel\">en partie"
                         + "</span>[^<]*</summary><code>mesuré sur [^<]* ressemble à \\d+ %.*"),

@@ -187,6 +187,9 @@ public final class Depot {
                 || !rendu.compter(source || estArchive(chemin) ? 0 : Math.max(0, entree.taille))) {
             return;
         }
+        if (chemin.toLowerCase(Locale.ROOT).endsWith(".jar")) {
+            rendu.bibliotheques.add(chemin.replaceFirst("(?s).*/", ""));
+        }
         String brut = entree.chemin;
         if (brut.startsWith("/") || brut.matches("(?s)[A-Za-z]:.*") || List.of(brut.split("/")).contains("..")) {
             rendu.refus.add("entrée refusée, qui sort de son archive : " + brut);

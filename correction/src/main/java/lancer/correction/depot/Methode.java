@@ -1,61 +1,70 @@
 package lancer.correction.depot;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.regex.MatchResult;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import lancer.correction.modele.Modele;
 
-/** Une méthode déclarée : ce qu'elle rend, son nom, les types de ses paramètres. */
-final class Methode {
+/** Une méthode déclarée, ou un constructeur : ce qu'elle rend, son nom, les types de ses paramètres. */
+public final class Methode {
 
-    private static final Pattern DECLARATION = Pattern.compile(
-            "\\b(?!(?:return|new|else|throw|public|protected|private)\\b)(\\w+)\\s+(\\w+)\\s*\\(([^()]*)\\)\\s*(?:throws[\\w\\s,.]+)?[{;]");
+    private static final int TEXTE_MAX = 3000;
 
     /** Types qu'on peut passer, en le disant, à la place d'autre chose. */
     private static final List<String> COMPATIBLES = List.of("Objet3D Sphere", "Sphere Objet3D", "int double", "float double");
 
+    /** Ce qu'elle rend, vide d'un constructeur. */
     final String rend;
-    final String nom;
+    public final String nom;
     final List<String> types;
+    private final boolean statique;
+    final boolean privee;
+    /** Son texte, abrégé. */
+    public final String texte;
+    /** Empreinte de son arbre. */
+    public final String arbre;
+    /** Nombre d'instructions, celles que contiennent les autres comprises. */
+    public final int instructions;
 
-    private Methode(MatchResult m) {
-        rend = m.group(1);
-        nom = m.group(2);
-        types = Arrays.stream(m.group(3).split(",")).map(p -> p.replaceAll("\\bfinal\\b", "").trim().split("\\s+")[0])
-                .collect(Collectors.toList());
+    Methode(List<?> lue, String fichier) {
+        nom = (String) lue.get(0);
+        rend = (String) lue.get(1);
+        types = ((List<?>) lue.get(2)).stream().map(String.class::cast).collect(Collectors.toList());
+        statique = ((String) lue.get(3)).contains("static");
+        privee = ((String) lue.get(3)).contains("private");
+        int debut = Math.max(0, (Integer) lue.get(4));
+        texte = fichier.substring(debut, Math.min(debut + TEXTE_MAX, Math.max(debut, (Integer) lue.get(5))));
+        arbre = (String) lue.get(6);
+        instructions = (Integer) lue.get(7);
     }
 
-    /** Méthodes que déclare un texte. */
-    static List<Methode> de(String texte) {
-        return DECLARATION.matcher(Source.sansCommentaires(texte)).results().map(Methode::new).collect(Collectors.toList());
+    public String signature() {
+        return nom + "(" + String.join(", ", types) + ")";
     }
 
     /**
-     * Le texte d'une classe du cours, avec la forme attendue des méthodes dont l'étudiant a changé l'ordre ou la sorte des
-     * paramètres : elle appelle la sienne. C'est dit une fois, et rien d'autre n'en souffre.
+     * Écrit la forme attendue de chaque méthode dont l'étudiant a changé l'ordre ou la sorte des paramètres : elle appelle la sienne.
+     *
+     * @param dites reçoit ces changements
      */
-    static String avecPonts(String classe, String texte, List<String> remarques) {
+    static String ponts(Type duCours, Type lui, List<String> dites) {
         StringBuilder ponts = new StringBuilder();
-        List<Methode> toutes = de(texte);
-        for (Methode attendue : de(Modele.squelette(classe))) {
-            List<Methode> siennes = toutes.stream().filter(m -> m.nom.equals(attendue.nom)).collect(Collectors.toList());
-            if (!attendue.rend.equals("void") && siennes.stream().noneMatch(attendue::convient)) {
+        for (Methode attendue : duCours.methodes) {
+            List<Methode> siennes = lui.methodes.stream().filter(m -> m.nom.equals(attendue.nom) && m.statique == attendue.statique
+                    && m.rend.isEmpty() == attendue.rend.isEmpty()).collect(Collectors.toList());
+            if (!attendue.privee && siennes.stream().noneMatch(attendue::convient)) {
                 siennes.stream().filter(m -> m.arguments(attendue) != null).findFirst().ifPresent(m -> {
                     List<String> parametres = new ArrayList<>();
                     attendue.types.forEach(type -> parametres.add(type + " p" + parametres.size()));
-                    ponts.append(" public " + attendue.rend + " " + attendue.nom + "(" + String.join(", ", parametres) + ") { return "
-                            + attendue.nom + "(" + String.join(", ", m.arguments(attendue)) + "); } ");
-                    remarques.add("signature : " + classe + "." + attendue.nom + "(" + String.join(", ", m.types) + ") au lieu de ("
-                            + String.join(", ", attendue.types) + ") ; jugée comme si elle avait celle du cours");
+                    ponts.append(" public " + (m.statique ? "static " : "") + m.rend + " " + m.nom + "(" + String.join(", ", parametres)
+                            + ") { " + (m.rend.isEmpty() ? "this" : (m.rend.equals("void") ? "" : "return ") + m.nom)
+                            + "(" + String.join(", ", m.arguments(attendue)) + "); }");
+                    dites.add((m.rend.isEmpty() ? "" : lui.nom + ".") + m.signature() + " au lieu de ("
+                            + String.join(", ", attendue.types) + ")");
                 });
             }
         }
-        int fin = Math.max(0, texte.lastIndexOf('}'));
-        return texte.substring(0, fin) + ponts + texte.substring(fin);
+        return ponts.toString();
     }
 
     /** Vrai si l'on peut appeler celle-là telle quelle à la place : un objet quelconque y convient aussi. */

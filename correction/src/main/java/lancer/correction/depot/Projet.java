@@ -4,6 +4,7 @@ import java.text.Normalizer;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -14,6 +15,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import lancer.correction.isolement.Arret;
 import lancer.correction.modele.Modele;
 
 /**
@@ -35,22 +37,30 @@ public final class Projet {
         CONSIGNES.put(FIXME, "chaque FIXME est enlevé quand c'est fait");
     }
 
-    private static final String DE_COTE = " : laissé de côté, ";
+    static final String DE_COTE = " : laissé de côté, ";
 
     /** Nombre au-delà duquel on ne cherche plus laquelle est la meilleure. */
     private static final int COPIES_MAX = 3;
+    private static final int NOMS_DITS = 5;
 
     private static final Pattern VARIANTE =
             Pattern.compile("(?i)(?:^|/)[^/]*?(brume|anti[-_ ]?alias|anti[-_ ]?crenelage|blinn)[^/]*/");
-    private static final Pattern DE_TEST = Pattern.compile("(?:^|.*/)src/test/.*");
+    /** Fichiers qui ne sont pas jugés : Tests, Etapes, ce sont les nôtres qui notent, pas la copie de l'étudiant. */
+    private static final Pattern DE_TEST =
+            Pattern.compile("(?s)(?:^|.*/)(?:src/test/.*|(?:Tests|Etapes|module-info|package-info)\\.java)", Pattern.CASE_INSENSITIVE);
+    /** Bibliothèques que la correction a. */
+    private static final Pattern FOURNIE = Pattern.compile("(?i)(ini4j|junit|opentest4j|apiguardian|hamcrest).*");
+    /** Classes du cours que rien d'autre qu'elles n'appelle comme le cours les appelle. */
+    private static final List<String> SANS_PONT = List.of("Toile", "Main", "LecteurScene", "Constantes");
 
     /** Les classes de la base : {@code lancer/Vecteur} et son texte. */
-    public final Map<String, String> base;
+    public final Map<String, String> base = new TreeMap<>();
+    private final Map<String, Type> types = new HashMap<>();
     /** Sources de chaque variante rendue. */
-    public final Map<String, Map<String, String>> variantes;
+    public final Map<String, Map<String, String>> variantes = new LinkedHashMap<>();
     public final List<String> remarques;
-    /** Changements des noms du cours. */
-    public final Renommage noms;
+    /** Les classes du cours, sous les noms qu'il leur donne. */
+    public final Cours cours;
     /** Les classes du cours qui ne sont plus celles du projet à compléter, parmi celles qu'il a rendues. */
     public final Set<String> changees;
     /** Écarts à ce que l'énoncé demande : par consigne, ce qu'on en dit. */
@@ -58,44 +68,60 @@ public final class Projet {
     /** Raisons pour lesquelles l'enseignant doit regarder ce rendu lui-même. */
     public final List<String> aRegarder = new ArrayList<>();
 
-    /** @param base texte de chaque fichier, par nom de classe complet : {@code lancer/Vecteur} */
-    public Projet(Map<String, String> base, Map<String, Map<String, String>> variantes, List<String> remarques) {
-        this.base = base;
-        this.variantes = variantes;
+    private Projet(Cours cours, Map<String, Source> sources, Map<String, Map<String, Source>> autres, List<String> remarques) {
+        this.cours = cours;
         this.remarques = new ArrayList<>(remarques);
-        noms = new Renommage(base);
-        this.remarques.addAll(noms.changes);
-        aRegarder.addAll(noms.changes);
-        noms.changes.forEach(c -> noter(NOMS, c));
+        sources.forEach((nom, source) -> types.put(nom, source.type));
+        List<String> signatures = new ArrayList<>();
+        base.putAll(avecPonts(sources, signatures));
+        autres.forEach((nom, siennes) -> variantes.put(nom, avecPonts(siennes, new ArrayList<>())));
+        if (!signatures.isEmpty()) {
+            dire("jugé comme s'il avait les signatures du cours : " + quelques(signatures));
+        }
         changees = Modele.classes().stream().filter(c -> texte(c) != null
-                && !Source.memeCode(texte(c), noms.dans(Modele.squelette(c)))).collect(Collectors.toSet());
+                && !type(c).empreinte.equals(cours.squelette(c).empreinte)).collect(Collectors.toSet());
     }
 
-    /** Chaque copie du projet que contient un rendu, de celle où il y a le plus de travail à celle où il y en a le moins. */
-    public static List<Projet> copies(Rendu rendu) {
+    /** Les textes, avec la forme attendue des méthodes dont il a changé les paramètres : c'est dit une fois, rien n'en souffre. */
+    private Map<String, String> avecPonts(Map<String, Source> sources, List<String> signatures) {
+        Map<String, String> textes = new TreeMap<>();
+        sources.forEach((nom, source) -> textes.put(nom, source.texte));
+        Modele.classes().stream().filter(c -> !SANS_PONT.contains(c)).forEach(c -> textes.computeIfPresent("lancer/" + cours.classe(c),
+                (nom, texte) -> sources.get(nom).avec(Methode.ponts(cours.squelette(c), sources.get(nom).type, signatures))));
+        return textes;
+    }
+
+    private static String quelques(List<String> noms) {
+        return noms.stream().limit(NOMS_DITS).collect(Collectors.joining(", ")) + (noms.size() > NOMS_DITS ? "…" : "");
+    }
+
+    /**
+     * Chaque copie du projet que contient un rendu, de celle où il y a le plus de travail à celle où il y en a le moins.
+     *
+     * @param commun le cours, sous ses noms ; @param alias les noms que l'enseignant dit changés : celui du cours, et celui de l'étudiant
+     */
+    public static List<Projet> copies(Rendu rendu, Cours.Lecture lecture, Cours commun, Map<String, String> alias) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
+        Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);
+        fichiers.keySet().removeIf(chemin -> DE_TEST.matcher(chemin).matches());
+        Set<String> duCours = new TreeSet<>(Modele.classes());
+        duCours.addAll(alias.values());
+        List<Source> toutes = Source.lire(fichiers, lecture, duCours, remarques);
         Map<String, Set<String>> dites = new TreeMap<>();
         Map<String, Map<String, List<Source>>> groupes = new TreeMap<>();
-        for (Map.Entry<String, byte[]> fichier : rendu.sources.entrySet()) {
-            for (Source source : Source.lire(fichier.getKey(), fichier.getValue())) {
-                // Tests, Etapes : ce sont les nôtres qui notent, pas la copie de l'étudiant
-                if (!DE_TEST.matcher(source.chemin).matches()
-                        && !List.of("Tests", "Etapes", "module-info", "package-info").contains(source.classe)) {
-                    Matcher m = VARIANTE.matcher(Normalizer.normalize(source.racine, Normalizer.Form.NFD)
-                            .replaceAll("\\p{M}", ""));
-                    String partie = m.find() ? m.group(1).toLowerCase(Locale.ROOT).replaceFirst("^anti.*", "antialias") : "";
-                    groupes.computeIfAbsent(partie, p -> new TreeMap<>())
-                            .computeIfAbsent(source.racine, r -> new ArrayList<>()).add(source);
-                }
-            }
+        for (Source source : toutes) {
+            Matcher m = VARIANTE.matcher(Normalizer.normalize(source.fichier.racine, Normalizer.Form.NFD).replaceAll("\\p{M}", ""));
+            String partie = m.find() ? m.group(1).toLowerCase(Locale.ROOT).replaceFirst("^anti.*", "antialias") : "";
+            groupes.computeIfAbsent(partie, p -> new TreeMap<>()).computeIfAbsent(source.fichier.racine, r -> new ArrayList<>())
+                    .add(source);
         }
-        Map<String, Map<String, String>> variantes = new LinkedHashMap<>();
+        Map<String, Map<String, Source>> variantes = new LinkedHashMap<>();
         for (String nom : Modele.VARIANTES) {
             if (groupes.containsKey(nom)) {
                 variantes.put(nom, choisir(groupes.get(nom), remarques, dites).values().iterator().next());
             }
         }
-        Map<String, Map<String, String>> bases = choisir(groupes.getOrDefault("", Collections.emptyMap()), remarques, dites);
+        Map<String, Map<String, Source>> bases = choisir(groupes.getOrDefault("", Collections.emptyMap()), remarques, dites);
         if (bases.isEmpty()) {
             // une variante est une copie complète du projet
             String premiere = variantes.isEmpty() ? "" : variantes.keySet().iterator().next();
@@ -105,21 +131,91 @@ public final class Projet {
         }
         dites.forEach((quoi, ou) -> remarques.add((ou.size() == 1 ? ou.iterator().next() + " : " + quoi
                 : quoi + " (" + ou.size() + " fichiers)")));
+        Map<String, String> declares = new TreeMap<>(alias);
+        declares.values().removeIf(nom -> toutes.stream().noneMatch(s -> s.type.nom.equals(nom) || s.type.nommees().contains(nom)));
+        Cours cours = declares.isEmpty() ? commun : new Cours(lecture, declares);
         List<Projet> copies = new ArrayList<>();
         bases.forEach((racine, base) -> {
-            Projet projet = new Projet(base, variantes, remarques);
+            Projet projet = new Projet(cours, base, variantes, remarques);
             projet.consignes(rendu, dites);
             remarques.stream().filter(r -> r.contains(DE_COTE)).forEach(r -> projet.aRegarder.add("arrêté : " + r));
+            alias.forEach(projet::declarer);
+            projet.absences(rendu.id);
             if (bases.size() > 1) {
-                String dit = "plusieurs copies du projet : jugée, « " + racine + " » ; laissée, « " + bases.keySet().stream()
-                        .filter(r -> !r.equals(racine)).collect(Collectors.joining(" », « ")) + " »";
-                projet.remarques.add(dit);
-                projet.aRegarder.add(dit);
+                projet.dire("plusieurs copies du projet : jugée, « " + racine + " » ; laissée, « " + bases.keySet().stream()
+                        .filter(r -> !r.equals(racine)).collect(Collectors.joining(" », « ")) + " »");
             }
             copies.add(projet);
         });
         copies.sort(Comparator.comparing((Projet p) -> -p.changees.size()));
         return copies;
+    }
+
+    /** Dit quelque chose à l'étudiant et à l'enseignant. */
+    private void dire(String quoi) {
+        remarques.add(quoi);
+        aRegarder.add(quoi);
+    }
+
+    private void declarer(String duCours, String sien) {
+        if (cours.dans(duCours).equals(sien)) {
+            remarques.add(duCours + " s'appelle " + sien);
+            noter(NOMS, duCours + " s'appelle " + sien);
+        } else {
+            aRegarder.add("alias.csv : « " + sien + " » n'est le nom de rien dans ce rendu");
+        }
+    }
+
+    /** Constate ce qui manque, et quel nom inconnu pourrait en tenir lieu : l'enseignant en décide. */
+    private void absences(String id) {
+        Set<String> prises = new TreeSet<>();
+        for (String classe : Modele.classes()) {
+            Set<String> attendues = cours.squelette(classe).nommees();
+            if (texte(classe) == null && !SANS_PONT.contains(classe)) {
+                List<Type> siens = types.values().stream().filter(s -> !Modele.classes().contains(s.nom) && !prises.contains(s.nom)
+                        && 2 * s.parmi(attendues) > attendues.size()).collect(Collectors.toList());
+                if (siens.size() == 1 && prises.add(siens.get(0).nom)) {
+                    absente(id, classe, classe, siens.get(0).nom, siens.get(0).nom + " a " + siens.get(0).parmi(attendues) + " de ses "
+                            + attendues.size() + " méthodes");
+                }
+            } else if (Modele.A_COMPLETER.contains(classe)) {
+                attendues.stream().filter(m -> !type(classe).nommees().contains(m)).forEach(m -> chercher(id, classe, m, prises));
+            }
+        }
+        long presentes = Modele.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
+        List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !n.isEmpty() && !Modele.classes().contains(n))
+                .sorted().collect(Collectors.toList());
+        if (presentes < 2 && autres.size() > presentes) {
+            aRegarder.add(0, "un autre projet : " + (presentes == 0 ? "aucune" : "une") + " des " + Modele.A_COMPLETER.size()
+                    + " classes à compléter n'y est comme dans le cours ; les siennes sont "
+                    + quelques(autres));
+        }
+    }
+
+    /** Cherche la seule méthode inconnue qui prend et rend la même chose que celle qui manque ; ou l'autre classe où elle est. */
+    private void chercher(String id, String classe, String methode, Set<String> prises) {
+        Set<String> connues = cours.squelette(classe).nommees();
+        Set<String> semblables = cours.squelette(classe).methodes.stream().filter(m -> m.nom.equals(methode))
+                .flatMap(m -> type(classe).methodes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(m.types)
+                && s.rend.equals(m.rend))).map(s -> s.nom).collect(Collectors.toSet());
+        if (semblables.size() == 1 && prises.add(methode)) {
+            String nom = semblables.iterator().next();
+            absente(id, classe + "." + methode, methode, nom, nom + " prend et rend la même chose");
+        } else if (semblables.isEmpty()) {
+            List<String> ailleurs = Modele.classes().stream().filter(c -> type(c).nommees().contains(methode)
+                    && !cours.squelette(c).nommees().contains(methode)).collect(Collectors.toList());
+            if (ailleurs.size() == 1) {
+                String dit = "la méthode " + methode + " est dans " + ailleurs.get(0) + ", au lieu de " + classe;
+                dire(dit);
+                noter(NOMS, dit);
+            }
+        }
+    }
+
+    private void absente(String id, String quoi, String duCours, String sien, String fait) {
+        String dit = quoi + " absente ; " + fait;
+        remarques.add(dit);
+        aRegarder.add(dit + " ; pour la déclarer, dans alias.csv : " + Alias.ligne(id, sien, duCours));
     }
 
     private void consignes(Rendu rendu, Map<String, Set<String>> dites) {
@@ -130,6 +226,10 @@ public final class Projet {
         long tabulations = base.values().stream().filter(t -> t.contains("\n\t")).count();
         if (tabulations > 0) {
             noter(TEXTE, "des tabulations dans " + tabulations + (tabulations > 1 ? " classes" : " classe"));
+        }
+        List<String> jointes = rendu.bibliotheques.stream().filter(b -> !FOURNIE.matcher(b).matches()).collect(Collectors.toList());
+        if (!jointes.isEmpty()) {
+            dire("jugé sans la bibliothèque qu'il joint : " + String.join(", ", jointes));
         }
     }
 
@@ -142,14 +242,14 @@ public final class Projet {
      * Des dossiers qui contiennent des classes, les copies du projet, par leur dossier : celui qui a le plus de classes
      * du cours, et ceux qui n'ajoutent que ce qui lui manque ; puis les autres.
      */
-    private static Map<String, Map<String, String>> choisir(Map<String, List<Source>> groupes, List<String> remarques,
+    private static Map<String, Map<String, Source>> choisir(Map<String, List<Source>> groupes, List<String> remarques,
             Map<String, Set<String>> dites) {
         List<String> racines = new ArrayList<>(groupes.keySet());
         racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream().filter(s -> Modele.A_COMPLETER.contains(s.classe)).count())
                 .thenComparing(String::length));
-        Map<String, Map<String, String>> copies = new LinkedHashMap<>();
+        Map<String, Map<String, Source>> copies = new LinkedHashMap<>();
         for (String racine : racines) {
-            Map<String, String> classes = copies.values().stream().filter(c -> groupes.get(racine).stream()
+            Map<String, Source> classes = copies.values().stream().filter(c -> groupes.get(racine).stream()
                     .filter(s -> c.containsKey("lancer/" + s.classe)).count() <= 2).findFirst().orElse(null);
             if (classes == null) {
                 if (copies.size() == COPIES_MAX) {
@@ -159,17 +259,12 @@ public final class Projet {
                 classes = copies.computeIfAbsent(racine, r -> new TreeMap<>());
             }
             for (Source source : groupes.get(racine)) {
-                String nom = source.paquet.isEmpty() ? source.classe : source.paquet.replace('.', '/') + "/"
-                        + source.classe;
+                String nom = (source.fichier.paquet + ".").replaceFirst("^\\.", "").replace('.', '/') + source.classe;
                 String intrusion = source.intrusion();
                 if (intrusion != null) {
-                    remarques.add(source.chemin + DE_COTE + intrusion);
-                } else if (!classes.containsKey(nom)) {
-                    classes.put(nom, source.paquet.equals("lancer") && Modele.A_COMPLETER.contains(source.classe)
-                            ? Methode.avecPonts(source.classe, source.texte, remarques) : source.texte);
-                    if (source.remarque != null) {
-                        dites.computeIfAbsent(source.remarque, r -> new TreeSet<>()).add(source.chemin);
-                    }
+                    remarques.add(source.fichier.chemin + DE_COTE + intrusion);
+                } else if (classes.putIfAbsent(nom, source) == null) {
+                    source.fichier.remarques.forEach(r -> dites.computeIfAbsent(r, q -> new TreeSet<>()).add(source.fichier.chemin));
                 }
             }
         }
@@ -178,6 +273,11 @@ public final class Projet {
 
     /** Le texte d'une classe du cours, sous le nom qu'il lui donne ; {@code null} si elle n'est pas rendue. */
     public String texte(String classe) {
-        return base.get("lancer/" + noms.classe(classe));
+        return base.get("lancer/" + cours.classe(classe));
+    }
+
+    /** Ce qui s'en lit ; rien si elle n'est pas rendue, ou si son fichier ne la déclare pas. */
+    public Type type(String classe) {
+        return types.getOrDefault("lancer/" + cours.classe(classe), Type.RIEN);
     }
 }

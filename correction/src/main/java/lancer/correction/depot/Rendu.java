@@ -32,6 +32,8 @@ public final class Rendu {
     public final List<String> aRegarder = new ArrayList<>();
     /** Les fichiers et les dossiers que les outils ajoutent, et qu'il fallait enlever. */
     public final Set<String> outils = new TreeSet<>();
+    /** Les bibliothèques (.jar) que l'étudiant a jointes, par leur nom. */
+    public final Set<String> bibliotheques = new TreeSet<>();
     /** Octets qu'il pèse, une fois déplié. */
     long octets;
     private int fichiers;

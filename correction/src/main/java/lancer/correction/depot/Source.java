@@ -5,214 +5,186 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
-import java.util.regex.Matcher;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import lancer.correction.modele.Modele;
+import java.util.stream.IntStream;
+import lancer.correction.enfant.Lecteur;
+import lancer.correction.isolement.Arret;
 
 /**
- * Un fichier source : son texte, quel que soit son codage, dans le paquet {@code lancer}, même si l'étudiant l'a changé
- * ou oublié.
+ * Une classe d'un rendu : son texte, quel qu'en soit le codage, dans le paquet {@code lancer}, même si l'étudiant a changé ou oublié
+ * ce paquet. C'est le JDK qui dit ce qu'un fichier déclare, et où.
  */
 public final class Source {
 
-    private static final Pattern PAQUET = Pattern.compile("(?m)^[ \\t]*+package\\s++([\\w.]++)\\s*+;");
     /** Motif de ce dont on peut faire un nom de fichier : rien qui sorte de son dossier, et rien de trop long. */
     private static final Pattern NOM_DE_PAQUET = Pattern.compile("(?!.{201})(?:\\w++(?:\\.\\w++)*+)?");
     private static final Pattern NOM_DE_CLASSE = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]{0,99}+");
-    private static final int CLASSES_MAX = 200;
-    private static final Pattern DECLARATION = Pattern.compile("\\b(?:class|interface|enum|record)\\s+(\\w+)");
-    /** Une méthode telle que le squelette les écrit : la marge de son accolade fermante est celle des membres. */
-    private static final Pattern METHODE =
-            Pattern.compile("(?ms)^    \\w[^;{}=]*?(\\w+)\\([^()]*\\) \\{\n(.*?)^    \\}");
     private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
             + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
-    /** Un commentaire, un texte, un caractère. Possessif : sans quoi un long texte épuise la pile. */
-    private static final Pattern HORS_CODE = Pattern.compile("/\\*.*?(?:\\*/|\\z)|//[^\n]*"
-            + "|\"(?:\\\\.|[^\"\\\\\n])*+\"|'(?:\\\\.|[^'\\\\\n])*+'", Pattern.DOTALL);
+    private static final List<String> NOTRES = List.of("Appels", "Sonde");
 
-    /** Les mots du corrigé : les autres sont ceux que chacun choisit. */
-    private static final Set<String> DU_COURS = Modele.classes().stream().flatMap(c -> Pattern.compile("\\W+")
-            .splitAsStream(Modele.corrige(c))).collect(Collectors.toSet());
-    private static final int METHODES_MAX = 3000;
-
-    final String chemin;
+    final Fichier fichier;
     final String classe;
-    /** Le dossier où commencent les paquets. */
-    final String racine;
-    final String paquet;
     final String texte;
-    /** Remarque sur ce qu'il a fallu arranger, {@code null} si rien. */
-    final String remarque;
+    final Type type;
+    /** Où finit cette classe dans ce texte ; négatif si on ne le sait pas. */
+    private final int fin;
 
-    private Source(String chemin, String classe, String racine, String paquet, String texte, String remarque) {
-        this.chemin = chemin;
+    private Source(Fichier fichier, String classe, String texte, Type type, int fin) {
+        this.fichier = fichier;
         this.classe = classe;
-        this.racine = racine;
-        this.paquet = paquet;
         this.texte = texte;
-        this.remarque = remarque;
+        this.type = type;
+        this.fin = fin;
     }
 
-    /** Une source pour chaque classe de ce fichier, à leurs lignes, si plusieurs, dont une du cours, s'y partagent la place. */
-    static List<Source> lire(String chemin, byte[] octets) {
-        Source tout = entier(chemin, octets);
-        String dehors = dehors(tout.texte);
-        List<String> noms = DECLARATION.matcher(dehors).results().limit(CLASSES_MAX + 1).map(d -> d.group(1))
-                .collect(Collectors.toList());
-        if (noms.size() < 2 || noms.size() > CLASSES_MAX || noms.stream().noneMatch(Modele.classes()::contains)) {
-            return List.of(tout);
-        }
-        boolean autres = noms.stream().anyMatch(n -> Modele.classes().contains(n) && !n.equals(tout.classe));
-        String remarque = tout.remarque == null && autres ? "contient plusieurs classes (" + String.join(", ", noms)
-                + ") : jugées à part" : tout.remarque;
-        List<Source> sources = new ArrayList<>();
-        Matcher premiere = DECLARATION.matcher(dehors);
-        int entete = premiere.find() ? dehors.lastIndexOf(';', premiere.start()) + 1 : 0;
-        int debut = entete;
-        for (String nom : noms) {
-            int fin = dehors.indexOf('}', debut) + 1;
-            Matcher declaration = DECLARATION.matcher(dehors.substring(debut, Math.max(debut, fin)));
-            if (!declaration.find() || !declaration.group(1).equals(nom)) {
-                return List.of(tout);
+    /** Les classes que déclare un fichier, telles que le JDK les lit. */
+    static List<Type> types(List<?> lu, String texte) {
+        return ((List<?>) lu.get(5)).stream().map(t -> new Type((List<?>) t, texte)).collect(Collectors.toList());
+    }
+
+    /** Un fichier, et ce que le JDK en lit. */
+    static final class Fichier {
+
+        final String chemin;
+        /** Le dossier où commencent les paquets. */
+        final String racine;
+        /** Le paquet, une fois arrangé. */
+        String paquet;
+        /** Remarques sur ce qu'il a fallu arranger. */
+        final List<String> remarques = new ArrayList<>();
+        private final String texte;
+        private final List<?> lu;
+        private final int entete;
+        private final List<Type> types;
+
+        Fichier(String chemin, byte[] octets, List<?> lu) {
+            this.chemin = chemin;
+            this.lu = lu;
+            texte = decoder(octets);
+            paquet = (String) lu.get(0);
+            entete = (Integer) lu.get(3);
+            types = types(lu, texte);
+            String dossier = chemin.substring(0, chemin.lastIndexOf('/') + 1);
+            String suffixe = paquet.isEmpty() ? "lancer/" : paquet.replace('.', '/') + "/";
+            racine = dossier.endsWith(suffixe) ? dossier.substring(0, dossier.length() - suffixe.length()) : dossier;
+            if (codage(octets) != StandardCharsets.UTF_8) {
+                remarques.add("n'est pas en UTF-8, lu en " + codage(octets).name());
             }
-            sources.add(new Source(chemin, nom, tout.racine, tout.paquet, tout.texte.substring(0, entete)
-                    + blancs(tout.texte.substring(entete, debut)) + tout.texte.substring(debut, fin),
-                    debut == entete ? remarque : null));
-            debut = fin;
         }
-        return dehors.substring(debut).isBlank() ? sources : List.of(tout);
-    }
 
-    private static Source entier(String chemin, byte[] octets) {
-        String nom = chemin.substring(chemin.lastIndexOf('/') + 1);
-        String nu = nom.substring(0, nom.length() - ".java".length());
-        String dossier = chemin.substring(0, chemin.length() - nom.length());
-        String texte = decoder(octets);
-        String remarque = codage(octets) == StandardCharsets.UTF_8 ? null : "n'est pas en UTF-8, lu en " + codage(octets).name();
-        Matcher seule = DECLARATION.matcher(dehors(texte));
-        // « Vecteur (1).java », « Copie de Vecteur.java » : ce qu'il déclare dit mieux ce qu'il est
-        String classe = !NOM_DE_CLASSE.matcher(nu).matches() && seule.find() ? seule.group(1) : nu;
-        Matcher m = PAQUET.matcher(sansCommentaires(texte));
-        String paquet = m.find() ? m.group(1) : "";
-        boolean duCours = Modele.classes().contains(classe) || classe.equals("Tests")
-                || DECLARATION.matcher(dehors(texte)).results().anyMatch(d -> Modele.classes().contains(d.group(1)));
-        String suffixe = paquet.isEmpty() ? "lancer/" : paquet.replace('.', '/') + "/";
-        String racine = dossier.endsWith(suffixe) ? dossier.substring(0, dossier.length() - suffixe.length()) : dossier;
-        if (duCours && !paquet.equals("lancer")) {
-            if (paquet.isEmpty()) {
+        boolean declare(Set<String> noms) {
+            return types.stream().anyMatch(t -> noms.contains(t.nom));
+        }
+
+        /** L'en-tête, aux mêmes lignes, où ces paquets sont {@code lancer}. */
+        private String arranger(Set<String> paquets, String autres) {
+            StringBuilder neuf = new StringBuilder(texte.substring(0, entete));
+            List<?> importations = (List<?>) lu.get(4);
+            for (int k = importations.size() - 1; k >= 0; k--) {
+                String nom = (String) ((List<?>) importations.get(k)).get(0);
+                int debut = (Integer) ((List<?>) importations.get(k)).get(1);
+                paquets.stream().filter(p -> !p.isEmpty() && nom.startsWith(p + ".") && neuf.indexOf(p, debut) == debut)
+                        .max(Comparator.comparing(String::length)).ifPresent(p -> neuf.replace(debut, debut + p.length(), "lancer"));
+            }
+            if (paquets.contains(paquet) && paquet.isEmpty()) {
                 // sur la première ligne : les numéros des autres restent ceux de l'étudiant
-                texte = "package lancer; " + texte;
-                remarque = "la ligne « package lancer; » manque";
+                neuf.insert(0, "package lancer; ");
+                remarques.add("la ligne « package lancer; » manque");
+                paquet = "lancer";
+            } else if (paquets.contains(paquet) && !paquet.equals("lancer")) {
+                int debut = (Integer) lu.get(1);
+                int fin = (Integer) lu.get(2);
+                neuf.replace(debut, fin, "lancer" + texte.substring(debut, fin).replaceAll("[^\n]", ""));
+                remarques.add("le paquet est « " + autres + " » au lieu de « lancer »");
+                paquet = "lancer";
+            }
+            return neuf.toString();
+        }
+
+        /** Une source pour chaque classe, à ses lignes, si plusieurs, dont une du cours, se partagent la place. */
+        private List<Source> sources(Set<String> paquets, Set<String> duCours, String autres) {
+            String debut = arranger(paquets, autres);
+            String nu = chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", "");
+            // « Vecteur (1).java », « Copie de Vecteur.java » : ce qu'il déclare dit mieux ce qu'il est
+            String classe = !NOM_DE_CLASSE.matcher(nu).matches() && !types.isEmpty() ? types.get(0).nom : nu;
+            // une faute hors de toute classe peut en avoir changé les limites
+            if (types.size() < 2 || types.size() > Lecteur.CLASSES_MAX || !declare(duCours) || types.get(0).debut < entete
+                    || !((List<?>) lu.get(6)).stream().map(Integer.class::cast)
+                    .allMatch(f -> types.stream().anyMatch(t -> t.debut <= f && f <= t.fin))) {
+                Type sien = types.stream().filter(t -> t.nom.equals(classe)).findFirst().orElse(Type.RIEN);
+                return List.of(new Source(this, classe, debut + texte.substring(entete), sien,
+                        sien.fin > entete ? sien.fin + debut.length() - entete : -1));
+            }
+            if (types.stream().anyMatch(t -> duCours.contains(t.nom) && !t.nom.equals(classe))) {
+                remarques.add("contient plusieurs classes (" + types.stream().map(t -> t.nom).collect(Collectors.joining(", "))
+                        + ") : jugées à part");
+            }
+            return IntStream.range(0, types.size()).mapToObj(k -> {
+                int avant = k == 0 ? entete : types.get(k - 1).fin;
+                String sienne = debut + texte.substring(entete, avant).replaceAll("[^\n]", " ") + texte.substring(avant, types.get(k).fin);
+                return new Source(this, types.get(k).nom, sienne, types.get(k), sienne.length());
+            }).collect(Collectors.toList());
+        }
+    }
+
+    /**
+     * Les classes de ces fichiers.
+     *
+     * @param duCours les noms des classes du cours, et ceux qu'il leur donne ; @param remarques reçoit les fichiers que l'on n'a pu lire
+     */
+    static List<Source> lire(Map<String, byte[]> octets, Cours.Lecture lecture, Set<String> duCours, List<String> remarques) throws Arret {
+        List<?> lus = lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList()));
+        List<Fichier> fichiers = new ArrayList<>();
+        int rang = 0;
+        for (String chemin : octets.keySet()) {
+            List<?> lu = (List<?>) lus.get(rang++);
+            if (lu == null) {
+                remarques.add(chemin + Projet.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
+                        + "dans l'autre");
             } else {
-                texte = texte.replaceFirst("package\\s+" + Pattern.quote(paquet) + "\\s*;", "package lancer;")
-                        .replace("import " + paquet + ".", "import lancer.")
-                        .replace("import static " + paquet + ".", "import static lancer.");
-                remarque = "le paquet est « " + paquet + " » au lieu de « lancer »";
-            }
-            paquet = "lancer";
-        }
-        return new Source(chemin, classe, racine, paquet, texte, remarque);
-    }
-
-    /** Le même texte, les commentaires remplacés par autant de blancs. */
-    public static String sansCommentaires(String texte) {
-        return HORS_CODE.matcher(texte).replaceAll(m -> m.group().startsWith("/") ? blancs(m.group())
-                : Matcher.quoteReplacement(m.group()));
-    }
-
-    private static String blancs(String texte) {
-        return texte.replaceAll("[^\n]", " ");
-    }
-
-    /** Le même texte, où il n'y a plus que ce qui n'est dans aucune classe, et les accolades de celles-ci. */
-    private static String dehors(String texte) {
-        char[] lettres = HORS_CODE.matcher(texte).replaceAll(m -> blancs(m.group())).toCharArray();
-        int niveau = 0;
-        for (int k = 0; k < lettres.length; k++) {
-            int avant = niveau;
-            niveau = Math.max(0, niveau + (lettres[k] == '{' ? 1 : lettres[k] == '}' ? -1 : 0));
-            if (avant > 0 && niveau > 0) {
-                lettres[k] = ' ';
+                fichiers.add(new Fichier(chemin, octets.get(chemin), lu));
             }
         }
-        return new String(lettres);
+        Set<String> paquets = fichiers.stream().filter(f -> f.declare(duCours)).map(f -> f.paquet)
+                .collect(Collectors.toCollection(TreeSet::new));
+        String autres = paquets.stream().filter(p -> !p.isEmpty() && !p.equals("lancer")).collect(Collectors.joining(" », « "));
+        return fichiers.stream().flatMap(f -> f.sources(paquets, duCours, autres).stream()).collect(Collectors.toList());
     }
 
-    /** Raison pour laquelle ce fichier est à laisser de côté : ce qu'il déclare cacherait ce qui ne lui appartient pas. */
+    /** Raison pour laquelle elle est à laisser de côté : ce que déclare son fichier cacherait ce qui ne lui appartient pas. */
     String intrusion() {
+        String paquet = fichier.paquet;
         if (!NOM_DE_PAQUET.matcher(paquet).matches() || !NOM_DE_CLASSE.matcher(classe).matches()) {
             return "« " + paquet + " », « " + classe + " » : ce ne sont pas des noms de paquet et de classe";
-        }
-        if (RESERVES.matcher(paquet).matches()) {
+        } else if (RESERVES.matcher(paquet).matches()) {
             return "le paquet « " + paquet + " » n'est pas à vous";
+        } else if (fichier.types.size() > Lecteur.CLASSES_MAX) {
+            return "il déclare plus de " + Lecteur.CLASSES_MAX + " classes";
         }
-        Matcher m = DECLARATION.matcher(dehors(texte));
-        for (int n = 0; m.find(); n++) {
-            if (n == CLASSES_MAX) {
-                return "il déclare plus de " + CLASSES_MAX + " classes";
-            }
-            if (!paquet.equals("lancer")) {
-                continue;
-            }
-            if (List.of("Appels", "Sonde").contains(m.group(1))) {
-                return "il déclare une classe " + m.group(1) + " qui cacherait celle de la correction";
-            }
-            try {
-                Class.forName("java.lang." + m.group(1), false, null);
-                return "il déclare une classe " + m.group(1) + " qui cacherait celle de Java";
-            } catch (ClassNotFoundException | LinkageError e) {
-                // ce nom-là est libre
-            }
+        return fichier.types.stream().map(t -> t.nom).filter(nom -> paquet.equals("lancer") && estPrise(nom)).findFirst()
+                .map(nom -> "il déclare une classe " + nom + " qui cacherait celle de " + (NOTRES.contains(nom) ? "la correction" : "Java"))
+                .orElse(null);
+    }
+
+    private static boolean estPrise(String nom) {
+        try {
+            return NOTRES.contains(nom) || Class.forName("java.lang." + nom, false, null) != null;
+        } catch (ClassNotFoundException | LinkageError e) {
+            return false;
         }
-        return null;
     }
 
-    /** Vrai si deux textes ne diffèrent que par leurs commentaires et leurs blancs. */
-    public static boolean memeCode(String a, String b) {
-        return serre(a).equals(serre(b));
-    }
-
-    private static String serre(String texte) {
-        return sansCommentaires(texte).replaceAll("\\s+", "");
-    }
-
-    /** Empreinte de ce qu'un texte a à lui : ni commentaires, ni blancs, ni les noms que le cours n'emploie pas. */
-    public static String empreinte(String texte) {
-        String masque = Pattern.compile("\\b[A-Za-z_]\\w*\\b").matcher(sansCommentaires(texte)).replaceAll(m ->
-                DU_COURS.contains(m.group()) ? m.group() : "_");
-        return Integer.toHexString(serre(masque).hashCode()) + "-" + masque.length();
-    }
-
-    /** Les déclarations de cette méthode, ou de ce constructeur, telles qu'elles sont écrites. */
-    public static String methode(String texte, String nom) {
-        String nu = HORS_CODE.matcher(texte).replaceAll(m -> blancs(m.group()));
-        Matcher m = Pattern.compile("(?m)^[ \\t]*\\w[^;{}=()\n]*\\b" + nom + "[ \\t]*\\([^()]*\\)[^;{}()]*\\{").matcher(nu);
-        StringBuilder trouvees = new StringBuilder();
-        while (m.find() && trouvees.length() < METHODES_MAX) {
-            int fin = m.end();
-            for (int niveau = 1; niveau > 0 && fin < nu.length(); fin++) {
-                niveau += nu.charAt(fin) == '{' ? 1 : nu.charAt(fin) == '}' ? -1 : 0;
-            }
-            trouvees.append(texte, m.start(), Math.min(fin, m.start() + METHODES_MAX)).append('\n');
-        }
-        return trouvees.toString();
-    }
-
-    /** Les noms des méthodes du squelette qui ont un {@code FIXME} ; faux pour celles que ce texte n'a pas changées. */
-    public static Map<String, Boolean> commencees(String texte, String squelette) {
-        Map<String, Boolean> noms = new TreeMap<>();
-        Matcher methode = METHODE.matcher(squelette);
-        while (methode.find()) {
-            if (methode.group(2).contains("// FIXME")) {
-                noms.merge(methode.group(1), !serre(texte).contains(serre(methode.group())), Boolean::logicalAnd);
-            }
-        }
-        return noms;
+    /** Le texte, où ceci est ajouté à la fin de la classe. */
+    String avec(String membres) {
+        return membres.isEmpty() || fin < 1 || texte.charAt(fin - 1) != '}' ? texte
+                : texte.substring(0, fin - 1) + membres + " " + texte.substring(fin - 1);
     }
 
     /** Le texte, quel qu'en soit le codage, sans marque d'ordre des octets, et ses lignes finies par {@code \n}. */
@@ -224,6 +196,12 @@ public final class Source {
         if (octets.length >= 2 && (octets[0] == (byte) 0xFE && octets[1] == (byte) 0xFF || octets[0] == (byte) 0xFF
                 && octets[1] == (byte) 0xFE)) {
             return StandardCharsets.UTF_16;
+        }
+        // sans marque : en Java, une lettre sur deux octets a presque toujours le même nul, avant ou après
+        long[] nuls = IntStream.range(0, 2).mapToLong(k -> IntStream.range(0, octets.length / 2).filter(n -> octets[2 * n + k] == 0)
+                .count()).toArray();
+        if (4 * Math.max(nuls[0], nuls[1]) > octets.length) {
+            return nuls[0] > nuls[1] ? StandardCharsets.UTF_16BE : StandardCharsets.UTF_16LE;
         }
         try {
             StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets));

@@ -26,9 +26,12 @@ import javax.tools.StandardJavaFileManager;
 /**
  * Compile, dans une machine virtuelle à part, avec le compilateur d'Eclipse, qui écrit toutes les classes même fautives.
  * Les sources viennent dans la demande, par leur nom, et la réponse a les fautes, puis les classes : de ce qu'il lui faut
- * écrire entre temps, il ne reste rien.
+ * écrire entre temps, il ne reste rien. Une demande commence par sa sorte : {@link #COMPILER}, ou {@link #LIRE} des textes.
  */
 public final class Compilateur {
+
+    public static final char COMPILER = 'C';
+    public static final char LIRE = 'L';
 
     /** La dernière version de Java que ce compilateur connaisse. */
     private static final int NIVEAU_MAX = 25;
@@ -50,12 +53,17 @@ public final class Compilateur {
         DataInputStream demandes = new DataInputStream(System.in);
         while (true) {
             int numero = demandes.readInt();
-            byte[] demande = demandes.readNBytes(demandes.readInt());
+            DataInputStream demande = new DataInputStream(new ByteArrayInputStream(demandes.readNBytes(demandes.readInt())));
+            if (demande.readChar() == LIRE) {
+                List<String> textes = Echange.lireTout(demande).values().stream().map(t -> new String(t, StandardCharsets.UTF_8))
+                        .collect(Collectors.toList());
+                Echange.envoyer(sortie, numero, Echange.message(m -> Echange.ecrireValeur(m, Lecteur.lire(textes), o -> null)));
+                continue;
+            }
             Path dossier = Files.createTempDirectory("compilation");
             byte[] reponse;
             try {
-                reponse = compiler(compilateur, gestion, dossier.toRealPath(),
-                        Echange.lireTout(new DataInputStream(new ByteArrayInputStream(demande))));
+                reponse = compiler(compilateur, gestion, dossier.toRealPath(), Echange.lireTout(demande));
             } catch (IOException | RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
                 // ce que le compilateur ne supporte pas : il ne servira plus
                 reponse = Echange.message(m -> {

@@ -3,7 +3,9 @@ package lancer.correction.jugement;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -12,8 +14,8 @@ import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lancer.correction.depot.Methode;
 import lancer.correction.depot.Projet;
-import lancer.correction.depot.Source;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
@@ -30,6 +32,8 @@ final class Juge implements AutoCloseable {
 
     /** Étapes qui s'ajoutent à une méthode déjà écrite pour une étape d'avant. */
     private static final Set<String> DANS_LA_MEME_METHODE = Set.of("phong", "ombres", "reflets");
+
+    private static final String NON_COMMENCEE = "étape non commencée : ";
 
     private final Reference reference;
     private final Machines.Compilation compilation;
@@ -60,14 +64,14 @@ final class Juge implements AutoCloseable {
     /** Compile des classes, avec ce qui les appelle et les sonde, où nos noms sont les siens. */
     Assemblage assembler(Map<String, String> classes) throws Arret {
         Map<String, String> sources = new TreeMap<>(classes);
-        sources.put("lancer/Appels", projet.noms.dans(reference.appels));
-        sources.put("lancer/Sonde", projet.noms.dans(Modele.ressource("sondes/lancer/Sonde.java")));
+        sources.put("lancer/Appels", projet.cours.dans(reference.appels));
+        sources.put("lancer/Sonde", projet.cours.dans(Modele.ressource("sondes/lancer/Sonde.java")));
         return compilation.compiler(sources);
     }
 
     /** Sources qu'il a rendues de la base, et pour le reste le projet à compléter, puis ces classes-ci. */
     private Map<String, String> base(Map<String, String> enPlus) {
-        Map<String, String> sources = projet.noms.dans(Modele.tout(Modele::squelette));
+        Map<String, String> sources = projet.cours.dans(Modele.tout(Modele::squelette));
         sources.putAll(projet.base);
         sources.putAll(enPlus);
         return sources;
@@ -96,8 +100,9 @@ final class Juge implements AutoCloseable {
         resultat.aRegarder.addAll(projet.aRegarder);
         Modele.A_COMPLETER.stream().filter(c -> projet.texte(c) == null).forEach(c -> resultat.remarques.add("la classe " + c
                 + " manque : celle du projet à compléter en tient lieu"));
-        ensemble.fautes.stream().filter(f -> projet.base.containsKey(f.fichier.replaceFirst("\\.java$", "")))
-                .forEach(f -> resultat.fautes.add(f.toString()));
+        List<Faute> siennes = ensemble.fautes.stream().filter(f -> projet.base.containsKey(f.fichier.replaceFirst("\\.java$", "")))
+                .sorted(Comparator.comparing(f -> !f.demandeJava())).collect(Collectors.toList());
+        siennes.forEach(f -> resultat.fautes.add(f.toString()));
         Verifications.Bilan toutes = lancer(ensemble, reference.verifications);
         Map<String, Verdict> parSeule = new HashMap<>();
         for (String classe : changees(Modele.A_COMPLETER)) {
@@ -120,8 +125,7 @@ final class Juge implements AutoCloseable {
             images.juger();
         }
         variantes();
-        consignes();
-        confronter();
+        new Constats(this, reference, projet).dire(siennes);
         return resultat;
     }
 
@@ -158,13 +162,14 @@ final class Juge implements AutoCloseable {
     }
 
     private void charger(Verification v, String message, String classe) {
-        resultat.verdicts.put(v.id(), new Verdict(Etat.RATE, message + (classe.equals(v.classe) ? ""
+        resultat.verdicts.put(v.id(), Verdict.rate(message + (classe.equals(v.classe) ? ""
                 : " ; " + v.classe + " est juste, la faute est dans " + classe)));
         montrer(v, classe);
     }
 
     boolean aUneFaute(String classe) {
-        return !verifications(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()).isEmpty();
+        return !verifications(v -> v.classe.equals(classe) && resultat.verdicts.containsKey(v.id())
+                && !resultat.verdicts.get(v.id()).compte()).isEmpty();
     }
 
     List<Verification> verifications(Predicate<Verification> lesquelles) {
@@ -176,49 +181,12 @@ final class Juge implements AutoCloseable {
         return classes.stream().filter(projet.changees::contains).collect(Collectors.toList());
     }
 
-    /** Classes du rendu où ce mot est employé. */
-    private String emploient(String mot) {
-        return changees(Modele.classes()).stream().filter(c -> Pattern.compile(mot)
-                .matcher(Source.sansCommentaires(projet.texte(c))).find()).collect(Collectors.joining(", "));
-    }
-
     /** Garde, pour la page, la méthode qui répond d'une vérification. */
     private void montrer(Verification v, String classe) {
         if (projet.texte(classe) != null) {
-            resultat.methodes.put(v.id(), (classe.equals(v.classe) ? nommees(v) : methodes(classe).keySet()).stream()
-                    .map(m -> Source.methode(projet.texte(classe), m)).collect(Collectors.joining()));
-        }
-    }
-
-    private void consignes() {
-        changees(Modele.A_COMPLETER).stream().filter(c -> !aUneFaute(c) && projet.texte(c).contains("FIXME"))
-                .forEach(c -> projet.noter(Projet.FIXME, "reste dans " + c));
-        Projet.CONSIGNES.keySet().forEach(nom -> resultat.verdicts.put(Grille.CONSIGNES + "." + nom, projet.ecarts.containsKey(nom)
-                ? new Verdict(Etat.RATE, projet.ecarts.get(nom)) : new Verdict(Etat.REUSSI, "")));
-        changees(Modele.classes()).forEach(c -> resultat.empreintes.put(c, Source.empreinte(projet.texte(c))));
-    }
-
-    /** L'image et les étapes doivent dire la même chose. */
-    private void confronter() {
-        List<Verification> perdues = verifications(v -> reference.compte(v) && !resultat.verdicts.get(v.id()).compte());
-        List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
-                .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
-        if (autres.isEmpty() && !perdues.isEmpty()) {
-            resultat.regarder("image juste, mais " + perdues.size() + (perdues.size() > 1 ? " vérifications perdues, dont"
-                    : " vérification perdue :") + " « " + perdues.get(0).titre + " »");
-        } else if (perdues.isEmpty() && !autres.isEmpty()) {
-            resultat.regarder("étapes toutes réussies, mais une autre image : « " + String.join(" », « ", autres) + " »"
-                    + (resultat.classesFautives.isEmpty() ? "" : ", par " + String.join(", ", resultat.classesFautives)));
-        }
-        String enFloat = emploient("\\bfloat\\b");
-        if (!enFloat.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
-            String grain = "des calculs en float (" + enFloat + ") : de là peut venir du grain, que le cours évite par des double";
-            resultat.remarques.add(0, grain);
-            resultat.regarder(grain);
-        }
-        String lisent = emploient("\\bSystem\\s*\\.\\s*in\\b");
-        if (!lisent.isEmpty()) {
-            resultat.regarder("lit l'entrée standard (" + lisent + ") : elle est vide ici, ce qu'il y attend n'a pas été essayé");
+            Set<String> lesquelles = classe.equals(v.classe) ? nommees(v) : methodes(classe).keySet();
+            resultat.methodes.put(v.id(), projet.type(classe).methodes.stream().filter(m -> lesquelles.contains(m.nom))
+                    .map(m -> m.texte + "\n").collect(Collectors.joining()));
         }
     }
 
@@ -239,39 +207,42 @@ final class Juge implements AutoCloseable {
         }
         // celles qu'il a ajoutées, puis le corrigé, puis elle ; ou, s'il ne l'a pas rendue, celle du projet à compléter
         Map<String, String> sources = new TreeMap<>(projet.base);
-        sources.putAll(projet.noms.dans(Modele.tout(Modele::corrige)));
-        sources.put("lancer/" + projet.noms.classe(classe), projet.texte(classe) != null ? projet.texte(classe)
-                : projet.noms.dans(Modele.squelette(classe)));
+        sources.putAll(projet.cours.dans(Modele.tout(Modele::corrige)));
+        sources.put("lancer/" + projet.cours.classe(classe), projet.texte(classe) != null ? projet.texte(classe)
+                : projet.cours.dans(Modele.squelette(classe)));
         Assemblage seule = assembler(sources);
-        if (fautesNouvelles(seule, classe)) {
-            List<String> nommees = new ArrayList<>();
-            for (String autre : Modele.classes()) {
-                String texte = projet.texte(autre);
-                String sien = projet.noms.classe(autre);
-                if (texte != null && !autre.equals(classe) && !autre.equals("Main")
-                        && Pattern.compile("\\b" + sien + "\\b|\\." + autre.toLowerCase() + "\\b")
-                        .matcher(projet.texte(classe)).find()) {
-                    nommees.add(autre);
-                    sources.put("lancer/" + sien, texte);
-                }
+        // celles des siennes qu'elle emploie, puis celles que celles-là emploient
+        Set<String> avec = new LinkedHashSet<>();
+        while (fautesNouvelles(seule, classe)) {
+            List<String> deplus = employees(avec.isEmpty() ? Set.of(classe) : avec);
+            deplus.remove(classe);
+            if (!avec.addAll(deplus)) {
+                String cassees = seule.fautes.stream().map(Faute::classe).filter(avec::contains).distinct()
+                        .collect(Collectors.joining(", "));
+                dependances.put(classe, cassees.isEmpty() ? String.join(", ", avec) : cassees);
+                break;
             }
+            avec.forEach(c -> sources.put("lancer/" + projet.cours.classe(c), projet.texte(c)));
             seule = assembler(sources);
-            if (fautesNouvelles(seule, classe)) {
-                Set<String> cassees = seule.fautes.stream().map(Faute::classe).filter(nommees::contains)
-                        .collect(Collectors.toCollection(TreeSet::new));
-                dependances.put(classe, String.join(", ", cassees.isEmpty() ? nommees : cassees));
-            } else {
-                resultat.remarques.add(classe + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
-                        + String.join(", ", nommees));
-            }
+        }
+        if (!avec.isEmpty() && !dependances.containsKey(classe)) {
+            resultat.remarques.add(classe + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
+                    + String.join(", ", avec));
         }
         seules.put(classe, seule);
         return seule;
     }
 
+    /** Les classes rendues qu'emploient celles-ci, par leur nom ou par un champ qui porte ce nom. */
+    private List<String> employees(Set<String> classes) {
+        return Modele.classes().stream().filter(c -> projet.texte(c) != null && !c.equals("Main") && classes.stream().map(projet::type)
+                .anyMatch(t -> t.noms.contains(projet.cours.classe(c)) || t.noms.contains(c.toLowerCase(Locale.ROOT))))
+                .collect(Collectors.toList());
+    }
+
     /** Vrai si là, parmi celles du corrigé, elle ne se compile plus comme avec celles de l'étudiant, ou les en empêche. */
     private boolean fautesNouvelles(Assemblage seule, String classe) {
-        String sienne = projet.noms.classe(classe);
+        String sienne = projet.cours.classe(classe);
         return seule.fautesDe(sienne).size() > ensemble.fautesDe(sienne).size() || seule.fautes.stream().anyMatch(f ->
                 Modele.classes().contains(f.classe()) && !f.classe().equals(sienne) && ensemble.fautesDe(f.classe()).isEmpty());
     }
@@ -296,7 +267,8 @@ final class Juge implements AutoCloseable {
             return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + " est celle du projet à compléter");
         }
         if (seule != null && seule.etat == Etat.REUSSI) {
-            return new Verdict(Etat.CACHE, ensemble.message);
+            return new Verdict(Etat.CACHE, ecrite(v, ensemble.message) == null ? ensemble.message
+                : ensemble.message.replace(NON_COMMENCEE, "") + " ; " + v.classe + " est juste, la faute est ailleurs");
         }
         // si elle ne se compile que parmi les siennes, c'est là qu'on la juge
         Verdict verdict = seule == null || seule.message.startsWith(NE_SE_COMPILE_PAS)
@@ -304,14 +276,15 @@ final class Juge implements AutoCloseable {
         montrer(v, v.classe);
         if (verdict.etat == Etat.NON_COMMENCE) {
             return verdict.message.startsWith("étape non évaluable") ? new Verdict(Etat.NON_EVALUABLE, verdict.message)
-                    : ecrite(v, verdict.message) ? new Verdict(Etat.RATE, verdict.message.replace("étape non commencée : ", ""))
-                    : verdict;
+                    : commencee(v, verdict, ecrite(v, verdict.message));
         }
         if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
+            String appelee = NE_SE_COMPILE_PAS + ", appelé par la vérification : ";
             return dependances.containsKey(v.classe)
                     ? new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe))
-                    : new Verdict(Etat.RATE, verdict.message + (verdict.message.contains(" : ") ? ""
-                            : Stream.concat(this.ensemble.fautesDe(projet.noms.classe(v.classe)).stream().map(Faute::toString),
+                    : verdict.message.startsWith(appelee) ? new Verdict(Etat.RATE, verdict.message.substring(appelee.length()))
+                    : Verdict.rate(verdict.message + (verdict.message.contains(" : ") ? ""
+                            : Stream.concat(this.ensemble.fautesDe(projet.cours.classe(v.classe)).stream().map(Faute::toString),
                             resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("")));
         }
         return verdict.message.equals(reference.duSquelette(v).message)
@@ -319,21 +292,48 @@ final class Juge implements AutoCloseable {
                 ? new Verdict(Etat.NON_COMMENCE, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }
 
+    /** Les noms des méthodes à compléter de cette classe ; faux pour celles qu'il n'a pas changées. */
     private Map<String, Boolean> methodes(String classe) {
-        return Source.commencees(projet.texte(classe), projet.noms.dans(Modele.squelette(classe)));
+        Map<String, Boolean> noms = new TreeMap<>();
+        for (Methode m : projet.cours.squelette(classe).methodes) {
+            if (m.texte.contains("// FIXME")) {
+                noms.merge(m.nom, projet.type(classe).methodes.stream().noneMatch(s -> s.nom.equals(m.nom) && s.arbre.equals(m.arbre)),
+                        Boolean::logicalAnd);
+            }
+        }
+        return noms;
     }
 
     /** Les méthodes à compléter dont parle cette vérification, à défaut toutes celles de sa classe. */
     private Set<String> nommees(Verification v) {
         Set<String> toutes = methodes(v.classe).keySet();
         Set<String> nommees = toutes.stream().filter(m -> Pattern.compile("\\b" + m + "\\b")
-                .matcher(projet.noms.dans(v.titre)).find()).collect(Collectors.toCollection(TreeSet::new));
+                .matcher(projet.cours.dans(v.titre)).find()).collect(Collectors.toCollection(TreeSet::new));
         return nommees.isEmpty() ? toutes : nommees;
     }
 
-    /** Vrai si la méthode qui, dit ce message, ne rend encore rien, est une des siennes, et qu'il l'a écrite. */
-    private boolean ecrite(Verification v, String message) {
-        return !DANS_LA_MEME_METHODE.contains(v.etape) && methodes(v.classe).entrySet().stream()
-                .anyMatch(m -> m.getValue() && projet.noms.dans(message).contains(m.getKey()));
+    /** La classe qui a écrit la méthode qui, dit ce message, ne rend encore rien ; {@code null} si aucune ne l'a écrite. */
+    private String ecrite(Verification v, String message) {
+        return changees(Modele.A_COMPLETER).stream().filter(c -> message.startsWith(NON_COMMENCEE)
+                && !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape)) && methodes(c).entrySet().stream()
+                .anyMatch(m -> m.getValue() && projet.cours.dans(message).contains(m.getKey()))).findFirst().orElse(null);
+    }
+
+    /** Une étape que rien ne montre, mais dont dépend une méthode qu'il a écrite : dans cette classe, c'est une faute ; sinon on la dit. */
+    private Verdict commencee(Verification v, Verdict verdict, String ecrite) {
+        String message = verdict.message.replace(NON_COMMENCEE, "");
+        if (ecrite == null || ecrite.equals(v.classe)) {
+            return ecrite == null ? verdict : new Verdict(Etat.RATE, message);
+        }
+        // celle qui l'a écrite, ou celle, jugée plus tôt, dont elle dépend
+        String fautive = Stream.concat(Stream.of(ecrite), Modele.A_COMPLETER.stream()).filter(c -> !c.equals(v.classe) && aUneFaute(c))
+                .findFirst().orElse(ecrite);
+        resultat.regarder(message + " : la faute est dans " + fautive + ", et " + v.classe + " n'a pu être évaluée sans elle");
+        return new Verdict(Etat.NON_EVALUABLE, message + " ; la faute est dans " + fautive);
+    }
+
+    /** Vrai s'il a écrit cette méthode à compléter. */
+    boolean aEcrit(String classe, String methode) {
+        return projet.changees.contains(classe) && methodes(classe).getOrDefault(methode, false);
     }
 }

@@ -85,8 +85,8 @@ final class JugeImage {
                     > image.pareilles(reference.grille.getImage(scene, false)) : resultat.centre;
             resultat.images.put(scene, image);
             Image attendue = reference.grille.getImage(scene, resultat.centre);
-            // d'une seule couleur, c'est celle du projet à compléter
-            boolean commencee = IntStream.range(1, image.pixels())
+            // d'une seule couleur, c'est celle du projet à compléter, tant que getCouleurPixel l'est
+            boolean commencee = juge.aEcrit("Lancer", "getCouleurPixel") || IntStream.range(1, image.pixels())
                     .anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
             return new Verdict(image.pareille(attendue) ? Etat.REUSSI : commencee ? Etat.RATE : Etat.NON_COMMENCE,
                     image.combien(attendue));
@@ -94,7 +94,7 @@ final class JugeImage {
             resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
             return new Verdict(Etat.RATE, e.getMessage());
         } catch (Dialogue.Echec e) {
-            return new Verdict(Etat.RATE, e.getMessage());
+            return Verdict.rate(e.getMessage());
         }
     }
 

@@ -12,7 +12,9 @@ import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import javax.tools.ToolProvider;
 import lancer.correction.Panne;
+import lancer.correction.depot.Alias;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
 import lancer.correction.enfant.Echange;
@@ -36,6 +38,8 @@ public final class Jury implements AutoCloseable {
     /** Machines qui compilent, et qu'aucun rendu n'occupe. */
     private final Deque<Machines.Compilation> compilations = new ArrayDeque<>();
     public final Reference reference;
+    /** Noms que l'enseignant déclare. */
+    private Alias alias;
 
     /**
      * @param travail dossier de travail
@@ -43,8 +47,10 @@ public final class Jury implements AutoCloseable {
      * @throws Panne si la machine ne peut juger
      */
     public Jury(Path travail, Confinement confinement, Limites limites, long graine) {
-        if (Runtime.version().feature() < 17) {
-            throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature());
+        boolean sansCompilateur = ToolProvider.getSystemJavaCompiler() == null;
+        if (Runtime.version().feature() < 17 || sansCompilateur) {
+            throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature()
+                    + (sansCompilateur ? ", sans son compilateur" : ""));
         }
         this.limites = limites;
         System.setProperty(GRAINE, String.valueOf(graine));
@@ -61,7 +67,8 @@ public final class Jury implements AutoCloseable {
     }
 
     /** @param fini appelé pour chaque rendu, dès qu'il est jugé, avec son rang ; dans l'ordre où ils finissent */
-    public List<Resultat> juger(List<Rendu> rendus, BiConsumer<Integer, Resultat> fini) {
+    public List<Resultat> juger(List<Rendu> rendus, Alias declares, BiConsumer<Integer, Resultat> fini) {
+        alias = declares;
         Resultat[] resultats = new Resultat[rendus.size()];
         try {
             List<Integer> rangs = IntStream.range(0, resultats.length).boxed().collect(Collectors.toList());
@@ -151,7 +158,7 @@ public final class Jury implements AutoCloseable {
         Resultat resultat = null;
         try {
             // de plusieurs copies, celle qui réussit le plus
-            for (Projet copie : Projet.copies(rendu)) {
+            for (Projet copie : Projet.copies(rendu, compilation::lire, reference.cours, alias.de(rendu.id))) {
                 try (Juge juge = new Juge(reference, compilation, machines, copie, new Resultat(rendu.id, rendu.nom))) {
                     Resultat sien = juge.juger();
                     resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;

@@ -25,6 +25,7 @@ import lancer.correction.Panne;
 import lancer.correction.enfant.Compilateur;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
+import lancer.correction.enfant.Lecteur;
 import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Enfant;
@@ -161,8 +162,43 @@ final class Machines {
         }
     }
 
-    /** Compile des sources, puis d'autres. */
+    /** Lit et compile des sources, puis d'autres : aucun rendu ne tourne ici. */
     final class Compilation extends Machine {
+
+        /** Ce que le JDK lit de ces textes, voir {@link Lecteur#lire} ; une valeur chacun. */
+        List<?> lire(List<String> textes) throws Arret {
+            Map<String, byte[]> tous = new LinkedHashMap<>();
+            textes.forEach(t -> tous.put(String.valueOf(tous.size()), t.getBytes(StandardCharsets.UTF_8)));
+            return demander(Compilateur.LIRE, tous, reponse -> {
+                List<?> lus = (List<?>) Echange.lireValeur(reponse, o -> null);
+                if (lus.size() != tous.size()) {
+                    throw new IOException();
+                }
+                return lus;
+            });
+        }
+
+        private <T> T demander(char sorte, Map<String, byte[]> textes, Lecture<T> lecture) throws Arret {
+            Limites larges = Limites.DE_COMPILATION;
+            if (enfant == null) {
+                lancer(confinement.java(Compilateur.class, chemin(), true, outillage.getParent(), larges), larges, m -> {
+                    m.writeChar(Compilateur.COMPILER);
+                    Echange.ecrireTout(m, Map.of());
+                });
+            }
+            enfant.commencer(larges.calcul);
+            try {
+                return demander(m -> {
+                    m.writeChar(sorte);
+                    Echange.ecrireTout(m, textes);
+                }, Echange.GROSSE_REPONSE_MAX, lecture);
+            } catch (Arret e) {
+                if (e.tue) {
+                    throw new Panne(1, "le compilateur a été tué : " + e.getMessage());
+                }
+                throw e;
+            }
+        }
 
         /**
          * @param sources le texte de chaque fichier, par son nom : {@code lancer/Vecteur}
@@ -171,29 +207,16 @@ final class Machines {
         Assemblage compiler(Map<String, String> sources) throws Arret {
             Map<String, byte[]> textes = new LinkedHashMap<>();
             sources.forEach((nom, texte) -> textes.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
-            Limites larges = Limites.DE_COMPILATION;
-            if (enfant == null) {
-                lancer(confinement.java(Compilateur.class, chemin(), true, outillage.getParent(), larges), larges,
-                        m -> Echange.ecrireTout(m, Map.of()));
+            Assemblage assemblage = demander(Compilateur.COMPILER, textes, reponse -> {
+                List<?> fautes = (List<?>) Echange.lireValeur(reponse, o -> null);
+                return new Assemblage(Echange.lireTout(reponse), fautes == null ? null : fautes.stream()
+                        .map(f -> new Faute((List<?>) f)).collect(Collectors.toList()));
+            });
+            if (assemblage.fautes == null) {
+                close();
+                throw new Arret("arrêté : ces sources font échouer le compilateur", false);
             }
-            enfant.commencer(larges.calcul);
-            try {
-                Assemblage assemblage = demander(m -> Echange.ecrireTout(m, textes), Echange.GROSSE_REPONSE_MAX, reponse -> {
-                    List<?> fautes = (List<?>) Echange.lireValeur(reponse, o -> null);
-                    return new Assemblage(Echange.lireTout(reponse), fautes == null ? null : fautes.stream()
-                            .map(f -> new Faute((List<?>) f)).collect(Collectors.toList()));
-                });
-                if (assemblage.fautes == null) {
-                    close();
-                    throw new Arret("arrêté : ces sources font échouer le compilateur", false);
-                }
-                return assemblage;
-            } catch (Arret e) {
-                if (e.tue) {
-                    throw new Panne(1, "le compilateur a été tué : " + e.getMessage());
-                }
-                throw e;
-            }
+            return assemblage;
         }
     }
 

@@ -1,10 +1,13 @@
 package lancer.correction.jugement;
 
+import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import lancer.correction.depot.Cours;
 import lancer.correction.depot.Projet;
+import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
@@ -25,6 +28,8 @@ public final class Reference implements AutoCloseable {
         SCENES.put("miroirs", new int[] {80, 60, 40});
     }
 
+    /** Les classes du cours, telles que le JDK les lit. */
+    final Cours cours;
     final Verifications junit;
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
@@ -41,7 +46,11 @@ public final class Reference implements AutoCloseable {
     /** @param graine d'où sont tirées les scènes dont on juge l'image */
     Reference(Machines machines, Machines.Compilation compilation, String sansConfinement, long graine) throws Arret {
         this.graine = graine;
-        Projet projet = new Projet(Modele.tout(Modele::squelette), Map.of(), List.of());
+        cours = new Cours(compilation::lire, Map.of());
+        Rendu squelette = new Rendu("", "");
+        Modele.tout(Modele::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
+                texte.getBytes(StandardCharsets.UTF_8)));
+        Projet projet = Projet.copies(squelette, compilation::lire, cours, Map.of()).get(0);
         // les vérifications sont compilées contre les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
         appels = doublures.getAppels();

@@ -39,11 +39,11 @@ public final class Resultat {
     /** Raisons pour lesquelles l'enseignant doit le regarder lui-même. */
     public final List<String> aRegarder = new ArrayList<>();
 
-    /** Texte de chaque classe changée du cours, sans ce qui n'est que présentation ni noms choisis, abrégé. */
-    public final Map<String, String> empreintes = new LinkedHashMap<>();
-
-    /** Arbre abrégé de chaque longue méthode de l'étudiant, qui n'est ni celle du projet à compléter ni celle du corrigé. */
+    /** Arbre de chaque longue méthode, {@code Classe.methode(types)}, qui n'est ni celle du projet à compléter, ni celle du corrigé. */
     public final Map<String, String> arbres = new LinkedHashMap<>();
+
+    /** Empreinte de chaque classe donnée qui a été changée. */
+    public final Map<String, String> empreintes = new LinkedHashMap<>();
 
     /** Méthode de l'étudiant, par critère raté, qui en répond. */
     public final Map<String, String> methodes = new LinkedHashMap<>();

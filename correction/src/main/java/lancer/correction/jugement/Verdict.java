@@ -30,13 +30,18 @@ public final class Verdict {
         this.message = message;
     }
 
+    /** Raté, ou qui ne se compile pas, si c'est ce que dit ce message. */
+    static Verdict rate(String message) {
+        return new Verdict(message.startsWith(Juge.NE_SE_COMPILE_PAS) ? Etat.NE_SE_COMPILE_PAS : Etat.RATE, message);
+    }
+
+    /** Vrai si c'est une faute : ratée, ou qui ne se compile pas. */
+    public boolean rate() {
+        return etat == Etat.RATE || etat == Etat.NE_SE_COMPILE_PAS;
+    }
+
     /** Vrai si la vérification rapporte ses points. */
     public boolean compte() {
         return etat == Etat.REUSSI || etat == Etat.CACHE;
-    }
-
-    /** Vrai si l'étudiant a écrit ce qu'elle demande, et que ce n'est pas juste. */
-    public boolean rate() {
-        return etat == Etat.RATE || etat == Etat.NE_SE_COMPILE_PAS;
     }
 }

@@ -8,9 +8,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import lancer.correction.modele.Modele;
 import org.junit.jupiter.api.Test;
 
 /** Ce que les étudiants mettent dans un rendu : des projets, des copies, des classes. */
@@ -25,7 +28,89 @@ class ProjetTest extends DepotEssai {
         Projet lu = projet(lire(rendus).get("11"));
         assertEquals("package lancer; // été\npublic class Vecteur {}\n", lu.texte("Vecteur"));
         assertEquals("package lancer;\nimport lancer.Vecteur;\nclass Point {}\n", lu.texte("Point"));
-        assertEquals(2, lu.remarques.size(), lu.remarques.toString());
+        assertEquals(3, lu.remarques.size(), lu.remarques.toString());
+    }
+
+    @Test
+    void unTexteEnUtf16SeLitQuIlAitUneMarqueOuNon() throws IOException {
+        Path projet = Files.createDirectories(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer"));
+        String texte = "package lancer; // été\nclass %s {}\n";
+        Files.write(projet.resolve("Vecteur.java"), String.format(texte, "Vecteur").getBytes(StandardCharsets.UTF_16LE));
+        Files.write(projet.resolve("Point.java"), String.format(texte, "Point").getBytes(StandardCharsets.UTF_16BE));
+        Files.write(projet.resolve("Rayon.java"), String.format(texte, "Rayon").getBytes(StandardCharsets.UTF_16));
+        Projet lu = projet(lire(rendus).get("11"));
+        for (String classe : List.of("Vecteur", "Point", "Rayon")) {
+            assertEquals(String.format(texte, classe), lu.texte(classe));
+        }
+    }
+
+    @Test
+    void toutLePaquetArriveDansCeluiDuCoursEtCEstDitUneFois() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/src");
+        ecrire(projet.resolve("fr/univ/tp1/maths/Vecteur.java"), "/* package x; */ package fr.univ\n.tp1.maths ;\nclass Vecteur { }\n");
+        ecrire(projet.resolve("fr/univ/tp1/Scene.java"), "package fr.univ.tp1;\nimport fr.univ.tp1.maths.*;\nimport java.util.List;\n"
+                + "import static fr.univ.tp1.Outils.f;\nclass Scene { String s = \"import fr.univ.tp1.maths.*;\"; }\n");
+        ecrire(projet.resolve("fr/univ/tp1/Outils.java"), "package fr.univ.tp1;\nclass Outils { static void f() { } }\n");
+        ecrire(projet.resolve("autre/Essai.java"), "package autre;\nclass Essai { }\n");
+        Projet lu = projet(lire(rendus).get("11"));
+        assertEquals("[autre/Essai, lancer/Outils, lancer/Scene, lancer/Vecteur]", lu.base.keySet().toString());
+        assertEquals("/* package x; */ package lancer\n ;\nclass Vecteur { }\n", lu.texte("Vecteur"));
+        assertEquals("package lancer;\nimport lancer.*;\nimport java.util.List;\nimport static lancer.Outils.f;\n"
+                + "class Scene { String s = \"import fr.univ.tp1.maths.*;\"; }\n", lu.texte("Scene"));
+        assertEquals(List.of("le paquet est « fr.univ.tp1 », « fr.univ.tp1.maths » au lieu de « lancer » (3 fichiers)"), lu.remarques);
+    }
+
+    @Test
+    void unNomChangeSeConstateEtNeSeDevinePas() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
+        for (String classe : Modele.A_COMPLETER) {
+            ecrire(projet.resolve(classe.replace("Scene", "Monde") + ".java"), Modele.corrige(classe).replaceAll("\\bScene\\b", "Monde")
+                    .replace("getNormale", "normale"));
+        }
+        Rendu rendu = lire(rendus).get("11");
+        Projet lu = projet(rendu);
+        String declarer = " ; pour la déclarer, dans alias.csv : 11,";
+        assertEquals(List.of("Sphere.getNormale absente ; normale prend et rend la même chose" + declarer + "normale,getNormale",
+                "Scene absente ; Monde a 3 de ses 3 méthodes" + declarer + "Monde,Scene"), lu.aRegarder);
+        assertEquals("class Scene", lu.cours.dans("class Scene"));
+        Projet declare = projet(rendu, new TreeMap<>(Map.of("Scene", "Monde", "getNormale", "normale", "Camera", "Appareil")));
+        assertEquals("class Monde { normale() }", declare.cours.dans("class Scene { getNormale() }"));
+        assertEquals(List.of("alias.csv : « Appareil » n'est le nom de rien dans ce rendu"), declare.aRegarder);
+        assertTrue(declare.changees.contains("Scene") && declare.texte("Scene").contains("class Monde"));
+        assertEquals("Scene s'appelle Monde ; getNormale s'appelle normale", declare.ecarts.get(Projet.NOMS));
+    }
+
+    @Test
+    void unAutreProjetSeDitEtUnDebutNEnEstPasUn() throws IOException {
+        Path banque = rendus.resolve("Étudiant 1_11_assignsubmission_file/banque");
+        ecrire(banque.resolve("Compte.java"), "package banque; class Compte { void debiter() { } }");
+        ecrire(banque.resolve("Scene.java"), "package banque; class Scene { void jouer() { } }");
+        ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/lancer/Vecteur.java"), Modele.squelette("Vecteur"));
+        Map<String, Rendu> lus = lire(rendus);
+        assertEquals(List.of("un autre projet : aucune des 8 classes à compléter n'y est comme dans le cours ; les siennes sont Compte"),
+                projet(lus.get("11")).aRegarder);
+        assertEquals(List.of(), projet(lus.get("12")).aRegarder);
+    }
+
+    @Test
+    void uneBibliothequeJointeEstNommeeSaufCellesDuCours() throws IOException {
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java"), CLASSE);
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lib/maths-2.0.jar"), "PK");
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lib/ini4j-0.5.4.jar"), "PK");
+        assertEquals(List.of("jugé sans la bibliothèque qu'il joint : maths-2.0.jar"), projet(lire(rendus).get("11")).aRegarder);
+    }
+
+    @Test
+    void lesEchappementsNeCachentRien() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
+        ecrire(projet.resolve("Deux.java"), "p\\u0061ckage java.lang; public cl\\u0061ss Deux { }");
+        ecrire(projet.resolve("Trois.java"), "package lancer; /* \\u002a/ class M\\u0061th { }");
+        ecrire(projet.resolve("Vecteur.java"), "\\u0070ackage tp\\u0031;\npublic class Vecteur { }\n");
+        Projet lu = projet(lire(rendus).get("11"));
+        assertEquals("[lancer/Vecteur]", lu.base.keySet().toString());
+        assertEquals("\\u0070ackage lancer;\npublic class Vecteur { }\n", lu.texte("Vecteur"));
+        assertEquals(List.of("lancer/Deux.java : laissé de côté, le paquet « java.lang » n'est pas à vous",
+                "lancer/Trois.java : laissé de côté, il déclare une classe Math qui cacherait celle de Java"), lu.remarques.subList(0, 2));
     }
 
     @Test
@@ -76,7 +161,10 @@ class ProjetTest extends DepotEssai {
         ecrire(projet.resolve("C.java"), "package lancer; class C { void f() " + "{".repeat(300_000) + "}".repeat(300_000) + " }");
         ecrire(projet.resolve("D.java"), "package lancer; class D { " + "/*".repeat(3) + " /*".repeat(300_000));
         ecrire(projet.resolve("Vecteur.java"), "package lancer; class Vecteur { " + "public ".repeat(100_000) + "}");
-        assertEquals(5, projet(lire(rendus).get("11")).base.size());
+        Projet lu = projet(lire(rendus).get("11"));
+        assertEquals("[A, lancer/B, lancer/D, lancer/Vecteur]", lu.base.keySet().toString());
+        assertTrue(lu.remarques.get(0).startsWith("lancer/C.java : laissé de côté, le compilateur ne peut pas le lire"),
+                "seul celui qui est trop emboîté : " + lu.remarques);
     }
 
     @Test
@@ -115,6 +203,22 @@ class ProjetTest extends DepotEssai {
                 + "return getCouleurPixel((int) p0, (int) p1, p2); }"), projet.texte("Lancer"));
         assertEquals(vecteur, projet.texte("Vecteur"));
         assertEquals(1, projet.remarques.size(), projet.remarques.toString());
+        assertEquals(projet.remarques, projet.aRegarder);
+    }
+
+    @Test
+    void desParametresEnFloatSeLaissentAppelerAvecDesDoubleEtCEstDitUneFois() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
+        ecrire(projet.resolve("Vecteur.java"), Modele.corrige("Vecteur").replace("double", "float"));
+        ecrire(projet.resolve("Couleur.java"), Modele.corrige("Couleur").replace("double", "float"));
+        Projet lu = projet(lire(rendus).get("11"));
+        String vecteur = lu.texte("Vecteur");
+        assertTrue(vecteur.contains(" public  Vecteur(double p0, double p1, double p2) { this((float) p0, (float) p1, (float) p2); }"
+                + " public Vecteur mul(double p0) { return mul((float) p0); }"), vecteur);
+        assertTrue(vecteur.contains(" public static Vecteur div(Vecteur p0, double p1) { return div(p0, (float) p1); }"), vecteur);
+        assertEquals(Modele.corrige("Vecteur").split("\n").length, vecteur.split("\n").length);
+        assertTrue(lu.texte("Couleur").contains("Couleur(double p0) { this((float) p0); }"), "une classe donnée aussi");
+        assertEquals(1, lu.remarques.size(), lu.remarques.toString());
     }
 
     @Test
@@ -140,7 +244,7 @@ class ProjetTest extends DepotEssai {
         Rendu rendu = lire(rendus).get("11");
         Projet projet = projet(rendu);
         // ce que déclare un fichier mal nommé le nomme
-        assertEquals("lancer/Vecteur", projet.base.keySet().stream().filter(cle -> !cle.matches("x/Z\\d+"))
+        assertEquals("lancer/Vecteur", projet.base.keySet().stream().filter(cle -> !cle.matches("x/Z\\d+|a/Mal"))
                 .collect(Collectors.joining(" ")));
     }
 

@@ -70,6 +70,9 @@ class FautesTest extends JuryEssai {
         assertEquals("A.java:3 : la méthode f(1, 2) de Vecteur ne prend pas les arguments (int)",
                 new Faute(List.of("lancer/A.java", 3, "The method f(1, 2) in the type Vecteur is not applicable for the arguments (int)"))
                         .toString());
+        assertEquals("A.java:3 : demande Java 21 (Record Pattern), ici Java " + Runtime.version().feature(),
+                new Faute(List.of("lancer/A.java", 3, "The Java feature 'Record Pattern' is only available with source level 21 and above"))
+                        .toString());
         assertEquals("A.java:3 : le compilateur dit « Unreachable code »",
                 new Faute(List.of("lancer/A.java", 3, "Unreachable code")).toString());
     }

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import lancer.correction.ClasseEssai;
+import lancer.correction.depot.Alias;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Confinement;
@@ -59,7 +60,7 @@ abstract class JuryEssai extends ClasseEssai {
 
     static Map<String, Resultat> juger(Jury jury, Path rendus, Path travail) throws IOException {
         List<Rendu> liste = Depot.lire(rendus, travail);
-        List<Resultat> tous = jury.juger(liste, (rang, resultat) -> { });
+        List<Resultat> tous = jury.juger(liste, new Alias(travail, List.of()), (rang, resultat) -> { });
         Map<String, Resultat> resultats = new LinkedHashMap<>();
         for (int k = 0; k < tous.size(); k++) {
             resultats.put(liste.get(k).nom, tous.get(k));

@@ -1,0 +1,54 @@
+package lancer.correction.depot;
+
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+import lancer.correction.modele.Modele;
+
+/**
+ * Les noms du cours que des étudiants ont changés, tels que l'enseignant les déclare ({@link Tableau}) : {@code id,nom écrit,nom du
+ * cours}.
+ */
+public final class Alias {
+
+    private static final String TITRES = "id,nom écrit,nom du cours";
+    private static final Pattern NOM = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]{0,99}");
+
+    private final Map<String, Map<String, String>> noms = new HashMap<>();
+    /** Les lignes qui ne conviennent pas, et pourquoi. */
+    public final List<String> fautes;
+
+    /** Lit {@code alias.csv} dans ce dossier, s'il y est. */
+    public Alias(Path dossier, Collection<String> ids) {
+        fautes = Tableau.lire(dossier.resolve("alias.csv"), TITRES, ids, (id, ligne) -> {
+            String sien = ligne.get(1);
+            String duCours = ligne.get(2);
+            if (!NOM.matcher(sien).matches() || estDuCours(sien)) {
+                return "« " + sien + " » ; attendu : un nom que l'étudiant a écrit à la place de celui du cours";
+            } else if (!NOM.matcher(duCours).matches() || !estDuCours(duCours)) {
+                return "« " + duCours + " » ; attendu : le nom d'une classe ou d'une méthode du cours";
+            }
+            return noms.computeIfAbsent(id, i -> new TreeMap<>()).putIfAbsent(duCours, sien) == null ? ""
+                    : "« " + duCours + " » a déjà un autre nom plus haut ; cette ligne-ci est laissée";
+        });
+    }
+
+    private static boolean estDuCours(String nom) {
+        return Modele.classes().contains(nom) || Modele.classes().stream()
+                .anyMatch(c -> Pattern.compile(" " + Pattern.quote(nom) + "\\(").matcher(Modele.squelette(c)).find());
+    }
+
+    /** Noms que cet étudiant a changés : celui du cours, et le sien. */
+    public Map<String, String> de(String id) {
+        return noms.getOrDefault(id, Map.of());
+    }
+
+    /** La ligne qui déclare un nom, prête à coller. */
+    static String ligne(String id, String sien, String duCours) {
+        return (id.matches("[^,;\"\\s]+") ? id : "\"" + id.replace("\"", "\"\"") + "\"") + "," + sien + "," + duCours;
+    }
+}

@@ -1,0 +1,213 @@
+package lancer.correction.enfant;
+
+import com.sun.source.tree.ClassTree;
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.ImportTree;
+import com.sun.source.tree.LiteralTree;
+import com.sun.source.tree.MemberSelectTree;
+import com.sun.source.tree.MethodTree;
+import com.sun.source.tree.StatementTree;
+import com.sun.source.tree.Tree;
+import com.sun.source.tree.VariableTree;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.SourcePositions;
+import com.sun.source.util.TreeScanner;
+import com.sun.source.util.Trees;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.UUID;
+import java.util.stream.Collectors;
+import javax.tools.Diagnostic;
+import javax.tools.JavaCompiler;
+import javax.tools.JavaFileObject;
+import javax.tools.SimpleJavaFileObject;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+
+/**
+ * Ce que le JDK lit d'un fichier source : son paquet, ses classes, leurs méthodes, et où tout cela commence et finit. Rien n'y est
+ * compilé ni exécuté. Les réponses ne sont faites que de listes, de textes et de nombres.
+ */
+public final class Lecteur {
+
+    /** Nombre de classes, de méthodes et de noms au-delà duquel on ne les rapporte plus. */
+    public static final int CLASSES_MAX = 200;
+    private static final int NOMS_MAX = 2000;
+
+    /** Celui du JDK, et non celui d'Eclipse. */
+    private static final JavaCompiler JDK = ToolProvider.getSystemJavaCompiler();
+    private static final StandardJavaFileManager GESTION = JDK.getStandardFileManager(null, null, StandardCharsets.UTF_8);
+
+    private final CompilationUnitTree fichier;
+    private final SourcePositions lieux;
+
+    private Lecteur(CompilationUnitTree fichier, SourcePositions lieux) {
+        this.fichier = fichier;
+        this.lieux = lieux;
+    }
+
+    /**
+     * Lit des fichiers. Pour chacun : paquet, début et fin de ce nom, fin de l'en-tête ; importations (texte, début) ; classes ; lieux
+     * des fautes de syntaxe. Pour chaque classe : nom, début, fin, empreinte, noms employés, méthodes. Pour chaque méthode : nom, type
+     * rendu (vide d'un constructeur), types des paramètres, modificateurs, début, fin, empreinte, nombre d'instructions.
+     *
+     * @return une valeur par fichier, {@code null} pour celui qui fait échouer le lecteur
+     */
+    public static List<?> lire(Collection<String> textes) {
+        return textes.stream().map(Lecteur::lire).collect(Collectors.toList());
+    }
+
+    private static List<?> lire(String texte) {
+        List<Integer> fautes = new ArrayList<>();
+        JavacTask tache = (JavacTask) JDK.getTask(new StringWriter(), GESTION, faute -> {
+            if (faute.getKind() == Diagnostic.Kind.ERROR && fautes.size() < NOMS_MAX) {
+                fautes.add((int) faute.getPosition());
+            }
+        }, List.of("-proc:none"), null, List.of(new SimpleJavaFileObject(URI.create("memoire:///A.java"), JavaFileObject.Kind.SOURCE) {
+            @Override
+            public CharSequence getCharContent(boolean tel) {
+                return texte;
+            }
+        }));
+        try {
+            return new Lecteur(tache.parse().iterator().next(), Trees.instance(tache).getSourcePositions()).fichier(fautes);
+        } catch (IOException | RuntimeException | Error e) {
+            // trop emboîté, ou ce qui déroute le lecteur : ce fichier ne coûte que lui
+            return null;
+        }
+    }
+
+    private int debut(Tree arbre) {
+        return arbre == null ? 0 : (int) lieux.getStartPosition(fichier, arbre);
+    }
+
+    private int fin(Tree arbre) {
+        return arbre == null ? 0 : (int) lieux.getEndPosition(fichier, arbre);
+    }
+
+    private List<?> fichier(List<Integer> fautes) {
+        Tree paquet = fichier.getPackageName();
+        int entete = fin(fichier.getPackage());
+        List<List<?>> importations = new ArrayList<>();
+        for (ImportTree importation : fichier.getImports()) {
+            importations.add(List.of(importation.getQualifiedIdentifier().toString(), debut(importation.getQualifiedIdentifier())));
+            entete = Math.max(entete, fin(importation));
+        }
+        return List.of(paquet == null ? "" : paquet.toString(), debut(paquet), fin(paquet), entete, importations,
+                fichier.getTypeDecls().stream().filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1)
+                .map(c -> classe((ClassTree) c)).collect(Collectors.toList()), fautes);
+    }
+
+    private List<?> classe(ClassTree classe) {
+        Empreinte tout = new Empreinte(List.of(classe));
+        return List.of(classe.getSimpleName().toString(), debut(classe), fin(classe), tout.condense(), tout.noms.stream().limit(NOMS_MAX)
+                .collect(Collectors.toList()), classe.getMembers().stream().filter(MethodTree.class::isInstance).limit(NOMS_MAX)
+                .map(m -> methode((MethodTree) m, classe)).collect(Collectors.toList()));
+    }
+
+    private List<?> methode(MethodTree methode, ClassTree classe) {
+        List<Tree> ensemble = new ArrayList<>(methode.getParameters());
+        ensemble.add(methode.getBody());
+        Empreinte sienne = new Empreinte(ensemble);
+        boolean constructeur = methode.getReturnType() == null;
+        return List.of((constructeur ? classe.getSimpleName() : methode.getName()).toString(),
+                constructeur ? "" : type(methode.getReturnType()),
+                methode.getParameters().stream().map(p -> type(p.getType())).collect(Collectors.toList()),
+                methode.getModifiers().getFlags().toString(), debut(methode), fin(methode), sienne.condense(), sienne.instructions);
+    }
+
+    /** Un type par son seul nom : ni paquet, ni paramètres. */
+    private static String type(Tree type) {
+        return String.valueOf(type).replaceFirst("(?s)<.*", "").replaceFirst(".*\\.(?=\\w)", "");
+    }
+
+    /**
+     * L'arbre de méthodes ou de classes, en un texte où ne comptent ni les commentaires, ni la présentation, ni les parenthèses et les
+     * accolades de trop, ni l'accès, ni les noms des variables locales et des paramètres.
+     */
+    private static final class Empreinte extends TreeScanner<Void, Void> {
+
+        private final StringBuilder texte = new StringBuilder();
+        private final Set<String> noms = new TreeSet<>();
+        private Map<String, Integer> locales = new HashMap<>();
+        private int declarees;
+        private int instructions;
+        private Tree courant;
+
+        Empreinte(List<? extends Tree> arbres) {
+            scan(arbres, null);
+        }
+
+        String condense() {
+            return UUID.nameUUIDFromBytes(texte.toString().getBytes(StandardCharsets.UTF_8)).toString();
+        }
+
+        @Override
+        public Void scan(Iterable<? extends Tree> arbres, Void rien) {
+            List<Tree> pleins = new ArrayList<>();
+            if (arbres != null) {
+                arbres.forEach(pleins::add);
+            }
+            pleins.removeIf(a -> a != null && a.getKind() == Tree.Kind.EMPTY_STATEMENT);
+            texte.append(pleins.size() == 1 ? "" : "[");
+            super.scan(pleins, rien);
+            texte.append(pleins.size() == 1 ? "" : "]");
+            return null;
+        }
+
+        @Override
+        public Void scan(Tree arbre, Void rien) {
+            Tree.Kind sorte = arbre == null ? Tree.Kind.EMPTY_STATEMENT : arbre.getKind();
+            if (sorte == Tree.Kind.EMPTY_STATEMENT || sorte == Tree.Kind.MODIFIERS) {
+                texte.append(arbre != null && arbre.toString().contains("static") ? "static" : "-");
+                return null;
+            }
+            Tree mere = courant;
+            Map<String, Integer> dehors = locales;
+            courant = arbre;
+            if (sorte == Tree.Kind.BLOCK || sorte == Tree.Kind.PARENTHESIZED) {
+                super.scan(arbre, rien);
+            } else {
+                boolean locale = sorte == Tree.Kind.VARIABLE && !(mere instanceof ClassTree);
+                instructions += arbre instanceof StatementTree && (!locale || mere != null && mere.getKind() == Tree.Kind.BLOCK) ? 1 : 0;
+                if (locale) {
+                    locales.put(((VariableTree) arbre).getName().toString(), declarees++);
+                }
+                locales = arbre instanceof MethodTree ? new HashMap<>(locales) : locales;
+                texte.append(sorte).append('(');
+                nommer(arbre instanceof ClassTree ? ((ClassTree) arbre).getSimpleName() : arbre instanceof MethodTree
+                        ? ((MethodTree) arbre).getName() : arbre instanceof MemberSelectTree ? ((MemberSelectTree) arbre).getIdentifier()
+                        : sorte == Tree.Kind.VARIABLE && !locale ? ((VariableTree) arbre).getName() : "");
+                int avant = texte.length();
+                super.scan(arbre, rien);
+                if (texte.length() == avant && locales.containsKey(arbre.toString())) {
+                    texte.append('#').append(locales.get(arbre.toString()));
+                } else if (texte.length() == avant) {
+                    // une feuille : un nom, un type, ou une valeur
+                    texte.append(arbre);
+                    noms.addAll(arbre instanceof LiteralTree ? Set.of() : Set.of(arbre.toString()));
+                } else if (arbre instanceof MemberSelectTree && arbre.toString().equals("System.in")) {
+                    noms.add("System.in");
+                }
+                texte.append(')');
+            }
+            courant = mere;
+            locales = dehors;
+            return null;
+        }
+
+        private void nommer(Object nom) {
+            noms.add(nom.toString());
+            texte.append(nom);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+package lancer.correction.jugement;
+
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lancer.correction.depot.Projet;
+import lancer.correction.jugement.Verdict.Etat;
+import lancer.correction.modele.Modele;
+
+/** Constats sur un rendu dont tout est jugé : les consignes, de quoi le comparer aux autres, et ce que l'enseignant doit regarder. */
+final class Constats {
+
+    /** Ce que dit une vérification d'appels sans fin ; une boucle sans fin est autre chose. */
+    private static final Pattern SANS_FIN = Pattern.compile("(?<!boucle )sans fin");
+    /** Nombre d'instructions au-delà duquel deux méthodes ne sont pas égales par hasard. */
+    private static final int LONGUE = 5;
+
+    private final Juge juge;
+    private final Reference reference;
+    private final Projet projet;
+    private final Resultat resultat;
+
+    Constats(Juge juge, Reference reference, Projet projet) {
+        this.juge = juge;
+        this.reference = reference;
+        this.projet = projet;
+        this.resultat = juge.resultat;
+    }
+
+    /** @param fautes ses fautes de compilation */
+    void dire(List<Faute> fautes) {
+        consignes();
+        retenir();
+        confronter();
+        direLaFaute(fautes);
+    }
+
+    /** Classes du rendu où ce nom est employé. */
+    private String emploient(String nom) {
+        return juge.changees(Modele.classes()).stream().filter(c -> projet.type(c).noms.contains(nom)).collect(Collectors.joining(", "));
+    }
+
+    private void consignes() {
+        juge.changees(Modele.A_COMPLETER).stream().filter(c -> !juge.aUneFaute(c) && projet.texte(c).contains("FIXME"))
+                .forEach(c -> projet.noter(Projet.FIXME, "reste dans " + c));
+        Projet.CONSIGNES.keySet().forEach(nom -> resultat.verdicts.put(Grille.CONSIGNES + "." + nom, projet.ecarts.containsKey(nom)
+                ? new Verdict(Etat.RATE, projet.ecarts.get(nom)) : new Verdict(Etat.REUSSI, "")));
+    }
+
+    /** Retient de quoi comparer ce rendu aux autres : ce qui n'est ni donné, ni la solution du cours. */
+    private void retenir() {
+        for (String classe : juge.changees(Modele.classes())) {
+            Set<String> communs = projet.cours.arbres(classe);
+            projet.type(classe).methodes.stream().filter(m -> m.instructions > LONGUE && !communs.contains(m.arbre))
+                    .forEach(m -> resultat.arbres.put(classe + "." + m.signature(), m.arbre));
+        }
+        juge.changees(Modele.DONNEES).forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
+    }
+
+    /** L'image et les étapes doivent dire la même chose. */
+    private void confronter() {
+        List<Verification> perdues = juge.verifications(v -> reference.compte(v) && !resultat.verdicts.get(v.id()).compte());
+        List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
+                .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
+        if (autres.isEmpty() && !perdues.isEmpty()) {
+            resultat.regarder("image juste, mais " + perdues.size() + (perdues.size() > 1 ? " vérifications perdues, dont"
+                    : " vérification perdue :") + " « " + perdues.get(0).titre + " »");
+        } else if (perdues.isEmpty() && !autres.isEmpty()) {
+            resultat.regarder("étapes toutes réussies, mais une autre image : « " + String.join(" », « ", autres) + " »"
+                    + (resultat.classesFautives.isEmpty() ? "" : ", par " + String.join(", ", resultat.classesFautives)));
+        }
+        String enFloat = emploient("float");
+        if (!enFloat.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
+            String grain = "des calculs en float (" + enFloat + ") : de là peut venir du grain, que le cours évite par des double";
+            resultat.remarques.add(0, grain);
+            resultat.regarder(grain);
+        }
+        if (resultat.verdicts.entrySet().stream().filter(e -> e.getValue().rate() && SANS_FIN.matcher(e.getValue().message).find())
+                .map(e -> e.getKey().matches("(reflets|" + Grille.IMAGE + ")\\..*")).reduce(Boolean::logicalAnd).orElse(false)) {
+            resultat.regarder("appels sans fin d'un miroir à l'autre : la profondeur ne diminue pas, ou ne les arrête pas");
+        }
+        String lisent = emploient("System.in");
+        if (!lisent.isEmpty()) {
+            resultat.regarder("lit l'entrée standard (" + lisent + ") : elle est vide ici, ce qu'il y attend n'a pas été essayé");
+        }
+    }
+
+    /** Dit d'abord la faute de compilation qui coûte quelque chose. */
+    private void direLaFaute(List<Faute> fautes) {
+        Set<String> perdues = juge.verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.NE_SE_COMPILE_PAS).stream()
+                .map(v -> projet.cours.classe(v.classe)).collect(Collectors.toSet());
+        if (resultat.verdicts.values().stream().anyMatch(v -> v.etat == Etat.NE_SE_COMPILE_PAS)) {
+            Stream.concat(fautes.stream().filter(f -> f.demandeJava() || perdues.contains(f.classe())), fautes.stream()).findFirst()
+                    .ifPresent(f -> resultat.aRegarder.add(0, Juge.NE_SE_COMPILE_PAS + " : " + f + (fautes.size() < 2 ? ""
+                    : " ; et " + (fautes.size() - 1) + (fautes.size() > 2 ? " autres fautes" : " autre faute"))));
+        }
+    }
+}
