@@ -33,7 +33,7 @@ public final class Depot {
     private static final int OUTILS_MAX = 30;
     private static final String A_DEPLIER = " : à déplier à la main ; seuls les dossiers et les .zip le sont ici";
     private static final Pattern AUTRE_ARCHIVE =
-            Pattern.compile("(?is).*\\.(rar|7z(\\.\\d+)?|zip\\.\\d+|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|lzh|zipx|ace|arj|cab|dmg|iso)");
+            Pattern.compile("(?is).*\\.(rar|(7z|zip)\\.\\d+|7z|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|zipx|ace|arj|cab|dmg)");
     /** Fichiers que les systèmes et les outils ajoutent, et qui ne sont le travail de personne. */
     private static final Pattern DEBRIS = Pattern.compile(
             "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|"

@@ -9,11 +9,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -29,12 +29,11 @@ public final class Confinement {
     private static final String JAVA = System.getProperty("java.home");
     private static final String BOITE = "/boite.jar";
     /**
-     * Par sorte de processeur : le numéro que lui donne le noyau (linux/audit.h), celui de l'appel clone, et ceux qu'on refuse. Ce sont
-     * fork, vfork, et ceux par lesquels de la mémoire n'est celle d'aucun processus, et ne serait pas comptée : shmget, msgget,
-     * memfd_create, memfd_secret.
+     * Par sorte de processeur : son numéro (linux/audit.h), celui de l'appel clone, et ceux qu'on refuse : fork, vfork, unshare, et ceux
+     * dont la mémoire n'est celle d'aucun processus (shmget, msgget, memfd_create, memfd_secret).
      */
-    private static final Map<String, int[]> APPELS = Map.of("amd64", new int[] {0xC000003E, 56, 57, 58, 29, 68, 319, 447},
-            "aarch64", new int[] {0xC00000B7, 220, 194, 186, 279, 447});
+    private static final Map<String, int[]> APPELS = Map.of("amd64", new int[] {0xC000003E, 56, 57, 58, 272, 29, 68, 319, 447},
+            "aarch64", new int[] {0xC00000B7, 220, 97, 194, 186, 279, 447});
     private static final int CLONE3 = 435;
 
     public final boolean confine;
@@ -57,57 +56,41 @@ public final class Confinement {
 
     /** Essaie bubblewrap, et d'abord en y interdisant les espaces d'utilisateurs, que les anciens ne savent pas interdire. */
     public static Confinement essayer() {
-        try {
-            Path filtre = Files.write(Files.createTempFile("filtre", null), filtre());
-            filtre.toFile().deleteOnExit();
-            Confinement ferme = essayer(List.of("--unshare-user", "--disable-userns"), filtre);
-            return ferme.confine ? ferme : essayer(List.of(), filtre);
-        } catch (IOException e) {
-            return new Confinement(false, "dossier temporaire inutilisable : " + e);
-        }
+        Confinement ferme = essayer(List.of("--unshare-user", "--disable-userns"));
+        return ferme.confine ? ferme : essayer(List.of());
     }
 
     /**
-     * Programme qui refuse ces appels (seccomp(2)), et ceux d'une autre sorte de processeur : un rendu a des fils, et ne lance aucun
+     * Programme (seccomp(2)) qui refuse ces appels, et ceux d'une autre sorte de processeur : un rendu a des fils, et ne lance aucun
      * programme. Là où l'on ne connaît pas les numéros, rien n'est refusé.
      */
-    private static byte[] filtre() {
+    private static Path filtre() throws IOException {
         int[] a = APPELS.get(System.getProperty("os.arch"));
-        ByteBuffer programme = ByteBuffer.allocate(1024).order(ByteOrder.nativeOrder());
-        int refus = a == null ? 0 : a.length + 8;
+        List<Integer> programme = new ArrayList<>();
         if (a != null) {
-            // lire la sorte, puis le numéro ; un très grand est d'une autre sorte (x32)
-            ajouter(programme, 0x20, 0, 0, 4);
-            ajouter(programme, 0x15, 0, refus - 2, a[0]);
-            ajouter(programme, 0x20, 0, 0, 0);
-            ajouter(programme, 0x35, refus - 4, 0, 0x40000000);
-            ajouter(programme, 0x15, refus - 4, 0, CLONE3);
-            ajouter(programme, 0x15, refus - 9, 0, a[1]);
-            for (int k = 2; k < a.length; k++) {
-                ajouter(programme, 0x15, refus - 5 - k, 0, a[k]);
-            }
-            ajouter(programme, 0x05, 0, 0, 2);
-            // clone : lire ses options, et permettre CLONE_THREAD
-            ajouter(programme, 0x20, 0, 0, 16);
-            ajouter(programme, 0x45, 0, 1, 0x10000);
+            int refus = a.length + 8;
+            // lire la sorte, puis le numéro ; un très grand est d'une autre sorte (x32) ; clone3 n'existe pas : clone en tient lieu
+            programme.addAll(List.of(0x20, 4, 0x15 | refus - 2 << 24, a[0], 0x20, 0, 0x35 | refus - 4 << 16, 0x40000000,
+                    0x15 | refus - 4 << 16, CLONE3, 0x15 | refus - 9 << 16, a[1]));
+            IntStream.range(2, a.length).forEach(k -> programme.addAll(List.of(0x15 | refus - 5 - k << 16, a[k])));
+            // permettre ; clone : lire ses options, et permettre CLONE_THREAD
+            programme.addAll(List.of(0x05, 2, 0x20, 16, 0x45 | 1 << 24, 0x10000));
         }
-        ajouter(programme, 0x06, 0, 0, 0x7FFF0000);
-        // EPERM ; ENOSYS, après quoi clone tient lieu de clone3
-        ajouter(programme, 0x06, 0, 0, 0x00050000 | 1);
-        ajouter(programme, 0x06, 0, 0, 0x00050000 | 38);
-        return Arrays.copyOf(programme.array(), programme.position());
+        // permettre, EPERM, ENOSYS
+        programme.addAll(List.of(0x06, 0x7FFF0000, 0x06, 0x00050001, 0x06, 0x00050026));
+        ByteBuffer octets = ByteBuffer.allocate(4 * programme.size()).order(ByteOrder.nativeOrder());
+        programme.forEach(octets::putInt);
+        Path filtre = Files.write(Files.createTempFile("filtre", null), octets.array());
+        filtre.toFile().deleteOnExit();
+        return filtre;
     }
 
-    /** Une instruction : son code, de combien sauter si oui, si non, et sa valeur. */
-    private static void ajouter(ByteBuffer programme, int code, int oui, int non, int valeur) {
-        programme.putShort((short) code).put((byte) oui).put((byte) non).putInt(valeur);
-    }
-
-    private static Confinement essayer(List<String> enPlus, Path filtre) {
+    private static Confinement essayer(List<String> enPlus) {
         List<String> essai = enveloppe(enPlus);
         // le filtre par l'entrée
         essai.addAll(List.of("--seccomp", "0", "/usr/bin/true"));
         try {
+            Path filtre = filtre();
             Process processus = new ProcessBuilder(essai).redirectErrorStream(true).redirectInput(filtre.toFile()).start();
             if (!processus.waitFor(ESSAI_SECONDES, TimeUnit.SECONDS)) {
                 processus.destroyForcibly();

@@ -2,17 +2,13 @@ package lancer.correction.isolement;
 
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.time.Duration;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -22,7 +18,6 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 
@@ -62,9 +57,9 @@ public final class Enfant implements AutoCloseable {
     private double debut;
     private double dernier;
     private long controle;
-    /** Au dernier contrôle : nombre de fils, et mémoire tenue, en octets, par chaque processus et par chaque fichier en mémoire. */
+    /** Nombre de fils et mémoire tenue, en octets, au dernier contrôle. */
     private int fils;
-    private final Map<Object, Long> tenue = new HashMap<>();
+    private long tenue;
 
     public Enfant(List<String> commande, Limites limites) {
         this.limites = limites;
@@ -170,7 +165,7 @@ public final class Enfant implements AutoCloseable {
             throw arreter("arrêté : lance sans fin d'autres programmes");
         }
         tous.add(processus.toHandle());
-        tenue.clear();
+        tenue = 0;
         fils = 0;
         double maintenant = tous.stream().mapToDouble(this::mesurer).sum();
         if (fils > Limites.FILS) {
@@ -183,7 +178,7 @@ public final class Enfant implements AutoCloseable {
         if (maintenant - debut > calculMax) {
             throw arreter("arrêté : plus de " + Math.round(calculMax) + " s de calcul, une boucle sans fin ?");
         }
-        if (tenue.values().stream().mapToLong(o -> o).sum() > (limites.memoire + HORS_DU_TAS) << 20) {
+        if (tenue > (limites.memoire + HORS_DU_TAS) << 20) {
             throw arreter("arrêté : mémoire épuisée");
         }
         return travaille;
@@ -191,30 +186,16 @@ public final class Enfant implements AutoCloseable {
 
     /** Temps de processeur, en secondes, d'un processus et de ceux qu'il a lancés et qui ont fini (proc(5), {@code stat}). */
     private double mesurer(ProcessHandle processus) {
-        Path ici = Paths.get("/proc", "" + processus.pid());
         try {
-            String stat = Files.readString(ici.resolve("stat"), StandardCharsets.ISO_8859_1);
+            String stat = Files.readString(Paths.get("/proc", "" + processus.pid(), "stat"), StandardCharsets.ISO_8859_1);
             // après le nom, où un programme met ce qu'il veut
             String[] champs = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
             fils += Integer.parseInt(champs[17]);
-            tenue.put(processus.pid(), Long.parseLong(champs[21]) * PAGE);
-            File[] fichiers = ici.resolve("fd").toFile().listFiles();
-            Stream.of(fichiers == null ? new File[0] : fichiers).forEach(f -> ajouter(f.toPath()));
+            tenue += Long.parseLong(champs[21]) * PAGE;
             return IntStream.range(11, 15).mapToLong(k -> Long.parseLong(champs[k])).sum() / TICS;
         } catch (IOException | RuntimeException e) {
             // il a fini, ou ce système ne le dit pas ainsi
             return processus.info().totalCpuDuration().orElse(Duration.ZERO).toMillis() / 1e3;
-        }
-    }
-
-    /** Un fichier qui n'est qu'en mémoire se compte une fois : ses pages ne sont celles d'un processus que s'il les regarde. */
-    private void ajouter(Path fichier) {
-        try {
-            if (Files.readSymbolicLink(fichier).toString().startsWith("/memfd:")) {
-                tenue.put("fichier " + Files.getAttribute(fichier, "unix:ino"), Files.size(fichier));
-            }
-        } catch (IOException | RuntimeException e) {
-            // fermé entre temps
         }
     }
 

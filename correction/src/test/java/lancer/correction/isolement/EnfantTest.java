@@ -14,6 +14,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -144,13 +145,18 @@ class EnfantTest {
     }
 
     @Test
-    void unFichierEnMemoireEstDeLaMemoire() throws Exception {
-        assumeTrue(new File("/usr/bin/perl").canExecute());
-        int appel = System.getProperty("os.arch").equals("aarch64") ? 279 : 319;
-        // 20 fichiers de 50 Mo, écrits sans être montrés à personne
-        String dit = arret(LIMITES, List.of("/usr/bin/perl", "-e", "for (1..20) { my $n = 'a'; my $f = syscall(" + appel
-                + ", $n, 0); open(my $h, '>&=', $f) or die; push @h, $h; syswrite($h, 'y' x (1 << 20)) for 1..50; } sleep 30;"));
-        assertEquals("arrêté : mémoire épuisée", dit);
+    void confineNiProgrammeNiMemoireQuiNeSeraitAPersonne() throws Exception {
+        Confinement confinement = Confinement.essayer();
+        assumeTrue(confinement.confine && new File("/usr/bin/perl").canExecute(), confinement.manque);
+        String archive = Paths.get("pom.xml").toAbsolutePath().toString();
+        List<String> java = confinement.java(Echo.class, archive, false, Paths.get("target"), LIMITES);
+        List<String> commande = new ArrayList<>(java.subList(0, java.lastIndexOf(System.getProperty("java.home") + "/bin/java")));
+        String appels = System.getProperty("os.arch").equals("aarch64") ? "[279, 97]" : "[319, 272]";
+        commande.addAll(List.of("/usr/bin/perl", "-e", "my $n = 'a'; my $a = " + appels + "; print syscall($a->[0], $n, 0), ' ', "
+                + "syscall($a->[1], 0x10000000), ' ', shmget(0, 4096, 01600) // 'non', ' ', msgget(0, 01600) // 'non', ' ', "
+                + "fork // 'non'"));
+        Process perl = new ProcessBuilder(commande).redirectErrorStream(true).start();
+        assertEquals("-1 -1 non non non", new String(perl.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
     }
 
     @Test

@@ -102,7 +102,8 @@ class HostilesTest extends JuryEssai {
         attaque(rendus.resolve("fils-sans-fin"), "for (int k = 0; k < 9000; k++) new Thread(() -> { try { Thread.sleep(99999); } "
                 + "catch (InterruptedException e) { } }).start();");
         attaque(rendus.resolve("message"), "throw new RuntimeException() { public String getMessage() { while (true) { } } };");
-        attaque(rendus.resolve("pile"), "throw new RuntimeException() { public StackTraceElement[] getStackTrace() { throw new Error(); } };");
+        attaque(rendus.resolve("pile"),
+                "throw new RuntimeException() { public StackTraceElement[] getStackTrace() { throw new Error(); } };");
         ecrire(ecrireCorrige(rendus.resolve("java-lang")), "Deux", "p\\u0061ckage java.lang;\npublic cl\\u0061ss Deux { }\n");
         // dans chacune, une table de 15 000 méthodes : des classes qu'une machine ne peut prendre
         Path classes = ecrireCorrige(rendus.resolve("classes"));
