@@ -118,8 +118,8 @@ class ClasseTest extends ClasseEssai {
     @Test
     void unMessageQuiSeRepeteNEstDeplieQuUneFois() throws IOException {
         String page = page(dossier, "103");
-        assertEquals(1, page.split("<details open><summary><span class=\"e rate\">raté</span> [^<]*</summary><code>ne se compile pas", -1)
-                .length - 1, "la même cause, à chaque vérification de la méthode");
+        assertEquals(1, page.split("<details open><summary><span class=\"e ne_se_compile_pas\">", -1).length - 1,
+                "la même cause, à chaque vérification de la méthode");
     }
 
     @Test
