@@ -49,7 +49,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void ceQuiNEstPasCommenceNeRapporteRienEtNEstPasRate() throws IOException {
-        etapes("101", "1/7", "0/9", "0/7", "0/8", "0/9", "0/7", "0/6", "0/8", "0/3");
+        etapes("101", "1/7", "0/9", "0/7", "0/9", "0/9", "0/7", "0/6", "0/8", "0/3");
         assertEquals("aucune en entier", classe.get("101").get("étape atteinte"));
         String page = page(dossier, "101");
         assertEquals(List.of("raté", "non commencé"), List.of(etat(page, "u.dot(v) est le produit scalaire"),
@@ -62,7 +62,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void uneImageRenverseeEstUneFauteDeLaCameraSeule() throws IOException {
-        etapes("102", "7/7", "5/9", "0/7", "1/8");
+        etapes("102", "7/7", "5/9", "0/7", "1/9");
         contient(page(dossier, "102"),
                 "le pixel (0,0) d&#39;un écran 800 x 600", "attendu : (-1.0, 0.75, 0.0), obtenu : (-1.0, -0.75, 0.0)");
         assertEquals(2, page(dossier, "102").split("<pre>[^<]*Rayon getRayon").length, "montrée une fois, quoi qu'elle rate");
@@ -70,20 +70,20 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void uneFauteDeSyntaxeNeCouteQueSaMethode() throws IOException {
-        etapes("103", "7/7", "9/9", "0/7", "1/8", "1/9");
+        etapes("103", "7/7", "9/9", "0/7", "1/9", "1/9");
         contient(page(dossier, "103"), "Sphere.java:31 : syntaxe : il manque « ; »", "n&#39;est pas en UTF-8");
     }
 
     @Test
     void lNonNormaliseEstUneFauteDeLambertEtCeQuiSuitEstAFaire() throws IOException {
-        etapes("104", "7/7", "9/9", "7/7", "8/8", "8/9", "0/7", "0/6", "0/8", "0/3");
+        etapes("104", "7/7", "9/9", "7/7", "9/9", "8/9", "0/7", "0/6", "0/8", "0/3");
         assertEquals("Scène de sphères", classe.get("104").get("étape atteinte"));
         contient(page(dossier, "104"), "L est normalisé", "lampe 1 seule, sans Ks");
     }
 
     @Test
     void uneRecursionSansFinNEchappePasEtLaSignatureDuCoursVautLaNotre() throws IOException {
-        etapes("105", "7/7", "9/9", "7/7", "8/8", "9/9", "7/7", "6/6", "5/8");
+        etapes("105", "7/7", "9/9", "7/7", "9/9", "9/9", "7/7", "6/6", "5/8");
         contient(page(dossier, "105"), "se renvoient le rayon sans fin");
     }
 
