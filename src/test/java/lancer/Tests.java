@@ -447,7 +447,8 @@ public class Tests {
             double d = decalage();
             Rayon rayon = camera.getRayon(L / 2.0 - d, H / 2.0 - d);
             verifier("le centre de l'écran est l'origine", new double[3], rayon.getP());
-            verifier("l'œil, que place new Camera(L, H), est derrière l'écran, la scène devant (z > 0)", new double[] {0, 0, 1}, rayon.getV());
+            verifier("l'œil, que place new Camera(L, H), est derrière l'écran, la scène devant (z > 0)", new double[] {0, 0, 1},
+                    rayon.getV());
         }
 
         @Test @Order(7) @Tag("Camera") @DisplayName("new Camera(L, H) : l'œil voit la largeur de l'écran sous 30° (distance focale)")
@@ -645,6 +646,9 @@ public class Tests {
 
         /** La couleur que rend getColor ; qu'elle échoue n'est pas la faute de getCouleurPixel. */
         private Couleur selonGetColor(Scene scene, Camera camera, double xe, double ye, int profondeur) {
+            sceneCommencee();
+            assumeTrue(scene.getClosestIntersection(camera.getRayon(xe, ye), null) != null,
+                    "étape non évaluable : le rayon de ce pixel, que donne la caméra, ne rencontre pas la boule qui est devant l'écran");
             Couleur vue = null;
             try {
                 vue = vue(scene, camera.getRayon(xe, ye), profondeur);

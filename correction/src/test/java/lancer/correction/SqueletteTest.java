@@ -193,6 +193,17 @@ class SqueletteTest extends ClasseEssai {
         dit = makeTest(projet);
         contient(dit, "Le projet ne se compile pas :\n  src/main/java/lancer/Sphere.java:[");
         contient(dit, "class duble");
+        assertTrue(dit.endsWith("statut 2") && !dit.contains("renommée"), dit);
+    }
+
+    @Test
+    void makeTestDemandeSiUneMethodeEstRenommee() throws Exception {
+        Path projet = corrige("");
+        for (String classe : List.of("Vecteur", "Sphere", "Objet3D")) {
+            changer(projet, classe, "dot(", "scalaire(");
+        }
+        String dit = makeTest(projet);
+        contient(dit, "Tests.java:[", "method dot(", "\nClasse ou méthode renommée ? Les noms du cours ne changent pas");
         assertTrue(dit.endsWith("statut 2"), dit);
     }
 
