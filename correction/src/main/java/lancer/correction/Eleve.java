@@ -29,16 +29,15 @@ public final class Eleve {
         this.note = note;
         this.page = page;
         aRegarder = new ArrayList<>(illisible() ? resultat.refus : resultat.aRegarder);
-        dire("coûtés par ce qui ne se compile pas : ", Verdict.Etat.NE_SE_COMPILE_PAS, resultat.fautes);
-        dire("perdus par ce qui n'a pu être évalué", Verdict.Etat.NON_EVALUABLE, List.of());
+        double compilation = note.perdus(Verdict.Etat.NE_SE_COMPILE_PAS);
+        aRegarder.replaceAll(raison -> raison.startsWith(Verdict.Etat.NE_SE_COMPILE_PAS.texte) ? raison + " ; coûte " + points(compilation) : raison);
+        if (note.perdus(Verdict.Etat.NON_EVALUABLE) > 0) {
+            aRegarder.add(points(note.perdus(Verdict.Etat.NON_EVALUABLE)) + " perdus par ce qui n'a pu être évalué");
+        }
     }
 
-    private void dire(String cause, Verdict.Etat etat, List<String> fautes) {
-        double perdus = note.perdus(etat);
-        if (perdus > 0) {
-            aRegarder.add(fautes.isEmpty() ? aRegarder.size() : 0, String.format(Locale.FRANCE, "%.2f points %s%s", perdus, cause,
-                    fautes.isEmpty() ? "" : fautes.get(0)));
-        }
+    private static String points(double nombre) {
+        return String.format(Locale.FRANCE, "%.2f points", nombre);
     }
 
     /** Vrai si rien n'a pu être jugé. */
