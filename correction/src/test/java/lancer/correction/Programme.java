@@ -106,7 +106,11 @@ final class Programme {
         }
     }
 
-    /** Les vérifications qui ne réussissent pas, par leur classe et leur nom, et pourquoi. @param graine d'où tirer les valeurs, 0 si elles ne le sont pas */
+    /**
+     * Les vérifications qui ne réussissent pas, par leur classe et leur nom, et pourquoi.
+     *
+     * @param graine d'où tirer les valeurs, 0 si elles ne le sont pas
+     */
     Map<String, String> rates(long graine) {
         return rates(compiler(), graine);
     }

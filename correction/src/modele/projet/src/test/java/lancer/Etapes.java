@@ -39,15 +39,6 @@ public class Etapes implements TestExecutionListener {
     /** Ce qui suit un lieu où le squelette demande encore d'écrire. */
     private static final String FIXME = " (FIXME)";
 
-    /** La méthode à compléter, dans les classes où l'intitulé d'une vérification n'en nomme pas toujours une. */
-    private static final Map<String, String> METHODES = new HashMap<>();
-
-    static {
-        METHODES.put("Camera", "getRayon");
-        METHODES.put("Sphere", "getIntersectionDistance");
-        METHODES.put("Objet3D", "getColor");
-    }
-
     private final Map<TestIdentifier, TestExecutionResult> resultats = new HashMap<>();
     private final Timer montre = new Timer(true);
     private TestPlan plan;
@@ -195,7 +186,7 @@ public class Etapes implements TestExecutionListener {
         return SOURCES.resolve(classe + ".java");
     }
 
-    /** Où est, dans cette classe, la première méthode que nomme un texte ; à défaut le premier FIXME, ou celle à compléter. */
+    /** Où est, dans cette classe, la première méthode que nomme un texte ; à défaut celle à compléter, ou le premier FIXME. */
     private static String lieu(String classe, String dit) {
         String texte;
         try {
@@ -203,14 +194,13 @@ public class Etapes implements TestExecutionListener {
         } catch (IOException e) {
             return classe;
         }
-        // un nom suivi d'un point est celui d'une classe
-        Matcher nom = Pattern.compile("\\b(\\w+)\\b(?!\\.)(?:\\(([^)]*)\\))?").matcher(dit);
+        // un nom suivi d'un point est celui d'une classe ; si aucun n'est dit, celui de la méthode à compléter
+        Matcher nom = Pattern.compile("\\b(\\w+)\\b(?!\\.)(?:\\(([^)]*)\\))?").matcher(dit + " getIntersectionDistance getColor getRayon");
         int ou = -1;
         while (ou < 0 && nom.find()) {
             ou = methode(texte, nom.group(1), nom.group(2) == null ? "" : nom.group(2));
         }
         ou = ou >= 0 ? ou : texte.indexOf("// FIXME");
-        ou = ou >= 0 ? ou : methode(texte, METHODES.get(classe), "");
         return classe + ".java" + (ou < 0 ? "" : ":" + texte.substring(0, ou).split("\n", -1).length
                 + (texte.startsWith("// FIXME", ou) ? FIXME : ""));
     }
