@@ -56,8 +56,8 @@ public final class Lecteur {
     }
 
     /**
-     * Lit des fichiers. Pour chacun : paquet, début et fin de ce nom, fin de l'en-tête ; importations (texte, début) ; classes ; lieux
-     * des fautes de syntaxe. Pour chaque classe : nom, début, fin, empreinte, noms employés, méthodes. Pour chaque méthode : nom, type
+     * Lit des fichiers. Pour chacun : paquet, fin de l'en-tête, noms qui y sont, classes, lieux des fautes de syntaxe. Pour chaque nom,
+     * le paquet, puis ce dont part chaque importation, du plus long au plus court : texte, début, fin. Pour chaque classe : nom, début, fin, empreinte, noms employés, méthodes. Pour chaque méthode : nom, type
      * rendu (vide d'un constructeur), types des paramètres, modificateurs, début, fin, empreinte, nombre d'instructions.
      *
      * @return une valeur par fichier, {@code null} pour celui qui fait échouer le lecteur
@@ -94,17 +94,24 @@ public final class Lecteur {
         return arbre == null ? 0 : (int) lieux.getEndPosition(fichier, arbre);
     }
 
+    private List<?> nom(Tree nom) {
+        return List.of(String.valueOf(nom), debut(nom), fin(nom));
+    }
+
     private List<?> fichier(List<Integer> fautes) {
         Tree paquet = fichier.getPackageName();
         int entete = fin(fichier.getPackage());
-        List<List<?>> importations = new ArrayList<>();
+        List<List<?>> noms = new ArrayList<>(List.of(nom(paquet)));
         for (ImportTree importation : fichier.getImports()) {
-            importations.add(List.of(importation.getQualifiedIdentifier().toString(), debut(importation.getQualifiedIdentifier())));
+            Tree nom = importation.getQualifiedIdentifier();
+            for (; nom instanceof MemberSelectTree; nom = ((MemberSelectTree) nom).getExpression()) {
+                noms.add(nom(((MemberSelectTree) nom).getExpression()));
+            }
             entete = Math.max(entete, fin(importation));
         }
-        return List.of(paquet == null ? "" : paquet.toString(), debut(paquet), fin(paquet), entete, importations,
-                fichier.getTypeDecls().stream().filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1)
-                .map(c -> classe((ClassTree) c)).collect(Collectors.toList()), fautes);
+        return List.of(paquet == null ? "" : paquet.toString(), entete, noms, fichier.getTypeDecls().stream()
+                .filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1).map(c -> classe((ClassTree) c)).collect(Collectors.toList()),
+                fautes);
     }
 
     private List<?> classe(ClassTree classe) {
