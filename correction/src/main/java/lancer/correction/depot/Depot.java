@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -19,7 +20,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
-import lancer.correction.depot.Archive.Entree;
+import org.apache.commons.compress.archivers.zip.ZipFile;
+import org.apache.commons.io.function.IOSupplier;
 
 /**
  * Les rendus d'une classe : un dossier, l'archive de Moodle telle quelle, ou un seul rendu. Chaque étudiant a sa ligne,
@@ -49,6 +51,29 @@ public final class Depot {
      */
     private static final Pattern MOODLE = Pattern.compile("(?s)([^/]*?)_(\\d{1,18})_assignsubmission_([a-z]+)(?:_(.*))?");
 
+    /** Un fichier, un dossier ou un lien de ce qui est rendu, du disque ou d'une archive. */
+    private static final class Entree {
+
+        /** Nom depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / ». */
+        final String chemin;
+        final boolean lien;
+        /** Taille en octets, telle qu'elle est annoncée ; négative si elle ne l'est pas. */
+        final long taille;
+        /** Flux pour le lire. */
+        final IOSupplier<InputStream> contenu;
+
+        Entree(String chemin, boolean lien, long taille, IOSupplier<InputStream> contenu) {
+            this.chemin = chemin;
+            this.lien = lien;
+            this.taille = taille;
+            this.contenu = contenu;
+        }
+
+        String premierNom() {
+            return chemin.replaceFirst("(?s)/.*", "");
+        }
+    }
+
     private final Map<String, Rendu> rendus = new LinkedHashMap<>();
     private final Set<String> ids = new HashSet<>();
     private final Path temporaire;
@@ -74,8 +99,8 @@ public final class Depot {
             } else if (AUTRE_ARCHIVE.matcher(nom).matches()) {
                 depot.prendre(depot.seul(nom), nom, new Entree(nom, false, 0, null), 0);
             } else {
-                try (Archive archive = new Archive(rendus)) {
-                    depot.repartir(nom, archive.entrees);
+                try (ZipFile zip = ZipFile.builder().setPath(rendus).get()) {
+                    depot.repartir(nom, entrees(zip));
                 }
             }
         } catch (IOException e) {
@@ -113,14 +138,20 @@ public final class Depot {
         }
     }
 
+    /** Les entrées d'une archive, dans l'ordre ; des « / » même si elle vient de Windows. */
+    private static List<Entree> entrees(ZipFile zip) {
+        return Collections.list(zip.getEntries()).stream().map(e -> new Entree(e.getName().replace('\\', '/'), e.isUnixSymlink(),
+                e.getSize(), () -> zip.getInputStream(e))).collect(Collectors.toList());
+    }
+
     /** Donne chaque entrée à l'étudiant que dit le premier nom de son chemin, ou toutes au même. */
     private void repartir(String nom, List<Entree> entrees) {
-        Set<String> noms = entrees.stream().filter(e -> !DEBRIS.matcher(e.chemin).matches()).map(Entree::premier)
+        Set<String> noms = entrees.stream().filter(e -> !DEBRIS.matcher(e.chemin).matches()).map(Entree::premierNom)
                 .collect(Collectors.toSet());
         boolean unSeul = MOODLE.matcher(nom).matches() || noms.stream().noneMatch(n -> MOODLE.matcher(n).matches())
                 && noms.stream().anyMatch(n -> !estArchive(n) && UN_SEUL_RENDU.matcher(n).matches());
         for (Entree entree : entrees) {
-            String premier = entree.premier();
+            String premier = entree.premierNom();
             boolean fichier = premier.equals(entree.chemin);
             String suite = fichier ? "" : entree.chemin.substring(premier.length() + 1);
             Matcher moodle = MOODLE.matcher(premier);
@@ -198,7 +229,7 @@ public final class Depot {
         } else if (AUTRE_ARCHIVE.matcher(chemin).matches()) {
             rendu.refus.add(chemin + A_DEPLIER);
         } else if (source) {
-            try (InputStream flux = entree.contenu.ouvrir()) {
+            try (InputStream flux = entree.contenu.get()) {
                 byte[] octets = flux.readNBytes(SOURCE_MAX + 1);
                 rendu.octets += octets.length;
                 if (octets.length > SOURCE_MAX) {
@@ -221,11 +252,11 @@ public final class Depot {
         }
         try {
             Path copie = Files.createTempFile(temporaire, "emboitee", null);
-            try (InputStream flux = entree.contenu.ouvrir()) {
+            try (InputStream flux = entree.contenu.get()) {
                 Files.write(copie, flux.readNBytes((int) Rendu.OCTETS_MAX));
                 rendu.octets += Files.size(copie);
-                try (Archive archive = new Archive(copie)) {
-                    archive.entrees.forEach(e -> prendre(rendu, joindre(sansFin(chemin), e.chemin), e, niveau + 1));
+                try (ZipFile zip = ZipFile.builder().setPath(copie).get()) {
+                    entrees(zip).forEach(e -> prendre(rendu, joindre(sansFin(chemin), e.chemin), e, niveau + 1));
                 }
             } finally {
                 Files.delete(copie);

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même
@@ -50,9 +50,7 @@ public final class Modele {
 
     /** Toutes les classes du projet, sans ses tests. */
     public static List<String> classes() {
-        List<String> toutes = new ArrayList<>(A_COMPLETER);
-        toutes.addAll(DONNEES);
-        return toutes;
+        return Stream.concat(A_COMPLETER.stream(), DONNEES.stream()).collect(Collectors.toList());
     }
 
     /** La classe à compléter : des {@code FIXME} à la place des réponses. */
@@ -76,23 +74,20 @@ public final class Modele {
         // null : pour toutes ; sinon, l'extension dont on lit les lignes
         String pour = null;
         boolean dansReponse = false;
-        boolean dansMarque = false;
         for (String ligne : ressource("modele/lancer/" + classe + ".java").split("\n")) {
             String nue = ligne.trim();
-            String marge = ligne.substring(0, ligne.length() - ligne.stripLeading().length());
+            String marge = ligne.substring(0, ligne.indexOf(nue));
             if (nue.startsWith("//<") || nue.equals("//>")) {
                 pour = nue.equals("//>") ? null : nue.substring(3);
             } else if (pour != null && pour.equals(variante) != nue.startsWith("//+")) {
                 continue;
             } else if (nue.startsWith("//{")) {
-                dansMarque = true;
                 dansReponse = true;
                 resultat.append(reponses || nue.length() == 3 ? "" : marge + "// FIXME" + nue.substring(3) + "\n");
-            } else if (dansMarque && nue.startsWith("//=")) {
+            } else if (nue.startsWith("//=")) {
                 dansReponse = false;
                 resultat.append(reponses ? "" : marge + nue.substring(4) + "\n");
-            } else if (dansMarque && nue.equals("//}")) {
-                dansMarque = false;
+            } else if (nue.equals("//}")) {
                 dansReponse = false;
             } else if (!dansReponse || reponses) {
                 resultat.append((pour == null ? ligne : ligne.replaceFirst("//\\+ ?", "")).stripTrailing()).append('\n');
