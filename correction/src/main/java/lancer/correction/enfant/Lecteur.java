@@ -1,11 +1,15 @@
 package lancer.correction.enfant;
 
+import com.sun.source.tree.BlockTree;
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.EmptyStatementTree;
 import com.sun.source.tree.ImportTree;
 import com.sun.source.tree.LiteralTree;
 import com.sun.source.tree.MemberSelectTree;
 import com.sun.source.tree.MethodTree;
+import com.sun.source.tree.ModifiersTree;
+import com.sun.source.tree.ParenthesizedTree;
 import com.sun.source.tree.StatementTree;
 import com.sun.source.tree.Tree;
 import com.sun.source.tree.VariableTree;
@@ -141,14 +145,13 @@ public final class Lecteur {
      * L'arbre de méthodes ou de classes, en un texte où ne comptent ni les commentaires, ni la présentation, ni les parenthèses et les
      * accolades de trop, ni l'accès, ni les noms des variables locales et des paramètres.
      */
-    private static final class Empreinte extends TreeScanner<Void, Void> {
+    private static final class Empreinte extends TreeScanner<Void, Tree> {
 
         private final StringBuilder texte = new StringBuilder();
         private final Set<String> noms = new TreeSet<>();
         private Map<String, Integer> locales = new HashMap<>();
         private int declarees;
         private int instructions;
-        private Tree courant;
 
         Empreinte(List<? extends Tree> arbres) {
             scan(arbres, null);
@@ -159,62 +162,52 @@ public final class Lecteur {
         }
 
         @Override
-        public Void scan(Iterable<? extends Tree> arbres, Void rien) {
+        public Void scan(Iterable<? extends Tree> arbres, Tree mere) {
             List<Tree> pleins = new ArrayList<>();
             if (arbres != null) {
                 arbres.forEach(pleins::add);
             }
-            pleins.removeIf(a -> a != null && a.getKind() == Tree.Kind.EMPTY_STATEMENT);
+            pleins.removeIf(EmptyStatementTree.class::isInstance);
             texte.append(pleins.size() == 1 ? "" : "[");
-            super.scan(pleins, rien);
+            super.scan(pleins, mere);
             texte.append(pleins.size() == 1 ? "" : "]");
             return null;
         }
 
         @Override
-        public Void scan(Tree arbre, Void rien) {
-            Tree.Kind sorte = arbre == null ? Tree.Kind.EMPTY_STATEMENT : arbre.getKind();
-            if (sorte == Tree.Kind.EMPTY_STATEMENT || sorte == Tree.Kind.MODIFIERS) {
+        public Void scan(Tree arbre, Tree mere) {
+            if (arbre == null || arbre instanceof EmptyStatementTree || arbre instanceof ModifiersTree) {
                 texte.append(arbre != null && arbre.toString().contains("static") ? "static" : "-");
                 return null;
+            } else if (arbre instanceof BlockTree || arbre instanceof ParenthesizedTree) {
+                return super.scan(arbre, arbre);
             }
-            Tree mere = courant;
             Map<String, Integer> dehors = locales;
-            courant = arbre;
-            if (sorte == Tree.Kind.BLOCK || sorte == Tree.Kind.PARENTHESIZED) {
-                super.scan(arbre, rien);
-            } else {
-                boolean locale = sorte == Tree.Kind.VARIABLE && !(mere instanceof ClassTree);
-                instructions += arbre instanceof StatementTree && (!locale || mere != null && mere.getKind() == Tree.Kind.BLOCK) ? 1 : 0;
-                if (locale) {
-                    locales.put(((VariableTree) arbre).getName().toString(), declarees++);
-                }
-                locales = arbre instanceof MethodTree ? new HashMap<>(locales) : locales;
-                texte.append(sorte).append('(');
-                nommer(arbre instanceof ClassTree ? ((ClassTree) arbre).getSimpleName() : arbre instanceof MethodTree
-                        ? ((MethodTree) arbre).getName() : arbre instanceof MemberSelectTree ? ((MemberSelectTree) arbre).getIdentifier()
-                        : sorte == Tree.Kind.VARIABLE && !locale ? ((VariableTree) arbre).getName() : "");
-                int avant = texte.length();
-                super.scan(arbre, rien);
-                if (texte.length() == avant && locales.containsKey(arbre.toString())) {
-                    texte.append('#').append(locales.get(arbre.toString()));
-                } else if (texte.length() == avant) {
-                    // une feuille : un nom, un type, ou une valeur
-                    texte.append(arbre);
-                    noms.addAll(arbre instanceof LiteralTree ? Set.of() : Set.of(arbre.toString()));
-                } else if (arbre instanceof MemberSelectTree && arbre.toString().equals("System.in")) {
-                    noms.add("System.in");
-                }
-                texte.append(')');
+            locales = arbre instanceof MethodTree ? new HashMap<>(locales) : locales;
+            boolean locale = arbre instanceof VariableTree && !(mere instanceof ClassTree);
+            if (locale) {
+                locales.put(((VariableTree) arbre).getName().toString(), declarees++);
             }
-            courant = mere;
+            instructions += arbre instanceof StatementTree && (!locale || mere instanceof BlockTree) ? 1 : 0;
+            Object nom = arbre instanceof ClassTree ? ((ClassTree) arbre).getSimpleName() : arbre instanceof MethodTree
+                    ? ((MethodTree) arbre).getName() : arbre instanceof MemberSelectTree ? ((MemberSelectTree) arbre).getIdentifier()
+                    : arbre instanceof VariableTree && !locale ? ((VariableTree) arbre).getName() : "";
+            noms.add(nom.toString());
+            texte.append(arbre.getKind()).append('(').append(nom);
+            int avant = texte.length();
+            super.scan(arbre, arbre);
+            if (texte.length() == avant && locales.containsKey(arbre.toString())) {
+                texte.append('#').append(locales.get(arbre.toString()));
+            } else if (texte.length() == avant) {
+                // une feuille : un nom, un type, ou une valeur
+                texte.append(arbre);
+                noms.add(arbre instanceof LiteralTree ? "" : arbre.toString());
+            } else if (arbre instanceof MemberSelectTree && arbre.toString().equals("System.in")) {
+                noms.add("System.in");
+            }
+            texte.append(')');
             locales = dehors;
             return null;
-        }
-
-        private void nommer(Object nom) {
-            noms.add(nom.toString());
-            texte.append(nom);
         }
     }
 }
