@@ -32,7 +32,6 @@ public final class Depot {
     private static final int SOURCE_MAX = 1 << 20;
     private static final int CHEMIN_MAX = 1000;
     private static final int EMBOITEMENT_MAX = 3;
-    private static final int OUTILS_MAX = 30;
     private static final String A_DEPLIER = " : à déplier à la main ; seuls les dossiers et les .zip le sont ici";
     private static final Pattern AUTRE_ARCHIVE =
             Pattern.compile("(?is).*\\.(rar|(7z|zip)\\.\\d+|7z|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|zipx|ace|arj|cab|dmg)");
@@ -111,7 +110,7 @@ public final class Depot {
         }
         List<Rendu> liste = new ArrayList<>(depot.rendus.values());
         liste.forEach(Rendu::conclure);
-        liste.sort(Comparator.comparing((Rendu r) -> naturel(r.nom)).thenComparing(r -> naturel(r.id)));
+        liste.sort(Comparator.comparing((Rendu r) -> r.nom).thenComparing(r -> r.id));
         return liste;
     }
 
@@ -192,12 +191,6 @@ public final class Depot {
         return nom.replaceFirst("(?i)\\.zip$", "");
     }
 
-    /** Clé pour ranger « Étudiant 2 » avant « Étudiant 10 ». */
-    private static String naturel(String nom) {
-        Matcher m = Pattern.compile("\\d{1,18}").matcher(nom);
-        return m.replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));
-    }
-
     private static boolean estArchive(String nom) {
         return nom.toLowerCase(Locale.ROOT).endsWith(".zip") || AUTRE_ARCHIVE.matcher(nom).matches();
     }
@@ -209,7 +202,7 @@ public final class Depot {
     /** Prend une entrée, si c'est une source ou une archive ; ce qui s'y lit mal ne coûte qu'à elle. */
     private void prendre(Rendu rendu, String chemin, Entree entree, int niveau) {
         Matcher outil = OUTIL.matcher(chemin);
-        if (outil.matches() && rendu.outils.size() < OUTILS_MAX) {
+        if (outil.matches()) {
             rendu.outils.add(Rendu.propre(outil.group(1)));
         }
         boolean source = chemin.toLowerCase(Locale.ROOT).endsWith(".java");

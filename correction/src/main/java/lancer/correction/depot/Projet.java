@@ -2,6 +2,7 @@ package lancer.correction.depot;
 
 import java.text.Normalizer;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -90,7 +91,7 @@ public final class Projet {
         return textes;
     }
 
-    private static String quelques(List<String> noms) {
+    private static String quelques(Collection<String> noms) {
         return noms.stream().limit(NOMS_DITS).collect(Collectors.joining(", ")) + (noms.size() > NOMS_DITS ? "…" : "");
     }
 
@@ -220,7 +221,7 @@ public final class Projet {
     private void consignes(Rendu rendu, Set<String> arrangees) {
         arrangees.forEach(quoi -> noter(quoi.contains("UTF-8") ? TEXTE : NOMS, quoi));
         if (!rendu.outils.isEmpty()) {
-            ecarts.put(OUTILS, "rendus aussi : " + String.join(", ", rendu.outils));
+            ecarts.put(OUTILS, "rendus aussi : " + quelques(rendu.outils));
         }
         long tabulations = base.values().stream().filter(t -> t.contains("\n\t")).count();
         if (tabulations > 0) {

@@ -101,14 +101,13 @@ public final class Modele {
         return classes().stream().collect(Collectors.toMap(c -> "lancer/" + c, texte));
     }
 
-    /** Les classes complétées que cette extension ajoute, ou change. */
-    public static Map<String, String> ajoutees(String variante) {
-        Map<String, String> siennes = tout(c -> corrige(c, variante));
-        siennes.values().removeAll(tout(Modele::corrige).values());
+    /** Toutes les classes complétées de cette extension, ou de la base si ce nom est vide. */
+    public static Map<String, String> acheve(String variante) {
+        Map<String, String> classes = tout(c -> corrige(c, variante));
         if (variante.equals("brume")) {
-            siennes.put("lancer/Brume", corrige("Brume"));
+            classes.put("lancer/Brume", corrige("Brume"));
         }
-        return siennes;
+        return classes;
     }
 
     public static String scene(String nom) {

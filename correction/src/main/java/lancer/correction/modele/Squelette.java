@@ -31,23 +31,17 @@ public final class Squelette {
      * @throws Panne si le dossier n'est pas vide, ou ne peut être écrit, ou si le cours n'a pas cette extension
      */
     public static void ecrire(String dossier, String variante, PrintStream sortie) {
+        if (variante != null && !variante.isEmpty() && !Modele.VARIANTES.contains(variante)) {
+            throw new Panne(2, "extension inconnue : « " + variante + " » ; attendu : "
+                    + String.join(", ", new TreeSet<>(Modele.VARIANTES)));
+        }
         Map<String, String> fichiers = new TreeMap<>();
-        if (variante == null) {
-            Modele.tout(Modele::squelette).forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
-            fichiers.put("LISEZMOI.md", Modele.ressource("projet/LISEZMOI.md"));
-        } else {
-            if (!variante.isEmpty() && !Modele.VARIANTES.contains(variante)) {
-                throw new Panne(2, "extension inconnue : « " + variante + " » ; attendu : "
-                        + String.join(", ", new TreeSet<>(Modele.VARIANTES)));
-            }
-            Map<String, String> classes = Modele.tout(Modele::corrige);
-            classes.putAll(Modele.ajoutees(variante));
-            classes.forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
-            fichiers.put("LISEZMOI.md", Modele.ressource("projet/CORRIGE.md"));
-            if (variante.equals("blinn")) {
-                // hors du miroir, les reflets de Blinn ne sont pas ceux de Phong, que Tests demande
-                fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
-            }
+        (variante == null ? Modele.tout(Modele::squelette) : Modele.acheve(variante))
+                .forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
+        fichiers.put("LISEZMOI.md", Modele.ressource("projet/" + (variante == null ? "LISEZMOI.md" : "CORRIGE.md")));
+        if ("blinn".equals(variante)) {
+            // hors du miroir, les reflets de Blinn ne sont pas ceux de Phong, que Tests demande
+            fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
         }
         fichiers.put("src/test/java/lancer/Tests.java", Modele.ressource("modele/lancer/Tests.java"));
         Modele.SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", Modele.scene(scene)));
