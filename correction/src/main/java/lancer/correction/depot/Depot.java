@@ -75,18 +75,13 @@ public final class Depot {
 
     private final Map<String, Rendu> rendus = new LinkedHashMap<>();
     private final Set<String> ids = new HashSet<>();
-    private final Path temporaire;
 
-    private Depot(Path temporaire) {
-        this.temporaire = temporaire;
+    private Depot() {
     }
 
-    /**
-     * @param temporaire dossier où écrire les archives emboîtées, le temps de les lire
-     * @throws Panne s'il n'y a rien là, ou si l'archive entière est illisible
-     */
-    public static List<Rendu> lire(Path rendus, Path temporaire) {
-        Depot depot = new Depot(temporaire);
+    /** @throws Panne s'il n'y a rien là, ou si l'archive entière est illisible */
+    public static List<Rendu> lire(Path rendus) {
+        Depot depot = new Depot();
         String nom = rendus.toAbsolutePath().normalize().getFileName().toString();
         try {
             if (Files.isDirectory(rendus)) {
@@ -243,16 +238,11 @@ public final class Depot {
             rendu.refus.add(chemin + " : trop d'archives l'une dans l'autre");
             return;
         }
-        try {
-            Path copie = Files.createTempFile(temporaire, "emboitee", null);
-            try (InputStream flux = entree.contenu.get()) {
-                Files.write(copie, flux.readNBytes((int) Rendu.OCTETS_MAX));
-                rendu.octets += Files.size(copie);
-                try (ZipFile zip = ZipFile.builder().setPath(copie).get()) {
-                    entrees(zip).forEach(e -> prendre(rendu, joindre(sansFin(chemin), e.chemin), e, niveau + 1));
-                }
-            } finally {
-                Files.delete(copie);
+        try (InputStream flux = entree.contenu.get()) {
+            byte[] archive = flux.readNBytes((int) Rendu.OCTETS_MAX);
+            rendu.octets += archive.length;
+            try (ZipFile zip = ZipFile.builder().setByteArray(archive).get()) {
+                entrees(zip).forEach(e -> prendre(rendu, joindre(sansFin(chemin), e.chemin), e, niveau + 1));
             }
         } catch (IOException | RuntimeException e) {
             rendu.refus.add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe (" + e.getMessage() + ")");

@@ -102,6 +102,7 @@ public final class Projet {
      */
     public static List<Projet> copies(Rendu rendu, Cours.Lecture lecture, Cours commun, Map<String, String> alias) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
+        remarques.addAll(rendu.refus);
         Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);
         fichiers.keySet().removeIf(chemin -> DE_TEST.matcher(chemin).matches());
         Set<String> duCours = new TreeSet<>(Modele.classes());
