@@ -102,15 +102,14 @@ public final class Compilateur {
                 "-classpath", System.getProperty("java.class.path"), "-d", classes.toString()),
                 null, gestion.getJavaFileObjectsFromPaths(fichiers)).call();
         Map<String, byte[]> ecrites = new LinkedHashMap<>();
-        List<Path> toutes = contenu(classes);
-        if (toutes.size() > CLASSES_MAX) {
-            throw new IOException("trop de classes");
-        }
-        for (Path classe : toutes) {
-            if (Files.isRegularFile(classe)) {
+        try (Stream<Path> flux = Files.walk(classes)) {
+            for (Path classe : flux.filter(Files::isRegularFile).sorted().collect(Collectors.toList())) {
                 String nom = classes.relativize(classe).toString().replaceFirst("\\.class$", "");
                 ecrites.put(nom.replace(File.separatorChar, '.'), Files.readAllBytes(classe));
             }
+        }
+        if (ecrites.size() > CLASSES_MAX) {
+            throw new IOException("trop de classes");
         }
         return reponse -> {
             Echange.ecrireValeur(reponse, fautes, o -> null);
@@ -120,15 +119,8 @@ public final class Compilateur {
 
     /** Efface un dossier et tout ce qu'il contient. */
     public static void effacer(Path dossier) throws IOException {
-        List<Path> contenu = contenu(dossier);
-        for (int k = contenu.size() - 1; k >= 0; k--) {
-            Files.delete(contenu.get(k));
-        }
-    }
-
-    private static List<Path> contenu(Path dossier) throws IOException {
         try (Stream<Path> flux = Files.walk(dossier)) {
-            return flux.sorted().collect(Collectors.toList());
+            flux.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
         }
     }
 }

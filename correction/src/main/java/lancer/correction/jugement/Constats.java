@@ -18,13 +18,11 @@ final class Constats {
     private static final int LONGUE = 5;
 
     private final Juge juge;
-    private final Reference reference;
     private final Projet projet;
     private final Resultat resultat;
 
-    Constats(Juge juge, Reference reference, Projet projet) {
+    Constats(Juge juge, Projet projet) {
         this.juge = juge;
-        this.reference = reference;
         this.projet = projet;
         this.resultat = juge.resultat;
     }
@@ -60,7 +58,7 @@ final class Constats {
 
     /** L'image et les étapes doivent dire la même chose. */
     private void confronter() {
-        List<Verification> perdues = juge.verifications(v -> reference.compte(v) && !resultat.verdicts.get(v.id()).compte());
+        List<Verification> perdues = juge.verifications(v -> juge.reference.compte(v) && !resultat.verdicts.get(v.id()).compte());
         List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
                 .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
         if (autres.isEmpty() && !perdues.isEmpty()) {

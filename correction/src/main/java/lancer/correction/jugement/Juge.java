@@ -35,7 +35,7 @@ final class Juge implements AutoCloseable {
 
     private static final String NON_COMMENCEE = "étape non commencée : ";
 
-    private final Reference reference;
+    final Reference reference;
     private final Machines.Compilation compilation;
     private final Machines machines;
     private final Projet projet;
@@ -125,7 +125,7 @@ final class Juge implements AutoCloseable {
             // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
             images.montrer(variante.getKey(), assembler(base(variante.getValue())));
         }
-        new Constats(this, reference, projet).dire();
+        new Constats(this, projet).dire();
         return resultat;
     }
 
