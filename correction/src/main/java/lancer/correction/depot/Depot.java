@@ -220,10 +220,8 @@ public final class Depot {
             try (InputStream flux = entree.contenu.get()) {
                 byte[] octets = flux.readNBytes(SOURCE_MAX + 1);
                 rendu.octets += octets.length;
-                if (octets.length > SOURCE_MAX) {
-                    rendu.remarques.add(chemin + " : plus d'un mégaoctet de source, laissé de côté");
-                } else if (chemin.length() > CHEMIN_MAX || !rendu.ajouter(chemin, octets)) {
-                    rendu.remarques.add(chemin + " : laissé de côté, trop de sources ou un nom trop long");
+                if (octets.length > SOURCE_MAX || chemin.length() > CHEMIN_MAX || !rendu.ajouter(chemin, octets)) {
+                    rendu.remarques.add(chemin + Projet.DE_COTE + "plus d'un mégaoctet, trop de sources, ou un nom trop long");
                 }
             } catch (IOException | RuntimeException e) {
                 rendu.refus.add(chemin + " : illisible (" + e.getMessage() + ")");

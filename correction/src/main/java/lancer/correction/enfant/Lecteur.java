@@ -61,8 +61,9 @@ public final class Lecteur {
 
     /**
      * Lit des fichiers. Pour chacun : paquet, fin de l'en-tête, noms qui y sont, classes, lieux des fautes de syntaxe. Pour chaque nom,
-     * le paquet, puis ce dont part chaque importation, du plus long au plus court : texte, début, fin. Pour chaque classe : nom, début, fin, empreinte, noms employés, méthodes. Pour chaque méthode : nom, type
-     * rendu (vide d'un constructeur), types des paramètres, modificateurs, début, fin, empreinte, nombre d'instructions.
+     * le paquet, puis ce dont part chaque importation, du plus long au plus court : texte, début, fin. Pour chaque classe : nom, début,
+     * fin, empreinte, noms employés, méthodes. Pour chaque méthode : nom, type rendu (vide d'un constructeur), types des paramètres,
+     * modificateurs, début, fin, empreinte, nombre d'instructions.
      *
      * @return une valeur par fichier, {@code null} pour celui qui fait échouer le lecteur
      */

@@ -2,13 +2,19 @@ package lancer.correction.modele;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
@@ -16,6 +22,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import lancer.correction.Panne;
 
 /**
  * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même
@@ -36,7 +43,7 @@ public final class Modele {
     /** Les extensions du cours, dans son ordre. */
     public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
-    public static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
+    private static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
             "tournesol");
 
     /** Rayon d'une boule trop grande pour qu'on la déplace : un sol, un miroir presque plat. */
@@ -44,6 +51,10 @@ public final class Modele {
 
     private static final Pattern RAYON = Pattern.compile("(?m)^rayon=(\\S+)");
     private static final Pattern TRIPLET = Pattern.compile("(?m)^(centre|position|Kd|Ks|couleur)=(\\S+) (\\S+) (\\S+)$");
+
+    /** Fichiers qui accompagnent les classes, et les mêmes fichiers dans le projet. */
+    private static final List<String> PROJET = List.of("pom.xml", "Makefile", "src/test/java/lancer/Etapes.java",
+            "src/test/resources/META-INF/services/org.junit.platform.launcher.TestExecutionListener");
 
     private Modele() {
     }
@@ -143,5 +154,45 @@ public final class Modele {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /**
+     * Écrit un projet que les étudiants reçoivent : les classes, les scènes, {@code Tests}, de quoi construire.
+     *
+     * @param variante {@code null} pour le projet à compléter ; vide pour le projet achevé, ou l'extension dont c'est la copie
+     * @throws Panne si le dossier n'est pas vide, ou ne peut être écrit, ou si le cours n'a pas cette extension
+     */
+    public static void ecrire(String dossier, String variante, PrintStream sortie) {
+        if (variante != null && !variante.isEmpty() && !VARIANTES.contains(variante)) {
+            throw new Panne(2, "extension inconnue : « " + variante + " » ; attendu : "
+                    + String.join(", ", new TreeSet<>(VARIANTES)));
+        }
+        Map<String, String> fichiers = new TreeMap<>();
+        (variante == null ? tout(Modele::squelette) : acheve(variante))
+                .forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
+        fichiers.put("LISEZMOI.md", ressource("projet/" + (variante == null ? "LISEZMOI.md" : "CORRIGE.md")));
+        if ("blinn".equals(variante)) {
+            // hors du miroir, les reflets de Blinn ne sont pas ceux de Phong, que Tests demande
+            fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
+        }
+        fichiers.put("src/test/java/lancer/Tests.java", ressource("modele/lancer/Tests.java"));
+        SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", scene(scene)));
+        PROJET.forEach(fichier -> fichiers.put(fichier, ressource("projet/" + fichier)));
+        Path racine = Paths.get(dossier);
+        try {
+            String[] contenu = racine.toFile().list();
+            if (contenu != null && contenu.length > 0) {
+                throw new Panne(2, "le dossier n'est pas vide : " + dossier + " ; attendu : un dossier vide, ou qui n'existe pas");
+            }
+            for (Map.Entry<String, String> fichier : fichiers.entrySet()) {
+                Path chemin = racine.resolve(fichier.getKey());
+                Files.createDirectories(chemin.getParent());
+                Files.writeString(chemin, fichier.getValue());
+            }
+        } catch (IOException e) {
+            throw new Panne(1, "écriture impossible : " + e);
+        }
+        sortie.println((variante == null ? "Le projet à compléter" : variante.isEmpty() ? "Le corrigé"
+                : "Le corrigé, extension " + variante + ",") + " est dans " + racine);
     }
 }
