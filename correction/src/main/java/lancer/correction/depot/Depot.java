@@ -32,7 +32,6 @@ public final class Depot {
     private static final int SOURCE_MAX = 1 << 20;
     private static final int CHEMIN_MAX = 1000;
     private static final int EMBOITEMENT_MAX = 3;
-    private static final String A_DEPLIER = " : à déplier à la main ; seuls les dossiers et les .zip le sont ici";
     private static final Pattern AUTRE_ARCHIVE =
             Pattern.compile("(?is).*\\.(rar|(7z|zip)\\.\\d+|7z|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|zipx|ace|arj|cab|dmg)");
     /** Fichiers que les systèmes et les outils ajoutent, et qui ne sont le travail de personne. */
@@ -215,7 +214,7 @@ public final class Depot {
         } else if (entree.lien) {
             rendu.refus.add("lien refusé : " + brut.replaceFirst("(?s).*/", ""));
         } else if (AUTRE_ARCHIVE.matcher(chemin).matches()) {
-            rendu.refus.add(chemin + A_DEPLIER);
+            rendu.refus.add(chemin + " : à déplier à la main ; seuls les dossiers et les .zip le sont ici");
         } else if (source) {
             try (InputStream flux = entree.contenu.get()) {
                 byte[] octets = flux.readNBytes(SOURCE_MAX + 1);

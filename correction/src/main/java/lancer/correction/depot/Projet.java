@@ -27,15 +27,12 @@ public final class Projet {
     public static final String OUTILS = "outils";
     public static final String TEXTE = "texte";
     public static final String FIXME = "fixme";
-    /** Les consignes ; la dernière dépend de ce qui est juste. */
-    public static final Map<String, String> CONSIGNES = new LinkedHashMap<>();
-
-    static {
-        CONSIGNES.put(NOMS, "le paquet et les noms sont ceux du cours");
-        CONSIGNES.put(OUTILS, "aucun des fichiers que les outils ajoutent");
-        CONSIGNES.put(TEXTE, "UTF-8, et des espaces au lieu de tabulations");
-        CONSIGNES.put(FIXME, "chaque FIXME est enlevé quand c'est fait");
-    }
+    /** Les consignes, par leur nom ; FIXME dépend de ce qui est juste. */
+    public static final Map<String, String> CONSIGNES = new TreeMap<>(Map.of(
+            NOMS, "le paquet et les noms sont ceux du cours",
+            OUTILS, "aucun des fichiers que les outils ajoutent",
+            TEXTE, "UTF-8, et des espaces au lieu de tabulations",
+            FIXME, "chaque FIXME est enlevé quand c'est fait"));
 
     static final String DE_COTE = " : laissé de côté, ";
 

@@ -5,6 +5,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -63,11 +64,10 @@ public final class Source {
      * @param duCours les noms des classes du cours, et ceux qu'il leur donne ; @param remarques reçoit les fichiers que l'on n'a pu lire
      */
     static List<Type> lire(Map<String, byte[]> octets, Cours.Lecture lecture, Set<String> duCours, List<String> remarques) throws Arret {
-        List<?> lus = lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList()));
+        Iterator<?> lus = lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList())).iterator();
         List<Source> fichiers = new ArrayList<>();
-        int rang = 0;
         for (String chemin : octets.keySet()) {
-            List<?> lu = (List<?>) lus.get(rang++);
+            List<?> lu = (List<?>) lus.next();
             if (lu == null) {
                 remarques.add(chemin + Projet.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
                         + "dans l'autre");
