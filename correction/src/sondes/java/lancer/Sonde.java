@@ -26,9 +26,8 @@ public final class Sonde {
     public static String dessiner(String fichier, String... a) {
         Scene scene = new Scene(fichier);
         int largeur = Integer.parseInt(a[0]);
-        int hauteur = Integer.parseInt(a[1]);
         int profondeur = Integer.parseInt(a[2]);
-        Camera camera = new Camera(largeur, hauteur);
+        Camera camera = new Camera(largeur, Integer.parseInt(a[1]));
         // par getCouleurPixel ; s'il n'existe pas sous cette forme, par les méthodes qu'il appelle
         boolean parLancer = true;
         try {
@@ -36,12 +35,10 @@ public final class Sonde {
         } catch (Error e) {
             parLancer = false;
         }
-        Couleur[] pixels = new Couleur[largeur * hauteur];
+        Couleur[] pixels = new Couleur[largeur * Integer.parseInt(a[1])];
         for (int p = 0; p < pixels.length; p++) {
-            int xe = p % largeur;
-            int ye = p / largeur;
-            pixels[p] = parLancer ? parLancer(scene, camera, xe, ye, profondeur)
-                    : parRayon(scene, camera.getRayon(xe, ye), profondeur);
+            pixels[p] = parLancer ? parLancer(scene, camera, p % largeur, p / largeur, profondeur)
+                    : parRayon(scene, camera.getRayon(p % largeur, p / largeur), profondeur);
         }
         return coder(pixels);
     }

@@ -27,7 +27,6 @@ import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Jury;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.modele.Modele;
-import lancer.correction.modele.Squelette;
 import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
 import lancer.correction.note.FeuilleMoodle;
@@ -89,9 +88,9 @@ public final class Correction {
             if (demande.containsKey("--aide")) {
                 sortie.print(Modele.ressource("aide.txt"));
             } else if (demande.containsKey("--squelette")) {
-                Squelette.ecrire(demande.get("--squelette"), null, sortie);
+                Modele.ecrire(demande.get("--squelette"), null, sortie);
             } else if (demande.containsKey("--corrige")) {
-                Squelette.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
+                Modele.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
             } else {
                 Path dossier = Files.createDirectories(Paths.get(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
                 // une feuille de notes qui ne convient pas se dit tout de suite, pas après avoir tout jugé
@@ -118,7 +117,7 @@ public final class Correction {
     /** Juge chaque rendu, et écrit ce qu'il en a vu dans {@code resultats} : un fichier par rendu, et celui du corrigé. */
     private void juger(Path dossier) throws IOException {
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
-        List<Rendu> rendus = Depot.lire(Paths.get(demande.get(RENDUS)), travail);
+        List<Rendu> rendus = Depot.lire(Paths.get(demande.get(RENDUS)));
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
             throw new Panne(1, "rien n'a été exécuté : " + confinement.manque

@@ -1,6 +1,7 @@
 package lancer.correction.depot;
 
 import java.util.HashMap;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -37,13 +38,9 @@ public final class Cours {
     }
 
     private Map<String, Type> lire(Lecture lecture, Function<String, String> source) throws Arret {
-        Map<String, Type> types = new HashMap<>();
         List<String> textes = Modele.classes().stream().map(c -> dans(source.apply(c))).collect(Collectors.toList());
-        List<?> lus = lecture.lire(textes);
-        for (int k = 0; k < textes.size(); k++) {
-            types.put(Modele.classes().get(k), Source.types((List<?>) lus.get(k), textes.get(k)).get(0));
-        }
-        return types;
+        Iterator<?> lus = lecture.lire(textes).iterator();
+        return textes.stream().map(t -> Source.types((List<?>) lus.next(), t).get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
     }
 
     /** Le nom qu'il donne à une classe du cours : le même, le plus souvent. */
@@ -66,12 +63,12 @@ public final class Cours {
 
     /** Une classe du projet à compléter, par son nom du cours. */
     public Type squelette(String classe) {
-        return squelette.get(classe);
+        return squelette.get(classe(classe));
     }
 
     /** Empreintes des méthodes de cette classe qui ne sont le travail de personne : celles du projet à compléter et du corrigé. */
     public Set<String> arbres(String classe) {
-        return Stream.of(squelette, corrige).flatMap(types -> types.get(classe).methodes.stream()).map(m -> m.arbre)
+        return Stream.of(squelette, corrige).flatMap(types -> types.get(classe(classe)).methodes.stream()).map(m -> m.arbre)
                 .collect(Collectors.toSet());
     }
 }

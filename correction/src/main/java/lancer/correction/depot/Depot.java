@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -19,7 +20,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
-import lancer.correction.depot.Archive.Entree;
+import org.apache.commons.compress.archivers.zip.ZipFile;
+import org.apache.commons.io.function.IOSupplier;
 
 /**
  * Les rendus d'une classe : un dossier, l'archive de Moodle telle quelle, ou un seul rendu. Chaque étudiant a sa ligne,
@@ -30,8 +32,6 @@ public final class Depot {
     private static final int SOURCE_MAX = 1 << 20;
     private static final int CHEMIN_MAX = 1000;
     private static final int EMBOITEMENT_MAX = 3;
-    private static final int OUTILS_MAX = 30;
-    private static final String A_DEPLIER = " : à déplier à la main ; seuls les dossiers et les .zip le sont ici";
     private static final Pattern AUTRE_ARCHIVE =
             Pattern.compile("(?is).*\\.(rar|(7z|zip)\\.\\d+|7z|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|zipx|ace|arj|cab|dmg)");
     /** Fichiers que les systèmes et les outils ajoutent, et qui ne sont le travail de personne. */
@@ -49,20 +49,38 @@ public final class Depot {
      */
     private static final Pattern MOODLE = Pattern.compile("(?s)([^/]*?)_(\\d{1,18})_assignsubmission_([a-z]+)(?:_(.*))?");
 
-    private final Map<String, Rendu> rendus = new LinkedHashMap<>();
-    private final Set<String> ids = new HashSet<>();
-    private final Path temporaire;
+    /** Un fichier, un dossier ou un lien de ce qui est rendu, du disque ou d'une archive. */
+    private static final class Entree {
 
-    private Depot(Path temporaire) {
-        this.temporaire = temporaire;
+        /** Nom depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / ». */
+        final String chemin;
+        final boolean lien;
+        /** Taille en octets, telle qu'elle est annoncée ; négative si elle ne l'est pas. */
+        final long taille;
+        /** Flux pour le lire. */
+        final IOSupplier<InputStream> contenu;
+
+        Entree(String chemin, boolean lien, long taille, IOSupplier<InputStream> contenu) {
+            this.chemin = chemin;
+            this.lien = lien;
+            this.taille = taille;
+            this.contenu = contenu;
+        }
+
+        String premierNom() {
+            return chemin.replaceFirst("(?s)/.*", "");
+        }
     }
 
-    /**
-     * @param temporaire dossier où écrire les archives emboîtées, le temps de les lire
-     * @throws Panne s'il n'y a rien là, ou si l'archive entière est illisible
-     */
-    public static List<Rendu> lire(Path rendus, Path temporaire) {
-        Depot depot = new Depot(temporaire);
+    private final Map<String, Rendu> rendus = new LinkedHashMap<>();
+    private final Set<String> ids = new HashSet<>();
+
+    private Depot() {
+    }
+
+    /** @throws Panne s'il n'y a rien là, ou si l'archive entière est illisible */
+    public static List<Rendu> lire(Path rendus) {
+        Depot depot = new Depot();
         String nom = rendus.toAbsolutePath().normalize().getFileName().toString();
         try {
             if (Files.isDirectory(rendus)) {
@@ -74,8 +92,8 @@ public final class Depot {
             } else if (AUTRE_ARCHIVE.matcher(nom).matches()) {
                 depot.prendre(depot.seul(nom), nom, new Entree(nom, false, 0, null), 0);
             } else {
-                try (Archive archive = new Archive(rendus)) {
-                    depot.repartir(nom, archive.entrees);
+                try (ZipFile zip = ZipFile.builder().setPath(rendus).get()) {
+                    depot.repartir(nom, entrees(zip));
                 }
             }
         } catch (IOException e) {
@@ -86,7 +104,7 @@ public final class Depot {
         }
         List<Rendu> liste = new ArrayList<>(depot.rendus.values());
         liste.forEach(Rendu::conclure);
-        liste.sort(Comparator.comparing((Rendu r) -> naturel(r.nom)).thenComparing(r -> naturel(r.id)));
+        liste.sort(Comparator.comparing((Rendu r) -> r.nom).thenComparing(r -> r.id));
         return liste;
     }
 
@@ -113,14 +131,20 @@ public final class Depot {
         }
     }
 
+    /** Les entrées d'une archive, dans l'ordre ; des « / » même si elle vient de Windows. */
+    private static List<Entree> entrees(ZipFile zip) {
+        return Collections.list(zip.getEntries()).stream().map(e -> new Entree(e.getName().replace('\\', '/'), e.isUnixSymlink(),
+                e.getSize(), () -> zip.getInputStream(e))).collect(Collectors.toList());
+    }
+
     /** Donne chaque entrée à l'étudiant que dit le premier nom de son chemin, ou toutes au même. */
     private void repartir(String nom, List<Entree> entrees) {
-        Set<String> noms = entrees.stream().filter(e -> !DEBRIS.matcher(e.chemin).matches()).map(Entree::premier)
+        Set<String> noms = entrees.stream().filter(e -> !DEBRIS.matcher(e.chemin).matches()).map(Entree::premierNom)
                 .collect(Collectors.toSet());
         boolean unSeul = MOODLE.matcher(nom).matches() || noms.stream().noneMatch(n -> MOODLE.matcher(n).matches())
                 && noms.stream().anyMatch(n -> !estArchive(n) && UN_SEUL_RENDU.matcher(n).matches());
         for (Entree entree : entrees) {
-            String premier = entree.premier();
+            String premier = entree.premierNom();
             boolean fichier = premier.equals(entree.chemin);
             String suite = fichier ? "" : entree.chemin.substring(premier.length() + 1);
             Matcher moodle = MOODLE.matcher(premier);
@@ -161,12 +185,6 @@ public final class Depot {
         return nom.replaceFirst("(?i)\\.zip$", "");
     }
 
-    /** Clé pour ranger « Étudiant 2 » avant « Étudiant 10 ». */
-    private static String naturel(String nom) {
-        Matcher m = Pattern.compile("\\d{1,18}").matcher(nom);
-        return m.replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));
-    }
-
     private static boolean estArchive(String nom) {
         return nom.toLowerCase(Locale.ROOT).endsWith(".zip") || AUTRE_ARCHIVE.matcher(nom).matches();
     }
@@ -178,7 +196,7 @@ public final class Depot {
     /** Prend une entrée, si c'est une source ou une archive ; ce qui s'y lit mal ne coûte qu'à elle. */
     private void prendre(Rendu rendu, String chemin, Entree entree, int niveau) {
         Matcher outil = OUTIL.matcher(chemin);
-        if (outil.matches() && rendu.outils.size() < OUTILS_MAX) {
+        if (outil.matches()) {
             rendu.outils.add(Rendu.propre(outil.group(1)));
         }
         boolean source = chemin.toLowerCase(Locale.ROOT).endsWith(".java");
@@ -196,15 +214,13 @@ public final class Depot {
         } else if (entree.lien) {
             rendu.refus.add("lien refusé : " + brut.replaceFirst("(?s).*/", ""));
         } else if (AUTRE_ARCHIVE.matcher(chemin).matches()) {
-            rendu.refus.add(chemin + A_DEPLIER);
+            rendu.refus.add(chemin + " : à déplier à la main ; seuls les dossiers et les .zip le sont ici");
         } else if (source) {
-            try (InputStream flux = entree.contenu.ouvrir()) {
+            try (InputStream flux = entree.contenu.get()) {
                 byte[] octets = flux.readNBytes(SOURCE_MAX + 1);
                 rendu.octets += octets.length;
-                if (octets.length > SOURCE_MAX) {
-                    rendu.remarques.add(chemin + " : plus d'un mégaoctet de source, laissé de côté");
-                } else if (chemin.length() > CHEMIN_MAX || !rendu.ajouter(chemin, octets)) {
-                    rendu.remarques.add(chemin + " : laissé de côté, trop de sources ou un nom trop long");
+                if (octets.length > SOURCE_MAX || chemin.length() > CHEMIN_MAX || !rendu.ajouter(chemin, octets)) {
+                    rendu.remarques.add(chemin + Projet.DE_COTE + "plus d'un mégaoctet, trop de sources, ou un nom trop long");
                 }
             } catch (IOException | RuntimeException e) {
                 rendu.refus.add(chemin + " : illisible (" + e.getMessage() + ")");
@@ -219,16 +235,11 @@ public final class Depot {
             rendu.refus.add(chemin + " : trop d'archives l'une dans l'autre");
             return;
         }
-        try {
-            Path copie = Files.createTempFile(temporaire, "emboitee", null);
-            try (InputStream flux = entree.contenu.ouvrir()) {
-                Files.write(copie, flux.readNBytes((int) Rendu.OCTETS_MAX));
-                rendu.octets += Files.size(copie);
-                try (Archive archive = new Archive(copie)) {
-                    archive.entrees.forEach(e -> prendre(rendu, joindre(sansFin(chemin), e.chemin), e, niveau + 1));
-                }
-            } finally {
-                Files.delete(copie);
+        try (InputStream flux = entree.contenu.get()) {
+            byte[] archive = flux.readNBytes((int) Rendu.OCTETS_MAX);
+            rendu.octets += archive.length;
+            try (ZipFile zip = ZipFile.builder().setByteArray(archive).get()) {
+                entrees(zip).forEach(e -> prendre(rendu, joindre(sansFin(chemin), e.chemin), e, niveau + 1));
             }
         } catch (IOException | RuntimeException e) {
             rendu.refus.add(chemin + " : archive illisible, abîmée ou protégée par un mot de passe (" + e.getMessage() + ")");

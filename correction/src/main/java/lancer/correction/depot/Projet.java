@@ -2,9 +2,8 @@ package lancer.correction.depot;
 
 import java.text.Normalizer;
 import java.util.ArrayList;
-import java.util.Collections;
+import java.util.Collection;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -15,6 +14,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.correction.isolement.Arret;
 import lancer.correction.modele.Modele;
 
@@ -27,15 +27,12 @@ public final class Projet {
     public static final String OUTILS = "outils";
     public static final String TEXTE = "texte";
     public static final String FIXME = "fixme";
-    /** Les consignes ; la dernière dépend de ce qui est juste. */
-    public static final Map<String, String> CONSIGNES = new LinkedHashMap<>();
-
-    static {
-        CONSIGNES.put(NOMS, "le paquet et les noms sont ceux du cours");
-        CONSIGNES.put(OUTILS, "aucun des fichiers que les outils ajoutent");
-        CONSIGNES.put(TEXTE, "UTF-8, et des espaces au lieu de tabulations");
-        CONSIGNES.put(FIXME, "chaque FIXME est enlevé quand c'est fait");
-    }
+    /** Les consignes, par leur nom ; FIXME dépend de ce qui est juste. */
+    public static final Map<String, String> CONSIGNES = new TreeMap<>(Map.of(
+            NOMS, "le paquet et les noms sont ceux du cours",
+            OUTILS, "aucun des fichiers que les outils ajoutent",
+            TEXTE, "UTF-8, et des espaces au lieu de tabulations",
+            FIXME, "chaque FIXME est enlevé quand c'est fait"));
 
     static final String DE_COTE = " : laissé de côté, ";
 
@@ -54,8 +51,8 @@ public final class Projet {
     private static final List<String> SANS_PONT = List.of("Toile", "Main", "LecteurScene", "Constantes");
 
     /** Les classes de la base : {@code lancer/Vecteur} et son texte. */
-    public final Map<String, String> base = new TreeMap<>();
-    private final Map<String, Type> types = new HashMap<>();
+    public final Map<String, String> base;
+    private final Map<String, Type> types;
     /** Sources de chaque variante rendue. */
     public final Map<String, Map<String, String>> variantes = new LinkedHashMap<>();
     public final List<String> remarques;
@@ -68,13 +65,13 @@ public final class Projet {
     /** Raisons pour lesquelles l'enseignant doit regarder ce rendu lui-même. */
     public final List<String> aRegarder = new ArrayList<>();
 
-    private Projet(Cours cours, Map<String, Source> sources, Map<String, Map<String, Source>> autres, List<String> remarques) {
+    private Projet(Cours cours, Map<String, Type> types, Map<String, Map<String, Type>> autres, List<String> remarques) {
         this.cours = cours;
         this.remarques = new ArrayList<>(remarques);
-        sources.forEach((nom, source) -> types.put(nom, source.type));
+        this.types = types;
         List<String> signatures = new ArrayList<>();
-        base.putAll(avecPonts(sources, signatures));
-        autres.forEach((nom, siennes) -> variantes.put(nom, avecPonts(siennes, new ArrayList<>())));
+        base = avecPonts(types, signatures);
+        autres.forEach((nom, siens) -> variantes.put(nom, avecPonts(siens, new ArrayList<>())));
         if (!signatures.isEmpty()) {
             dire("jugé comme s'il avait les signatures du cours : " + quelques(signatures));
         }
@@ -83,15 +80,15 @@ public final class Projet {
     }
 
     /** Les textes, avec la forme attendue des méthodes dont il a changé les paramètres : c'est dit une fois, rien n'en souffre. */
-    private Map<String, String> avecPonts(Map<String, Source> sources, List<String> signatures) {
+    private Map<String, String> avecPonts(Map<String, Type> siens, List<String> signatures) {
         Map<String, String> textes = new TreeMap<>();
-        sources.forEach((nom, source) -> textes.put(nom, source.texte));
+        siens.forEach((nom, type) -> textes.put(nom, type.texte));
         Modele.classes().stream().filter(c -> !SANS_PONT.contains(c)).forEach(c -> textes.computeIfPresent("lancer/" + cours.classe(c),
-                (nom, texte) -> sources.get(nom).avec(Methode.ponts(cours.squelette(c), sources.get(nom).type, signatures))));
+                (nom, texte) -> siens.get(nom).avec(Methode.ponts(cours.squelette(c), siens.get(nom), signatures))));
         return textes;
     }
 
-    private static String quelques(List<String> noms) {
+    private static String quelques(Collection<String> noms) {
         return noms.stream().limit(NOMS_DITS).collect(Collectors.joining(", ")) + (noms.size() > NOMS_DITS ? "…" : "");
     }
 
@@ -102,26 +99,27 @@ public final class Projet {
      */
     public static List<Projet> copies(Rendu rendu, Cours.Lecture lecture, Cours commun, Map<String, String> alias) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
+        remarques.addAll(rendu.refus);
         Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);
         fichiers.keySet().removeIf(chemin -> DE_TEST.matcher(chemin).matches());
         Set<String> duCours = new TreeSet<>(Modele.classes());
         duCours.addAll(alias.values());
-        List<Source> toutes = Source.lire(fichiers, lecture, duCours, remarques);
-        Map<String, Set<String>> dites = new TreeMap<>();
-        Map<String, Map<String, List<Source>>> groupes = new TreeMap<>();
-        for (Source source : toutes) {
-            Matcher m = VARIANTE.matcher(Normalizer.normalize(source.fichier.racine, Normalizer.Form.NFD).replaceAll("\\p{M}", ""));
-            String partie = m.find() ? m.group(1).toLowerCase(Locale.ROOT).replaceFirst("^anti.*", "antialias") : "";
-            groupes.computeIfAbsent(partie, p -> new TreeMap<>()).computeIfAbsent(source.fichier.racine, r -> new ArrayList<>())
-                    .add(source);
-        }
-        Map<String, Map<String, Source>> variantes = new LinkedHashMap<>();
-        for (String nom : Modele.VARIANTES) {
-            if (groupes.containsKey(nom)) {
-                variantes.put(nom, choisir(groupes.get(nom), remarques, dites).values().iterator().next());
+        List<Type> tous = Source.lire(fichiers, lecture, duCours, remarques);
+        Map<String, Map<String, List<Type>>> groupes = new TreeMap<>();
+        for (Type type : tous) {
+            String intrusion = type.source.intrusion(type.nom);
+            if (intrusion != null) {
+                remarques.add(type.source.chemin + DE_COTE + intrusion);
+                continue;
             }
+            Matcher m = VARIANTE.matcher(Normalizer.normalize(type.source.racine, Normalizer.Form.NFD).replaceAll("\\p{M}", ""));
+            String partie = m.find() ? m.group(1).toLowerCase(Locale.ROOT).replaceFirst("^anti.*", "antialias") : "";
+            groupes.computeIfAbsent(partie, p -> new TreeMap<>()).computeIfAbsent(type.source.racine, r -> new ArrayList<>()).add(type);
         }
-        Map<String, Map<String, Source>> bases = choisir(groupes.getOrDefault("", Collections.emptyMap()), remarques, dites);
+        Map<String, Map<String, Type>> variantes = new LinkedHashMap<>();
+        Modele.VARIANTES.stream().filter(groupes::containsKey)
+                .forEach(nom -> variantes.put(nom, choisir(groupes.get(nom)).values().iterator().next()));
+        Map<String, Map<String, Type>> bases = choisir(groupes.getOrDefault("", Map.of()));
         if (bases.isEmpty()) {
             // une variante est une copie complète du projet
             String premiere = variantes.isEmpty() ? "" : variantes.keySet().iterator().next();
@@ -129,15 +127,17 @@ public final class Projet {
                     : "pas de projet de base : celui de « " + premiere + " » en tient lieu");
             bases.put("", variantes.getOrDefault(premiere, new TreeMap<>()));
         }
+        Map<String, Set<String>> dites = new TreeMap<>();
+        Stream.concat(bases.values().stream(), variantes.values().stream()).flatMap(classes -> classes.values().stream()).forEach(type ->
+                type.source.remarques.forEach(r -> dites.computeIfAbsent(r, q -> new TreeSet<>()).add(type.source.chemin)));
         dites.forEach((quoi, ou) -> remarques.add((ou.size() == 1 ? ou.iterator().next() + " : " + quoi
                 : quoi + " (" + ou.size() + " fichiers)")));
         Map<String, String> declares = new TreeMap<>(alias);
-        declares.values().removeIf(nom -> toutes.stream().noneMatch(s -> s.type.nom.equals(nom) || s.type.nommees().contains(nom)));
+        declares.values().removeIf(nom -> tous.stream().noneMatch(t -> t.nom.equals(nom) || t.nommees().contains(nom)));
         Cours cours = declares.isEmpty() ? commun : new Cours(lecture, declares);
-        List<Projet> copies = new ArrayList<>();
-        bases.forEach((racine, base) -> {
-            Projet projet = new Projet(cours, base, variantes, remarques);
-            projet.consignes(rendu, dites);
+        return bases.keySet().stream().limit(COPIES_MAX).map(racine -> {
+            Projet projet = new Projet(cours, bases.get(racine), variantes, remarques);
+            projet.consignes(rendu, dites.keySet());
             remarques.stream().filter(r -> r.contains(DE_COTE)).forEach(r -> projet.aRegarder.add("arrêté : " + r));
             alias.forEach(projet::declarer);
             projet.absences(rendu.id);
@@ -145,10 +145,8 @@ public final class Projet {
                 projet.dire("plusieurs copies du projet : jugée, « " + racine + " » ; laissée, « " + bases.keySet().stream()
                         .filter(r -> !r.equals(racine)).collect(Collectors.joining(" », « ")) + " »");
             }
-            copies.add(projet);
-        });
-        copies.sort(Comparator.comparing((Projet p) -> -p.changees.size()));
-        return copies;
+            return projet;
+        }).sorted(Comparator.comparing(projet -> -projet.changees.size())).collect(Collectors.toList());
     }
 
     /** Dit quelque chose à l'étudiant et à l'enseignant. */
@@ -183,8 +181,8 @@ public final class Projet {
             }
         }
         long presentes = Modele.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
-        List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !n.isEmpty() && !Modele.classes().contains(n))
-                .sorted().collect(Collectors.toList());
+        List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !Modele.classes().contains(n)).sorted()
+                .collect(Collectors.toList());
         if (presentes < 2 && autres.size() > presentes) {
             aRegarder.add(0, "un autre projet : " + (presentes == 0 ? "aucune" : "une") + " des " + Modele.A_COMPLETER.size()
                     + " classes à compléter n'y est comme dans le cours ; les siennes sont "
@@ -218,10 +216,10 @@ public final class Projet {
         aRegarder.add(dit + " ; pour la déclarer, dans alias.csv : " + Alias.ligne(id, sien, duCours));
     }
 
-    private void consignes(Rendu rendu, Map<String, Set<String>> dites) {
-        dites.keySet().forEach(quoi -> noter(quoi.contains("UTF-8") ? TEXTE : NOMS, quoi));
+    private void consignes(Rendu rendu, Set<String> arrangees) {
+        arrangees.forEach(quoi -> noter(quoi.contains("UTF-8") ? TEXTE : NOMS, quoi));
         if (!rendu.outils.isEmpty()) {
-            ecarts.put(OUTILS, "rendus aussi : " + String.join(", ", rendu.outils));
+            ecarts.put(OUTILS, "rendus aussi : " + quelques(rendu.outils));
         }
         long tabulations = base.values().stream().filter(t -> t.contains("\n\t")).count();
         if (tabulations > 0) {
@@ -242,31 +240,16 @@ public final class Projet {
      * Des dossiers qui contiennent des classes, les copies du projet, par leur dossier : celui qui a le plus de classes
      * du cours, et ceux qui n'ajoutent que ce qui lui manque ; puis les autres.
      */
-    private static Map<String, Map<String, Source>> choisir(Map<String, List<Source>> groupes, List<String> remarques,
-            Map<String, Set<String>> dites) {
+    private static Map<String, Map<String, Type>> choisir(Map<String, List<Type>> groupes) {
         List<String> racines = new ArrayList<>(groupes.keySet());
-        racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream().filter(s -> Modele.A_COMPLETER.contains(s.classe)).count())
+        racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream().filter(t -> Modele.A_COMPLETER.contains(t.nom)).count())
                 .thenComparing(String::length));
-        Map<String, Map<String, Source>> copies = new LinkedHashMap<>();
+        Map<String, Map<String, Type>> copies = new LinkedHashMap<>();
         for (String racine : racines) {
-            Map<String, Source> classes = copies.values().stream().filter(c -> groupes.get(racine).stream()
-                    .filter(s -> c.containsKey("lancer/" + s.classe)).count() <= 2).findFirst().orElse(null);
-            if (classes == null) {
-                if (copies.size() == COPIES_MAX) {
-                    remarques.add("une copie de plus du projet, laissée : « " + racine + " »");
-                    continue;
-                }
-                classes = copies.computeIfAbsent(racine, r -> new TreeMap<>());
-            }
-            for (Source source : groupes.get(racine)) {
-                String nom = (source.fichier.paquet + ".").replaceFirst("^\\.", "").replace('.', '/') + source.classe;
-                String intrusion = source.intrusion();
-                if (intrusion != null) {
-                    remarques.add(source.fichier.chemin + DE_COTE + intrusion);
-                } else if (classes.putIfAbsent(nom, source) == null) {
-                    source.fichier.remarques.forEach(r -> dites.computeIfAbsent(r, q -> new TreeSet<>()).add(source.fichier.chemin));
-                }
-            }
+            List<Type> siens = groupes.get(racine);
+            Map<String, Type> copie = copies.values().stream().filter(c -> siens.stream().filter(t -> c.containsKey("lancer/" + t.nom))
+                    .count() <= 2).findFirst().orElseGet(() -> copies.computeIfAbsent(racine, r -> new TreeMap<>()));
+            siens.forEach(type -> copie.putIfAbsent(type.chemin(), type));
         }
         return copies;
     }
@@ -278,6 +261,6 @@ public final class Projet {
 
     /** Ce qui s'en lit ; rien si elle n'est pas rendue, ou si son fichier ne la déclare pas. */
     public Type type(String classe) {
-        return types.getOrDefault("lancer/" + cours.classe(classe), Type.RIEN);
+        return types.getOrDefault("lancer/" + cours.classe(classe), Type.rien(""));
     }
 }

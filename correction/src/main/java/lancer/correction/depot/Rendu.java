@@ -25,11 +25,9 @@ public final class Rendu {
     public final String nom;
     /** Les fichiers .java, par chemin. */
     public final Map<String, byte[]> sources = new TreeMap<>();
-    /** Raisons pour lesquelles ce rendu ne peut être jugé ; vide s'il peut l'être. */
+    /** Ce qui n'a pu être lu, et pourquoi : à regarder ; s'il n'y a aucune source, ce rendu ne peut être jugé. */
     public final List<String> refus = new ArrayList<>();
     public final List<String> remarques = new ArrayList<>();
-    /** Raisons pour lesquelles l'enseignant doit le regarder lui-même : ce qui n'a pu être lu, à côté de ce qui l'a été. */
-    public final List<String> aRegarder = new ArrayList<>();
     /** Les fichiers et les dossiers que les outils ajoutent, et qu'il fallait enlever. */
     public final Set<String> outils = new TreeSet<>();
     /** Les bibliothèques (.jar) que l'étudiant a jointes, par leur nom. */
@@ -66,25 +64,17 @@ public final class Rendu {
         return true;
     }
 
-    /**
-     * Conclut : ce qui est refusé n'empêche pas de juger le reste, si c'en est assez pour qu'il y ait quelque chose à juger ; et ce qu'on
-     * en dit tient en peu de lignes, quoi qu'il contienne.
-     */
+    /** Conclut : ce qu'on en dit tient en peu de lignes, quoi qu'il contienne. */
     void conclure() {
         if (octets > OCTETS_MAX || fichiers > FICHIERS_MAX) {
             refus.add(octets > OCTETS_MAX ? "plus de " + (OCTETS_MAX >> 20) + " Mo une fois déplié"
                     : "plus de " + FICHIERS_MAX + " fichiers");
             sources.clear();
-        } else if (!sources.isEmpty()) {
-            remarques.addAll(refus);
-            aRegarder.addAll(refus);
-            refus.clear();
-        } else if (refus.isEmpty()) {
+        } else if (sources.isEmpty() && refus.isEmpty()) {
             refus.add("aucun fichier .java dans ce rendu");
         }
         Echange.abreger(refus);
         Echange.abreger(remarques);
-        Echange.abreger(aRegarder);
     }
 
     /** Compte un fichier de plus. @return faux si c'en est un de trop, ou si tout ce qui est rendu, une fois déplié, est trop gros */

@@ -54,35 +54,37 @@ public final class Compilateur {
         while (true) {
             int numero = demandes.readInt();
             DataInputStream demande = new DataInputStream(new ByteArrayInputStream(demandes.readNBytes(demandes.readInt())));
-            if (demande.readChar() == LIRE) {
-                List<String> textes = Echange.lireTout(demande).values().stream().map(t -> new String(t, StandardCharsets.UTF_8))
-                        .collect(Collectors.toList());
-                Echange.envoyer(sortie, numero, Echange.message(m -> Echange.ecrireValeur(m, Lecteur.lire(textes), o -> null)));
-                continue;
-            }
-            Path dossier = Files.createTempDirectory("compilation");
-            byte[] reponse;
-            try {
-                reponse = compiler(compilateur, gestion, dossier.toRealPath(), Echange.lireTout(demande));
-            } catch (IOException | RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
-                // ce que le compilateur ne supporte pas : il ne servira plus
-                reponse = Echange.message(m -> {
-                    Echange.ecrireValeur(m, null, o -> null);
-                    Echange.ecrireTout(m, Map.of());
-                });
-            }
-            effacer(dossier);
-            Echange.envoyer(sortie, numero, reponse);
+            char sorte = demande.readChar();
+            Map<String, byte[]> textes = Echange.lireTout(demande);
+            Echange.envoyer(sortie, numero, Echange.message(sorte == COMPILER ? compiler(compilateur, gestion, textes)
+                    : m -> Echange.ecrireValeur(m, Lecteur.lire(textes.values().stream().map(t -> new String(t, StandardCharsets.UTF_8))
+                    .collect(Collectors.toList())), o -> null)));
         }
     }
 
-    private static byte[] compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Path dossier,
+    private static Echange.Redaction compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Map<String, byte[]> textes)
+            throws IOException {
+        Path dossier = Files.createTempDirectory("compilation").toRealPath();
+        try {
+            return compiler(compilateur, gestion, dossier, textes);
+        } catch (IOException | RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
+            // ce que le compilateur ne supporte pas : il ne servira plus
+            return m -> {
+                Echange.ecrireValeur(m, null, o -> null);
+                Echange.ecrireTout(m, Map.of());
+            };
+        } finally {
+            effacer(dossier);
+        }
+    }
+
+    private static Echange.Redaction compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Path dossier,
             Map<String, byte[]> textes) throws IOException {
-        Path sources = Files.createDirectory(dossier.resolve("sources"));
+        Path sources = dossier.resolve("sources");
         Path classes = Files.createDirectory(dossier.resolve("classes"));
         List<Path> fichiers = new ArrayList<>();
         for (Map.Entry<String, byte[]> texte : textes.entrySet()) {
-            Path fichier = sous(sources, texte.getKey() + ".java");
+            Path fichier = sources.resolve(texte.getKey() + ".java");
             Files.createDirectories(fichier.getParent());
             fichiers.add(Files.write(fichier, texte.getValue()));
         }
@@ -90,58 +92,35 @@ public final class Compilateur {
         fichiers.sort(Comparator.comparing((Path f) -> !f.getFileName().toString().matches("(Appels|Sonde)\\.java"))
                 .thenComparing(f -> f));
         String niveau = String.valueOf(Math.min(NIVEAU_MAX, Runtime.version().feature()));
-        List<String> options = List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8", "-g", "-nowarn",
-                "-proc:none", "-proceedOnError", "-classpath", System.getProperty("java.class.path"), "-d",
-                classes.toString());
         List<List<?>> fautes = new ArrayList<>();
         compilateur.getTask(new StringWriter(), gestion, faute -> {
             if (faute.getKind() == Diagnostic.Kind.ERROR && fautes.size() < FAUTES_MAX) {
                 fautes.add(List.of(faute.getSource() == null ? "?" : sources.relativize(Paths.get(faute.getSource().toUri()))
                         .toString().replace('\\', '/'), (int) faute.getLineNumber(), faute.getMessage(Locale.ROOT)));
             }
-        }, options, null, gestion.getJavaFileObjectsFromFiles(fichiers.stream().map(Path::toFile)
-                .collect(Collectors.toList()))).call();
+        }, List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8", "-g", "-nowarn", "-proc:none", "-proceedOnError",
+                "-classpath", System.getProperty("java.class.path"), "-d", classes.toString()),
+                null, gestion.getJavaFileObjectsFromPaths(fichiers)).call();
         Map<String, byte[]> ecrites = new LinkedHashMap<>();
-        List<Path> toutes = contenu(classes);
-        if (toutes.size() > CLASSES_MAX) {
-            throw new IOException("trop de classes");
-        }
-        for (Path classe : toutes) {
-            if (Files.isRegularFile(classe)) {
+        try (Stream<Path> flux = Files.walk(classes)) {
+            for (Path classe : flux.filter(Files::isRegularFile).sorted().collect(Collectors.toList())) {
                 String nom = classes.relativize(classe).toString().replaceFirst("\\.class$", "");
                 ecrites.put(nom.replace(File.separatorChar, '.'), Files.readAllBytes(classe));
             }
         }
-        return Echange.message(reponse -> {
+        if (ecrites.size() > CLASSES_MAX) {
+            throw new IOException("trop de classes");
+        }
+        return reponse -> {
             Echange.ecrireValeur(reponse, fautes, o -> null);
             Echange.ecrireTout(reponse, ecrites);
-        });
-    }
-
-    /**
-     * Le fichier de ce nom, dans ce dossier. Tout chemin fait de ce que dit un rendu passe par ici.
-     *
-     * @throws IllegalArgumentException s'il n'est pas dans ce dossier
-     */
-    private static Path sous(Path dossier, String nom) {
-        Path fichier = dossier.resolve(nom).normalize();
-        if (!fichier.startsWith(dossier) || fichier.equals(dossier)) {
-            throw new IllegalArgumentException("hors de son dossier : " + nom);
-        }
-        return fichier;
+        };
     }
 
     /** Efface un dossier et tout ce qu'il contient. */
     public static void effacer(Path dossier) throws IOException {
-        List<Path> contenu = contenu(dossier);
-        for (int k = contenu.size() - 1; k >= 0; k--) {
-            Files.delete(contenu.get(k));
-        }
-    }
-
-    private static List<Path> contenu(Path dossier) throws IOException {
         try (Stream<Path> flux = Files.walk(dossier)) {
-            return flux.sorted().collect(Collectors.toList());
+            flux.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
         }
     }
 }

@@ -1,11 +1,15 @@
 package lancer.correction.enfant;
 
+import com.sun.source.tree.BlockTree;
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.EmptyStatementTree;
 import com.sun.source.tree.ImportTree;
 import com.sun.source.tree.LiteralTree;
 import com.sun.source.tree.MemberSelectTree;
 import com.sun.source.tree.MethodTree;
+import com.sun.source.tree.ModifiersTree;
+import com.sun.source.tree.ParenthesizedTree;
 import com.sun.source.tree.StatementTree;
 import com.sun.source.tree.Tree;
 import com.sun.source.tree.VariableTree;
@@ -56,9 +60,10 @@ public final class Lecteur {
     }
 
     /**
-     * Lit des fichiers. Pour chacun : paquet, début et fin de ce nom, fin de l'en-tête ; importations (texte, début) ; classes ; lieux
-     * des fautes de syntaxe. Pour chaque classe : nom, début, fin, empreinte, noms employés, méthodes. Pour chaque méthode : nom, type
-     * rendu (vide d'un constructeur), types des paramètres, modificateurs, début, fin, empreinte, nombre d'instructions.
+     * Lit des fichiers. Pour chacun : paquet, fin de l'en-tête, noms qui y sont, classes, lieux des fautes de syntaxe. Pour chaque nom,
+     * le paquet, puis ce dont part chaque importation, du plus long au plus court : texte, début, fin. Pour chaque classe : nom, début,
+     * fin, empreinte, noms employés, méthodes. Pour chaque méthode : nom, type rendu (vide d'un constructeur), types des paramètres,
+     * modificateurs, début, fin, empreinte, nombre d'instructions.
      *
      * @return une valeur par fichier, {@code null} pour celui qui fait échouer le lecteur
      */
@@ -94,17 +99,24 @@ public final class Lecteur {
         return arbre == null ? 0 : (int) lieux.getEndPosition(fichier, arbre);
     }
 
+    private List<?> nom(Tree nom) {
+        return List.of(String.valueOf(nom), debut(nom), fin(nom));
+    }
+
     private List<?> fichier(List<Integer> fautes) {
         Tree paquet = fichier.getPackageName();
         int entete = fin(fichier.getPackage());
-        List<List<?>> importations = new ArrayList<>();
+        List<List<?>> noms = new ArrayList<>(List.of(nom(paquet)));
         for (ImportTree importation : fichier.getImports()) {
-            importations.add(List.of(importation.getQualifiedIdentifier().toString(), debut(importation.getQualifiedIdentifier())));
+            Tree nom = importation.getQualifiedIdentifier();
+            for (; nom instanceof MemberSelectTree; nom = ((MemberSelectTree) nom).getExpression()) {
+                noms.add(nom(((MemberSelectTree) nom).getExpression()));
+            }
             entete = Math.max(entete, fin(importation));
         }
-        return List.of(paquet == null ? "" : paquet.toString(), debut(paquet), fin(paquet), entete, importations,
-                fichier.getTypeDecls().stream().filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1)
-                .map(c -> classe((ClassTree) c)).collect(Collectors.toList()), fautes);
+        return List.of(paquet == null ? "" : paquet.toString(), entete, noms, fichier.getTypeDecls().stream()
+                .filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1).map(c -> classe((ClassTree) c)).collect(Collectors.toList()),
+                fautes);
     }
 
     private List<?> classe(ClassTree classe) {
@@ -134,14 +146,13 @@ public final class Lecteur {
      * L'arbre de méthodes ou de classes, en un texte où ne comptent ni les commentaires, ni la présentation, ni les parenthèses et les
      * accolades de trop, ni l'accès, ni les noms des variables locales et des paramètres.
      */
-    private static final class Empreinte extends TreeScanner<Void, Void> {
+    private static final class Empreinte extends TreeScanner<Void, Tree> {
 
         private final StringBuilder texte = new StringBuilder();
         private final Set<String> noms = new TreeSet<>();
         private Map<String, Integer> locales = new HashMap<>();
         private int declarees;
         private int instructions;
-        private Tree courant;
 
         Empreinte(List<? extends Tree> arbres) {
             scan(arbres, null);
@@ -152,62 +163,52 @@ public final class Lecteur {
         }
 
         @Override
-        public Void scan(Iterable<? extends Tree> arbres, Void rien) {
+        public Void scan(Iterable<? extends Tree> arbres, Tree mere) {
             List<Tree> pleins = new ArrayList<>();
             if (arbres != null) {
                 arbres.forEach(pleins::add);
             }
-            pleins.removeIf(a -> a != null && a.getKind() == Tree.Kind.EMPTY_STATEMENT);
+            pleins.removeIf(EmptyStatementTree.class::isInstance);
             texte.append(pleins.size() == 1 ? "" : "[");
-            super.scan(pleins, rien);
+            super.scan(pleins, mere);
             texte.append(pleins.size() == 1 ? "" : "]");
             return null;
         }
 
         @Override
-        public Void scan(Tree arbre, Void rien) {
-            Tree.Kind sorte = arbre == null ? Tree.Kind.EMPTY_STATEMENT : arbre.getKind();
-            if (sorte == Tree.Kind.EMPTY_STATEMENT || sorte == Tree.Kind.MODIFIERS) {
+        public Void scan(Tree arbre, Tree mere) {
+            if (arbre == null || arbre instanceof EmptyStatementTree || arbre instanceof ModifiersTree) {
                 texte.append(arbre != null && arbre.toString().contains("static") ? "static" : "-");
                 return null;
+            } else if (arbre instanceof BlockTree || arbre instanceof ParenthesizedTree) {
+                return super.scan(arbre, arbre);
             }
-            Tree mere = courant;
             Map<String, Integer> dehors = locales;
-            courant = arbre;
-            if (sorte == Tree.Kind.BLOCK || sorte == Tree.Kind.PARENTHESIZED) {
-                super.scan(arbre, rien);
-            } else {
-                boolean locale = sorte == Tree.Kind.VARIABLE && !(mere instanceof ClassTree);
-                instructions += arbre instanceof StatementTree && (!locale || mere != null && mere.getKind() == Tree.Kind.BLOCK) ? 1 : 0;
-                if (locale) {
-                    locales.put(((VariableTree) arbre).getName().toString(), declarees++);
-                }
-                locales = arbre instanceof MethodTree ? new HashMap<>(locales) : locales;
-                texte.append(sorte).append('(');
-                nommer(arbre instanceof ClassTree ? ((ClassTree) arbre).getSimpleName() : arbre instanceof MethodTree
-                        ? ((MethodTree) arbre).getName() : arbre instanceof MemberSelectTree ? ((MemberSelectTree) arbre).getIdentifier()
-                        : sorte == Tree.Kind.VARIABLE && !locale ? ((VariableTree) arbre).getName() : "");
-                int avant = texte.length();
-                super.scan(arbre, rien);
-                if (texte.length() == avant && locales.containsKey(arbre.toString())) {
-                    texte.append('#').append(locales.get(arbre.toString()));
-                } else if (texte.length() == avant) {
-                    // une feuille : un nom, un type, ou une valeur
-                    texte.append(arbre);
-                    noms.addAll(arbre instanceof LiteralTree ? Set.of() : Set.of(arbre.toString()));
-                } else if (arbre instanceof MemberSelectTree && arbre.toString().equals("System.in")) {
-                    noms.add("System.in");
-                }
-                texte.append(')');
+            locales = arbre instanceof MethodTree ? new HashMap<>(locales) : locales;
+            boolean locale = arbre instanceof VariableTree && !(mere instanceof ClassTree);
+            if (locale) {
+                locales.put(((VariableTree) arbre).getName().toString(), declarees++);
             }
-            courant = mere;
+            instructions += arbre instanceof StatementTree && (!locale || mere instanceof BlockTree) ? 1 : 0;
+            Object nom = arbre instanceof ClassTree ? ((ClassTree) arbre).getSimpleName() : arbre instanceof MethodTree
+                    ? ((MethodTree) arbre).getName() : arbre instanceof MemberSelectTree ? ((MemberSelectTree) arbre).getIdentifier()
+                    : arbre instanceof VariableTree && !locale ? ((VariableTree) arbre).getName() : "";
+            noms.add(nom.toString());
+            texte.append(arbre.getKind()).append('(').append(nom);
+            int avant = texte.length();
+            super.scan(arbre, arbre);
+            if (texte.length() == avant && locales.containsKey(arbre.toString())) {
+                texte.append('#').append(locales.get(arbre.toString()));
+            } else if (texte.length() == avant) {
+                // une feuille : un nom, un type, ou une valeur
+                texte.append(arbre);
+                noms.add(arbre instanceof LiteralTree ? "" : arbre.toString());
+            } else if (arbre instanceof MemberSelectTree && arbre.toString().equals("System.in")) {
+                noms.add("System.in");
+            }
+            texte.append(')');
             locales = dehors;
             return null;
-        }
-
-        private void nommer(Object nom) {
-            noms.add(nom.toString());
-            texte.append(nom);
         }
     }
 }

@@ -1,10 +1,10 @@
 package lancer.correction.jugement;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.correction.depot.Projet;
 import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.Modele;
@@ -18,23 +18,20 @@ final class Constats {
     private static final int LONGUE = 5;
 
     private final Juge juge;
-    private final Reference reference;
     private final Projet projet;
     private final Resultat resultat;
 
-    Constats(Juge juge, Reference reference, Projet projet) {
+    Constats(Juge juge, Projet projet) {
         this.juge = juge;
-        this.reference = reference;
         this.projet = projet;
         this.resultat = juge.resultat;
     }
 
-    /** @param fautes ses fautes de compilation */
-    void dire(List<Faute> fautes) {
+    void dire() {
         consignes();
         retenir();
         confronter();
-        direLaFaute(fautes);
+        compiler();
     }
 
     /** Classes du rendu où ce nom est employé. */
@@ -61,7 +58,7 @@ final class Constats {
 
     /** L'image et les étapes doivent dire la même chose. */
     private void confronter() {
-        List<Verification> perdues = juge.verifications(v -> reference.compte(v) && !resultat.verdicts.get(v.id()).compte());
+        List<Verification> perdues = juge.verifications(v -> juge.reference.compte(v) && !resultat.verdicts.get(v.id()).compte());
         List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
                 .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
         if (autres.isEmpty() && !perdues.isEmpty()) {
@@ -87,14 +84,11 @@ final class Constats {
         }
     }
 
-    /** Dit d'abord la faute de compilation qui coûte quelque chose. */
-    private void direLaFaute(List<Faute> fautes) {
+    /** Les fautes de compilation : d'abord celles qui coûtent quelque chose. */
+    private void compiler() {
         Set<String> perdues = juge.verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.NE_SE_COMPILE_PAS).stream()
                 .map(v -> projet.cours.classe(v.classe)).collect(Collectors.toSet());
-        if (resultat.verdicts.values().stream().anyMatch(v -> v.etat == Etat.NE_SE_COMPILE_PAS)) {
-            Stream.concat(fautes.stream().filter(f -> f.demandeJava() || perdues.contains(f.classe())), fautes.stream()).findFirst()
-                    .ifPresent(f -> resultat.aRegarder.add(0, Juge.NE_SE_COMPILE_PAS + " : " + f + (fautes.size() < 2 ? ""
-                    : " ; et " + (fautes.size() - 1) + (fautes.size() > 2 ? " autres fautes" : " autre faute"))));
-        }
+        juge.siennes().stream().sorted(Comparator.comparing(f -> !f.demandeJava() && !perdues.contains(f.classe())))
+                .forEach(f -> resultat.fautes.add(f.toString()));
     }
 }

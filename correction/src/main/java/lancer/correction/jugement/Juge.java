@@ -35,7 +35,7 @@ final class Juge implements AutoCloseable {
 
     private static final String NON_COMMENCEE = "étape non commencée : ";
 
-    private final Reference reference;
+    final Reference reference;
     private final Machines.Compilation compilation;
     private final Machines machines;
     private final Projet projet;
@@ -100,9 +100,6 @@ final class Juge implements AutoCloseable {
         resultat.aRegarder.addAll(projet.aRegarder);
         Modele.A_COMPLETER.stream().filter(c -> projet.texte(c) == null).forEach(c -> resultat.remarques.add("la classe " + c
                 + " manque : celle du projet à compléter en tient lieu"));
-        List<Faute> siennes = ensemble.fautes.stream().filter(f -> projet.base.containsKey(f.fichier.replaceFirst("\\.java$", "")))
-                .sorted(Comparator.comparing(f -> !f.demandeJava())).collect(Collectors.toList());
-        siennes.forEach(f -> resultat.fautes.add(f.toString()));
         Verifications.Bilan toutes = lancer(ensemble, reference.verifications);
         Map<String, Verdict> parSeule = new HashMap<>();
         for (String classe : changees(Modele.A_COMPLETER)) {
@@ -124,8 +121,11 @@ final class Juge implements AutoCloseable {
             close();
             images.juger();
         }
-        variantes();
-        new Constats(this, reference, projet).dire(siennes);
+        for (Map.Entry<String, Map<String, String>> variante : projet.variantes.entrySet()) {
+            // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
+            images.montrer(variante.getKey(), assembler(base(variante.getValue())));
+        }
+        new Constats(this, projet).dire();
         return resultat;
     }
 
@@ -176,6 +176,12 @@ final class Juge implements AutoCloseable {
         return reference.verifications.stream().filter(lesquelles).collect(Collectors.toList());
     }
 
+    /** Les fautes de compilation de ce qu'il a rendu. */
+    List<Faute> siennes() {
+        return ensemble.fautes.stream().filter(f -> projet.base.containsKey(f.fichier.replaceFirst("\\.java$", "")))
+                .collect(Collectors.toList());
+    }
+
     /** Classes, parmi celles-ci, qu'il a rendues, et changées. */
     List<String> changees(List<String> classes) {
         return classes.stream().filter(projet.changees::contains).collect(Collectors.toList());
@@ -184,16 +190,9 @@ final class Juge implements AutoCloseable {
     /** Garde, pour la page, la méthode qui répond d'une vérification. */
     private void montrer(Verification v, String classe) {
         if (projet.texte(classe) != null) {
-            Set<String> lesquelles = classe.equals(v.classe) ? nommees(v) : methodes(classe).keySet();
+            Set<String> lesquelles = nommees(v, classe);
             resultat.methodes.put(v.id(), projet.type(classe).methodes.stream().filter(m -> lesquelles.contains(m.nom))
                     .map(m -> m.texte + "\n").collect(Collectors.joining()));
-        }
-    }
-
-    private void variantes() throws Arret {
-        for (Map.Entry<String, Map<String, String>> variante : projet.variantes.entrySet()) {
-            // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
-            images.montrer(variante.getKey(), assembler(base(variante.getValue())));
         }
     }
 
@@ -260,15 +259,12 @@ final class Juge implements AutoCloseable {
         if (ensemble.etat == Etat.REUSSI) {
             return ensemble;
         }
-        if (projet.texte(v.classe) == null) {
-            return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + " n'est pas dans le rendu");
-        }
         if (!projet.changees.contains(v.classe)) {
-            return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + " est celle du projet à compléter");
+            return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + (projet.texte(v.classe) == null ? " n'est pas dans le rendu"
+                    : " est celle du projet à compléter"));
         }
         if (seule != null && seule.etat == Etat.REUSSI) {
-            return new Verdict(Etat.CACHE, ecrite(v, ensemble.message) == null ? ensemble.message
-                : ensemble.message.replace(NON_COMMENCEE, "") + " ; " + v.classe + " est juste, la faute est ailleurs");
+            return new Verdict(Etat.CACHE, ensemble.message.replace(NON_COMMENCEE, ""));
         }
         // si elle ne se compile que parmi les siennes, c'est là qu'on la juge
         Verdict verdict = seule == null || seule.message.startsWith(NE_SE_COMPILE_PAS)
@@ -276,7 +272,7 @@ final class Juge implements AutoCloseable {
         montrer(v, v.classe);
         if (verdict.etat == Etat.NON_COMMENCE) {
             return verdict.message.startsWith("étape non évaluable") ? new Verdict(Etat.NON_EVALUABLE, verdict.message)
-                    : commencee(v, verdict, ecrite(v, verdict.message));
+                    : commencee(v, verdict);
         }
         if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
             String appelee = NE_SE_COMPILE_PAS + ", appelé par la vérification : ";
@@ -284,11 +280,10 @@ final class Juge implements AutoCloseable {
                     ? new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe))
                     : verdict.message.startsWith(appelee) ? new Verdict(Etat.RATE, verdict.message.substring(appelee.length()))
                     : Verdict.rate(verdict.message + (verdict.message.contains(" : ") ? ""
-                            : Stream.concat(this.ensemble.fautesDe(projet.cours.classe(v.classe)).stream().map(Faute::toString),
-                            resultat.fautes.stream()).findFirst().map(f -> " ; " + f).orElse("")));
+                            : Stream.concat(this.ensemble.fautesDe(projet.cours.classe(v.classe)).stream(), siennes().stream()).findFirst().map(f -> " ; " + f).orElse("")));
         }
         return verdict.message.equals(reference.duSquelette(v).message)
-                && !nommees(v).stream().allMatch(methodes(v.classe)::get)
+                && !nommees(v, v.classe).stream().allMatch(methodes(v.classe)::get)
                 ? new Verdict(Etat.NON_COMMENCE, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }
 
@@ -304,24 +299,20 @@ final class Juge implements AutoCloseable {
         return noms;
     }
 
-    /** Les méthodes à compléter dont parle cette vérification, à défaut toutes celles de sa classe. */
-    private Set<String> nommees(Verification v) {
-        Set<String> toutes = methodes(v.classe).keySet();
+    /** Les méthodes à compléter de cette classe dont parle cette vérification, à défaut toutes. */
+    private Set<String> nommees(Verification v, String classe) {
+        Set<String> toutes = methodes(classe).keySet();
         Set<String> nommees = toutes.stream().filter(m -> Pattern.compile("\\b" + m + "\\b")
                 .matcher(projet.cours.dans(v.titre)).find()).collect(Collectors.toCollection(TreeSet::new));
         return nommees.isEmpty() ? toutes : nommees;
     }
 
-    /** La classe qui a écrit la méthode qui, dit ce message, ne rend encore rien ; {@code null} si aucune ne l'a écrite. */
-    private String ecrite(Verification v, String message) {
-        return changees(Modele.A_COMPLETER).stream().filter(c -> message.startsWith(NON_COMMENCEE)
-                && !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape)) && methodes(c).entrySet().stream()
-                .anyMatch(m -> m.getValue() && projet.cours.dans(message).contains(m.getKey()))).findFirst().orElse(null);
-    }
-
-    /** Une étape que rien ne montre, mais dont dépend une méthode qu'il a écrite : dans cette classe, c'est une faute ; sinon on la dit. */
-    private Verdict commencee(Verification v, Verdict verdict, String ecrite) {
+    /** Une étape que rien ne montre, mais dont la méthode est écrite : c'est une faute de cette classe, ou d'une autre, que l'on dit. */
+    private Verdict commencee(Verification v, Verdict verdict) {
         String message = verdict.message.replace(NON_COMMENCEE, "");
+        String ecrite = changees(Modele.A_COMPLETER).stream().filter(c -> !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape))
+                && methodes(c).entrySet().stream().anyMatch(m -> m.getValue() && projet.cours.dans(message).contains(m.getKey())))
+                .findFirst().orElse(null);
         if (ecrite == null || ecrite.equals(v.classe)) {
             return ecrite == null ? verdict : new Verdict(Etat.RATE, message);
         }

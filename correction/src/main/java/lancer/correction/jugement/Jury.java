@@ -152,7 +152,7 @@ public final class Jury implements AutoCloseable {
     }
 
     private Resultat juger(Rendu rendu, Machines.Compilation compilation) {
-        if (!rendu.refus.isEmpty()) {
+        if (rendu.sources.isEmpty()) {
             return refuse(rendu, rendu.refus);
         }
         Resultat resultat = null;
@@ -167,7 +167,7 @@ public final class Jury implements AutoCloseable {
         } catch (Arret e) {
             return refuse(rendu, List.of(e.getMessage() + " (à la compilation, ou en prenant ses classes)"));
         }
-        rendu.aRegarder.forEach(resultat::regarder);
+        rendu.refus.forEach(resultat::regarder);
         Echange.abreger(resultat.remarques);
         Echange.abreger(resultat.aRegarder);
         Echange.abreger(resultat.fautes);

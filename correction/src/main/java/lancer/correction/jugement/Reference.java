@@ -87,9 +87,7 @@ public final class Reference implements AutoCloseable {
         for (String nom : Modele.VARIANTES) {
             String[] titres = Grille.EXTENSIONS.get(nom);
             grille.ajouter(nom, titres[0], new Grille.Critere(nom + ".image", "", titres[1], true));
-            Map<String, String> classes = Modele.tout(Modele::corrige);
-            classes.putAll(Modele.ajoutees(nom));
-            grille.ajouter(nom, false, juge.images.etendre(juge.assembler(classes), nom, true));
+            grille.ajouter(nom, false, juge.images.etendre(juge.assembler(Modele.acheve(nom)), nom, true));
         }
         Projet.CONSIGNES.forEach((nom, titre) -> grille.ajouter(Grille.CONSIGNES, "Consignes de rendu",
                 new Grille.Critere(Grille.CONSIGNES + "." + nom, "", titre, true)));

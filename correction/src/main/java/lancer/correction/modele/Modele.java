@@ -2,20 +2,27 @@ package lancer.correction.modele;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import lancer.correction.Panne;
 
 /**
  * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même
@@ -36,7 +43,7 @@ public final class Modele {
     /** Les extensions du cours, dans son ordre. */
     public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
-    public static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
+    private static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
             "tournesol");
 
     /** Rayon d'une boule trop grande pour qu'on la déplace : un sol, un miroir presque plat. */
@@ -45,14 +52,16 @@ public final class Modele {
     private static final Pattern RAYON = Pattern.compile("(?m)^rayon=(\\S+)");
     private static final Pattern TRIPLET = Pattern.compile("(?m)^(centre|position|Kd|Ks|couleur)=(\\S+) (\\S+) (\\S+)$");
 
+    /** Fichiers qui accompagnent les classes, et les mêmes fichiers dans le projet. */
+    private static final List<String> PROJET = List.of("pom.xml", "Makefile", "src/test/java/lancer/Etapes.java",
+            "src/test/resources/META-INF/services/org.junit.platform.launcher.TestExecutionListener");
+
     private Modele() {
     }
 
     /** Toutes les classes du projet, sans ses tests. */
     public static List<String> classes() {
-        List<String> toutes = new ArrayList<>(A_COMPLETER);
-        toutes.addAll(DONNEES);
-        return toutes;
+        return Stream.concat(A_COMPLETER.stream(), DONNEES.stream()).collect(Collectors.toList());
     }
 
     /** La classe à compléter : des {@code FIXME} à la place des réponses. */
@@ -76,23 +85,20 @@ public final class Modele {
         // null : pour toutes ; sinon, l'extension dont on lit les lignes
         String pour = null;
         boolean dansReponse = false;
-        boolean dansMarque = false;
         for (String ligne : ressource("modele/lancer/" + classe + ".java").split("\n")) {
             String nue = ligne.trim();
-            String marge = ligne.substring(0, ligne.length() - ligne.stripLeading().length());
+            String marge = ligne.substring(0, ligne.indexOf(nue));
             if (nue.startsWith("//<") || nue.equals("//>")) {
                 pour = nue.equals("//>") ? null : nue.substring(3);
             } else if (pour != null && pour.equals(variante) != nue.startsWith("//+")) {
                 continue;
             } else if (nue.startsWith("//{")) {
-                dansMarque = true;
                 dansReponse = true;
                 resultat.append(reponses || nue.length() == 3 ? "" : marge + "// FIXME" + nue.substring(3) + "\n");
-            } else if (dansMarque && nue.startsWith("//=")) {
+            } else if (nue.startsWith("//=")) {
                 dansReponse = false;
                 resultat.append(reponses ? "" : marge + nue.substring(4) + "\n");
-            } else if (dansMarque && nue.equals("//}")) {
-                dansMarque = false;
+            } else if (nue.equals("//}")) {
                 dansReponse = false;
             } else if (!dansReponse || reponses) {
                 resultat.append((pour == null ? ligne : ligne.replaceFirst("//\\+ ?", "")).stripTrailing()).append('\n');
@@ -106,14 +112,13 @@ public final class Modele {
         return classes().stream().collect(Collectors.toMap(c -> "lancer/" + c, texte));
     }
 
-    /** Les classes complétées que cette extension ajoute, ou change. */
-    public static Map<String, String> ajoutees(String variante) {
-        Map<String, String> siennes = tout(c -> corrige(c, variante));
-        siennes.values().removeAll(tout(Modele::corrige).values());
+    /** Toutes les classes complétées de cette extension, ou de la base si ce nom est vide. */
+    public static Map<String, String> acheve(String variante) {
+        Map<String, String> classes = tout(c -> corrige(c, variante));
         if (variante.equals("brume")) {
-            siennes.put("lancer/Brume", corrige("Brume"));
+            classes.put("lancer/Brume", corrige("Brume"));
         }
-        return siennes;
+        return classes;
     }
 
     public static String scene(String nom) {
@@ -149,5 +154,45 @@ public final class Modele {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /**
+     * Écrit un projet que les étudiants reçoivent : les classes, les scènes, {@code Tests}, de quoi construire.
+     *
+     * @param variante {@code null} pour le projet à compléter ; vide pour le projet achevé, ou l'extension dont c'est la copie
+     * @throws Panne si le dossier n'est pas vide, ou ne peut être écrit, ou si le cours n'a pas cette extension
+     */
+    public static void ecrire(String dossier, String variante, PrintStream sortie) {
+        if (variante != null && !variante.isEmpty() && !VARIANTES.contains(variante)) {
+            throw new Panne(2, "extension inconnue : « " + variante + " » ; attendu : "
+                    + String.join(", ", new TreeSet<>(VARIANTES)));
+        }
+        Map<String, String> fichiers = new TreeMap<>();
+        (variante == null ? tout(Modele::squelette) : acheve(variante))
+                .forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
+        fichiers.put("LISEZMOI.md", ressource("projet/" + (variante == null ? "LISEZMOI.md" : "CORRIGE.md")));
+        if ("blinn".equals(variante)) {
+            // hors du miroir, les reflets de Blinn ne sont pas ceux de Phong, que Tests demande
+            fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
+        }
+        fichiers.put("src/test/java/lancer/Tests.java", ressource("modele/lancer/Tests.java"));
+        SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", scene(scene)));
+        PROJET.forEach(fichier -> fichiers.put(fichier, ressource("projet/" + fichier)));
+        Path racine = Paths.get(dossier);
+        try {
+            String[] contenu = racine.toFile().list();
+            if (contenu != null && contenu.length > 0) {
+                throw new Panne(2, "le dossier n'est pas vide : " + dossier + " ; attendu : un dossier vide, ou qui n'existe pas");
+            }
+            for (Map.Entry<String, String> fichier : fichiers.entrySet()) {
+                Path chemin = racine.resolve(fichier.getKey());
+                Files.createDirectories(chemin.getParent());
+                Files.writeString(chemin, fichier.getValue());
+            }
+        } catch (IOException e) {
+            throw new Panne(1, "écriture impossible : " + e);
+        }
+        sortie.println((variante == null ? "Le projet à compléter" : variante.isEmpty() ? "Le corrigé"
+                : "Le corrigé, extension " + variante + ",") + " est dans " + racine);
     }
 }

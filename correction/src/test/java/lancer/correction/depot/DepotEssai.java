@@ -24,12 +24,10 @@ abstract class DepotEssai {
     @TempDir
     Path dossier;
     Path rendus;
-    Path travail;
 
     @BeforeEach
     void preparer() throws IOException {
         rendus = Files.createDirectories(dossier.resolve("rendus"));
-        travail = Files.createDirectories(dossier.resolve("travail"));
     }
 
     static void ecrire(Path fichier, String texte) throws IOException {
@@ -38,7 +36,7 @@ abstract class DepotEssai {
     }
 
     Map<String, Rendu> lire(Path lieu) {
-        return Depot.lire(lieu, travail).stream().collect(Collectors.toMap(r -> r.id, r -> r));
+        return Depot.lire(lieu).stream().collect(Collectors.toMap(r -> r.id, r -> r));
     }
 
     static Projet projet(Rendu rendu) {

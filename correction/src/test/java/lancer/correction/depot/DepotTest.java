@@ -159,9 +159,9 @@ class DepotTest extends DepotEssai {
         }
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java"), CLASSE);
         Rendu rendu = lire(rendus).get("11");
-        verifier(rendu, "Étudiant 1");
-        assertEquals(7, rendu.aRegarder.stream().filter(r -> r.contains(" : à déplier à la main")).count(), rendu.aRegarder.toString());
-        assertEquals(rendu.aRegarder, rendu.remarques);
+        assertEquals(7, rendu.refus.stream().filter(r -> r.contains(" : à déplier à la main")).count(), rendu.refus.toString());
+        assertEquals("[lancer/Vecteur]", projet(rendu).base.keySet().toString());
+        assertEquals(rendu.refus, projet(rendu).remarques);
     }
 
     @Test
@@ -174,7 +174,7 @@ class DepotTest extends DepotEssai {
         // une barre à l'envers n'est pas celle d'un dossier : celui-là n'entre pas chez un autre
         ecrire(rendus.resolve("martin/lancer/Vecteur.java"), CLASSE);
         ClasseEssai.archiver(rendus.resolve("martin"), rendus.resolve("martin\\dupont.zip"), "");
-        List<Rendu> lus = Depot.lire(rendus, travail);
+        List<Rendu> lus = Depot.lire(rendus);
         assertEquals(10, lus.size());
         TreeSet<String> ids = new TreeSet<>();
         TreeSet<String> fichiers = new TreeSet<>();
@@ -229,7 +229,7 @@ class DepotTest extends DepotEssai {
 
     @Test
     void rienEstRefuseEnUnePhrase() {
-        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(dossier.resolve("absent"), travail)).code);
-        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(rendus, travail)).code);
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(dossier.resolve("absent"))).code);
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(rendus)).code);
     }
 }

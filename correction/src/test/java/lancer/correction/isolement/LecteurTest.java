@@ -14,7 +14,7 @@ class LecteurTest {
 
     private static List<?> methode(String texte) {
         List<?> lu = (List<?>) Lecteur.lire(List.of("class A { int champ; " + texte + " }")).get(0);
-        List<?> classe = (List<?>) ((List<?>) lu.get(5)).get(0);
+        List<?> classe = (List<?>) ((List<?>) lu.get(3)).get(0);
         return (List<?>) ((List<?>) classe.get(5)).get(0);
     }
 
@@ -43,6 +43,6 @@ class LecteurTest {
         List<?> lus = Lecteur.lire(List.of("class A { }", emboite, "class C {"));
         assertNotNull(lus.get(0));
         assertNull(lus.get(1));
-        assertEquals(List.of(9), ((List<?>) lus.get(2)).get(6), "une faute de syntaxe, et où");
+        assertEquals(List.of(9), ((List<?>) lus.get(2)).get(4), "une faute de syntaxe, et où");
     }
 }
