@@ -129,7 +129,7 @@ public final class Correction {
         try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES, graine(dossier.resolve("graine.txt")))) {
             AtomicInteger finis = new AtomicInteger();
             Alias alias = new Alias(dossier, rendus.stream().map(r -> r.id).collect(Collectors.toList()));
-            List<Resultat> tous = jury.juger(rendus, alias, (rang, resultat) -> suivi.println("correction : " + finis.incrementAndGet()
+            List<Resultat> tous = jury.juger(rendus, alias, resultat -> suivi.println("correction : " + finis.incrementAndGet()
                     + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
             // à la fin seulement : interrompu, il ne laisse pas les résultats d'une partie de la classe
             Path resultats = Files.createDirectories(dossier.resolve(RESULTATS));
