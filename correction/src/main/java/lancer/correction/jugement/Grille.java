@@ -15,23 +15,6 @@ import org.apache.commons.csv.CSVRecord;
  */
 public final class Grille {
 
-    /** Une ligne d'une étape. */
-    public static final class Critere {
-
-        public final String id;
-        public final String titre;
-        public final boolean compte;
-        /** La classe du cours dont il parle, vide s'il n'en est pas d'une. */
-        public final String classe;
-
-        Critere(String id, String classe, String titre, boolean compte) {
-            this.id = id;
-            this.classe = classe;
-            this.titre = titre;
-            this.compte = compte;
-        }
-    }
-
     /** Une étape et ses critères. */
     public static final class Etape {
 
@@ -43,7 +26,7 @@ public final class Grille {
         public final boolean extension;
         /** Vrai pour une étape de l'énoncé, que l'on fait dans l'ordre : ni l'image, ni une extension. */
         public final boolean duCours;
-        public final List<Critere> criteres = new ArrayList<>();
+        public final List<Verification> criteres = new ArrayList<>();
 
         Etape(String nom, String titre) {
             this.nom = nom;
@@ -84,9 +67,9 @@ public final class Grille {
     }
 
     /** Ajoute un critère à la dernière étape, si c'est celle-là, sinon à une de plus. */
-    void ajouter(String etape, String titreEtape, Critere critere) {
-        if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(etape)) {
-            etapes.add(new Etape(etape, titreEtape));
+    void ajouter(Verification critere) {
+        if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(critere.etape)) {
+            etapes.add(new Etape(critere.etape, critere.titreEtape));
         }
         etapes.get(etapes.size() - 1).criteres.add(critere);
     }
@@ -104,7 +87,7 @@ public final class Grille {
         List<List<?>> lignes = new ArrayList<>();
         lignes.add(List.of("sans confinement", sansConfinement));
         etapes.forEach(etape -> etape.criteres.forEach(c ->
-                lignes.add(List.of("critère", etape.nom, etape.court, c.id, c.classe, c.titre, c.compte))));
+                lignes.add(List.of("critère", c.etape, c.titreEtape, c.methode, c.classe, c.titre, c.compte))));
         images.forEach((nom, image) -> lignes.add(image.ligne(nom)));
         Resultat.ecrire(fichier, lignes);
     }
@@ -115,7 +98,9 @@ public final class Grille {
         Grille grille = new Grille(lignes.get(0).get(1));
         for (CSVRecord l : lignes.subList(1, lignes.size())) {
             if (l.get(0).equals("critère")) {
-                grille.ajouter(l.get(1), l.get(2), new Critere(l.get(3), l.get(4), l.get(5), Boolean.parseBoolean(l.get(6))));
+                Verification critere = new Verification(l.get(1), l.get(2), l.get(3), l.get(4), l.get(5));
+                critere.compte = Boolean.parseBoolean(l.get(6));
+                grille.ajouter(critere);
             } else {
                 grille.images.put(l.get(1), new Image(l));
             }

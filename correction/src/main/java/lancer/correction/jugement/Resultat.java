@@ -73,8 +73,8 @@ public final class Resultat {
     }
 
     /** Verdict d'un critère ; « non commencé » s'il n'a pas été essayé. */
-    public Verdict verdict(Grille.Critere critere) {
-        return verdicts.getOrDefault(critere.id, new Verdict(Verdict.Etat.NON_COMMENCE, ""));
+    public Verdict verdict(Verification critere) {
+        return verdicts.getOrDefault(critere.id(), new Verdict(Verdict.Etat.NON_COMMENCE, ""));
     }
 
     /** Nombre de critères réussis. */

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
+import lancer.correction.jugement.Verification;
 
 /**
  * La note d'un rendu : par étape, la part des critères réussis, ou ce que l'enseignant a donné lui-même. Les points d'une
@@ -30,7 +31,7 @@ public final class Note {
         public final Ajustements.Ligne ajustement;
         private final List<Verdict> verdicts;
 
-        Part(List<Grille.Critere> criteres, Resultat resultat, double poids, boolean enleve, Ajustements.Ligne ajustement) {
+        Part(List<Verification> criteres, Resultat resultat, double poids, boolean enleve, Ajustements.Ligne ajustement) {
             // ce que le projet à compléter réussit ne rapporte rien, mais le perdre coûte
             verdicts = criteres.stream().filter(c -> c.compte || resultat.verdict(c).rate()).map(resultat::verdict)
                     .collect(Collectors.toList());

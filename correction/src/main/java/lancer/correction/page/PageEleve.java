@@ -12,6 +12,7 @@ import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
+import lancer.correction.jugement.Verification;
 import lancer.correction.note.Note;
 
 /** La page d'un rendu : où il en est, ce qui ne va pas, avec un exemple, et les images. */
@@ -82,12 +83,12 @@ final class PageEleve {
         return "<span class=\"e " + classe(part) + "\">" + combien(part) + (part.ajustement != null ? " *" : "") + "</span>";
     }
 
-    private void critere(Grille.Critere critere) {
+    private void critere(Verification critere) {
         Verdict verdict = eleve.resultat.verdict(critere);
         Verdict.Etat etat = verdict.etat;
         boolean muet = verdict.message.isEmpty();
         boolean ouvert = verdict.rate() && !muet && deplies.add(verdict.message);
-        String methode = eleve.resultat.methodes.get(critere.id);
+        String methode = eleve.resultat.methodes.get(critere.id());
         html.brut(muet ? "<div>" : "<details" + (ouvert ? " open" : "") + "><summary>")
                 .element("span class=\"e " + etat.name().toLowerCase(Locale.ROOT) + "\"", etat.texte).dire(" " + critere.titre)
                 .dire(critere.compte ? "" : " (ne compte pas : déjà dans le projet à compléter)");

@@ -18,6 +18,7 @@ import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Verdict;
+import lancer.correction.jugement.Verification;
 import lancer.correction.note.Bareme;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
@@ -142,7 +143,7 @@ public final class Pages {
     /** La première chose à corriger, celle de l'étape la plus tôt. */
     void aReprendre(Eleve eleve, Html html, String debut, String fin) {
         for (Grille.Etape etape : grille.etapes) {
-            for (Grille.Critere critere : etape.criteres) {
+            for (Verification critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdict(critere);
                 if (verdict.rate() && bareme.poids(etape.nom) > 0) {
                     html.brut(debut).element("strong", etape.titre)
