@@ -104,7 +104,8 @@ public final class Resultat {
         ecrire(fichier, lignes);
     }
 
-    static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
+    /** Écrit un tableau. */
+    public static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
         try (CSVPrinter csv = new CSVPrinter(Files.newBufferedWriter(fichier), CSVFormat.DEFAULT)) {
             csv.printRecords(lignes);
         }

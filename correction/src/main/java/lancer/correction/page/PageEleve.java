@@ -4,7 +4,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import java.util.function.IntBinaryOperator;
 import lancer.correction.Eleve;
 import lancer.correction.jugement.Chemin;
 import lancer.correction.jugement.Grille;
@@ -122,24 +121,11 @@ final class PageEleve {
                 continue;
             }
             Image nous = classe.grille.getImage(scene, resultat.centre);
-            figure("la vôtre", lui, lui::code);
-            figure("celle du corrigé", nous, nous::code);
-            figure("leur différence, quatre fois plus forte", lui, (x, y) -> difference(lui.code(x, y), nous.code(x, y)));
+            html.figure(lui, 1, "la vôtre");
+            html.figure(nous, 1, "celle du corrigé");
+            html.figure(lui.difference(nous), 1, "leur différence, quatre fois plus forte");
         }
         classe.extensions(eleve, html, 1);
-    }
-
-    private void figure(String legende, Image taille, IntBinaryOperator pixel) {
-        html.brut("<figure>" + Html.image(taille.largeur, taille.hauteur, pixel, legende)).element("figcaption", legende)
-                .brut("</figure>\n");
-    }
-
-    private static int difference(int a, int b) {
-        int d = 0;
-        for (int k = 16; k >= 0; k -= 8) {
-            d = d << 8 | Math.min(255, 4 * Math.abs((a >> k & 255) - (b >> k & 255)));
-        }
-        return d;
     }
 
     private void chemin() {

@@ -1,8 +1,6 @@
 package lancer.correction.page;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,11 +15,10 @@ import lancer.correction.Eleve;
 import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
+import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
 import lancer.correction.jugement.Verification;
 import lancer.correction.note.Bareme;
-import org.apache.commons.csv.CSVFormat;
-import org.apache.commons.csv.CSVPrinter;
 
 /** Les pages d'une classe : celle de chacun, celle de tous, et le tableau à part. */
 public final class Pages {
@@ -60,23 +57,19 @@ public final class Pages {
                 "image identique", "refus", "à regarder"));
         grille.etapes.forEach(e -> titres.add(e.nom));
         titres.addAll(bareme.libres);
-        try (BufferedWriter texte = Files.newBufferedWriter(fichier, StandardCharsets.UTF_8);
-                CSVPrinter csv = new CSVPrinter(texte, CSVFormat.DEFAULT)) {
-            csv.printRecord(titres);
-            for (Eleve e : eleves) {
-                // ce qui n'a pu être jugé n'a pas zéro : rien
-                boolean juge = !e.illisible();
-                List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.resultat.id),
-                        sansFormule(e.resultat.nom), juge ? String.format(Locale.ROOT, "%.2f", e.note.total()) : "",
-                        String.format(Locale.ROOT, "%.2f", e.note.sur),
-                        juge ? e.note.atteinte : "", !juge ? ""
-                        : e.note.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
-                        sansFormule(String.join(" ; ", e.resultat.refus)),
-                        sansFormule(String.join(" ; ", e.aRegarder))));
-                e.note.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
-                csv.printRecord(ligne);
-            }
+        List<List<?>> lignes = new ArrayList<>(List.of(titres));
+        for (Eleve e : eleves) {
+            // ce qui n'a pu être jugé n'a pas zéro : rien
+            boolean juge = !e.illisible();
+            List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom,
+                    juge ? String.format(Locale.ROOT, "%.2f", e.note.total()) : "", String.format(Locale.ROOT, "%.2f", e.note.sur),
+                    juge ? e.note.atteinte : "", !juge ? "" : e.note.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
+                    String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
+            e.note.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
+            ligne.replaceAll(Pages::sansFormule);
+            lignes.add(ligne);
         }
+        Resultat.ecrire(fichier, lignes);
     }
 
     /** Un tableur prendrait pour une formule un texte qui commence ainsi, ou sa suite, là où « ; » sépare les cases. */
@@ -101,7 +94,7 @@ public final class Pages {
         html.element("h2", "Où la classe s'arrête");
         ouLaClasseSArrete(html, lisibles);
         html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
-                .brut(vignette(grille.getImage("scene1", false), 2, "l'image du corrigé")).brut("celle du corrigé"
+                .image(grille.getImage("scene1", false), 2, "l'image du corrigé").brut("celle du corrigé"
                 + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total())).brut("<th>étape atteinte");
         for (Grille.Etape etape : grille.etapes) {
             html.brut("<th class=\"debout\"><span>").dire(etape.court).brut("</span>");
@@ -159,7 +152,7 @@ public final class Pages {
         html.brut("<tr><td class=\"vignette\" rowspan=\"2\">");
         Image image = eleve.resultat.images.get("scene1");
         if (image != null) {
-            html.brut(vignette(image, 2, "son image"));
+            html.image(image, 2, "son image");
         }
         html.brut("<td>");
         nommer(html, eleve);
@@ -195,22 +188,11 @@ public final class Pages {
         Map<String, Image> images = eleve.resultat.images;
         grille.etapes.stream().filter(e -> e.extension && images.containsKey(e.nom)).forEach(e -> {
             html.brut("<div class=\"extension\">");
-            figure(html, images.get(e.nom), reduction, e.court);
-            figure(html, images.get(e.nom + Grille.BASE), reduction, "la base");
-            figure(html, grille.getImage(e.nom, false), reduction, "le corrigé");
+            html.figure(images.get(e.nom), reduction, e.court);
+            html.figure(images.get(e.nom + Grille.BASE), reduction, "la base");
+            html.figure(grille.getImage(e.nom, false), reduction, "le corrigé");
             html.brut("</div>\n");
         });
-    }
-
-    private static void figure(Html html, Image image, int reduction, String legende) {
-        if (image != null) {
-            html.brut("<figure>" + vignette(image, reduction, legende)).element("figcaption", legende).brut("</figure>\n");
-        }
-    }
-
-    private static String vignette(Image image, int reduction, String legende) {
-        return Html.image(image.largeur / reduction, image.hauteur / reduction, (x, y) -> image.code(reduction * x, reduction * y),
-                legende);
     }
 
     /** Tableau : pour chaque étape, combien des rendus jugés en ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
