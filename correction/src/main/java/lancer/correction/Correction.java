@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -93,9 +92,9 @@ public final class Correction {
             } else if (demande.containsKey("--corrige")) {
                 Squelette.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
             } else {
-                Path dossier = Files.createDirectories(Paths.get(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
+                Path dossier = Files.createDirectories(Path.of(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
                 // une feuille de notes qui ne convient pas se dit tout de suite, pas après avoir tout jugé
-                FeuilleMoodle feuille = demande.containsKey("--notes") ? new FeuilleMoodle(Paths.get(demande.get("--notes"))) : null;
+                FeuilleMoodle feuille = demande.containsKey("--notes") ? new FeuilleMoodle(Path.of(demande.get("--notes"))) : null;
                 if (demande.containsKey(RENDUS)) {
                     correction.juger(dossier);
                 }
@@ -118,7 +117,7 @@ public final class Correction {
     /** Juge chaque rendu, et écrit ce qu'il en a vu dans {@code resultats} : un fichier par rendu, et celui du corrigé. */
     private void juger(Path dossier) throws IOException {
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
-        List<Rendu> rendus = Depot.lire(Paths.get(demande.get(RENDUS)), travail);
+        List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)), travail);
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
             throw new Panne(1, "rien n'a été exécuté : " + confinement.manque
@@ -180,7 +179,7 @@ public final class Correction {
             throw new Panne(2, "rien à noter : " + dossier.resolve(RESULTATS) + " n'a pas les résultats d'une classe jugée ("
                     + e + ") ; attendu : make corriger d'abord");
         }
-        Bareme bareme = new Bareme(Paths.get(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
+        Bareme bareme = new Bareme(Path.of(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
         List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         criteres.addAll(bareme.libres);
         List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());

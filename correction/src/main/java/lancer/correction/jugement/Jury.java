@@ -122,7 +122,9 @@ public final class Jury implements AutoCloseable {
         String trop = "";
         for (long debut = System.nanoTime(); fil.isAlive() && trop.isEmpty(); fil.join(TOUR_MS)) {
             trop = FILS.getThreadCpuTime(fil.getId()) > limites.propre * 1e9
-                    ? Math.round(limites.propre) + " s de calcul du correcteur lui-même" : System.nanoTime() - debut > ENTIER_MAX * 1e9 ? ENTIER_MAX + " s en tout" : "";
+                    ? Math.round(limites.propre) + " s de calcul du correcteur lui-même"
+                    : System.nanoTime() - debut > ENTIER_MAX * 1e9
+                    ? ENTIER_MAX + " s en tout" : "";
         }
         if (trop.isEmpty()) {
             compilations.add(compilation);

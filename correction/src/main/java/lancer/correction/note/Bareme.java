@@ -34,41 +34,37 @@ public final class Bareme {
      * @throws Panne s'il ne convient pas
      */
     public Bareme(Path fichier, Grille grille) {
+        List<String> etapes = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
+        Profile.Section section;
         try {
             if (!Files.exists(fichier)) {
                 Files.writeString(fichier, Modele.ressource("bareme.ini"));
             }
-            lire(fichier, new Ini(new StringReader(Source.decoder(Files.readAllBytes(fichier)))),
-                    grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList()));
+            section = new Ini(new StringReader(Source.decoder(Files.readAllBytes(fichier)))).get("Barème");
         } catch (InvalidFileFormatException e) {
             throw new Panne(2, fichier + " : ligne incomprise ; attendu : étape=points ("
                     + e.getMessage().replace("parse error (at line: ", "ligne ").replaceFirst("\\)", "") + ")");
         } catch (IOException e) {
             throw new Panne(2, "barème illisible : " + fichier + " (" + e.getMessage() + ")");
         }
-    }
-
-    private void lire(Path fichier, Ini ini, List<String> etapes) {
-        Profile.Section section = ini.get("Barème");
         if (section == null) {
             throw new Panne(2, fichier + " : la section [Barème] manque");
         }
-        for (Map.Entry<String, String> ligne : section.entrySet()) {
-            String faute = fichier + ", [Barème], " + ligne.getKey();
-            boolean connue = etapes.contains(ligne.getKey());
-            if (!connue && etapes.stream().anyMatch(e -> debut(e).equals(debut(ligne.getKey())))) {
+        section.forEach((nom, points) -> {
+            String faute = fichier + ", [Barème], " + nom;
+            boolean connue = etapes.contains(nom);
+            if (!connue && etapes.stream().anyMatch(e -> debut(e).equals(debut(nom)))) {
                 throw new Panne(2, faute + " : étape inconnue ; attendu : une parmi " + String.join(", ", etapes)
                         + ", ou une ligne libre, qui ne commence pas comme une étape");
+            } else if (!connue) {
+                libres.add(nom);
             }
-            if (!connue) {
-                libres.add(ligne.getKey());
-            }
-            String texte = ligne.getValue() == null ? "" : ligne.getValue().trim().replace(',', '.');
+            String texte = points == null ? "" : points.trim().replace(',', '.');
             if (!texte.matches("\\d{1,4}(\\.\\d{1,6})?")) {
                 throw new Panne(2, faute + " : « " + texte + " » ; attendu : un nombre de 0 à 9999");
             }
-            poids.put(ligne.getKey(), Double.valueOf(texte));
-        }
+            poids.put(nom, Double.valueOf(texte));
+        });
         if (!(total() > 0)) {
             throw new Panne(2, fichier + " : la somme des points est nulle");
         }

@@ -53,7 +53,8 @@ public final class FeuilleMoodle {
         this.fichier = fichier;
         try {
             texte = Files.readString(fichier);
-            lignes = lignes(texte);
+            lignes = CSVParser.parse(texte.replaceFirst("^" + BOM, ""), CSVFormat.DEFAULT).stream()
+                    .map(ligne -> new ArrayList<>(ligne.toList())).collect(Collectors.toList());
         } catch (CharacterCodingException e) {
             throw new Panne(2, fichier + " : n'est pas en UTF-8 ; attendu : la feuille de notes telle que Moodle la donne");
         } catch (IOException | RuntimeException e) {
@@ -65,12 +66,6 @@ public final class FeuilleMoodle {
         maximum = colonne(false, "Maximum Grade", "Note maximale");
         commentaire = colonne(false, "Feedback comments", "Feedback par commentaires");
         modifiable = colonne(false, "Grade can be changed", "La note peut être modifiée");
-    }
-
-    private static List<List<String>> lignes(String texte) throws IOException {
-        try (CSVParser csv = CSVParser.parse(texte.replaceFirst("^" + BOM, ""), CSVFormat.DEFAULT)) {
-            return csv.stream().map(ligne -> new ArrayList<>(ligne.toList())).collect(Collectors.toList());
-        }
     }
 
     private int colonne(boolean exigee, String anglais, String francais) {
