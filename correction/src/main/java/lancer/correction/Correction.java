@@ -181,7 +181,6 @@ public final class Correction {
         }
         Bareme bareme = new Bareme(Path.of(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
         List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
-        criteres.addAll(bareme.libres);
         List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());
         Ajustements ajustements = new Ajustements(dossier, ids, criteres);
         List<String> fautes = new ArrayList<>(new Alias(dossier, ids).fautes);

@@ -15,7 +15,7 @@ import org.apache.commons.csv.CSVRecord;
  */
 public final class Grille {
 
-    /** Une étape et ses critères. */
+    /** Une étape et ses critères ; ou une ligne libre du barème, qui n'en a pas. */
     public static final class Etape {
 
         public final String nom;
@@ -24,16 +24,23 @@ public final class Grille {
         public final String court;
         /** Vrai pour une variante, que l'on fait si l'on veut, dans l'ordre que l'on veut. */
         public final boolean extension;
-        /** Vrai pour une étape de l'énoncé, que l'on fait dans l'ordre : ni l'image, ni une extension. */
-        public final boolean duCours;
         public final List<Verification> criteres = new ArrayList<>();
 
-        Etape(String nom, String titre) {
+        public Etape(String nom, String titre) {
             this.nom = nom;
             this.court = titre;
             this.extension = Modele.VARIANTES.contains(nom);
             this.titre = (extension ? "Extension : " : "") + titre;
-            this.duCours = !extension && !nom.equals(IMAGE) && !nom.equals(CONSIGNES);
+        }
+
+        /** Vrai pour une ligne que l'enseignant a ajoutée au barème, et dont il donne les points. */
+        public boolean libre() {
+            return criteres.isEmpty();
+        }
+
+        /** Vrai pour une étape de l'énoncé, que l'on fait dans l'ordre. */
+        public boolean duCours() {
+            return !extension && !libre() && !nom.equals(IMAGE) && !nom.equals(CONSIGNES);
         }
     }
 

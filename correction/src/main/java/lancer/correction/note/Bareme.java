@@ -4,8 +4,7 @@ import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -24,12 +23,12 @@ import org.ini4j.Profile;
  */
 public final class Bareme {
 
-    private final Map<String, Double> poids = new LinkedHashMap<>();
-    /** Les lignes que l'enseignant a ajoutées, dans leur ordre. */
-    public final List<String> libres = new ArrayList<>();
+    private final Map<String, Double> poids = new HashMap<>();
+    /** La note maximale. Les consignes, qui enlèvent des points, n'y sont pas ; les lignes libres non plus : {@link Note#sur}. */
+    public final double total;
 
     /**
-     * Lit le barème, ou l'écrit d'abord s'il n'existe pas.
+     * Lit le barème, ou l'écrit d'abord s'il n'existe pas ; ses lignes libres sont ajoutées à la grille.
      *
      * @throws Panne s'il ne convient pas
      */
@@ -57,7 +56,7 @@ public final class Bareme {
                 throw new Panne(2, faute + " : étape inconnue ; attendu : une parmi " + String.join(", ", etapes)
                         + ", ou une ligne libre, qui ne commence pas comme une étape");
             } else if (!connue) {
-                libres.add(nom);
+                grille.etapes.add(new Grille.Etape(nom, nom));
             }
             String texte = points == null ? "" : points.trim().replace(',', '.');
             if (!texte.matches("\\d{1,4}(\\.\\d{1,6})?")) {
@@ -65,7 +64,8 @@ public final class Bareme {
             }
             poids.put(nom, Double.valueOf(texte));
         });
-        if (!(total() > 0)) {
+        total = grille.etapes.stream().filter(e -> !e.libre() && !e.nom.equals(Grille.CONSIGNES)).mapToDouble(e -> poids(e.nom)).sum();
+        if (total == 0) {
             throw new Panne(2, fichier + " : la somme des points est nulle");
         }
     }
@@ -78,11 +78,5 @@ public final class Bareme {
 
     public double poids(String etape) {
         return poids.getOrDefault(etape, 0.0);
-    }
-
-    /** La note maximale. Les consignes, qui enlèvent des points, n'y sont pas ; les lignes libres non plus : {@link Note#sur}. */
-    public double total() {
-        return poids.entrySet().stream().filter(p -> !p.getKey().equals(Grille.CONSIGNES) && !libres.contains(p.getKey()))
-                .mapToDouble(Map.Entry::getValue).sum();
     }
 }

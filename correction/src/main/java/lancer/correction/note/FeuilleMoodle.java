@@ -112,7 +112,7 @@ public final class FeuilleMoodle {
         if (eleve.illisible()) {
             return;
         }
-        double sur = Double.isNaN(reel(valeur(ligne, maximum))) ? bareme.total() : reel(valeur(ligne, maximum));
+        double sur = Double.isNaN(reel(valeur(ligne, maximum))) ? bareme.total : reel(valeur(ligne, maximum));
         String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.note.total() / eleve.note.sur * sur));
         String ancienne = ligne.get(note);
         String dit = valeur(ligne, commentaire);

@@ -79,25 +79,21 @@ public final class Note {
         List<String> manquent = new ArrayList<>();
         List<String> extensions = new ArrayList<>();
         List<String> aNoter = new ArrayList<>();
-        double maximum = bareme.total();
+        double maximum = bareme.total;
         for (Grille.Etape etape : grille.etapes) {
             Part part = new Part(etape.criteres, resultat, bareme.poids(etape.nom), etape.nom.equals(Grille.CONSIGNES),
                     siens.get(etape.nom));
             parts.put(etape.nom, part);
-            if (etape.duCours && part.complete()) {
+            maximum += etape.libre() && part.ajustement != null ? part.sur : 0;
+            if (etape.duCours() && part.complete()) {
                 derniere = etape.titre;
                 avant.forEach(e -> manquent.add(e.titre));
                 avant.clear();
-            } else if (etape.duCours) {
+            } else if (etape.duCours()) {
                 avant.add(etape);
             } else if (etape.extension && !part.vide()) {
                 (part.aNoter ? aNoter : extensions).add(etape.court);
             }
-        }
-        for (String libre : bareme.libres) {
-            Part part = new Part(List.of(), resultat, bareme.poids(libre), false, siens.get(libre));
-            parts.put(libre, part);
-            maximum += part.ajustement == null ? 0 : part.sur;
         }
         sur = maximum;
         arret = avant.isEmpty() ? "" : avant.get(0).nom;

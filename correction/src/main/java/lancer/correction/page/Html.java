@@ -54,8 +54,11 @@ final class Html {
                 .replace("\"", "&quot;").replace("'", "&#39;");
     }
 
-    /** Une image, dans la page même. @param reduction elle en montre un pixel sur tant, dans chaque sens */
+    /** Une image, dans la page même, s'il y en a une. @param reduction elle en montre un pixel sur tant, dans chaque sens */
     Html image(Image montree, int reduction, String legende) {
+        if (montree == null) {
+            return this;
+        }
         BufferedImage image = new BufferedImage(montree.largeur / reduction, montree.hauteur / reduction, BufferedImage.TYPE_INT_RGB);
         IntStream.range(0, image.getWidth()).forEach(x -> IntStream.range(0, image.getHeight()).forEach(y ->
                 image.setRGB(x, y, montree.code(reduction * x, reduction * y))));

@@ -59,7 +59,6 @@ final class PageEleve {
             part(etape.titre, eleve.note.parts.get(etape.nom));
             etape.criteres.forEach(this::critere);
         }
-        classe.bareme.libres.forEach(libre -> part(libre, eleve.note.parts.get(libre)));
         html.brut("</table>\n");
     }
 

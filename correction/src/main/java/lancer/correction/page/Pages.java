@@ -56,7 +56,6 @@ public final class Pages {
         List<String> titres = new ArrayList<>(List.of("identifiant", "nom", "note", "sur", "étape atteinte",
                 "image identique", "refus", "à regarder"));
         grille.etapes.forEach(e -> titres.add(e.nom));
-        titres.addAll(bareme.libres);
         List<List<?>> lignes = new ArrayList<>(List.of(titres));
         for (Eleve e : eleves) {
             // ce qui n'a pu être jugé n'a pas zéro : rien
@@ -83,8 +82,8 @@ public final class Pages {
         int autres = eleves.size() - lisibles.size();
         html.element("h1", "La classe").element("p", eleves.size() + (eleves.size() > 1 ? " rendus" : " rendu")
                 + (autres > 0 ? ", dont " + autres + " que l'on n'a pas pu juger" : "") + (lisibles.isEmpty() ? ""
-                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(lisibles.stream().mapToDouble(e -> e.note.total() / e.note.sur
-                * bareme.total()).average().orElse(0)) + " sur " + Html.nombre(bareme.total())));
+                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(bareme.total * lisibles.stream()
+                .mapToDouble(e -> e.note.total() / e.note.sur).average().orElse(0)) + " sur " + Html.nombre(bareme.total)));
         avis.forEach(a -> html.element("p class=\"avis\"", a));
         if (!grille.sansConfinement.isEmpty()) {
             html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + grille.sansConfinement
@@ -95,11 +94,10 @@ public final class Pages {
         ouLaClasseSArrete(html, lisibles);
         html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
                 .image(grille.getImage("scene1", false), 2, "l'image du corrigé").brut("celle du corrigé"
-                + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total())).brut("<th>étape atteinte");
+                + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total)).brut("<th>étape atteinte");
         for (Grille.Etape etape : grille.etapes) {
             html.brut("<th class=\"debout\"><span>").dire(etape.court).brut("</span>");
         }
-        bareme.libres.forEach(l -> html.brut("<th class=\"debout\"><span>").dire(l).brut("</span>"));
         html.brut("</tr>\n");
         for (Eleve eleve : eleves) {
             ligne(html, eleve);
@@ -150,14 +148,11 @@ public final class Pages {
 
     private void ligne(Html html, Eleve eleve) {
         html.brut("<tr><td class=\"vignette\" rowspan=\"2\">");
-        Image image = eleve.resultat.images.get("scene1");
-        if (image != null) {
-            html.image(image, 2, "son image");
-        }
+        html.image(eleve.resultat.images.get("scene1"), 2, "son image");
         html.brut("<td>");
         nommer(html, eleve);
         html.brut("<br>").element("span class=\"petit gris\"", eleve.resultat.id.equals(eleve.resultat.nom) ? "" : eleve.resultat.id);
-        int colonnes = grille.etapes.size() + bareme.libres.size();
+        int colonnes = grille.etapes.size();
         if (eleve.illisible()) {
             html.brut("<td class=\"n\">–<td colspan=\"" + (colonnes + 1) + "\">")
                     .dire("non corrigé : " + String.join(" ; ", eleve.resultat.refus));
@@ -179,7 +174,7 @@ public final class Pages {
 
     /** La note ; suivie de son maximum, si des lignes libres l'ont changé. */
     private String noteDe(Eleve eleve) {
-        return String.format(Locale.FRANCE, "%.2f", eleve.note.total()) + (eleve.note.sur == bareme.total() ? ""
+        return String.format(Locale.FRANCE, "%.2f", eleve.note.total()) + (eleve.note.sur == bareme.total ? ""
                 : "/" + Html.nombre(eleve.note.sur));
     }
 
@@ -198,7 +193,7 @@ public final class Pages {
     /** Tableau : pour chaque étape, combien des rendus jugés en ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
     private void ouLaClasseSArrete(Html html, List<Eleve> eleves) {
         Map<Grille.Etape, Long> arrets = new LinkedHashMap<>();
-        grille.etapes.forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
+        grille.etapes.stream().filter(e -> !e.libre()).forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
                 : eleves.stream().filter(e -> e.note.arret.equals(etape.nom)).count()));
         long plus = Collections.max(arrets.values());
         if (plus > 0) {
@@ -206,9 +201,9 @@ public final class Pages {
                     .filter(e -> arrets.get(e) == plus).map(e -> e.titre).collect(Collectors.joining(", ")))
                     .brut(" (" + plus + ")</p>\n");
         }
-        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; bleu, à noter ; gris, pas commencé"
-                + "<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
-        for (Grille.Etape etape : grille.etapes) {
+        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; bleu, à noter ; gris, "
+                + "pas commencé<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
+        for (Grille.Etape etape : arrets.keySet()) {
             html.brut("<tr><td>").dire(etape.titre).brut("<td><div class=\"barre\">");
             for (String sorte : List.of("complet", "partiel", "rate", "a_noter", "vide")) {
                 long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.note.parts.get(etape.nom)))).count();
