@@ -29,8 +29,8 @@ import lancer.correction.modele.Modele;
 import lancer.correction.modele.Squelette;
 import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
+import lancer.correction.note.Eleve;
 import lancer.correction.note.FeuilleMoodle;
-import lancer.correction.note.Note;
 import lancer.correction.page.Pages;
 
 /** Le programme : juge les rendus d'une classe, puis les note ; ou écrit le projet à compléter. */
@@ -187,14 +187,14 @@ public final class Correction {
         fautes.addAll(ajustements.fautes);
         fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
         List<Eleve> eleves = new ArrayList<>();
-        resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, new Note(grille, resultat, bareme,
-                ajustements.de(resultat.id)), fichier.getFileName().toString().replace(".csv", ".html"))));
+        resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, fichier.getFileName().toString().replace(".csv", ".html"),
+                grille, bareme, ajustements.de(resultat.id))));
         Eleve.comparer(eleves);
         Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
         ajustements.ecrireARemplir(dossier, eleves);
         new Pages(grille, bareme).ecrire(dossier, eleves, fautes);
         sortie.println("La classe : " + dossier.resolve("index.html"));
-        if (eleves.stream().anyMatch(e -> !e.illisible() && !e.note.aNoter().isEmpty())) {
+        if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");
         }
         if (feuille != null) {

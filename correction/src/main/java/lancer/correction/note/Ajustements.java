@@ -8,7 +8,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lancer.correction.Eleve;
 import lancer.correction.depot.Tableau;
 import lancer.correction.jugement.Resultat;
 
@@ -69,7 +68,7 @@ public final class Ajustements {
         List<List<?>> tableau = new ArrayList<>(List.of(List.of(TITRES.split(","))));
         for (Eleve eleve : eleves) {
             de(eleve.resultat.id).values().forEach(ligne -> tableau.add(ligne.cases));
-            (eleve.illisible() ? List.<String>of() : eleve.note.aNoter()).forEach(critere ->
+            (eleve.illisible() ? List.<String>of() : eleve.aNoter()).forEach(critere ->
                     tableau.add(List.of(eleve.resultat.id, critere, "", "")));
         }
         Resultat.ecrire(dossier.resolve("ajustements-a-remplir.csv"), tableau);

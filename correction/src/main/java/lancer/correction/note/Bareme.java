@@ -24,7 +24,7 @@ import org.ini4j.Profile;
 public final class Bareme {
 
     private final Map<String, Double> poids = new HashMap<>();
-    /** La note maximale. Les consignes, qui enlèvent des points, n'y sont pas ; les lignes libres non plus : {@link Note#sur}. */
+    /** La note maximale. Les consignes, qui enlèvent des points, n'y sont pas ; les lignes libres non plus : {@link Eleve#sur}. */
     public final double total;
 
     /**

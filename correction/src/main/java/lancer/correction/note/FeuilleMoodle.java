@@ -18,7 +18,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import lancer.correction.Eleve;
 import lancer.correction.Panne;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
@@ -113,7 +112,7 @@ public final class FeuilleMoodle {
             return;
         }
         double sur = Double.isNaN(reel(valeur(ligne, maximum))) ? bareme.total : reel(valeur(ligne, maximum));
-        String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.note.total() / eleve.note.sur * sur));
+        String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.total() / eleve.sur * sur));
         String ancienne = ligne.get(note);
         String dit = valeur(ligne, commentaire);
         boolean aNous = ancienne.isBlank() || NOTRE.matcher(dit).results().anyMatch(r -> reel(ancienne) == reel(r.group(1)));
@@ -126,7 +125,7 @@ public final class FeuilleMoodle {
             // ce que l'enseignant y a mis reste ; ce que nous y avions mis s'en va, et revient avec une note à nous
             String reste = NOTRE.matcher(dit).replaceAll("").trim();
             ligne.set(commentaire, !aNous ? reste : (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "
-                    + eleve.note.atteinte + " »" + FIN);
+                    + eleve.atteinte + " »" + FIN);
         }
     }
 

@@ -4,7 +4,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import lancer.correction.Eleve;
 import lancer.correction.jugement.Chemin;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
@@ -12,7 +11,7 @@ import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
 import lancer.correction.jugement.Verification;
-import lancer.correction.note.Note;
+import lancer.correction.note.Eleve;
 
 /** La page d'un rendu : où il en est, ce qui ne va pas, avec un exemple, et les images. */
 final class PageEleve {
@@ -36,12 +35,12 @@ final class PageEleve {
             html.liste("Remarques", resultat.remarques);
             return html.page(resultat.nom);
         }
-        double perdus = eleve.note.perdus(Verdict.Etat.NON_EVALUABLE);
-        List<String> aNoter = eleve.note.aNoter();
-        html.brut("<p>").dire(Html.nombre(eleve.note.total()) + " points sur " + Html.nombre(eleve.note.sur))
+        double perdus = eleve.perdus(Verdict.Etat.NON_EVALUABLE);
+        List<String> aNoter = eleve.aNoter();
+        html.brut("<p>").dire(Html.nombre(eleve.total()) + " points sur " + Html.nombre(eleve.sur))
                 .dire(perdus > 0 ? " (dont " + Html.nombre(perdus) + " perdus par ce qui n'a pu être évalué, et ne rapporte rien)" : "")
                 .dire(aNoter.isEmpty() ? "" : ", sans ce que l'enseignant n'a pas encore noté : " + String.join(", ", aNoter))
-                .dire(" ; étape atteinte : ").element("strong", eleve.note.atteinte).brut("</p>\n");
+                .dire(" ; étape atteinte : ").element("strong", eleve.atteinte).brut("</p>\n");
         classe.aReprendre(eleve, html, "<p class=\"avis\">À reprendre d'abord : ", "</p>\n");
         html.liste("Remarques", resultat.remarques);
         html.liste("Fautes de compilation : chacune ne coûte que la méthode où elle est, ou sa classe si elle n'est dans aucune",
@@ -56,13 +55,13 @@ final class PageEleve {
         html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
                 + "class=\"n\">points<th>détail</tr>\n");
         for (Grille.Etape etape : classe.grille.etapes) {
-            part(etape.titre, eleve.note.parts.get(etape.nom));
+            part(etape.titre, eleve.parts.get(etape.nom));
             etape.criteres.forEach(this::critere);
         }
         html.brut("</table>\n");
     }
 
-    private void part(String titre, Note.Part part) {
+    private void part(String titre, Eleve.Part part) {
         html.brut("<tr><td>").dire(titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
                 .dire(Html.nombre(part.points) + " / " + Html.nombre(part.sur)).brut("<td>");
         if (part.ajustement != null) {
@@ -72,12 +71,12 @@ final class PageEleve {
     }
 
     /** « 5/8 » ; d'une extension ou d'une ligne libre, les points, ou « à noter ». */
-    static String combien(Note.Part part) {
+    static String combien(Eleve.Part part) {
         return part.aNoter ? "à noter" : part.ajustement != null ? Html.nombre(part.points) + "/" + Html.nombre(part.sur)
                 : part.reussis + "/" + part.comptent;
     }
 
-    static String pastille(Note.Part part) {
+    static String pastille(Eleve.Part part) {
         return "<span class=\"e " + classe(part) + "\">" + combien(part) + (part.ajustement != null ? " *" : "") + "</span>";
     }
 
@@ -97,7 +96,7 @@ final class PageEleve {
         html.brut(muet ? "</div>" : "</details>");
     }
 
-    static String classe(Note.Part part) {
+    static String classe(Eleve.Part part) {
         return part.aNoter ? "a_noter" : part.vide() ? "vide" : part.complete() ? "complet"
                 : part.reussis > 0 || part.points > 0 ? "partiel" : "rate";
     }

@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import lancer.correction.Eleve;
 import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
@@ -19,6 +18,7 @@ import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
 import lancer.correction.jugement.Verification;
 import lancer.correction.note.Bareme;
+import lancer.correction.note.Eleve;
 
 /** Les pages d'une classe : celle de chacun, celle de tous, et le tableau à part. */
 public final class Pages {
@@ -61,10 +61,10 @@ public final class Pages {
             // ce qui n'a pu être jugé n'a pas zéro : rien
             boolean juge = !e.illisible();
             List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom,
-                    juge ? String.format(Locale.ROOT, "%.2f", e.note.total()) : "", String.format(Locale.ROOT, "%.2f", e.note.sur),
-                    juge ? e.note.atteinte : "", !juge ? "" : e.note.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
+                    juge ? String.format(Locale.ROOT, "%.2f", e.total()) : "", String.format(Locale.ROOT, "%.2f", e.sur),
+                    juge ? e.atteinte : "", !juge ? "" : e.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
                     String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
-            e.note.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
+            e.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
             ligne.replaceAll(Pages::sansFormule);
             lignes.add(ligne);
         }
@@ -83,7 +83,7 @@ public final class Pages {
         html.element("h1", "La classe").element("p", eleves.size() + (eleves.size() > 1 ? " rendus" : " rendu")
                 + (autres > 0 ? ", dont " + autres + " que l'on n'a pas pu juger" : "") + (lisibles.isEmpty() ? ""
                 : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(bareme.total * lisibles.stream()
-                .mapToDouble(e -> e.note.total() / e.note.sur).average().orElse(0)) + " sur " + Html.nombre(bareme.total)));
+                .mapToDouble(e -> e.total() / e.sur).average().orElse(0)) + " sur " + Html.nombre(bareme.total)));
         avis.forEach(a -> html.element("p class=\"avis\"", a));
         if (!grille.sansConfinement.isEmpty()) {
             html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + grille.sansConfinement
@@ -158,8 +158,8 @@ public final class Pages {
                     .dire("non corrigé : " + String.join(" ; ", eleve.resultat.refus));
         } else {
             html.brut("<td class=\"n\">").dire(noteDe(eleve))
-                    .brut("<td class=\"petit\">").dire(eleve.note.atteinte);
-            eleve.note.parts.values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));
+                    .brut("<td class=\"petit\">").dire(eleve.atteinte);
+            eleve.parts.values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));
         }
         html.brut("</tr>\n<tr><td class=\"petit\" colspan=\"" + (colonnes + 3) + "\">");
         if (!eleve.illisible()) {
@@ -174,8 +174,8 @@ public final class Pages {
 
     /** La note ; suivie de son maximum, si des lignes libres l'ont changé. */
     private String noteDe(Eleve eleve) {
-        return String.format(Locale.FRANCE, "%.2f", eleve.note.total()) + (eleve.note.sur == bareme.total ? ""
-                : "/" + Html.nombre(eleve.note.sur));
+        return String.format(Locale.FRANCE, "%.2f", eleve.total()) + (eleve.sur == bareme.total ? ""
+                : "/" + Html.nombre(eleve.sur));
     }
 
     /** De chaque extension rendue, à la même échelle : son image, celle de la base du même étudiant, celle du corrigé. */
@@ -194,7 +194,7 @@ public final class Pages {
     private void ouLaClasseSArrete(Html html, List<Eleve> eleves) {
         Map<Grille.Etape, Long> arrets = new LinkedHashMap<>();
         grille.etapes.stream().filter(e -> !e.libre()).forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
-                : eleves.stream().filter(e -> e.note.arret.equals(etape.nom)).count()));
+                : eleves.stream().filter(e -> e.arret.equals(etape.nom)).count()));
         long plus = Collections.max(arrets.values());
         if (plus > 0) {
             html.brut("<p>L'étape qui arrête le plus d'étudiants : ").element("strong", arrets.keySet().stream()
@@ -206,13 +206,13 @@ public final class Pages {
         for (Grille.Etape etape : arrets.keySet()) {
             html.brut("<tr><td>").dire(etape.titre).brut("<td><div class=\"barre\">");
             for (String sorte : List.of("complet", "partiel", "rate", "a_noter", "vide")) {
-                long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.note.parts.get(etape.nom)))).count();
+                long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.parts.get(etape.nom)))).count();
                 html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"flex:" + n + "\">" + n + "</span>");
             }
             html.brut("</div>");
             for (boolean finie : new boolean[] {true, false}) {
-                List<Eleve> siens = eleves.stream().filter(e -> finie ? e.note.parts.get(etape.nom).complete()
-                        : e.note.arret.equals(etape.nom)).collect(Collectors.toList());
+                List<Eleve> siens = eleves.stream().filter(e -> finie ? e.parts.get(etape.nom).complete()
+                        : e.arret.equals(etape.nom)).collect(Collectors.toList());
                 html.brut("<td class=\"petit\">").brut(siens.isEmpty() ? "" : "<details><summary>" + siens.size() + "</summary>");
                 siens.forEach(e -> nommer(html.brut("<br>"), e));
                 html.brut(siens.isEmpty() ? "" : "</details>");
