@@ -142,11 +142,10 @@ public final class Execution {
     private void appeler(DataInputStream demande, DataOutputStream reponse) throws IOException {
         int methode = demande.readInt();
         List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> objets.get(o.numero));
-        Object rendu = invoquer("lancer.Appels", "appeler", new Class<?>[] {int.class, Object[].class}, methode,
-                arguments.toArray());
+        Object rendu = invoquer("lancer.Appels", "appeler", methode, arguments.toArray());
         Echange.ecrireValeur(reponse, rendu, this::nommer);
         if (numeros.containsKey(rendu)) {
-            Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", new Class<?>[] {Object.class}, rendu);
+            Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", rendu);
             Echange.ecrireValeur(reponse, Arrays.asList(champs), this::nommer);
         }
     }
@@ -156,7 +155,7 @@ public final class Execution {
             objets.add(o);
             return objets.size() - 1;
         });
-        return new Echange.Objet(numeros.get(objet), (String) invoquer("lancer.Appels", "nom", new Class<?>[] {Object.class}, objet));
+        return new Echange.Objet(numeros.get(objet), (String) invoquer("lancer.Appels", "nom", objet));
     }
 
     /** Le premier argument d'une sonde est une scène, qu'elle lit dans un fichier : le voici. */
@@ -166,16 +165,17 @@ public final class Execution {
         String methode = Echange.lireTexte(demande);
         List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> null);
         try {
-            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Sonde", methode, new Class<?>[] {String.class, String[].class},
-                    scene.toString(), arguments.toArray(new String[0])));
+            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Sonde", methode, scene.toString(), arguments.toArray(new String[0])));
         } finally {
             Files.deleteIfExists(scene);
         }
     }
 
-    private Object invoquer(String classe, String methode, Class<?>[] types, Object... arguments) {
+    /** Appelle la seule méthode publique de ce nom. */
+    private Object invoquer(String classe, String methode, Object... arguments) {
         try {
-            return Class.forName(classe, true, classes).getMethod(methode, types).invoke(null, arguments);
+            return Arrays.stream(Class.forName(classe, true, classes).getMethods()).filter(m -> m.getName().equals(methode)).findFirst()
+                    .get().invoke(null, arguments);
         } catch (InvocationTargetException e) {
             throw new UndeclaredThrowableException(e.getCause());
         } catch (ReflectiveOperationException e) {

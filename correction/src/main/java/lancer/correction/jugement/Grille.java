@@ -46,10 +46,8 @@ public final class Grille {
 
     /** L'étape de l'image : un critère par scène. */
     public static final String IMAGE = "image";
-
     /** Étape de ce que l'énoncé demande de la façon de rendre : enlève des points, au lieu d'en donner. */
     public static final String CONSIGNES = "consignes";
-
     /** Fin du nom d'une image : celle que dessine la base, sur la scène d'une extension. */
     public static final String BASE = " (base)";
 

@@ -11,10 +11,8 @@ import org.apache.commons.csv.CSVRecord;
 public final class Image {
 
     private static final double PRES = 1e-6;
-
     /** Niveaux à partir desquels un pixel est faux. */
     private static final int FAUX = 2;
-
     /** Part de pixels faux que les arrondis, aux bords des boules et des ombres, suffisent à expliquer. */
     private static final double PART_PERMISE = 0.005;
 

@@ -34,8 +34,8 @@ public final class Reference implements AutoCloseable {
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
     final String appels;
-    /** Verdicts du projet à compléter, par vérification, chaque classe seule parmi le corrigé. */
-    private final Map<String, Verdict> dUneClasse = new HashMap<>();
+    /** Verdicts du projet à compléter, par vérification, chaque classe seule parmi celles du corrigé. */
+    private final Map<String, Verdict> seules = new HashMap<>();
     private final long graine;
     public final Grille grille;
     /** Le corrigé, compilé, et qui l'interroge. */
@@ -62,8 +62,7 @@ public final class Reference implements AutoCloseable {
         grille = new Grille(sansConfinement);
         remplir();
         for (String classe : Modele.A_COMPLETER) {
-            // après, ce qui compile est à un rendu
-            juge.seule(classe);
+            seules.putAll(juge.lancer(juge.seule(classe), juge.verifications(v -> v.classe.equals(classe))).verdicts);
         }
     }
 
@@ -95,11 +94,8 @@ public final class Reference implements AutoCloseable {
     }
 
     /** Verdict de la classe du projet à compléter, seule parmi celles du corrigé, à cette vérification. */
-    synchronized Verdict duSquelette(Verification v) throws Arret {
-        if (!dUneClasse.containsKey(v.id())) {
-            dUneClasse.putAll(juge.lancer(juge.seule(v.classe), juge.verifications(a -> a.classe.equals(v.classe))).verdicts);
-        }
-        return dUneClasse.get(v.id());
+    Verdict duSquelette(Verification v) {
+        return seules.get(v.id());
     }
 
     /** Réponses, en chemin, que font les méthodes du corrigé. */

@@ -26,7 +26,6 @@ import org.junit.platform.launcher.core.LauncherFactory;
 final class Verifications {
 
     private static final String TESTS = "lancer.Tests";
-
     /** Nombre de vérifications sans fin après lequel les suivantes ne sont pas lancées. */
     private static final int ARRETS_MAX = 3;
 
