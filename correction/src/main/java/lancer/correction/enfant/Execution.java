@@ -142,7 +142,7 @@ public final class Execution {
     private void appeler(DataInputStream demande, DataOutputStream reponse) throws IOException {
         int methode = demande.readInt();
         List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> objets.get(o.numero));
-        Object rendu = invoquer("lancer.Appels", "appeler", methode, arguments.toArray());
+        Object rendu = invoquer("lancer.Appels", "m" + methode, (Object) arguments.toArray());
         Echange.ecrireValeur(reponse, rendu, this::nommer);
         if (numeros.containsKey(rendu)) {
             Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", rendu);

@@ -38,7 +38,6 @@ final class Doublures {
 
     /** Les vérifications, les doublures et ce qu'il leur faut, par nom complet. */
     final Map<String, String> sources = new LinkedHashMap<>();
-    private final StringBuilder aiguillage = new StringBuilder();
     private final StringBuilder appels = new StringBuilder();
     private String noms = "";
     private String champs = "";
@@ -59,13 +58,7 @@ final class Doublures {
 
     /** La source de {@code lancer.Appels}. */
     String getAppels() {
-        return "package lancer;\nimport java.util.List;\npublic class Appels {\n"
-                + "public static Object appeler(int n, Object[] a) {\nswitch (n) {\n" + aiguillage
-                + "default: throw new IllegalArgumentException();\n}\n}\n" + appels
-                + "static Couleur couleur(Object o) {\nList<?> c = (List<?>) o;\nreturn c == null ? null"
-                + " : new Couleur((double) c.get(0), (double) c.get(1), (double) c.get(2));\n}\n"
-                + "public static String nom(Object o) {\n" + noms + "return o.getClass().getSimpleName();\n}\n"
-                + "public static Object[] champs(Object o) {\n" + champs + "return new Object[0];\n}\n}\n";
+        return Modele.ressource("Appels.txt").replace("NOMS", noms).replace("CHAMPS", champs).replace("APPELS", appels);
     }
 
     private void doubler(String nom, Class<?> classe) {
@@ -130,9 +123,8 @@ final class Doublures {
 
     /** Ajoute un appel, et rend son numéro. */
     private int numeroter(String appel, boolean muet) {
-        aiguillage.append("case " + nombre + ": return m" + nombre + "(a);\n");
-        appels.append("static Object m" + nombre + "(Object[] a) { " + (muet ? appel + "; return null" : "return "
-                + appel) + "; }\n");
+        appels.append("public static Object m" + nombre + "(Object[] a) { " + (muet ? appel + "; return null" : "return " + appel)
+                + "; }\n");
         return nombre++;
     }
 
