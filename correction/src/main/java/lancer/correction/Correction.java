@@ -180,9 +180,8 @@ public final class Correction {
                     + e + ") ; attendu : make corriger d'abord");
         }
         Bareme bareme = new Bareme(Path.of(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
-        List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());
-        Ajustements ajustements = new Ajustements(dossier, ids, criteres);
+        Ajustements ajustements = new Ajustements(dossier, ids, grille);
         List<String> fautes = new ArrayList<>(new Alias(dossier, ids).fautes);
         fautes.addAll(ajustements.fautes);
         fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));

@@ -142,10 +142,10 @@ public final class Execution {
     private void appeler(DataInputStream demande, DataOutputStream reponse) throws IOException {
         int methode = demande.readInt();
         List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> objets.get(o.numero));
-        Object rendu = invoquer("lancer.Appels", "m" + methode, (Object) arguments.toArray());
+        Object rendu = invoquer("lancer.Appels", "m" + methode, List.of(Object[].class), (Object) arguments.toArray());
         Echange.ecrireValeur(reponse, rendu, this::nommer);
         if (numeros.containsKey(rendu)) {
-            Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", rendu);
+            Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", List.of(Object.class), rendu);
             Echange.ecrireValeur(reponse, Arrays.asList(champs), this::nommer);
         }
     }
@@ -155,7 +155,7 @@ public final class Execution {
             objets.add(o);
             return objets.size() - 1;
         });
-        return new Echange.Objet(numeros.get(objet), (String) invoquer("lancer.Appels", "nom", objet));
+        return new Echange.Objet(numeros.get(objet), (String) invoquer("lancer.Appels", "nom", List.of(Object.class), objet));
     }
 
     /** Le premier argument d'une sonde est une scène, qu'elle lit dans un fichier : le voici. */
@@ -165,17 +165,16 @@ public final class Execution {
         String methode = Echange.lireTexte(demande);
         List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> null);
         try {
-            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Sonde", methode, scene.toString(), arguments.toArray(new String[0])));
+            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Sonde", methode, List.of(String.class, String[].class),
+                    scene.toString(), arguments.toArray(new String[0])));
         } finally {
             Files.deleteIfExists(scene);
         }
     }
 
-    /** Appelle la seule méthode publique de ce nom. */
-    private Object invoquer(String classe, String methode, Object... arguments) {
+    private Object invoquer(String classe, String methode, List<Class<?>> types, Object... arguments) {
         try {
-            return Arrays.stream(Class.forName(classe, true, classes).getMethods()).filter(m -> m.getName().equals(methode)).findFirst()
-                    .get().invoke(null, arguments);
+            return Class.forName(classe, true, classes).getMethod(methode, types.toArray(new Class<?>[0])).invoke(null, arguments);
         } catch (InvocationTargetException e) {
             throw new UndeclaredThrowableException(e.getCause());
         } catch (ReflectiveOperationException e) {

@@ -59,11 +59,12 @@ public final class Grille {
                 "les bords approchent la moyenne de plusieurs rayons par pixel, et le reste ne change pas", "scene1"},
             "blinn", new String[] {"reflet de Blinn", "le reflet est (N.H) à la puissance ns, 2 ns ou 4 ns", "bowling"});
 
-    private static final String AU_CENTRE = " (au centre)";
+    /** Fin du nom d'une image du corrigé dont les rayons passent au centre des pixels. */
+    static final String AU_CENTRE = " (au centre)";
 
     public final List<Etape> etapes = new ArrayList<>();
     /** Images du corrigé : par scène, aux coordonnées entières et au centre des pixels ; par extension, la sienne. */
-    private final Map<String, Image> images = new LinkedHashMap<>();
+    final Map<String, Image> images = new LinkedHashMap<>();
     /** Raison pour laquelle le code des étudiants a tourné sans confinement ; vide s'il a été confiné. */
     public final String sansConfinement;
 
@@ -77,10 +78,6 @@ public final class Grille {
             etapes.add(new Etape(critere.etape, critere.titreEtape));
         }
         etapes.get(etapes.size() - 1).criteres.add(critere);
-    }
-
-    void ajouter(String scene, boolean auCentre, Image image) {
-        images.put(scene + (auCentre ? AU_CENTRE : ""), image);
     }
 
     /** L'image du corrigé, aux coordonnées entières ou au centre des pixels ; d'une extension, ces dernières. */

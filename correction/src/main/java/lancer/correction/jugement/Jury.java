@@ -2,7 +2,6 @@ package lancer.correction.jugement;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -34,7 +33,6 @@ public final class Jury implements AutoCloseable {
     private static final int ENTIER_MAX = 300;
     /** Propriété où {@code lancer.Tests} lit la sienne. */
     private static final String GRAINE = "tests.graine";
-    private static final ThreadMXBean FILS = ManagementFactory.getThreadMXBean();
 
     private final Machines machines;
     private final Limites limites;
@@ -121,7 +119,7 @@ public final class Jury implements AutoCloseable {
         fil.start();
         String trop = "";
         for (long debut = System.nanoTime(); fil.isAlive() && trop.isEmpty(); fil.join(TOUR_MS)) {
-            trop = FILS.getThreadCpuTime(fil.getId()) > limites.propre * 1e9
+            trop = ManagementFactory.getThreadMXBean().getThreadCpuTime(fil.getId()) > limites.propre * 1e9
                     ? Math.round(limites.propre) + " s de calcul du correcteur lui-même"
                     : System.nanoTime() - debut > ENTIER_MAX * 1e9
                     ? ENTIER_MAX + " s en tout" : "";

@@ -79,15 +79,15 @@ public final class Reference implements AutoCloseable {
             int[] taille = scene.getValue();
             grille.ajouter(new Verification(Grille.IMAGE, "L'image entière", nom, "",
                     "la scène « " + nom + " », par toutes les classes du rendu, est celle du corrigé"));
-            grille.ajouter(nom, false, juge.images.dessiner(assemblage, nom));
-            grille.ajouter(nom, true, juge.images.tracer(assemblage, scene(nom), taille[0], taille[1], taille[2]));
+            grille.images.put(nom, juge.images.dessiner(assemblage, nom));
+            grille.images.put(nom + Grille.AU_CENTRE, juge.images.tracer(assemblage, scene(nom), taille[0], taille[1], taille[2]));
         }
         for (String nom : Modele.VARIANTES) {
             String[] titres = Grille.EXTENSIONS.get(nom);
             grille.ajouter(new Verification(nom, titres[0], "image", "", titres[1]));
             Map<String, String> classes = Modele.tout(Modele::corrige);
             classes.putAll(Modele.ajoutees(nom));
-            grille.ajouter(nom, false, juge.images.etendre(juge.assembler(classes), nom, true));
+            grille.images.put(nom, juge.images.etendre(juge.assembler(classes), nom, true));
         }
         Projet.CONSIGNES.forEach((nom, titre) ->
                 grille.ajouter(new Verification(Grille.CONSIGNES, "Consignes de rendu", nom, "", titre)));

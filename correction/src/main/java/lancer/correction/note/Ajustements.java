@@ -8,7 +8,9 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import lancer.correction.depot.Tableau;
+import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Resultat;
 
 /**
@@ -39,7 +41,8 @@ public final class Ajustements {
     public final List<String> fautes;
 
     /** Lit {@code ajustements.csv} dans ce dossier ; s'il n'y est pas, rien n'est donné. */
-    public Ajustements(Path dossier, Collection<String> ids, Collection<String> criteres) {
+    public Ajustements(Path dossier, Collection<String> ids, Grille grille) {
+        List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         fautes = Tableau.lire(dossier.resolve("ajustements.csv"), TITRES, ids, (id, ligne) -> {
             String critere = ligne.get(1);
             String points = ligne.get(2);

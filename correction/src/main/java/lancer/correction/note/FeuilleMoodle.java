@@ -1,10 +1,7 @@
 package lancer.correction.note;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -91,10 +88,10 @@ public final class FeuilleMoodle {
         Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.resultat.id, e));
         lignes.stream().skip(1).forEach(ligne -> noter(ligne, parId, bareme));
-        try (BufferedWriter sortie = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"))) {
-            sortie.write(texte.startsWith(BOM) ? BOM : "");
-            new CSVPrinter(sortie, CSVFormat.DEFAULT.builder().setRecordSeparator(texte.contains("\r\n") ? "\r\n" : "\n")
-                    .setQuoteMode(QuoteMode.MINIMAL).get()).printRecords(lignes);
+        try (CSVPrinter csv = new CSVPrinter(Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv")), CSVFormat.DEFAULT.builder()
+                .setRecordSeparator(texte.contains("\r\n") ? "\r\n" : "\n").setQuoteMode(QuoteMode.MINIMAL).get())) {
+            csv.getOut().append(texte.startsWith(BOM) ? BOM : "");
+            csv.printRecords(lignes);
         }
         parId.values().removeIf(Eleve::illisible);
         return parId.values();
@@ -140,13 +137,11 @@ public final class FeuilleMoodle {
      * mod/assign/feedback/file/importziplib.php}).
      */
     public static void ecrireRetours(Path dossier, List<Eleve> eleves) throws IOException {
-        try (OutputStream flux = Files.newOutputStream(dossier.resolve("retours.zip"));
-                ZipOutputStream zip = new ZipOutputStream(flux, StandardCharsets.UTF_8)) {
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(dossier.resolve("retours.zip")))) {
             for (Eleve eleve : eleves) {
                 if (eleve.resultat.id.matches("\\d+")) {
                     String nom = eleve.resultat.nom.replaceAll("[_/\\\\\\p{Cntrl}]", " ").replaceFirst("^[.~]+", "");
-                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.resultat.id
-                            + "_assignsubmission_file/correction.html"));
+                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.resultat.id + "_assignsubmission_file/correction.html"));
                     zip.write(Files.readAllBytes(dossier.resolve("etudiants").resolve(eleve.page)));
                     zip.closeEntry();
                 }

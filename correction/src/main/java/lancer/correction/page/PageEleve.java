@@ -55,19 +55,16 @@ final class PageEleve {
         html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
                 + "class=\"n\">points<th>détail</tr>\n");
         for (Grille.Etape etape : classe.grille.etapes) {
-            part(etape.titre, eleve.parts.get(etape.nom));
+            Eleve.Part part = eleve.parts.get(etape.nom);
+            html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
+                    .dire(Html.nombre(part.points) + " / " + Html.nombre(part.sur)).brut("<td>");
+            if (part.ajustement != null) {
+                html.element("p class=\"avis\"", "Donné par l'enseignant"
+                        + (part.ajustement.commentaire.isEmpty() ? "" : " : " + part.ajustement.commentaire));
+            }
             etape.criteres.forEach(this::critere);
         }
         html.brut("</table>\n");
-    }
-
-    private void part(String titre, Eleve.Part part) {
-        html.brut("<tr><td>").dire(titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
-                .dire(Html.nombre(part.points) + " / " + Html.nombre(part.sur)).brut("<td>");
-        if (part.ajustement != null) {
-            html.element("p class=\"avis\"", "Donné par l'enseignant"
-                    + (part.ajustement.commentaire.isEmpty() ? "" : " : " + part.ajustement.commentaire));
-        }
     }
 
     /** « 5/8 » ; d'une extension ou d'une ligne libre, les points, ou « à noter ». */

@@ -95,13 +95,9 @@ public final class Pages {
         html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
                 .image(grille.getImage("scene1", false), 2, "l'image du corrigé").brut("celle du corrigé"
                 + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total)).brut("<th>étape atteinte");
-        for (Grille.Etape etape : grille.etapes) {
-            html.brut("<th class=\"debout\"><span>").dire(etape.court).brut("</span>");
-        }
+        grille.etapes.forEach(e -> html.brut("<th class=\"debout\">").element("span", e.court));
         html.brut("</tr>\n");
-        for (Eleve eleve : eleves) {
-            ligne(html, eleve);
-        }
+        eleves.forEach(eleve -> ligne(html, eleve));
         html.brut("</table>\n<p class=\"petit gris\">")
                 .dire("Dans chaque case, les vérifications réussies, toutes les classes ensemble ou chacune seule "
                 + "parmi celles du corrigé. Vert : tout ; jaune : une partie ; rouge : rien ; bleu : à noter ; gris : pas commencé, "
@@ -111,8 +107,8 @@ public final class Pages {
         return html.page("La classe");
     }
 
-    private static void nommer(Html html, Eleve eleve) {
-        html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.resultat.nom).brut("</a>");
+    private static Html nommer(Html html, Eleve eleve) {
+        return html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.resultat.nom).brut("</a>");
     }
 
     /** Liste de ce que le programme ne peut décider seul, d'abord. */
@@ -121,10 +117,8 @@ public final class Pages {
         html.element("h2", "À regarder").brut(siens.isEmpty()
                 ? "<p>Aucun rendu : partout, l'image et les étapes disent la même chose.</p>\n" : "<table>\n");
         for (Eleve eleve : siens) {
-            html.brut("<tr><td>");
-            nommer(html, eleve);
-            html.brut("<td class=\"n\">").dire(eleve.illisible() ? "non corrigé"
-                    : noteDe(eleve)).brut("<td class=\"petit\">");
+            nommer(html.brut("<tr><td>"), eleve).brut("<td class=\"n\">").dire(eleve.illisible() ? "non corrigé" : noteDe(eleve))
+                    .brut("<td class=\"petit\">");
             eleve.aRegarder.forEach(raison -> html.element("div", raison));
             html.brut("</tr>\n");
         }
@@ -147,18 +141,15 @@ public final class Pages {
     }
 
     private void ligne(Html html, Eleve eleve) {
-        html.brut("<tr><td class=\"vignette\" rowspan=\"2\">");
-        html.image(eleve.resultat.images.get("scene1"), 2, "son image");
-        html.brut("<td>");
-        nommer(html, eleve);
-        html.brut("<br>").element("span class=\"petit gris\"", eleve.resultat.id.equals(eleve.resultat.nom) ? "" : eleve.resultat.id);
+        html.brut("<tr><td class=\"vignette\" rowspan=\"2\">").image(eleve.resultat.images.get("scene1"), 2, "son image");
+        nommer(html.brut("<td>"), eleve).brut("<br>").element("span class=\"petit gris\"",
+                eleve.resultat.id.equals(eleve.resultat.nom) ? "" : eleve.resultat.id);
         int colonnes = grille.etapes.size();
         if (eleve.illisible()) {
             html.brut("<td class=\"n\">–<td colspan=\"" + (colonnes + 1) + "\">")
                     .dire("non corrigé : " + String.join(" ; ", eleve.resultat.refus));
         } else {
-            html.brut("<td class=\"n\">").dire(noteDe(eleve))
-                    .brut("<td class=\"petit\">").dire(eleve.atteinte);
+            html.brut("<td class=\"n\">").dire(noteDe(eleve)).brut("<td class=\"petit\">").dire(eleve.atteinte);
             eleve.parts.values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));
         }
         html.brut("</tr>\n<tr><td class=\"petit\" colspan=\"" + (colonnes + 3) + "\">");
