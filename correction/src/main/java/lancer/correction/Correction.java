@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -29,8 +28,8 @@ import lancer.correction.jugement.Resultat;
 import lancer.correction.modele.Modele;
 import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
+import lancer.correction.note.Eleve;
 import lancer.correction.note.FeuilleMoodle;
-import lancer.correction.note.Note;
 import lancer.correction.page.Pages;
 
 /** Le programme : juge les rendus d'une classe, puis les note ; ou écrit le projet à compléter. */
@@ -92,9 +91,9 @@ public final class Correction {
             } else if (demande.containsKey("--corrige")) {
                 Modele.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
             } else {
-                Path dossier = Files.createDirectories(Paths.get(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
+                Path dossier = Files.createDirectories(Path.of(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
                 // une feuille de notes qui ne convient pas se dit tout de suite, pas après avoir tout jugé
-                FeuilleMoodle feuille = demande.containsKey("--notes") ? new FeuilleMoodle(Paths.get(demande.get("--notes"))) : null;
+                FeuilleMoodle feuille = demande.containsKey("--notes") ? new FeuilleMoodle(Path.of(demande.get("--notes"))) : null;
                 if (demande.containsKey(RENDUS)) {
                     correction.juger(dossier);
                 }
@@ -117,7 +116,7 @@ public final class Correction {
     /** Juge chaque rendu, et écrit ce qu'il en a vu dans {@code resultats} : un fichier par rendu, et celui du corrigé. */
     private void juger(Path dossier) throws IOException {
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
-        List<Rendu> rendus = Depot.lire(Paths.get(demande.get(RENDUS)));
+        List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)));
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
             throw new Panne(1, "rien n'a été exécuté : " + confinement.manque
@@ -128,7 +127,7 @@ public final class Correction {
         try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES, graine(dossier.resolve("graine.txt")))) {
             AtomicInteger finis = new AtomicInteger();
             Alias alias = new Alias(dossier, rendus.stream().map(r -> r.id).collect(Collectors.toList()));
-            List<Resultat> tous = jury.juger(rendus, alias, (rang, resultat) -> suivi.println("correction : " + finis.incrementAndGet()
+            List<Resultat> tous = jury.juger(rendus, alias, resultat -> suivi.println("correction : " + finis.incrementAndGet()
                     + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
             // à la fin seulement : interrompu, il ne laisse pas les résultats d'une partie de la classe
             Path resultats = Files.createDirectories(dossier.resolve(RESULTATS));
@@ -179,23 +178,21 @@ public final class Correction {
             throw new Panne(2, "rien à noter : " + dossier.resolve(RESULTATS) + " n'a pas les résultats d'une classe jugée ("
                     + e + ") ; attendu : make corriger d'abord");
         }
-        Bareme bareme = new Bareme(Paths.get(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
-        List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
-        criteres.addAll(bareme.libres);
+        Bareme bareme = new Bareme(Path.of(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
         List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());
-        Ajustements ajustements = new Ajustements(dossier, ids, criteres);
+        Ajustements ajustements = new Ajustements(dossier, ids, grille);
         List<String> fautes = new ArrayList<>(new Alias(dossier, ids).fautes);
         fautes.addAll(ajustements.fautes);
         fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
         List<Eleve> eleves = new ArrayList<>();
-        resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, new Note(grille, resultat, bareme,
-                ajustements.de(resultat.id)), fichier.getFileName().toString().replace(".csv", ".html"))));
+        resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, fichier.getFileName().toString().replace(".csv", ".html"),
+                grille, bareme, ajustements.de(resultat.id))));
         Eleve.comparer(eleves);
         Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
         ajustements.ecrireARemplir(dossier, eleves);
         new Pages(grille, bareme).ecrire(dossier, eleves, fautes);
         sortie.println("La classe : " + dossier.resolve("index.html"));
-        if (eleves.stream().anyMatch(e -> !e.illisible() && !e.note.aNoter().isEmpty())) {
+        if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");
         }
         if (feuille != null) {

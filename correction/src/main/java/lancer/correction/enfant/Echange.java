@@ -22,7 +22,6 @@ public final class Echange {
 
     /** Taille que peut avoir, en octets, une réponse ordinaire. */
     public static final int REPONSE_MAX = 1 << 16;
-
     /** La même chose, où l'on attend une image ou des classes. */
     public static final int GROSSE_REPONSE_MAX = 8 << 20;
 

@@ -16,7 +16,6 @@ import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.UndeclaredThrowableException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -47,12 +46,11 @@ public final class Execution {
     public static final char SANS_FIN = 'D';
     public static final char FAUTE = 'C';
 
-    private final Classes classes;
+    private Classes classes;
     private final List<Object> objets = new ArrayList<>();
     private final Map<Object, Integer> numeros = new IdentityHashMap<>();
 
-    private Execution(Classes classes) {
-        this.classes = classes;
+    private Execution() {
     }
 
     /**
@@ -93,21 +91,12 @@ public final class Execution {
         PrintStream puits = new PrintStream(OutputStream.nullOutputStream());
         System.setOut(puits);
         System.setErr(puits);
-        Execution execution = null;
+        Execution execution = new Execution();
         try {
             while (true) {
                 int numero = demandes.readInt();
-                DataInputStream demande = new DataInputStream(new ByteArrayInputStream(demandes.readNBytes(
-                        demandes.readInt())));
-                char sorte = demande.readChar();
-                byte[] reponse = new byte[0];
-                if (sorte == CLASSES) {
-                    execution = new Execution(new Classes(Echange.lireTout(demande), Execution.class.getClassLoader()));
-                    Thread.currentThread().setContextClassLoader(execution.classes);
-                } else {
-                    reponse = execution.repondre(sorte, demande);
-                }
-                Echange.envoyer(reponses, numero, reponse);
+                byte[] demande = demandes.readNBytes(demandes.readInt());
+                Echange.envoyer(reponses, numero, execution.repondre(new DataInputStream(new ByteArrayInputStream(demande))));
             }
         } finally {
             // les fils que le rendu a laissés ne retiennent personne
@@ -125,12 +114,16 @@ public final class Execution {
         return sortie;
     }
 
-    private byte[] repondre(char sorte, DataInputStream demande) throws IOException {
+    private byte[] repondre(DataInputStream demande) throws IOException {
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
         DataOutputStream reponse = new DataOutputStream(octets);
         try {
+            char sorte = demande.readChar();
             reponse.writeChar(RENDU);
-            if (sorte == APPEL) {
+            if (sorte == CLASSES) {
+                classes = new Classes(Echange.lireTout(demande), Execution.class.getClassLoader());
+                Thread.currentThread().setContextClassLoader(classes);
+            } else if (sorte == APPEL) {
                 appeler(demande, reponse);
             } else if (sorte == SONDE) {
                 sonder(demande, reponse);
@@ -149,11 +142,10 @@ public final class Execution {
     private void appeler(DataInputStream demande, DataOutputStream reponse) throws IOException {
         int methode = demande.readInt();
         List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> objets.get(o.numero));
-        Object rendu = invoquer("lancer.Appels", "appeler", new Class<?>[] {int.class, Object[].class}, methode,
-                arguments.toArray());
+        Object rendu = invoquer("lancer.Appels", "m" + methode, List.of(Object[].class), (Object) arguments.toArray());
         Echange.ecrireValeur(reponse, rendu, this::nommer);
         if (numeros.containsKey(rendu)) {
-            Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", new Class<?>[] {Object.class}, rendu);
+            Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", List.of(Object.class), rendu);
             Echange.ecrireValeur(reponse, Arrays.asList(champs), this::nommer);
         }
     }
@@ -163,26 +155,26 @@ public final class Execution {
             objets.add(o);
             return objets.size() - 1;
         });
-        return new Echange.Objet(numeros.get(objet), (String) invoquer("lancer.Appels", "nom", new Class<?>[] {Object.class}, objet));
+        return new Echange.Objet(numeros.get(objet), (String) invoquer("lancer.Appels", "nom", List.of(Object.class), objet));
     }
 
     /** Le premier argument d'une sonde est une scène, qu'elle lit dans un fichier : le voici. */
     private void sonder(DataInputStream demande, DataOutputStream reponse) throws IOException {
-        Path scene = Paths.get(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
+        Path scene = Path.of(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
         Files.write(scene, Echange.lireOctets(demande));
         String methode = Echange.lireTexte(demande);
         List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> null);
         try {
-            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Sonde", methode, new Class<?>[] {String.class, String[].class},
+            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Sonde", methode, List.of(String.class, String[].class),
                     scene.toString(), arguments.toArray(new String[0])));
         } finally {
             Files.deleteIfExists(scene);
         }
     }
 
-    private Object invoquer(String classe, String methode, Class<?>[] types, Object... arguments) {
+    private Object invoquer(String classe, String methode, List<Class<?>> types, Object... arguments) {
         try {
-            return Class.forName(classe, true, classes).getMethod(methode, types).invoke(null, arguments);
+            return Class.forName(classe, true, classes).getMethod(methode, types.toArray(new Class<?>[0])).invoke(null, arguments);
         } catch (InvocationTargetException e) {
             throw new UndeclaredThrowableException(e.getCause());
         } catch (ReflectiveOperationException e) {

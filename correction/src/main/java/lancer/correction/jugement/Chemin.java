@@ -1,14 +1,12 @@
 package lancer.correction.jugement;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Réponses en chemin, pour un pixel, des méthodes du corrigé et de celles de l'étudiant, et la première réponse
@@ -26,11 +24,11 @@ public final class Chemin {
         public final String obtenu;
         public final boolean pareil;
 
-        Pas(String nom, String attendu, String obtenu) {
+        Pas(String nom, Map<String, String> attendus, Map<String, String> siens) {
             this.nom = nom;
-            this.attendu = attendu;
-            this.obtenu = obtenu;
-            this.pareil = pareil(attendu, obtenu);
+            attendu = attendus.getOrDefault(nom, "(pas de réponse)");
+            obtenu = siens.getOrDefault(nom, "(pas de réponse)");
+            pareil = pareil(attendu, obtenu);
         }
     }
 
@@ -39,7 +37,7 @@ public final class Chemin {
     /** Réponses de la sonde par le corrigé, et par l'étudiant. */
     final String reference;
     final String etudiant;
-    public final List<Pas> pas = new ArrayList<>();
+    public final List<Pas> pas;
 
     Chemin(int x, int y, String reference, String etudiant) {
         this.x = x;
@@ -48,10 +46,8 @@ public final class Chemin {
         this.etudiant = etudiant;
         Map<String, String> attendus = decouper(reference);
         Map<String, String> siens = decouper(etudiant);
-        Set<String> noms = new LinkedHashSet<>(attendus.keySet());
-        noms.addAll(siens.keySet());
-        noms.forEach(nom -> pas.add(new Pas(nom, attendus.getOrDefault(nom, "(pas de réponse)"),
-                siens.getOrDefault(nom, "(pas de réponse)"))));
+        pas = Stream.concat(attendus.keySet().stream(), siens.keySet().stream()).distinct()
+                .map(nom -> new Pas(nom, attendus, siens)).collect(Collectors.toList());
     }
 
     /** La première réponse qui s'écarte, {@code null} s'il n'y en a pas. */

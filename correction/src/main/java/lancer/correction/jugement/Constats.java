@@ -58,7 +58,7 @@ final class Constats {
 
     /** L'image et les étapes doivent dire la même chose. */
     private void confronter() {
-        List<Verification> perdues = juge.verifications(v -> juge.reference.compte(v) && !resultat.verdicts.get(v.id()).compte());
+        List<Verification> perdues = juge.verifications(v -> v.compte && !resultat.verdicts.get(v.id()).compte());
         List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
                 .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
         if (autres.isEmpty() && !perdues.isEmpty()) {

@@ -87,7 +87,7 @@ public final class Dialogue {
 
         /** Un champ réel. @param attendue la classe, ou la mère, de l'objet */
         public double reel(String attendue, int rang) {
-            Double reel = rang < champs.size() ? champ(Double.class, rang) : null;
+            Double reel = champ(Double.class, rang);
             if (reel == null) {
                 throw new Echec("rend un " + classe + " au lieu d'un " + attendue);
             }
@@ -96,12 +96,10 @@ public final class Dialogue {
     }
 
     /** Doublure, ici, d'un objet du rendu. */
-    public abstract static class Doublure {
-
-        private final int numero;
+    public abstract static class Doublure extends Echange.Objet {
 
         protected Doublure(Recu recu) {
-            numero = recu.numero;
+            super(recu.numero, recu.classe);
             COURANT.get().doublures.put(numero, this);
             relire(recu);
         }
@@ -122,8 +120,7 @@ public final class Dialogue {
             return rendre(rend, ici.machine.demander(m -> {
                 m.writeChar(Execution.APPEL);
                 m.writeInt(methode);
-                Echange.ecrireValeur(m, Arrays.asList(arguments), o -> new Echange.Objet(o instanceof Recu ? ((Recu) o).numero
-                        : ((Doublure) o).numero, ""));
+                Echange.ecrireValeur(m, Arrays.asList(arguments), o -> (Echange.Objet) o);
             }, Echange.REPONSE_MAX, r -> reponse(r, Dialogue::lireObjet)));
         } catch (Arret e) {
             ici.refus = e.getMessage();
@@ -165,6 +162,10 @@ public final class Dialogue {
             return connue;
         }
         try {
+            if (rend.getSimpleName().equals("Couleur")) {
+                return rend.getConstructor(double.class, double.class, double.class)
+                        .newInstance(recu.reel("Couleur", 0), recu.reel("Couleur", 1), recu.reel("Couleur", 2));
+            }
             Class<?> classe = Class.forName("lancer." + recu.classe, true, rend.getClassLoader());
             return classe.asSubclass(Doublure.class).getConstructor(Recu.class).newInstance(recu);
         } catch (InvocationTargetException e) {

@@ -5,7 +5,6 @@ import java.lang.reflect.Executable;
 import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -39,7 +38,6 @@ final class Doublures {
 
     /** Les vérifications, les doublures et ce qu'il leur faut, par nom complet. */
     final Map<String, String> sources = new LinkedHashMap<>();
-    private final StringBuilder aiguillage = new StringBuilder();
     private final StringBuilder appels = new StringBuilder();
     private String noms = "";
     private String champs = "";
@@ -60,20 +58,13 @@ final class Doublures {
 
     /** La source de {@code lancer.Appels}. */
     String getAppels() {
-        return "package lancer;\nimport java.util.List;\npublic class Appels {\n"
-                + "public static Object appeler(int n, Object[] a) {\nswitch (n) {\n" + aiguillage
-                + "default: throw new IllegalArgumentException();\n}\n}\n" + appels
-                + "public static String nom(Object o) {\n" + noms + "return o.getClass().getSimpleName();\n}\n"
-                + "public static Object[] champs(Object o) {\n" + champs + "return new Object[0];\n}\n}\n";
+        return Modele.ressource("Appels.txt").replace("NOMS", noms).replace("CHAMPS", champs).replace("APPELS", appels);
     }
 
     private void doubler(String nom, Class<?> classe) {
-        List<Field> publics = new ArrayList<>();
-        for (Class<?> c = classe; c != Object.class; c = c.getSuperclass()) {
-            List<Field> siens = new ArrayList<>(Arrays.asList(c.getDeclaredFields()));
-            siens.removeIf(f -> !Modifier.isPublic(f.getModifiers()) || Modifier.isStatic(f.getModifiers()));
-            publics.addAll(0, siens);
-        }
+        // ceux de sa mère d'abord : leurs rangs sont les mêmes dans toutes ses filles
+        List<Field> publics = Arrays.stream(classe.getFields()).filter(f -> !Modifier.isStatic(f.getModifiers()))
+                .sorted(Comparator.comparing(f -> f.getDeclaringClass() == classe)).collect(Collectors.toList());
         noms = "if (o instanceof " + nom + ") return \"" + nom + "\";\n" + noms;
         if (!publics.isEmpty()) {
             champs = "if (o instanceof " + nom + ") return champs((" + nom + ") o);\n" + champs;
@@ -81,13 +72,7 @@ final class Doublures {
                     .map(c -> "o." + c.getName()).collect(Collectors.joining(", ")) + "}; }\n");
         }
         if (nom.equals("Couleur")) {
-            int constructeur = numeroter("new Couleur((double) a[0], (double) a[1], (double) a[2])", false);
             sources.put("lancer/" + nom, Modele.corrige(nom));
-            sources.put("lancer/Passage", ENTETE + "final class Passage {\n"
-                    + "static " + RECU + " vers(Couleur c) { return c == null ? null : Dialogue.appeler(" + RECU
-                    + ".class, " + constructeur + ", c.r, c.v, c.b); }\n"
-                    + "static Couleur de(" + RECU + " r) { return r == null ? null"
-                    + " : new Couleur(r.reel(\"Couleur\", 0), r.reel(\"Couleur\", 1), r.reel(\"Couleur\", 2)); }\n}\n");
             return;
         }
         StringBuilder relire = new StringBuilder();
@@ -130,20 +115,16 @@ final class Doublures {
         int numero = numeroter((statique ? nom : "((" + nom + ") a[0])") + "." + m.getName() + "("
                 + passes(m, statique ? 0 : 1) + ")", rend == void.class);
         String type = rend.getSimpleName();
-        boolean couleur = type.equals("Couleur");
-        String recu = "Dialogue.appeler(" + (couleur ? RECU : rend == void.class ? "Object" : rend == double.class
+        return "public " + (statique ? "static " : "") + type + " " + m.getName() + "(" + parametres(m) + ") { "
+                + (rend == void.class ? "" : "return ") + "Dialogue.appeler(" + (rend == void.class ? "Object" : rend == double.class
                 ? "Double" : rend == int.class ? "Integer" : rend == boolean.class ? "Boolean" : type) + ".class, "
-                + numero + (statique ? "" : ", this") + arguments(m) + ")";
-        return "public " + (statique ? "static " : "") + type + " "
-                + m.getName() + "(" + parametres(m) + ") { " + (rend == void.class ? "" : "return ")
-                + (couleur ? "Passage.de(" + recu + ")" : recu) + "; }\n";
+                + numero + (statique ? "" : ", this") + arguments(m) + "); }\n";
     }
 
     /** Ajoute un appel, et rend son numéro. */
     private int numeroter(String appel, boolean muet) {
-        aiguillage.append("case " + nombre + ": return m" + nombre + "(a);\n");
-        appels.append("static Object m" + nombre + "(Object[] a) { " + (muet ? appel + "; return null" : "return "
-                + appel) + "; }\n");
+        appels.append("public static Object m" + nombre + "(Object[] a) { " + (muet ? appel + "; return null" : "return " + appel)
+                + "; }\n");
         return nombre++;
     }
 
@@ -157,7 +138,8 @@ final class Doublures {
 
     /** Les arguments d'un appel, pris du tableau {@code a}. */
     private static String passes(Executable e, int premier) {
-        return chacun(e, (type, k) -> "(" + type + ") a[" + (premier + k) + "]").collect(Collectors.joining(", "));
+        return chacun(e, (type, k) -> (type.equals("Couleur") ? "couleur(a[" : "(" + type + ") (a[") + (premier + k) + "])")
+                .collect(Collectors.joining(", "));
     }
 
     private static String parametres(Executable e) {
@@ -165,7 +147,8 @@ final class Doublures {
     }
 
     private static String arguments(Executable e) {
-        return chacun(e, (type, k) -> type.equals("Couleur") ? ", Passage.vers(a" + k + ")" : ", a" + k).collect(Collectors.joining());
+        return chacun(e, (type, k) -> ", a" + k + (type.equals("Couleur") ? " == null ? null : List.of(a" + k + ".r, a" + k + ".v, a" + k
+                + ".b)" : "")).collect(Collectors.joining());
     }
 
     private static Stream<String> chacun(Executable e, BiFunction<String, Integer, String> ecrire) {

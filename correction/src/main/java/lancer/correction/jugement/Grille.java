@@ -15,24 +15,7 @@ import org.apache.commons.csv.CSVRecord;
  */
 public final class Grille {
 
-    /** Une ligne d'une étape. */
-    public static final class Critere {
-
-        public final String id;
-        public final String titre;
-        public final boolean compte;
-        /** La classe du cours dont il parle, vide s'il n'en est pas d'une. */
-        public final String classe;
-
-        Critere(String id, String classe, String titre, boolean compte) {
-            this.id = id;
-            this.classe = classe;
-            this.titre = titre;
-            this.compte = compte;
-        }
-    }
-
-    /** Une étape et ses critères. */
+    /** Une étape et ses critères ; ou une ligne libre du barème, qui n'en a pas. */
     public static final class Etape {
 
         public final String nom;
@@ -41,25 +24,30 @@ public final class Grille {
         public final String court;
         /** Vrai pour une variante, que l'on fait si l'on veut, dans l'ordre que l'on veut. */
         public final boolean extension;
-        /** Vrai pour une étape de l'énoncé, que l'on fait dans l'ordre : ni l'image, ni une extension. */
-        public final boolean duCours;
-        public final List<Critere> criteres = new ArrayList<>();
+        public final List<Verification> criteres = new ArrayList<>();
 
-        Etape(String nom, String titre) {
+        public Etape(String nom, String titre) {
             this.nom = nom;
             this.court = titre;
             this.extension = Modele.VARIANTES.contains(nom);
             this.titre = (extension ? "Extension : " : "") + titre;
-            this.duCours = !extension && !nom.equals(IMAGE) && !nom.equals(CONSIGNES);
+        }
+
+        /** Vrai pour une ligne que l'enseignant a ajoutée au barème, et dont il donne les points. */
+        public boolean libre() {
+            return criteres.isEmpty();
+        }
+
+        /** Vrai pour une étape de l'énoncé, que l'on fait dans l'ordre. */
+        public boolean duCours() {
+            return !extension && !libre() && !nom.equals(IMAGE) && !nom.equals(CONSIGNES);
         }
     }
 
     /** L'étape de l'image : un critère par scène. */
     public static final String IMAGE = "image";
-
     /** Étape de ce que l'énoncé demande de la façon de rendre : enlève des points, au lieu d'en donner. */
     public static final String CONSIGNES = "consignes";
-
     /** Fin du nom d'une image : celle que dessine la base, sur la scène d'une extension. */
     public static final String BASE = " (base)";
 
@@ -71,11 +59,12 @@ public final class Grille {
                 "les bords approchent la moyenne de plusieurs rayons par pixel, et le reste ne change pas", "scene1"},
             "blinn", new String[] {"reflet de Blinn", "le reflet est (N.H) à la puissance ns, 2 ns ou 4 ns", "bowling"});
 
-    private static final String AU_CENTRE = " (au centre)";
+    /** Fin du nom d'une image du corrigé dont les rayons passent au centre des pixels. */
+    static final String AU_CENTRE = " (au centre)";
 
     public final List<Etape> etapes = new ArrayList<>();
     /** Images du corrigé : par scène, aux coordonnées entières et au centre des pixels ; par extension, la sienne. */
-    private final Map<String, Image> images = new LinkedHashMap<>();
+    final Map<String, Image> images = new LinkedHashMap<>();
     /** Raison pour laquelle le code des étudiants a tourné sans confinement ; vide s'il a été confiné. */
     public final String sansConfinement;
 
@@ -84,15 +73,11 @@ public final class Grille {
     }
 
     /** Ajoute un critère à la dernière étape, si c'est celle-là, sinon à une de plus. */
-    void ajouter(String etape, String titreEtape, Critere critere) {
-        if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(etape)) {
-            etapes.add(new Etape(etape, titreEtape));
+    void ajouter(Verification critere) {
+        if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(critere.etape)) {
+            etapes.add(new Etape(critere.etape, critere.titreEtape));
         }
         etapes.get(etapes.size() - 1).criteres.add(critere);
-    }
-
-    void ajouter(String scene, boolean auCentre, Image image) {
-        images.put(scene + (auCentre ? AU_CENTRE : ""), image);
     }
 
     /** L'image du corrigé, aux coordonnées entières ou au centre des pixels ; d'une extension, ces dernières. */
@@ -104,7 +89,7 @@ public final class Grille {
         List<List<?>> lignes = new ArrayList<>();
         lignes.add(List.of("sans confinement", sansConfinement));
         etapes.forEach(etape -> etape.criteres.forEach(c ->
-                lignes.add(List.of("critère", etape.nom, etape.court, c.id, c.classe, c.titre, c.compte))));
+                lignes.add(List.of("critère", c.etape, c.titreEtape, c.methode, c.classe, c.titre, c.compte))));
         images.forEach((nom, image) -> lignes.add(image.ligne(nom)));
         Resultat.ecrire(fichier, lignes);
     }
@@ -115,7 +100,9 @@ public final class Grille {
         Grille grille = new Grille(lignes.get(0).get(1));
         for (CSVRecord l : lignes.subList(1, lignes.size())) {
             if (l.get(0).equals("critère")) {
-                grille.ajouter(l.get(1), l.get(2), new Critere(l.get(3), l.get(4), l.get(5), Boolean.parseBoolean(l.get(6))));
+                Verification critere = new Verification(l.get(1), l.get(2), l.get(3), l.get(4), l.get(5));
+                critere.compte = Boolean.parseBoolean(l.get(6));
+                grille.ajouter(critere);
             } else {
                 grille.images.put(l.get(1), new Image(l));
             }

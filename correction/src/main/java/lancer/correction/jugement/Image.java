@@ -11,10 +11,8 @@ import org.apache.commons.csv.CSVRecord;
 public final class Image {
 
     private static final double PRES = 1e-6;
-
     /** Niveaux à partir desquels un pixel est faux. */
     private static final int FAUX = 2;
-
     /** Part de pixels faux que les arrondis, aux bords des boules et des ombres, suffisent à expliquer. */
     private static final double PART_PERMISE = 0.005;
 
@@ -27,9 +25,7 @@ public final class Image {
      * @throws Dialogue.Echec si ce n'en est pas
      */
     Image(int largeur, int hauteur, String texte) {
-        this.largeur = largeur;
-        this.hauteur = hauteur;
-        rvb = new float[largeur * hauteur * 3];
+        this(largeur, hauteur);
         try {
             ByteBuffer.wrap(Base64.getDecoder().decode(texte)).asFloatBuffer().get(rvb);
         } catch (IllegalArgumentException | BufferUnderflowException e) {
@@ -37,11 +33,15 @@ public final class Image {
         }
     }
 
+    private Image(int largeur, int hauteur) {
+        this.largeur = largeur;
+        this.hauteur = hauteur;
+        rvb = new float[largeur * hauteur * 3];
+    }
+
     /** L'image qu'a écrite {@link #ligne}. */
     Image(CSVRecord ligne) {
-        largeur = Integer.parseInt(ligne.get(2));
-        hauteur = Integer.parseInt(ligne.get(3));
-        rvb = new float[largeur * hauteur * 3];
+        this(Integer.parseInt(ligne.get(2)), Integer.parseInt(ligne.get(3)));
         byte[] octets = Base64.getDecoder().decode(ligne.get(4));
         for (int k = 0; k < rvb.length; k++) {
             rvb[k] = (octets[k] & 255) / 255f;
@@ -52,20 +52,28 @@ public final class Image {
     List<?> ligne(String nom) {
         byte[] octets = new byte[rvb.length];
         for (int k = 0; k < rvb.length; k++) {
-            octets[k] = (byte) Math.round(niveau(k / 3, k % 3));
+            octets[k] = (byte) Math.round(niveau(k));
         }
         return List.of("image", nom, largeur, hauteur, Base64.getEncoder().encodeToString(octets));
     }
 
     /** Une composante, limitée à [0, 1], en niveaux de 255 ; 0 si ce n'est pas un nombre. */
-    private double niveau(int pixel, int composante) {
-        float x = rvb[3 * pixel + composante];
-        return x > 0 ? 255 * Math.min(1, x) : 0;
+    private double niveau(int k) {
+        return rvb[k] > 0 ? 255 * Math.min(1, rvb[k]) : 0;
     }
 
     /** Écart d'un pixel à celui d'une autre image, en niveaux : la plus grande différence d'une composante. */
     double ecart(Image autre, int pixel) {
-        return IntStream.range(0, 3).mapToDouble(k -> Math.abs(niveau(pixel, k) - autre.niveau(pixel, k))).max().getAsDouble();
+        return IntStream.range(3 * pixel, 3 * pixel + 3).mapToDouble(k -> Math.abs(niveau(k) - autre.niveau(k))).max().getAsDouble();
+    }
+
+    /** Leur différence, quatre fois plus forte. */
+    public Image difference(Image autre) {
+        Image difference = new Image(largeur, hauteur);
+        for (int k = 0; k < rvb.length; k++) {
+            difference.rvb[k] = 4 * Math.abs(Math.round(niveau(k)) - Math.round(autre.niveau(k))) / 255f;
+        }
+        return difference;
     }
 
     private long faux(Image autre) {
@@ -96,7 +104,7 @@ public final class Image {
     public int code(int x, int y) {
         int code = 0;
         for (int k = 0; k < 3; k++) {
-            code = code << 8 | (int) Math.round(niveau(y * largeur + x, k));
+            code = code << 8 | (int) Math.round(niveau(3 * (y * largeur + x) + k));
         }
         return code;
     }

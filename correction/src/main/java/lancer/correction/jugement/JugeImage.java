@@ -13,7 +13,6 @@ final class JugeImage {
 
     /** Nombre de fois que le temps d'une vérification est permis à un dessin. */
     private static final double TEMPS = 4;
-
     /** Pixels où l'on cherche d'où vient la faute. */
     private static final int PIXELS_ESSAYES = 200;
 

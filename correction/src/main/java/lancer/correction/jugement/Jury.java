@@ -2,16 +2,18 @@ package lancer.correction.jugement;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.nio.file.Path;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Deque;
 import java.util.List;
-import java.util.function.BiConsumer;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import javax.tools.ToolProvider;
 import lancer.correction.Panne;
 import lancer.correction.depot.Alias;
@@ -31,12 +33,11 @@ public final class Jury implements AutoCloseable {
     private static final int ENTIER_MAX = 300;
     /** Propriété où {@code lancer.Tests} lit la sienne. */
     private static final String GRAINE = "tests.graine";
-    private static final ThreadMXBean FILS = ManagementFactory.getThreadMXBean();
 
     private final Machines machines;
     private final Limites limites;
     /** Machines qui compilent, et qu'aucun rendu n'occupe. */
-    private final Deque<Machines.Compilation> compilations = new ArrayDeque<>();
+    private final Queue<Machines.Compilation> compilations = new ConcurrentLinkedQueue<>();
     public final Reference reference;
     /** Noms que l'enseignant déclare. */
     private Alias alias;
@@ -66,89 +67,70 @@ public final class Jury implements AutoCloseable {
         }
     }
 
-    /** @param fini appelé pour chaque rendu, dès qu'il est jugé, avec son rang ; dans l'ordre où ils finissent */
-    public List<Resultat> juger(List<Rendu> rendus, Alias declares, BiConsumer<Integer, Resultat> fini) {
+    /** @param fini appelé pour chaque rendu dès qu'il est jugé, d'un fil ou d'un autre */
+    public List<Resultat> juger(List<Rendu> rendus, Alias declares, Consumer<Resultat> fini) {
         alias = declares;
-        Resultat[] resultats = new Resultat[rendus.size()];
+        ExecutorService ensemble = Executors.newFixedThreadPool(Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()));
         try {
-            List<Integer> rangs = IntStream.range(0, resultats.length).boxed().collect(Collectors.toList());
-            // une panne peut venir d'un voisin qui prenait tout : seul, un rendu se juge peut-être
-            for (boolean seul : new boolean[] {false, true}) {
-                juger(rendus, rangs, seul ? 1 : Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()), (rang, resultat) -> {
-                    resultats[rang] = resultat;
-                    if (seul || !resultat.nonCorrige) {
-                        rangs.remove(rang);
-                        fini.accept(rang, resultat);
-                    }
-                });
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new Panne(1, "interrompu");
-        }
-        return Arrays.asList(resultats);
-    }
-
-    /** Un rendu en train d'être jugé, dans son propre fil : s'il n'en finit pas, on l'y laisse. */
-    private final class Rangee {
-
-        private final int rang;
-        private final Machines.Compilation compilation;
-        private final Thread fil;
-        private final long debut = System.nanoTime();
-        private volatile Resultat resultat;
-
-        Rangee(int rang, Rendu rendu, Machines.Compilation compilation) {
-            this.rang = rang;
-            this.compilation = compilation;
-            fil = new Thread(() -> {
-                try {
-                    resultat = juger(rendu, compilation);
-                } catch (Panne | OutOfMemoryError e) {
-                    resultat = nonCorrige(rendu, String.valueOf(e instanceof Panne ? e.getMessage() : e));
-                } catch (Throwable e) {
-                    // quoi qu'il nous fasse, ce rendu ne coûte sa note qu'à lui
-                    resultat = refuse(rendu, List.of("arrêté : le correcteur n'a pas su le lire (" + Echange.protege(e.toString()) + ")"));
+            List<Future<Resultat>> premiers = rendus.stream().map(rendu -> ensemble.submit(() -> {
+                Resultat resultat = surveiller(rendu);
+                if (!resultat.nonCorrige) {
+                    fini.accept(resultat);
                 }
-            }, "jury");
-            fil.setDaemon(true);
-            fil.start();
-        }
-
-        /** @return ce qu'on en a trouvé, {@code null} s'il faut encore attendre */
-        Resultat attendre(Rendu rendu) throws InterruptedException {
-            fil.join(TOUR_MS);
-            boolean propre = FILS.getThreadCpuTime(fil.getId()) > limites.propre * 1e9;
-            if (resultat != null || !propre && System.nanoTime() - debut < ENTIER_MAX * 1e9) {
                 return resultat;
+            })).collect(Collectors.toList());
+            List<Resultat> resultats = new ArrayList<>();
+            for (Future<Resultat> premier : premiers) {
+                resultats.add(premier.get());
             }
-            fil.interrupt();
-            compilation.close();
-            return refuse(rendu, List.of(propre ? "arrêté : plus de " + Math.round(limites.propre)
-                    + " s de calcul du correcteur lui-même" : "arrêté : plus de " + ENTIER_MAX + " s en tout"));
+            for (int rang = 0; rang < resultats.size(); rang++) {
+                if (resultats.get(rang).nonCorrige) {
+                    // une panne peut venir d'un voisin qui prenait tout : seul, un rendu se juge peut-être
+                    resultats.set(rang, surveiller(rendus.get(rang)));
+                    fini.accept(resultats.get(rang));
+                }
+            }
+            return resultats;
+        } catch (InterruptedException | ExecutionException e) {
+            throw new Panne(1, "jugement interrompu : " + e);
+        } finally {
+            ensemble.shutdownNow();
         }
     }
 
-    private void juger(List<Rendu> rendus, List<Integer> rangs, int ensemble, BiConsumer<Integer, Resultat> fini)
-            throws InterruptedException {
-        Deque<Integer> file = new ArrayDeque<>(rangs);
-        List<Rangee> enCours = new ArrayList<>();
-        while (!file.isEmpty() || !enCours.isEmpty()) {
-            while (enCours.size() < ensemble && !file.isEmpty()) {
-                Machines.Compilation libre = compilations.isEmpty() ? machines.new Compilation() : compilations.poll();
-                enCours.add(new Rangee(file.peek(), rendus.get(file.poll()), libre));
+    /** Juge un rendu dans son propre fil : s'il n'en finit pas, on l'y laisse. */
+    private Resultat surveiller(Rendu rendu) throws InterruptedException {
+        Machines.Compilation libre = compilations.poll();
+        Machines.Compilation compilation = libre == null ? machines.new Compilation() : libre;
+        AtomicReference<Resultat> resultat = new AtomicReference<>();
+        Thread fil = new Thread(() -> {
+            try {
+                resultat.set(juger(rendu, compilation));
+            } catch (Panne | OutOfMemoryError e) {
+                resultat.set(refuse(rendu, List.of("non corrigé : "
+                        + Echange.protege(String.valueOf(e instanceof Panne ? e.getMessage() : e)))));
+                resultat.get().nonCorrige = true;
+            } catch (Throwable e) {
+                // quoi qu'il nous fasse, ce rendu ne coûte sa note qu'à lui
+                resultat.set(refuse(rendu, List.of("arrêté : le correcteur n'a pas su le lire (" + Echange.protege(e.toString()) + ")")));
             }
-            for (Rangee rangee : List.copyOf(enCours)) {
-                Resultat resultat = rangee.attendre(rendus.get(rangee.rang));
-                if (resultat != null) {
-                    enCours.remove(rangee);
-                    if (resultat == rangee.resultat) {
-                        compilations.add(rangee.compilation);
-                    }
-                    fini.accept(rangee.rang, resultat);
-                }
-            }
+        }, "jury");
+        fil.setDaemon(true);
+        fil.start();
+        String trop = "";
+        for (long debut = System.nanoTime(); fil.isAlive() && trop.isEmpty(); fil.join(TOUR_MS)) {
+            trop = ManagementFactory.getThreadMXBean().getThreadCpuTime(fil.getId()) > limites.propre * 1e9
+                    ? Math.round(limites.propre) + " s de calcul du correcteur lui-même"
+                    : System.nanoTime() - debut > ENTIER_MAX * 1e9
+                    ? ENTIER_MAX + " s en tout" : "";
         }
+        if (trop.isEmpty()) {
+            compilations.add(compilation);
+            return resultat.get();
+        }
+        fil.interrupt();
+        compilation.close();
+        return refuse(rendu, List.of("arrêté : plus de " + trop));
     }
 
     private Resultat juger(Rendu rendu, Machines.Compilation compilation) {
@@ -171,12 +153,6 @@ public final class Jury implements AutoCloseable {
         Echange.abreger(resultat.remarques);
         Echange.abreger(resultat.aRegarder);
         Echange.abreger(resultat.fautes);
-        return resultat;
-    }
-
-    private static Resultat nonCorrige(Rendu rendu, String cause) {
-        Resultat resultat = refuse(rendu, List.of("non corrigé : " + Echange.protege(cause)));
-        resultat.nonCorrige = true;
         return resultat;
     }
 

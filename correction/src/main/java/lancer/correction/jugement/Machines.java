@@ -1,7 +1,6 @@
 package lancer.correction.jugement;
 
 import java.io.DataInputStream;
-import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -11,7 +10,6 @@ import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -43,6 +41,16 @@ final class Machines {
     /** L'archive des seules classes que voit un rendu avec les siennes. */
     private final Path outillage;
 
+    /**
+     * Lieux d'où viennent JUnit, ini4j, le compilateur et nous, pour compiler ; jamais la base, même si elle est dans le
+     * chemin des classes.
+     */
+    private final String chemin = Stream.concat(
+            Stream.of(Execution.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
+            ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
+            .filter(c -> c.getName().startsWith("org.eclipse."))).map(Machines::lieu).distinct()
+            .collect(Collectors.joining(File.pathSeparator));
+
     /** @param dossier ce qui y est s'efface */
     Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
         this.confinement = confinement;
@@ -53,7 +61,7 @@ final class Machines {
         outillage = Files.createDirectories(dossier).resolve("outillage.jar");
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(outillage))) {
             for (Class<?> une : List.of(Execution.class, Ini.class)) {
-                copier(une.getPackageName().replace('.', '/'), Paths.get(lieu(une)), zip);
+                copier(une.getPackageName().replace('.', '/'), Path.of(lieu(une)), zip);
             }
         }
     }
@@ -69,21 +77,10 @@ final class Machines {
         }
     }
 
-    /**
-     * Lieux d'où viennent JUnit, ini4j, le compilateur et nous, pour compiler ; jamais la base, même si elle est dans le
-     * chemin des classes.
-     */
-    private static String chemin() {
-        return Stream.concat(Stream.of(Execution.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
-                ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
-                .filter(c -> c.getName().startsWith("org.eclipse."))).map(Machines::lieu).distinct()
-                .collect(Collectors.joining(File.pathSeparator));
-    }
-
     /** Lieu d'où vient une classe : une archive, ou un dossier. */
     static String lieu(Class<?> classe) {
         try {
-            return Paths.get(classe.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
+            return Path.of(classe.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
         } catch (URISyntaxException e) {
             throw new IllegalStateException(e);
         }
@@ -94,21 +91,37 @@ final class Machines {
         T lire(DataInputStream reponse) throws IOException;
     }
 
+    /** Une demande qui commence par sa sorte, et a des textes ou des classes. */
+    private static Echange.Redaction demande(char sorte, Map<String, byte[]> tout) {
+        return message -> {
+            message.writeChar(sorte);
+            Echange.ecrireTout(message, tout);
+        };
+    }
+
     /** Une machine virtuelle à part, tant qu'elle répond comme il faut. */
-    private abstract static class Machine implements AutoCloseable {
+    private abstract class Machine implements AutoCloseable {
 
         Enfant enfant;
 
         /**
-         * Lance la machine, et attend d'elle une première réponse : ce qui l'arrête ensuite vient de ce qu'on lui donne.
+         * Lance la machine, si elle ne l'est pas, et attend d'elle une première réponse : ce qui l'arrête ensuite vient de ce qu'on
+         * lui donne.
          *
+         * @return vrai si elle est neuve
          * @throws Panne si elle ne répond pas
          */
-        void lancer(List<String> commande, Limites siennes, Echange.Redaction bonjour) {
-            enfant = new Enfant(commande, siennes);
+        boolean lancer(Class<?> principale, String chemin, Limites siennes) {
+            if (enfant != null) {
+                return false;
+            }
+            boolean visibles = principale == Compilateur.class;
+            enfant = new Enfant(confinement.java(principale, chemin, visibles, outillage.getParent(), siennes), siennes);
             try {
                 enfant.commencer(Limites.DE_COMPILATION.calcul);
-                demander(bonjour, Echange.REPONSE_MAX, DataInputStream::readAllBytes);
+                demander(demande(visibles ? Compilateur.COMPILER : Execution.CLASSES, Map.of()), Echange.REPONSE_MAX,
+                        DataInputStream::readAllBytes);
+                return true;
             } catch (Arret e) {
                 throw new Panne(1, "une machine virtuelle n'a pas pu commencer : " + e.getMessage());
             }
@@ -167,31 +180,24 @@ final class Machines {
 
         /** Ce que le JDK lit de ces textes, voir {@link Lecteur#lire} ; une valeur chacun. */
         List<?> lire(List<String> textes) throws Arret {
-            Map<String, byte[]> tous = new LinkedHashMap<>();
-            textes.forEach(t -> tous.put(String.valueOf(tous.size()), t.getBytes(StandardCharsets.UTF_8)));
+            Map<String, String> tous = new LinkedHashMap<>();
+            textes.forEach(t -> tous.put(String.valueOf(tous.size()), t));
             return demander(Compilateur.LIRE, tous, reponse -> {
                 List<?> lus = (List<?>) Echange.lireValeur(reponse, o -> null);
-                if (lus.size() != tous.size()) {
+                if (lus.size() != textes.size()) {
                     throw new IOException();
                 }
                 return lus;
             });
         }
 
-        private <T> T demander(char sorte, Map<String, byte[]> textes, Lecture<T> lecture) throws Arret {
-            Limites larges = Limites.DE_COMPILATION;
-            if (enfant == null) {
-                lancer(confinement.java(Compilateur.class, chemin(), true, outillage.getParent(), larges), larges, m -> {
-                    m.writeChar(Compilateur.COMPILER);
-                    Echange.ecrireTout(m, Map.of());
-                });
-            }
-            enfant.commencer(larges.calcul);
+        private <T> T demander(char sorte, Map<String, String> textes, Lecture<T> lecture) throws Arret {
+            Map<String, byte[]> octets = new LinkedHashMap<>();
+            textes.forEach((nom, texte) -> octets.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
+            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION);
+            enfant.commencer(Limites.DE_COMPILATION.calcul);
             try {
-                return demander(m -> {
-                    m.writeChar(sorte);
-                    Echange.ecrireTout(m, textes);
-                }, Echange.GROSSE_REPONSE_MAX, lecture);
+                return demander(demande(sorte, octets), Echange.GROSSE_REPONSE_MAX, lecture);
             } catch (Arret e) {
                 if (e.tue) {
                     throw new Panne(1, "le compilateur a été tué : " + e.getMessage());
@@ -205,9 +211,7 @@ final class Machines {
          * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles, ou si un autre le tue
          */
         Assemblage compiler(Map<String, String> sources) throws Arret {
-            Map<String, byte[]> textes = new LinkedHashMap<>();
-            sources.forEach((nom, texte) -> textes.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
-            Assemblage assemblage = demander(Compilateur.COMPILER, textes, reponse -> {
+            Assemblage assemblage = demander(Compilateur.COMPILER, sources, reponse -> {
                 List<?> fautes = (List<?>) Echange.lireValeur(reponse, o -> null);
                 return new Assemblage(Echange.lireTout(reponse), fautes == null ? null : fautes.stream()
                         .map(f -> new Faute((List<?>) f)).collect(Collectors.toList()));
@@ -232,11 +236,8 @@ final class Machines {
         /** Commence une autre demande, qui n'a plus besoin des objets rendus à la précédente. */
         void oublier() throws Arret {
             commencer(1);
-            int fils = demander(m -> m.writeChar(Execution.OUBLI), Echange.REPONSE_MAX, reponse -> {
-                reponse.readChar();
-                return reponse.readInt();
-            });
-            if (fils != 0) {
+            if (!demander(m -> m.writeChar(Execution.OUBLI), Echange.REPONSE_MAX,
+                    r -> r.readChar() == Execution.RENDU && r.readInt() == 0)) {
                 // des fils courent encore : une machine neuve
                 close();
                 commencer(1);
@@ -248,17 +249,10 @@ final class Machines {
          * @throws Arret si ces classes arrêtent une machine neuve
          */
         void commencer(double fois) throws Arret {
-            if (enfant == null) {
-                lancer(confinement.java(Execution.class, outillage.toString(), false, outillage.getParent(), limites), limites,
-                        m -> donner(m, Map.of()));
-                demander(m -> donner(m, classes), 0, reponse -> null);
+            if (lancer(Execution.class, outillage.toString(), limites)) {
+                demander(demande(Execution.CLASSES, classes), Echange.REPONSE_MAX, DataInputStream::readChar);
             }
             enfant.commencer(fois * limites.calcul);
-        }
-
-        private void donner(DataOutputStream message, Map<String, byte[]> siennes) throws IOException {
-            message.writeChar(Execution.CLASSES);
-            Echange.ecrireTout(message, siennes);
         }
 
         /** Réponse de la sonde sur cette scène. @param max ce que la réponse peut peser, en octets */

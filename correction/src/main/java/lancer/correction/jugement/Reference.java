@@ -34,9 +34,8 @@ public final class Reference implements AutoCloseable {
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
     final String appels;
-    /** Verdicts du projet à compléter, par vérification : ses classes ensemble, et l'une seule parmi le corrigé. */
-    private final Map<String, Verdict> duSquelette;
-    private final Map<String, Verdict> dUneClasse = new HashMap<>();
+    /** Verdicts du projet à compléter, par vérification, chaque classe seule parmi celles du corrigé. */
+    private final Map<String, Verdict> seules = new HashMap<>();
     private final long graine;
     public final Grille grille;
     /** Le corrigé, compilé, et qui l'interroge. */
@@ -58,12 +57,12 @@ public final class Reference implements AutoCloseable {
         verifications = junit.lister();
         juge = new Juge(this, compilation, machines, projet, new Resultat("", ""));
         assemblage = juge.assembler(Modele.tout(Modele::corrige));
-        duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
+        Map<String, Verdict> duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
+        verifications.forEach(v -> v.compte = duSquelette.get(v.id()).etat != Etat.REUSSI);
         grille = new Grille(sansConfinement);
         remplir();
         for (String classe : Modele.A_COMPLETER) {
-            // après, ce qui compile est à un rendu
-            juge.seule(classe);
+            seules.putAll(juge.lancer(juge.seule(classe), juge.verifications(v -> v.classe.equals(classe))).verdicts);
         }
     }
 
@@ -74,36 +73,27 @@ public final class Reference implements AutoCloseable {
 
     /** Remplit la grille : les vérifications, les scènes, les extensions et les consignes, et ce que le corrigé en dessine. */
     private void remplir() throws Arret {
-        verifications.forEach(v -> grille.ajouter(v.etape, v.titreEtape.replaceFirst("^\\d+\\. ", ""),
-                new Grille.Critere(v.id(), v.classe, v.titre, compte(v))));
+        verifications.forEach(grille::ajouter);
         for (Map.Entry<String, int[]> scene : SCENES.entrySet()) {
             String nom = scene.getKey();
             int[] taille = scene.getValue();
-            grille.ajouter(Grille.IMAGE, "L'image entière", new Grille.Critere(Grille.IMAGE + "." + nom, "",
-                    "la scène « " + nom + " », par toutes les classes du rendu, est celle du corrigé", true));
-            grille.ajouter(nom, false, juge.images.dessiner(assemblage, nom));
-            grille.ajouter(nom, true, juge.images.tracer(assemblage, scene(nom), taille[0], taille[1], taille[2]));
+            grille.ajouter(new Verification(Grille.IMAGE, "L'image entière", nom, "",
+                    "la scène « " + nom + " », par toutes les classes du rendu, est celle du corrigé"));
+            grille.images.put(nom, juge.images.dessiner(assemblage, nom));
+            grille.images.put(nom + Grille.AU_CENTRE, juge.images.tracer(assemblage, scene(nom), taille[0], taille[1], taille[2]));
         }
         for (String nom : Modele.VARIANTES) {
             String[] titres = Grille.EXTENSIONS.get(nom);
-            grille.ajouter(nom, titres[0], new Grille.Critere(nom + ".image", "", titres[1], true));
-            grille.ajouter(nom, false, juge.images.etendre(juge.assembler(Modele.acheve(nom)), nom, true));
+            grille.ajouter(new Verification(nom, titres[0], "image", "", titres[1]));
+            grille.images.put(nom, juge.images.etendre(juge.assembler(Modele.acheve(nom)), nom, true));
         }
-        Projet.CONSIGNES.forEach((nom, titre) -> grille.ajouter(Grille.CONSIGNES, "Consignes de rendu",
-                new Grille.Critere(Grille.CONSIGNES + "." + nom, "", titre, true)));
+        Projet.CONSIGNES.forEach((nom, titre) ->
+                grille.ajouter(new Verification(Grille.CONSIGNES, "Consignes de rendu", nom, "", titre)));
     }
 
     /** Verdict de la classe du projet à compléter, seule parmi celles du corrigé, à cette vérification. */
-    synchronized Verdict duSquelette(Verification v) throws Arret {
-        if (!dUneClasse.containsKey(v.id())) {
-            dUneClasse.putAll(juge.lancer(juge.seule(v.classe), juge.verifications(a -> a.classe.equals(v.classe))).verdicts);
-        }
-        return dUneClasse.get(v.id());
-    }
-
-    /** Vrai si le projet à compléter ne la passe pas : elle compte. */
-    public boolean compte(Verification v) {
-        return duSquelette.get(v.id()).etat != Etat.REUSSI;
+    Verdict duSquelette(Verification v) {
+        return seules.get(v.id());
     }
 
     /** Réponses, en chemin, que font les méthodes du corrigé. */

@@ -22,41 +22,29 @@ public final class Resultat {
     /** Identifiant et nom de l'étudiant. */
     public final String id;
     public final String nom;
-
     /** Raisons pour lesquelles rien n'a pu être jugé ; vide sinon. */
     public final List<String> refus = new ArrayList<>();
     public final List<String> remarques = new ArrayList<>();
-
     /** Vrai si c'est la machine, et non le rendu, qui en est la cause : ce n'est pas une note, et rien n'en est retenu. */
     public boolean nonCorrige;
-
     /** Les fautes de compilation. */
     public final List<String> fautes = new ArrayList<>();
-
     /** Verdicts par {@link Verification#id()}, et pour les variantes par leur nom. */
     public final Map<String, Verdict> verdicts = new LinkedHashMap<>();
-
     /** Raisons pour lesquelles l'enseignant doit le regarder lui-même. */
     public final List<String> aRegarder = new ArrayList<>();
-
     /** Arbre de chaque longue méthode, {@code Classe.methode(types)}, qui n'est ni celle du projet à compléter, ni celle du corrigé. */
     public final Map<String, String> arbres = new LinkedHashMap<>();
-
     /** Empreinte de chaque classe donnée qui a été changée. */
     public final Map<String, String> empreintes = new LinkedHashMap<>();
-
     /** Méthode de l'étudiant, par critère raté, qui en répond. */
     public final Map<String, String> methodes = new LinkedHashMap<>();
-
     /** Les images qui ont pu être dessinées : par scène, celles de toutes ses classes, et par extension, celle qu'elle fait. */
     public final Map<String, Image> images = new LinkedHashMap<>();
-
     /** Vrai si ses rayons passent au centre des pixels, plutôt qu'à leurs coordonnées entières. */
     public boolean centre;
-
     /** Réponses des méthodes à un pixel très faux, {@code null} si rien n'est faux. */
     public Chemin chemin;
-
     /** Les classes qui, seules parmi celles du corrigé, changent l'image. */
     public final List<String> classesFautives = new ArrayList<>();
 
@@ -73,8 +61,8 @@ public final class Resultat {
     }
 
     /** Verdict d'un critère ; « non commencé » s'il n'a pas été essayé. */
-    public Verdict verdict(Grille.Critere critere) {
-        return verdicts.getOrDefault(critere.id, new Verdict(Verdict.Etat.NON_COMMENCE, ""));
+    public Verdict verdict(Verification critere) {
+        return verdicts.getOrDefault(critere.id(), new Verdict(Verdict.Etat.NON_COMMENCE, ""));
     }
 
     /** Nombre de critères réussis. */
@@ -104,7 +92,8 @@ public final class Resultat {
         ecrire(fichier, lignes);
     }
 
-    static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
+    /** Écrit un tableau. */
+    public static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
         try (CSVPrinter csv = new CSVPrinter(Files.newBufferedWriter(fichier), CSVFormat.DEFAULT)) {
             csv.printRecords(lignes);
         }

@@ -12,7 +12,6 @@ import lancer.correction.enfant.Execution;
 import lancer.correction.jugement.Verdict.Etat;
 import org.junit.platform.engine.DiscoverySelector;
 import org.junit.platform.engine.TestExecutionResult;
-import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.LauncherDiscoveryRequest;
 import org.junit.platform.launcher.TestExecutionListener;
 import org.junit.platform.launcher.TestIdentifier;
@@ -27,7 +26,6 @@ import org.junit.platform.launcher.core.LauncherFactory;
 final class Verifications {
 
     private static final String TESTS = "lancer.Tests";
-
     /** Nombre de vérifications sans fin après lequel les suivantes ne sont pas lancées. */
     private static final int ARRETS_MAX = 3;
 
@@ -47,7 +45,7 @@ final class Verifications {
     List<Verification> lister() {
         TestPlan plan = LauncherFactory.create().discover(demande(List.of(selectClass(chargeur, TESTS))));
         return plan.getRoots().stream().flatMap(racine -> plan.getDescendants(racine).stream()).filter(TestIdentifier::isTest)
-                .map(test -> new Verification((MethodSource) test.getSource().get(), plan.getParent(test).get().getDisplayName(), test))
+                .map(test -> new Verification(plan.getParent(test).get().getDisplayName(), test))
                 .collect(Collectors.toList());
     }
 
@@ -59,15 +57,11 @@ final class Verifications {
         /** Nombre de celles qui n'ont pas fini, et pourquoi la dernière. */
         int arrets;
         String pourquoi = "";
-        private final Map<String, String> ids = new HashMap<>();
         private final Dialogue dialogue;
 
         private Bilan(List<Verification> verifications, Dialogue dialogue) {
             this.dialogue = dialogue;
-            for (Verification v : verifications) {
-                ids.put(v.classeJava + v.methode, v.id());
-                verdicts.put(v.id(), new Verdict(Etat.RATE, "la vérification n'a pas pu commencer"));
-            }
+            verifications.forEach(v -> verdicts.put(v.id(), new Verdict(Etat.RATE, "la vérification n'a pas pu commencer")));
         }
 
         /** Vrai si, faute de finir, les dernières n'ont pas été lancées. */
@@ -81,7 +75,6 @@ final class Verifications {
             if (!test.isTest()) {
                 return;
             }
-            MethodSource source = (MethodSource) test.getSource().get();
             // une fois coupé, chacune dit pourquoi elle n'est pas lancée
             String arret = coupe() ? null : dialogue.recommencer();
             if (arret != null) {
@@ -91,7 +84,7 @@ final class Verifications {
                     dialogue.refus = "non lancé, ce qui précède n'ayant pas fini : " + arret;
                 }
             }
-            verdicts.put(ids.get(source.getClassName() + source.getMethodName()), arret != null ? new Verdict(Etat.RATE, arret)
+            verdicts.put(new Verification("", test).id(), arret != null ? new Verdict(Etat.RATE, arret)
                     : new Verdict(fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL ? Etat.REUSSI
                     : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.RATE,
                     fin.getThrowable().map(Bilan::message).orElse("")));

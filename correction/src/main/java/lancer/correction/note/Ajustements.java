@@ -1,18 +1,17 @@
 package lancer.correction.note;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lancer.correction.Eleve;
+import java.util.stream.Collectors;
 import lancer.correction.depot.Tableau;
-import org.apache.commons.csv.CSVFormat;
-import org.apache.commons.csv.CSVPrinter;
+import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.Resultat;
 
 /**
  * Les points que l'enseignant donne de sa main, dans {@code ajustements.csv} ({@link Tableau}) : {@code
@@ -42,7 +41,8 @@ public final class Ajustements {
     public final List<String> fautes;
 
     /** Lit {@code ajustements.csv} dans ce dossier ; s'il n'y est pas, rien n'est donné. */
-    public Ajustements(Path dossier, Collection<String> ids, Collection<String> criteres) {
+    public Ajustements(Path dossier, Collection<String> ids, Grille grille) {
+        List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         fautes = Tableau.lire(dossier.resolve("ajustements.csv"), TITRES, ids, (id, ligne) -> {
             String critere = ligne.get(1);
             String points = ligne.get(2);
@@ -68,17 +68,12 @@ public final class Ajustements {
      * extension rendue et chaque ligne libre qui reste à noter. Rempli, il remplace {@code ajustements.csv}.
      */
     public void ecrireARemplir(Path dossier, List<Eleve> eleves) throws IOException {
-        try (BufferedWriter texte = Files.newBufferedWriter(dossier.resolve("ajustements-a-remplir.csv"));
-                CSVPrinter csv = new CSVPrinter(texte, CSVFormat.DEFAULT)) {
-            csv.printRecord((Object[]) TITRES.split(","));
-            for (Eleve eleve : eleves) {
-                for (Ligne ligne : de(eleve.resultat.id).values()) {
-                    csv.printRecord(ligne.cases);
-                }
-                for (String critere : eleve.illisible() ? List.<String>of() : eleve.note.aNoter()) {
-                    csv.printRecord(eleve.resultat.id, critere, "", "");
-                }
-            }
+        List<List<?>> tableau = new ArrayList<>(List.of(List.of(TITRES.split(","))));
+        for (Eleve eleve : eleves) {
+            de(eleve.resultat.id).values().forEach(ligne -> tableau.add(ligne.cases));
+            (eleve.illisible() ? List.<String>of() : eleve.aNoter()).forEach(critere ->
+                    tableau.add(List.of(eleve.resultat.id, critere, "", "")));
         }
+        Resultat.ecrire(dossier.resolve("ajustements-a-remplir.csv"), tableau);
     }
 }

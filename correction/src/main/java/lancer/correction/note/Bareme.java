@@ -4,8 +4,7 @@ import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -24,52 +23,49 @@ import org.ini4j.Profile;
  */
 public final class Bareme {
 
-    private final Map<String, Double> poids = new LinkedHashMap<>();
-    /** Les lignes que l'enseignant a ajoutées, dans leur ordre. */
-    public final List<String> libres = new ArrayList<>();
+    private final Map<String, Double> poids = new HashMap<>();
+    /** La note maximale. Les consignes, qui enlèvent des points, n'y sont pas ; les lignes libres non plus : {@link Eleve#sur}. */
+    public final double total;
 
     /**
-     * Lit le barème, ou l'écrit d'abord s'il n'existe pas.
+     * Lit le barème, ou l'écrit d'abord s'il n'existe pas ; ses lignes libres sont ajoutées à la grille.
      *
      * @throws Panne s'il ne convient pas
      */
     public Bareme(Path fichier, Grille grille) {
+        List<String> etapes = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
+        Profile.Section section;
         try {
             if (!Files.exists(fichier)) {
                 Files.writeString(fichier, Modele.ressource("bareme.ini"));
             }
-            lire(fichier, new Ini(new StringReader(Source.decoder(Files.readAllBytes(fichier)))),
-                    grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList()));
+            section = new Ini(new StringReader(Source.decoder(Files.readAllBytes(fichier)))).get("Barème");
         } catch (InvalidFileFormatException e) {
             throw new Panne(2, fichier + " : ligne incomprise ; attendu : étape=points ("
                     + e.getMessage().replace("parse error (at line: ", "ligne ").replaceFirst("\\)", "") + ")");
         } catch (IOException e) {
             throw new Panne(2, "barème illisible : " + fichier + " (" + e.getMessage() + ")");
         }
-    }
-
-    private void lire(Path fichier, Ini ini, List<String> etapes) {
-        Profile.Section section = ini.get("Barème");
         if (section == null) {
             throw new Panne(2, fichier + " : la section [Barème] manque");
         }
-        for (Map.Entry<String, String> ligne : section.entrySet()) {
-            String faute = fichier + ", [Barème], " + ligne.getKey();
-            boolean connue = etapes.contains(ligne.getKey());
-            if (!connue && etapes.stream().anyMatch(e -> debut(e).equals(debut(ligne.getKey())))) {
+        section.forEach((nom, points) -> {
+            String faute = fichier + ", [Barème], " + nom;
+            boolean connue = etapes.contains(nom);
+            if (!connue && etapes.stream().anyMatch(e -> debut(e).equals(debut(nom)))) {
                 throw new Panne(2, faute + " : étape inconnue ; attendu : une parmi " + String.join(", ", etapes)
                         + ", ou une ligne libre, qui ne commence pas comme une étape");
+            } else if (!connue) {
+                grille.etapes.add(new Grille.Etape(nom, nom));
             }
-            if (!connue) {
-                libres.add(ligne.getKey());
-            }
-            String texte = ligne.getValue() == null ? "" : ligne.getValue().trim().replace(',', '.');
+            String texte = points == null ? "" : points.trim().replace(',', '.');
             if (!texte.matches("\\d{1,4}(\\.\\d{1,6})?")) {
                 throw new Panne(2, faute + " : « " + texte + " » ; attendu : un nombre de 0 à 9999");
             }
-            poids.put(ligne.getKey(), Double.valueOf(texte));
-        }
-        if (!(total() > 0)) {
+            poids.put(nom, Double.valueOf(texte));
+        });
+        total = grille.etapes.stream().filter(e -> !e.libre() && !e.nom.equals(Grille.CONSIGNES)).mapToDouble(e -> poids(e.nom)).sum();
+        if (total == 0) {
             throw new Panne(2, fichier + " : la somme des points est nulle");
         }
     }
@@ -82,11 +78,5 @@ public final class Bareme {
 
     public double poids(String etape) {
         return poids.getOrDefault(etape, 0.0);
-    }
-
-    /** La note maximale. Les consignes, qui enlèvent des points, n'y sont pas ; les lignes libres non plus : {@link Note#sur}. */
-    public double total() {
-        return poids.entrySet().stream().filter(p -> !p.getKey().equals(Grille.CONSIGNES) && !libres.contains(p.getKey()))
-                .mapToDouble(Map.Entry::getValue).sum();
     }
 }

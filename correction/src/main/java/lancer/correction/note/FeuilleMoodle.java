@@ -1,10 +1,7 @@
 package lancer.correction.note;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -18,7 +15,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import lancer.correction.Eleve;
 import lancer.correction.Panne;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
@@ -53,7 +49,8 @@ public final class FeuilleMoodle {
         this.fichier = fichier;
         try {
             texte = Files.readString(fichier);
-            lignes = lignes(texte);
+            lignes = CSVParser.parse(texte.replaceFirst("^" + BOM, ""), CSVFormat.DEFAULT).stream()
+                    .map(ligne -> new ArrayList<>(ligne.toList())).collect(Collectors.toList());
         } catch (CharacterCodingException e) {
             throw new Panne(2, fichier + " : n'est pas en UTF-8 ; attendu : la feuille de notes telle que Moodle la donne");
         } catch (IOException | RuntimeException e) {
@@ -65,12 +62,6 @@ public final class FeuilleMoodle {
         maximum = colonne(false, "Maximum Grade", "Note maximale");
         commentaire = colonne(false, "Feedback comments", "Feedback par commentaires");
         modifiable = colonne(false, "Grade can be changed", "La note peut être modifiée");
-    }
-
-    private static List<List<String>> lignes(String texte) throws IOException {
-        try (CSVParser csv = CSVParser.parse(texte.replaceFirst("^" + BOM, ""), CSVFormat.DEFAULT)) {
-            return csv.stream().map(ligne -> new ArrayList<>(ligne.toList())).collect(Collectors.toList());
-        }
     }
 
     private int colonne(boolean exigee, String anglais, String francais) {
@@ -97,10 +88,10 @@ public final class FeuilleMoodle {
         Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.resultat.id, e));
         lignes.stream().skip(1).forEach(ligne -> noter(ligne, parId, bareme));
-        try (BufferedWriter sortie = Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv"))) {
-            sortie.write(texte.startsWith(BOM) ? BOM : "");
-            new CSVPrinter(sortie, CSVFormat.DEFAULT.builder().setRecordSeparator(texte.contains("\r\n") ? "\r\n" : "\n")
-                    .setQuoteMode(QuoteMode.MINIMAL).get()).printRecords(lignes);
+        try (CSVPrinter csv = new CSVPrinter(Files.newBufferedWriter(dossier.resolve("notes-a-deposer.csv")), CSVFormat.DEFAULT.builder()
+                .setRecordSeparator(texte.contains("\r\n") ? "\r\n" : "\n").setQuoteMode(QuoteMode.MINIMAL).get())) {
+            csv.getOut().append(texte.startsWith(BOM) ? BOM : "");
+            csv.printRecords(lignes);
         }
         parId.values().removeIf(Eleve::illisible);
         return parId.values();
@@ -117,8 +108,8 @@ public final class FeuilleMoodle {
         if (eleve.illisible()) {
             return;
         }
-        double sur = Double.isNaN(reel(valeur(ligne, maximum))) ? bareme.total() : reel(valeur(ligne, maximum));
-        String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.note.total() / eleve.note.sur * sur));
+        double sur = Double.isNaN(reel(valeur(ligne, maximum))) ? bareme.total : reel(valeur(ligne, maximum));
+        String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.total() / eleve.sur * sur));
         String ancienne = ligne.get(note);
         String dit = valeur(ligne, commentaire);
         boolean aNous = ancienne.isBlank() || NOTRE.matcher(dit).results().anyMatch(r -> reel(ancienne) == reel(r.group(1)));
@@ -131,7 +122,7 @@ public final class FeuilleMoodle {
             // ce que l'enseignant y a mis reste ; ce que nous y avions mis s'en va, et revient avec une note à nous
             String reste = NOTRE.matcher(dit).replaceAll("").trim();
             ligne.set(commentaire, !aNous ? reste : (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "
-                    + eleve.note.atteinte + " »" + FIN);
+                    + eleve.atteinte + " »" + FIN);
         }
     }
 
@@ -146,13 +137,11 @@ public final class FeuilleMoodle {
      * mod/assign/feedback/file/importziplib.php}).
      */
     public static void ecrireRetours(Path dossier, List<Eleve> eleves) throws IOException {
-        try (OutputStream flux = Files.newOutputStream(dossier.resolve("retours.zip"));
-                ZipOutputStream zip = new ZipOutputStream(flux, StandardCharsets.UTF_8)) {
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(dossier.resolve("retours.zip")))) {
             for (Eleve eleve : eleves) {
                 if (eleve.resultat.id.matches("\\d+")) {
                     String nom = eleve.resultat.nom.replaceAll("[_/\\\\\\p{Cntrl}]", " ").replaceFirst("^[.~]+", "");
-                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.resultat.id
-                            + "_assignsubmission_file/correction.html"));
+                    zip.putNextEntry(new ZipEntry(nom + "_" + eleve.resultat.id + "_assignsubmission_file/correction.html"));
                     zip.write(Files.readAllBytes(dossier.resolve("etudiants").resolve(eleve.page)));
                     zip.closeEntry();
                 }

@@ -7,10 +7,10 @@ import java.io.UncheckedIOException;
 import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.IntBinaryOperator;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lancer.correction.enfant.Echange;
+import lancer.correction.jugement.Image;
 import lancer.correction.modele.Modele;
 
 /** Façon d'écrire du HTML où rien de ce que vient d'un étudiant ne soit pris pour du HTML. */
@@ -54,28 +54,34 @@ final class Html {
                 .replace("\"", "&quot;").replace("'", "&#39;");
     }
 
-    /** Une image, dans la page même. @param pixel de (x, y), 0xRRVVBB */
-    static String image(int largeur, int hauteur, IntBinaryOperator pixel, String legende) {
-        BufferedImage image = new BufferedImage(largeur, hauteur, BufferedImage.TYPE_INT_RGB);
-        image.setRGB(0, 0, largeur, hauteur, IntStream.range(0, largeur * hauteur)
-                .map(p -> pixel.applyAsInt(p % largeur, p / largeur)).toArray(), 0, largeur);
+    /** Une image, dans la page même, s'il y en a une. @param reduction elle en montre un pixel sur tant, dans chaque sens */
+    Html image(Image montree, int reduction, String legende) {
+        if (montree == null) {
+            return this;
+        }
+        BufferedImage image = new BufferedImage(montree.largeur / reduction, montree.hauteur / reduction, BufferedImage.TYPE_INT_RGB);
+        IntStream.range(0, image.getWidth()).forEach(x -> IntStream.range(0, image.getHeight()).forEach(y ->
+                image.setRGB(x, y, montree.code(reduction * x, reduction * y))));
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
         try {
             ImageIO.write(image, "png", octets);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return "<img alt=\"" + echappe(legende) + "\" width=\"" + 2 * largeur + "\" height=\"" + 2 * hauteur
-                + "\" src=\"data:image/png;base64," + Base64.getEncoder().encodeToString(octets.toByteArray()) + "\">";
+        return brut("<img alt=\"").dire(legende).brut("\" width=\"" + 2 * image.getWidth() + "\" height=\"" + 2 * image.getHeight()
+                + "\" src=\"data:image/png;base64," + Base64.getEncoder().encodeToString(octets.toByteArray()) + "\">");
+    }
+
+    /** La même, et sa légende ; rien s'il n'y a pas d'image. */
+    void figure(Image montree, int reduction, String legende) {
+        if (montree != null) {
+            brut("<figure>").image(montree, reduction, legende).element("figcaption", legende).brut("</figure>\n");
+        }
     }
 
     /** La page entière, sans rien qui vienne d'ailleurs. */
     String page(String titre) {
-        return "<!DOCTYPE html>\n<html lang=\"fr\">\n<head>\n<meta charset=\"utf-8\">\n"
-                + "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-                + "style-src 'unsafe-inline'\">\n"
-                + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + echappe(titre)
-                + "</title>\n<style>"
-                + Modele.ressource("page.css") + "</style>\n</head>\n<body>\n" + texte + "\n</body>\n</html>\n";
+        String[] modele = Modele.ressource("page.html").split("TITRE|CORPS");
+        return modele[0] + echappe(titre) + modele[1] + texte + modele[2];
     }
 }

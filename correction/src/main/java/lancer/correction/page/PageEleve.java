@@ -4,15 +4,14 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import java.util.function.IntBinaryOperator;
-import lancer.correction.Eleve;
 import lancer.correction.jugement.Chemin;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
-import lancer.correction.note.Note;
+import lancer.correction.jugement.Verification;
+import lancer.correction.note.Eleve;
 
 /** La page d'un rendu : où il en est, ce qui ne va pas, avec un exemple, et les images. */
 final class PageEleve {
@@ -36,12 +35,12 @@ final class PageEleve {
             html.liste("Remarques", resultat.remarques);
             return html.page(resultat.nom);
         }
-        double perdus = eleve.note.perdus(Verdict.Etat.NON_EVALUABLE);
-        List<String> aNoter = eleve.note.aNoter();
-        html.brut("<p>").dire(Html.nombre(eleve.note.total()) + " points sur " + Html.nombre(eleve.note.sur))
+        double perdus = eleve.perdus(Verdict.Etat.NON_EVALUABLE);
+        List<String> aNoter = eleve.aNoter();
+        html.brut("<p>").dire(Html.nombre(eleve.total()) + " points sur " + Html.nombre(eleve.sur))
                 .dire(perdus > 0 ? " (dont " + Html.nombre(perdus) + " perdus par ce qui n'a pu être évalué, et ne rapporte rien)" : "")
                 .dire(aNoter.isEmpty() ? "" : ", sans ce que l'enseignant n'a pas encore noté : " + String.join(", ", aNoter))
-                .dire(" ; étape atteinte : ").element("strong", eleve.note.atteinte).brut("</p>\n");
+                .dire(" ; étape atteinte : ").element("strong", eleve.atteinte).brut("</p>\n");
         classe.aReprendre(eleve, html, "<p class=\"avis\">À reprendre d'abord : ", "</p>\n");
         html.liste("Remarques", resultat.remarques);
         html.liste("Fautes de compilation : chacune ne coûte que la méthode où elle est, ou sa classe si elle n'est dans aucune",
@@ -56,38 +55,34 @@ final class PageEleve {
         html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
                 + "class=\"n\">points<th>détail</tr>\n");
         for (Grille.Etape etape : classe.grille.etapes) {
-            part(etape.titre, eleve.note.parts.get(etape.nom));
+            Eleve.Part part = eleve.parts.get(etape.nom);
+            html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
+                    .dire(Html.nombre(part.points) + " / " + Html.nombre(part.sur)).brut("<td>");
+            if (part.ajustement != null) {
+                html.element("p class=\"avis\"", "Donné par l'enseignant"
+                        + (part.ajustement.commentaire.isEmpty() ? "" : " : " + part.ajustement.commentaire));
+            }
             etape.criteres.forEach(this::critere);
         }
-        classe.bareme.libres.forEach(libre -> part(libre, eleve.note.parts.get(libre)));
         html.brut("</table>\n");
     }
 
-    private void part(String titre, Note.Part part) {
-        html.brut("<tr><td>").dire(titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
-                .dire(Html.nombre(part.points) + " / " + Html.nombre(part.sur)).brut("<td>");
-        if (part.ajustement != null) {
-            html.element("p class=\"avis\"", "Donné par l'enseignant"
-                    + (part.ajustement.commentaire.isEmpty() ? "" : " : " + part.ajustement.commentaire));
-        }
-    }
-
     /** « 5/8 » ; d'une extension ou d'une ligne libre, les points, ou « à noter ». */
-    static String combien(Note.Part part) {
+    static String combien(Eleve.Part part) {
         return part.aNoter ? "à noter" : part.ajustement != null ? Html.nombre(part.points) + "/" + Html.nombre(part.sur)
                 : part.reussis + "/" + part.comptent;
     }
 
-    static String pastille(Note.Part part) {
+    static String pastille(Eleve.Part part) {
         return "<span class=\"e " + classe(part) + "\">" + combien(part) + (part.ajustement != null ? " *" : "") + "</span>";
     }
 
-    private void critere(Grille.Critere critere) {
+    private void critere(Verification critere) {
         Verdict verdict = eleve.resultat.verdict(critere);
         Verdict.Etat etat = verdict.etat;
         boolean muet = verdict.message.isEmpty();
         boolean ouvert = verdict.rate() && !muet && deplies.add(verdict.message);
-        String methode = eleve.resultat.methodes.get(critere.id);
+        String methode = eleve.resultat.methodes.get(critere.id());
         html.brut(muet ? "<div>" : "<details" + (ouvert ? " open" : "") + "><summary>")
                 .element("span class=\"e " + etat.name().toLowerCase(Locale.ROOT) + "\"", etat.texte).dire(" " + critere.titre)
                 .dire(critere.compte ? "" : " (ne compte pas : déjà dans le projet à compléter)");
@@ -98,7 +93,7 @@ final class PageEleve {
         html.brut(muet ? "</div>" : "</details>");
     }
 
-    static String classe(Note.Part part) {
+    static String classe(Eleve.Part part) {
         return part.aNoter ? "a_noter" : part.vide() ? "vide" : part.complete() ? "complet"
                 : part.reussis > 0 || part.points > 0 ? "partiel" : "rate";
     }
@@ -121,24 +116,11 @@ final class PageEleve {
                 continue;
             }
             Image nous = classe.grille.getImage(scene, resultat.centre);
-            figure("la vôtre", lui, lui::code);
-            figure("celle du corrigé", nous, nous::code);
-            figure("leur différence, quatre fois plus forte", lui, (x, y) -> difference(lui.code(x, y), nous.code(x, y)));
+            html.figure(lui, 1, "la vôtre");
+            html.figure(nous, 1, "celle du corrigé");
+            html.figure(lui.difference(nous), 1, "leur différence, quatre fois plus forte");
         }
         classe.extensions(eleve, html, 1);
-    }
-
-    private void figure(String legende, Image taille, IntBinaryOperator pixel) {
-        html.brut("<figure>" + Html.image(taille.largeur, taille.hauteur, pixel, legende)).element("figcaption", legende)
-                .brut("</figure>\n");
-    }
-
-    private static int difference(int a, int b) {
-        int d = 0;
-        for (int k = 16; k >= 0; k -= 8) {
-            d = d << 8 | Math.min(255, 4 * Math.abs((a >> k & 255) - (b >> k & 255)));
-        }
-        return d;
     }
 
     private void chemin() {

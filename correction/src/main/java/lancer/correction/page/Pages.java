@@ -1,8 +1,6 @@
 package lancer.correction.page;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,14 +11,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import lancer.correction.Eleve;
 import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.Grille;
 import lancer.correction.jugement.Image;
+import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
+import lancer.correction.jugement.Verification;
 import lancer.correction.note.Bareme;
-import org.apache.commons.csv.CSVFormat;
-import org.apache.commons.csv.CSVPrinter;
+import lancer.correction.note.Eleve;
 
 /** Les pages d'une classe : celle de chacun, celle de tous, et le tableau à part. */
 public final class Pages {
@@ -58,24 +56,19 @@ public final class Pages {
         List<String> titres = new ArrayList<>(List.of("identifiant", "nom", "note", "sur", "étape atteinte",
                 "image identique", "refus", "à regarder"));
         grille.etapes.forEach(e -> titres.add(e.nom));
-        titres.addAll(bareme.libres);
-        try (BufferedWriter texte = Files.newBufferedWriter(fichier, StandardCharsets.UTF_8);
-                CSVPrinter csv = new CSVPrinter(texte, CSVFormat.DEFAULT)) {
-            csv.printRecord(titres);
-            for (Eleve e : eleves) {
-                // ce qui n'a pu être jugé n'a pas zéro : rien
-                boolean juge = !e.illisible();
-                List<Object> ligne = new ArrayList<>(List.of(sansFormule(e.resultat.id),
-                        sansFormule(e.resultat.nom), juge ? String.format(Locale.ROOT, "%.2f", e.note.total()) : "",
-                        String.format(Locale.ROOT, "%.2f", e.note.sur),
-                        juge ? e.note.atteinte : "", !juge ? ""
-                        : e.note.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
-                        sansFormule(String.join(" ; ", e.resultat.refus)),
-                        sansFormule(String.join(" ; ", e.aRegarder))));
-                e.note.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
-                csv.printRecord(ligne);
-            }
+        List<List<?>> lignes = new ArrayList<>(List.of(titres));
+        for (Eleve e : eleves) {
+            // ce qui n'a pu être jugé n'a pas zéro : rien
+            boolean juge = !e.illisible();
+            List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom,
+                    juge ? String.format(Locale.ROOT, "%.2f", e.total()) : "", String.format(Locale.ROOT, "%.2f", e.sur),
+                    juge ? e.atteinte : "", !juge ? "" : e.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
+                    String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
+            e.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
+            ligne.replaceAll(Pages::sansFormule);
+            lignes.add(ligne);
         }
+        Resultat.ecrire(fichier, lignes);
     }
 
     /** Un tableur prendrait pour une formule un texte qui commence ainsi, ou sa suite, là où « ; » sépare les cases. */
@@ -89,8 +82,8 @@ public final class Pages {
         int autres = eleves.size() - lisibles.size();
         html.element("h1", "La classe").element("p", eleves.size() + (eleves.size() > 1 ? " rendus" : " rendu")
                 + (autres > 0 ? ", dont " + autres + " que l'on n'a pas pu juger" : "") + (lisibles.isEmpty() ? ""
-                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(lisibles.stream().mapToDouble(e -> e.note.total() / e.note.sur
-                * bareme.total()).average().orElse(0)) + " sur " + Html.nombre(bareme.total())));
+                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(bareme.total * lisibles.stream()
+                .mapToDouble(e -> e.total() / e.sur).average().orElse(0)) + " sur " + Html.nombre(bareme.total)));
         avis.forEach(a -> html.element("p class=\"avis\"", a));
         if (!grille.sansConfinement.isEmpty()) {
             html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + grille.sansConfinement
@@ -100,16 +93,11 @@ public final class Pages {
         html.element("h2", "Où la classe s'arrête");
         ouLaClasseSArrete(html, lisibles);
         html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
-                .brut(vignette(grille.getImage("scene1", false), 2, "l'image du corrigé")).brut("celle du corrigé"
-                + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total())).brut("<th>étape atteinte");
-        for (Grille.Etape etape : grille.etapes) {
-            html.brut("<th class=\"debout\"><span>").dire(etape.court).brut("</span>");
-        }
-        bareme.libres.forEach(l -> html.brut("<th class=\"debout\"><span>").dire(l).brut("</span>"));
+                .image(grille.getImage("scene1", false), 2, "l'image du corrigé").brut("celle du corrigé"
+                + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total)).brut("<th>étape atteinte");
+        grille.etapes.forEach(e -> html.brut("<th class=\"debout\">").element("span", e.court));
         html.brut("</tr>\n");
-        for (Eleve eleve : eleves) {
-            ligne(html, eleve);
-        }
+        eleves.forEach(eleve -> ligne(html, eleve));
         html.brut("</table>\n<p class=\"petit gris\">")
                 .dire("Dans chaque case, les vérifications réussies, toutes les classes ensemble ou chacune seule "
                 + "parmi celles du corrigé. Vert : tout ; jaune : une partie ; rouge : rien ; bleu : à noter ; gris : pas commencé, "
@@ -119,8 +107,8 @@ public final class Pages {
         return html.page("La classe");
     }
 
-    private static void nommer(Html html, Eleve eleve) {
-        html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.resultat.nom).brut("</a>");
+    private static Html nommer(Html html, Eleve eleve) {
+        return html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.resultat.nom).brut("</a>");
     }
 
     /** Liste de ce que le programme ne peut décider seul, d'abord. */
@@ -129,10 +117,8 @@ public final class Pages {
         html.element("h2", "À regarder").brut(siens.isEmpty()
                 ? "<p>Aucun rendu : partout, l'image et les étapes disent la même chose.</p>\n" : "<table>\n");
         for (Eleve eleve : siens) {
-            html.brut("<tr><td>");
-            nommer(html, eleve);
-            html.brut("<td class=\"n\">").dire(eleve.illisible() ? "non corrigé"
-                    : noteDe(eleve)).brut("<td class=\"petit\">");
+            nommer(html.brut("<tr><td>"), eleve).brut("<td class=\"n\">").dire(eleve.illisible() ? "non corrigé" : noteDe(eleve))
+                    .brut("<td class=\"petit\">");
             eleve.aRegarder.forEach(raison -> html.element("div", raison));
             html.brut("</tr>\n");
         }
@@ -142,7 +128,7 @@ public final class Pages {
     /** La première chose à corriger, celle de l'étape la plus tôt. */
     void aReprendre(Eleve eleve, Html html, String debut, String fin) {
         for (Grille.Etape etape : grille.etapes) {
-            for (Grille.Critere critere : etape.criteres) {
+            for (Verification critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdict(critere);
                 if (verdict.rate() && bareme.poids(etape.nom) > 0) {
                     html.brut(debut).element("strong", etape.titre)
@@ -155,22 +141,16 @@ public final class Pages {
     }
 
     private void ligne(Html html, Eleve eleve) {
-        html.brut("<tr><td class=\"vignette\" rowspan=\"2\">");
-        Image image = eleve.resultat.images.get("scene1");
-        if (image != null) {
-            html.brut(vignette(image, 2, "son image"));
-        }
-        html.brut("<td>");
-        nommer(html, eleve);
-        html.brut("<br>").element("span class=\"petit gris\"", eleve.resultat.id.equals(eleve.resultat.nom) ? "" : eleve.resultat.id);
-        int colonnes = grille.etapes.size() + bareme.libres.size();
+        html.brut("<tr><td class=\"vignette\" rowspan=\"2\">").image(eleve.resultat.images.get("scene1"), 2, "son image");
+        nommer(html.brut("<td>"), eleve).brut("<br>").element("span class=\"petit gris\"",
+                eleve.resultat.id.equals(eleve.resultat.nom) ? "" : eleve.resultat.id);
+        int colonnes = grille.etapes.size();
         if (eleve.illisible()) {
             html.brut("<td class=\"n\">–<td colspan=\"" + (colonnes + 1) + "\">")
                     .dire("non corrigé : " + String.join(" ; ", eleve.resultat.refus));
         } else {
-            html.brut("<td class=\"n\">").dire(noteDe(eleve))
-                    .brut("<td class=\"petit\">").dire(eleve.note.atteinte);
-            eleve.note.parts.values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));
+            html.brut("<td class=\"n\">").dire(noteDe(eleve)).brut("<td class=\"petit\">").dire(eleve.atteinte);
+            eleve.parts.values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));
         }
         html.brut("</tr>\n<tr><td class=\"petit\" colspan=\"" + (colonnes + 3) + "\">");
         if (!eleve.illisible()) {
@@ -185,8 +165,8 @@ public final class Pages {
 
     /** La note ; suivie de son maximum, si des lignes libres l'ont changé. */
     private String noteDe(Eleve eleve) {
-        return String.format(Locale.FRANCE, "%.2f", eleve.note.total()) + (eleve.note.sur == bareme.total() ? ""
-                : "/" + Html.nombre(eleve.note.sur));
+        return String.format(Locale.FRANCE, "%.2f", eleve.total()) + (eleve.sur == bareme.total ? ""
+                : "/" + Html.nombre(eleve.sur));
     }
 
     /** De chaque extension rendue, à la même échelle : son image, celle de la base du même étudiant, celle du corrigé. */
@@ -194,47 +174,36 @@ public final class Pages {
         Map<String, Image> images = eleve.resultat.images;
         grille.etapes.stream().filter(e -> e.extension && images.containsKey(e.nom)).forEach(e -> {
             html.brut("<div class=\"extension\">");
-            figure(html, images.get(e.nom), reduction, e.court);
-            figure(html, images.get(e.nom + Grille.BASE), reduction, "la base");
-            figure(html, grille.getImage(e.nom, false), reduction, "le corrigé");
+            html.figure(images.get(e.nom), reduction, e.court);
+            html.figure(images.get(e.nom + Grille.BASE), reduction, "la base");
+            html.figure(grille.getImage(e.nom, false), reduction, "le corrigé");
             html.brut("</div>\n");
         });
-    }
-
-    private static void figure(Html html, Image image, int reduction, String legende) {
-        if (image != null) {
-            html.brut("<figure>" + vignette(image, reduction, legende)).element("figcaption", legende).brut("</figure>\n");
-        }
-    }
-
-    private static String vignette(Image image, int reduction, String legende) {
-        return Html.image(image.largeur / reduction, image.hauteur / reduction, (x, y) -> image.code(reduction * x, reduction * y),
-                legende);
     }
 
     /** Tableau : pour chaque étape, combien des rendus jugés en ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
     private void ouLaClasseSArrete(Html html, List<Eleve> eleves) {
         Map<Grille.Etape, Long> arrets = new LinkedHashMap<>();
-        grille.etapes.forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
-                : eleves.stream().filter(e -> e.note.arret.equals(etape.nom)).count()));
+        grille.etapes.stream().filter(e -> !e.libre()).forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
+                : eleves.stream().filter(e -> e.arret.equals(etape.nom)).count()));
         long plus = Collections.max(arrets.values());
         if (plus > 0) {
             html.brut("<p>L'étape qui arrête le plus d'étudiants : ").element("strong", arrets.keySet().stream()
                     .filter(e -> arrets.get(e) == plus).map(e -> e.titre).collect(Collectors.joining(", ")))
                     .brut(" (" + plus + ")</p>\n");
         }
-        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; bleu, à noter ; gris, pas commencé"
-                + "<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
-        for (Grille.Etape etape : grille.etapes) {
+        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; bleu, à noter ; gris, "
+                + "pas commencé<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
+        for (Grille.Etape etape : arrets.keySet()) {
             html.brut("<tr><td>").dire(etape.titre).brut("<td><div class=\"barre\">");
             for (String sorte : List.of("complet", "partiel", "rate", "a_noter", "vide")) {
-                long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.note.parts.get(etape.nom)))).count();
+                long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.parts.get(etape.nom)))).count();
                 html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"flex:" + n + "\">" + n + "</span>");
             }
             html.brut("</div>");
             for (boolean finie : new boolean[] {true, false}) {
-                List<Eleve> siens = eleves.stream().filter(e -> finie ? e.note.parts.get(etape.nom).complete()
-                        : e.note.arret.equals(etape.nom)).collect(Collectors.toList());
+                List<Eleve> siens = eleves.stream().filter(e -> finie ? e.parts.get(etape.nom).complete()
+                        : e.arret.equals(etape.nom)).collect(Collectors.toList());
                 html.brut("<td class=\"petit\">").brut(siens.isEmpty() ? "" : "<details><summary>" + siens.size() + "</summary>");
                 siens.forEach(e -> nommer(html.brut("<br>"), e));
                 html.brut(siens.isEmpty() ? "" : "</details>");

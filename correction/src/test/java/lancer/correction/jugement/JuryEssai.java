@@ -60,7 +60,7 @@ abstract class JuryEssai extends ClasseEssai {
 
     static Map<String, Resultat> juger(Jury jury, Path rendus, Path travail) throws IOException {
         List<Rendu> liste = Depot.lire(rendus);
-        List<Resultat> tous = jury.juger(liste, new Alias(travail, List.of()), (rang, resultat) -> { });
+        List<Resultat> tous = jury.juger(liste, new Alias(travail, List.of()), resultat -> { });
         Map<String, Resultat> resultats = new LinkedHashMap<>();
         for (int k = 0; k < tous.size(); k++) {
             resultats.put(liste.get(k).nom, tous.get(k));

@@ -55,10 +55,10 @@ class ReferenceTest extends JuryEssai {
     void leProjetACompleterNePasseQueCeQuiNeComptePas() throws IOException, Arret {
         Reference reference = jury(Confinement.essayer(), PATIENTES).reference;
         assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
-                reference.verifications.stream().filter(v -> !reference.compte(v)).map(Verification::id)
+                reference.verifications.stream().filter(v -> !v.compte).map(Verification::id)
                         .collect(Collectors.toCollection(TreeSet::new)));
         for (Verification v : reference.verifications) {
-            assertEquals(reference.compte(v), !reference.duSquelette(v).compte(), v.id() + " : seule parmi le corrigé, la classe de même");
+            assertEquals(v.compte, !reference.duSquelette(v).compte(), v.id() + " : seule parmi le corrigé, la classe de même");
         }
     }
 }
