@@ -12,8 +12,10 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.correction.depot.Alias;
 import lancer.correction.depot.Depot;
@@ -131,8 +133,17 @@ public final class Correction {
                     + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
             // à la fin seulement : interrompu, il ne laisse pas les résultats d'une partie de la classe
             Path resultats = Files.createDirectories(dossier.resolve(RESULTATS));
+            Set<String> noms = IntStream.range(0, tous.size()).mapToObj(rang -> rendus.get(rang).fichier(rang).replaceFirst("\\d+", ""))
+                    .collect(Collectors.toSet());
+            long autres = 0;
             for (Path ancien : contenu(resultats)) {
+                String nom = ancien.getFileName().toString();
+                autres += nom.equals(GRILLE) || noms.contains(nom.replaceFirst("^\\d+", "").replace(".csv", "")) ? 0 : 1;
                 Files.delete(ancien);
+            }
+            if (autres > 0) {
+                suivi.println("correction : les résultats de " + autres + " autres rendus, jugés avant dans ce dossier, sont effacés ; "
+                        + "SORTIE=dossier (--sortie) juge à part");
             }
             jury.reference.grille.ecrire(resultats.resolve(GRILLE));
             for (int rang = 0; rang < tous.size(); rang++) {
@@ -165,22 +176,30 @@ public final class Correction {
 
     /** Fait les notes, les pages et les feuilles, de ce qui a été jugé, du barème, des ajustements et de la feuille donnée. */
     private void noter(Path dossier, FeuilleMoodle feuille) throws IOException {
+        Path lu = dossier.resolve(RESULTATS).resolve(GRILLE);
         Grille grille;
         Map<Path, Resultat> resultats = new LinkedHashMap<>();
         try {
-            grille = Grille.lire(dossier.resolve(RESULTATS).resolve(GRILLE));
-            for (Path fichier : contenu(dossier.resolve(RESULTATS))) {
+            grille = Grille.lire(lu);
+            for (Path fichier : contenu(lu.getParent())) {
+                lu = fichier;
                 if (!fichier.endsWith(GRILLE)) {
                     resultats.put(fichier, Resultat.lire(fichier));
                 }
             }
         } catch (IOException | RuntimeException e) {
-            throw new Panne(2, "rien à noter : " + dossier.resolve(RESULTATS) + " n'a pas les résultats d'une classe jugée ("
-                    + e + ") ; attendu : make corriger d'abord");
+            throw new Panne(2, "rien à noter : " + lu + " manque, ou est abîmé ; attendu : les résultats de make corriger, tous");
+        }
+        int rang = 0;
+        for (Path fichier : resultats.keySet()) {
+            if (!fichier.getFileName().toString().startsWith(String.format("%03d-", ++rang))) {
+                throw new Panne(2, "rien à noter : dans " + fichier.getParent() + ", le rendu numéro " + rang
+                        + " manque, ou y est deux fois ; attendu : les résultats de make corriger, tous");
+            }
         }
         Bareme bareme = new Bareme(Path.of(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
         List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());
-        Ajustements ajustements = new Ajustements(dossier, ids, grille);
+        Ajustements ajustements = new Ajustements(dossier, ids, grille, bareme);
         List<String> fautes = new ArrayList<>(new Alias(dossier, ids).fautes);
         fautes.addAll(ajustements.fautes);
         fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));

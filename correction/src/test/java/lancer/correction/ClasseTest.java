@@ -108,7 +108,7 @@ class ClasseTest extends ClasseEssai {
         assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
                 ligne.get("image identique")));
         contient(ligne.get("refus"), "tp.7z : à déplier à la main");
-        contient(index(autre.resolve("notes")), "1 rendu", "Étudiant 9</a><td class=\"n\">non corrigé<td class=\"petit\"><div>tp.7z");
+        contient(index(autre.resolve("notes")), "1 rendu", "Étudiant 9</a><td class=\"n\">sans note<td class=\"petit\"><div>tp.7z");
     }
 
     private static String index(Path dossier) throws IOException {

@@ -104,7 +104,7 @@ public final class Depot {
         }
         List<Rendu> liste = new ArrayList<>(depot.rendus.values());
         liste.forEach(Rendu::conclure);
-        liste.sort(Comparator.comparing((Rendu r) -> r.nom).thenComparing(r -> r.id));
+        liste.sort(Comparator.comparing((Rendu r) -> naturel(r.nom)).thenComparing(r -> naturel(r.id)));
         return liste;
     }
 
@@ -183,6 +183,11 @@ public final class Depot {
 
     private static String sansFin(String nom) {
         return nom.replaceFirst("(?i)\\.zip$", "");
+    }
+
+    /** Clé pour ranger « Étudiant 2 » avant « Étudiant 10 ». */
+    private static String naturel(String nom) {
+        return Pattern.compile("\\d{1,18}").matcher(nom).replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));
     }
 
     private static boolean estArchive(String nom) {

@@ -134,6 +134,7 @@ public final class Projet {
                 : quoi + " (" + ou.size() + " fichiers)")));
         Map<String, String> declares = new TreeMap<>(alias);
         declares.values().removeIf(nom -> tous.stream().noneMatch(t -> t.nom.equals(nom) || t.nommees().contains(nom)));
+        declares.keySet().removeIf(nom -> tous.stream().anyMatch(t -> t.nommees().contains(nom)));
         Cours cours = declares.isEmpty() ? commun : new Cours(lecture, declares);
         return bases.keySet().stream().limit(COPIES_MAX).map(racine -> {
             Projet projet = new Projet(cours, bases.get(racine), variantes, remarques);
@@ -160,25 +161,36 @@ public final class Projet {
             remarques.add(duCours + " s'appelle " + sien);
             noter(NOMS, duCours + " s'appelle " + sien);
         } else {
-            aRegarder.add("alias.csv : « " + sien + " » n'est le nom de rien dans ce rendu");
+            aRegarder.add("alias.csv : « " + sien + " » n'est le nom de rien dans ce rendu, ou « " + duCours + " » y est encore");
         }
     }
 
     /** Constate ce qui manque, et quel nom inconnu pourrait en tenir lieu : l'enseignant en décide. */
     private void absences(String id) {
-        Set<String> prises = new TreeSet<>();
+        List<Type> inconnus = types.values().stream().filter(t -> !Modele.classes().contains(t.nom)
+                && Modele.classes().stream().noneMatch(c -> cours.classe(c).equals(t.nom))).collect(Collectors.toList());
+        List<String> absentes = new ArrayList<>();
         for (String classe : Modele.classes()) {
             Set<String> attendues = cours.squelette(classe).nommees();
-            if (texte(classe) == null && !SANS_PONT.contains(classe)) {
-                List<Type> siens = types.values().stream().filter(s -> !Modele.classes().contains(s.nom) && !prises.contains(s.nom)
-                        && 2 * s.parmi(attendues) > attendues.size()).collect(Collectors.toList());
-                if (siens.size() == 1 && prises.add(siens.get(0).nom)) {
-                    absente(id, classe, classe, siens.get(0).nom, siens.get(0).nom + " a " + siens.get(0).parmi(attendues) + " de ses "
-                            + attendues.size() + " méthodes");
+            if (texte(classe) != null) {
+                (Modele.A_COMPLETER.contains(classe) ? attendues : Set.<String>of()).stream()
+                        .filter(m -> !type(classe).nommees().contains(m)).forEach(m -> chercher(id, classe, m));
+            } else if (Modele.A_COMPLETER.contains(classe) || !SANS_PONT.contains(classe) && !inconnus.isEmpty()
+                    && types.values().stream().noneMatch(t -> t.noms.contains(classe))) {
+                String siens = inconnus.stream().filter(t -> 2 * t.parmi(attendues) > attendues.size()).map(t -> " ; " + t.nom + " a "
+                        + t.parmi(attendues) + " de ses " + attendues.size() + " méthodes" + declaration(id, t.nom, classe))
+                        .collect(Collectors.joining());
+                if (siens.isEmpty()) {
+                    absentes.add(classe);
+                } else {
+                    aRegarder.add(classe + " absente" + siens);
                 }
-            } else if (Modele.A_COMPLETER.contains(classe)) {
-                attendues.stream().filter(m -> !type(classe).nommees().contains(m)).forEach(m -> chercher(id, classe, m, prises));
             }
+        }
+        // qui n'en a presque aucune n'a que commencé, ou a rendu autre chose
+        if (!absentes.isEmpty() && 2 * absentes.size() < Modele.A_COMPLETER.size()) {
+            aRegarder.add(String.join(", ", absentes) + (absentes.size() > 1 ? " absentes" : " absente") + (inconnus.isEmpty() ? ""
+                    : " ; les classes qui ne sont pas du cours : " + inconnus.stream().map(t -> t.nom).collect(Collectors.joining(", "))));
         }
         long presentes = Modele.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
         List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !Modele.classes().contains(n)).sorted()
@@ -191,29 +203,28 @@ public final class Projet {
     }
 
     /** Cherche la seule méthode inconnue qui prend et rend la même chose que celle qui manque ; ou l'autre classe où elle est. */
-    private void chercher(String id, String classe, String methode, Set<String> prises) {
+    private void chercher(String id, String classe, String methode) {
         Set<String> connues = cours.squelette(classe).nommees();
         Set<String> semblables = cours.squelette(classe).methodes.stream().filter(m -> m.nom.equals(methode))
                 .flatMap(m -> type(classe).methodes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(m.types)
                 && s.rend.equals(m.rend))).map(s -> s.nom).collect(Collectors.toSet());
-        if (semblables.size() == 1 && prises.add(methode)) {
+        List<String> ailleurs = Modele.classes().stream().filter(c -> type(c).nommees().contains(methode)).collect(Collectors.toList());
+        if (semblables.size() == 1) {
             String nom = semblables.iterator().next();
-            absente(id, classe + "." + methode, methode, nom, nom + " prend et rend la même chose");
-        } else if (semblables.isEmpty()) {
-            List<String> ailleurs = Modele.classes().stream().filter(c -> type(c).nommees().contains(methode)
-                    && !cours.squelette(c).nommees().contains(methode)).collect(Collectors.toList());
-            if (ailleurs.size() == 1) {
-                String dit = "la méthode " + methode + " est dans " + ailleurs.get(0) + ", au lieu de " + classe;
-                dire(dit);
-                noter(NOMS, dit);
+            // un nom qui sert encore ailleurs ne peut être changé partout
+            String ligne = ailleurs.isEmpty() ? declaration(id, nom, methode) : "";
+            if (ligne.isEmpty() || aRegarder.stream().noneMatch(r -> r.endsWith(ligne))) {
+                aRegarder.add(classe + "." + methode + " absente ; " + nom + " prend et rend la même chose" + ligne);
             }
+        } else if (semblables.isEmpty() && ailleurs.size() == 1 && !cours.squelette(ailleurs.get(0)).nommees().contains(methode)) {
+            String dit = "la méthode " + methode + " est dans " + ailleurs.get(0) + ", au lieu de " + classe;
+            dire(dit);
+            noter(NOMS, dit);
         }
     }
 
-    private void absente(String id, String quoi, String duCours, String sien, String fait) {
-        String dit = quoi + " absente ; " + fait;
-        remarques.add(dit);
-        aRegarder.add(dit + " ; pour la déclarer, dans alias.csv : " + Alias.ligne(id, sien, duCours));
+    private static String declaration(String id, String sien, String duCours) {
+        return " ; pour la déclarer, dans alias.csv : " + Alias.ligne(id, sien, duCours);
     }
 
     private void consignes(Rendu rendu, Set<String> arrangees) {

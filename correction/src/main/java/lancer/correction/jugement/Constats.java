@@ -53,7 +53,8 @@ final class Constats {
             projet.type(classe).methodes.stream().filter(m -> m.instructions > LONGUE && !communs.contains(m.arbre))
                     .forEach(m -> resultat.arbres.put(classe + "." + m.signature(), m.arbre));
         }
-        juge.changees(Modele.DONNEES).forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
+        // un nom déclaré change l'empreinte de toute classe qui l'emploie
+        juge.changees(Modele.DONNEES).stream().filter(c -> projet.cours.dans("Scene").equals("Scene")).forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
     }
 
     /** L'image et les étapes doivent dire la même chose. */
@@ -88,6 +89,8 @@ final class Constats {
     private void compiler() {
         Set<String> perdues = juge.verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.NE_SE_COMPILE_PAS).stream()
                 .map(v -> projet.cours.classe(v.classe)).collect(Collectors.toSet());
+        juge.siennes().stream().filter(Faute::demandeJava).findFirst().filter(f -> perdues.isEmpty())
+                .ifPresent(f -> resultat.regarder(f.toString()));
         juge.siennes().stream().sorted(Comparator.comparing(f -> !f.demandeJava() && !perdues.contains(f.classe())))
                 .forEach(f -> resultat.fautes.add(f.toString()));
     }

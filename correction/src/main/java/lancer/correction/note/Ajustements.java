@@ -41,8 +41,10 @@ public final class Ajustements {
     public final List<String> fautes;
 
     /** Lit {@code ajustements.csv} dans ce dossier ; s'il n'y est pas, rien n'est donné. */
-    public Ajustements(Path dossier, Collection<String> ids, Grille grille) {
+    public Ajustements(Path dossier, Collection<String> ids, Grille grille, Bareme bareme) {
         List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
+        // ceux dont le maximum entre tel quel dans celui de la note
+        List<String> bornes = grille.etapes.stream().filter(e -> e.extension || e.libre()).map(e -> e.nom).collect(Collectors.toList());
         fautes = Tableau.lire(dossier.resolve("ajustements.csv"), TITRES, ids, (id, ligne) -> {
             String critere = ligne.get(1);
             String points = ligne.get(2);
@@ -52,6 +54,10 @@ public final class Ajustements {
                 return "";
             } else if (!points.matches("[+-]?\\d{1,4}([.,]\\d{1,6})?")) {
                 return "« " + points + " » ; attendu : un nombre de points";
+            }
+            double nombre = Double.parseDouble(points.replace(',', '.'));
+            if (bornes.contains(critere) && (nombre < 0 || nombre > bareme.poids(critere))) {
+                return "« " + points + " » ; attendu : de 0 à " + bareme.poids(critere) + " pour « " + critere + " »";
             }
             return lignes.computeIfAbsent(id, i -> new LinkedHashMap<>()).putIfAbsent(critere, new Ligne(ligne.toList())) == null ? ""
                     : "« " + critere + " » a déjà été donné à « " + id + " » plus haut ; cette ligne-ci est laissée";

@@ -32,7 +32,8 @@ public final class FeuilleMoodle {
     private static final Pattern NUMERO = Pattern.compile("\\D*(\\d+)\\s*");
     private static final String DEBUT = "Correction automatique : ";
     private static final String FIN = " ; le détail est dans le fichier de retour.";
-    private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d), [^\n]*?" + Pattern.quote(FIN));
+    private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d), étape atteinte, « [^\n»]* »"
+            + Pattern.quote(FIN));
     private static final String BOM = "\uFEFF";
 
     private final Path fichier;
@@ -105,20 +106,19 @@ public final class FeuilleMoodle {
             return;
         }
         parId.remove(m.group(1));
-        if (eleve.illisible()) {
-            return;
-        }
-        double sur = Double.isNaN(reel(valeur(ligne, maximum))) ? bareme.total : reel(valeur(ligne, maximum));
-        String neuve = String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.total() / eleve.sur * sur));
+        double sur = reel(valeur(ligne, maximum)) > 0 ? reel(valeur(ligne, maximum)) : bareme.total;
+        String neuve = eleve.illisible() ? "" : String.format(Locale.ROOT, "%.2f", Math.min(sur, eleve.total() / eleve.sur * sur));
         String ancienne = ligne.get(note);
         String dit = valeur(ligne, commentaire);
         boolean aNous = ancienne.isBlank() || NOTRE.matcher(dit).results().anyMatch(r -> reel(ancienne) == reel(r.group(1)));
-        if (aNous) {
+        if (aNous && !eleve.illisible()) {
             ligne.set(note, neuve);
-        } else {
-            eleve.aRegarder.add("note de la feuille gardée, que nous n'avons pas écrite : " + ancienne + " ; la nôtre serait " + neuve);
+        } else if (!ancienne.isBlank()) {
+            eleve.aRegarder.add((aNous ? "note d'un rendu d'avant, laissée dans la feuille : " + ancienne
+                    : "note de la feuille gardée, que nous n'avons pas écrite : " + ancienne)
+                    + (eleve.illisible() ? "" : " ; la nôtre serait " + neuve));
         }
-        if (commentaire >= 0 && commentaire < ligne.size()) {
+        if (commentaire >= 0 && commentaire < ligne.size() && !(aNous && eleve.illisible())) {
             // ce que l'enseignant y a mis reste ; ce que nous y avions mis s'en va, et revient avec une note à nous
             String reste = NOTRE.matcher(dit).replaceAll("").trim();
             ligne.set(commentaire, !aNous ? reste : (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "

@@ -117,7 +117,7 @@ public final class Pages {
         html.element("h2", "À regarder").brut(siens.isEmpty()
                 ? "<p>Aucun rendu : partout, l'image et les étapes disent la même chose.</p>\n" : "<table>\n");
         for (Eleve eleve : siens) {
-            nommer(html.brut("<tr><td>"), eleve).brut("<td class=\"n\">").dire(eleve.illisible() ? "non corrigé" : noteDe(eleve))
+            nommer(html.brut("<tr><td>"), eleve).brut("<td class=\"n\">").dire(eleve.illisible() ? "sans note" : noteDe(eleve))
                     .brut("<td class=\"petit\">");
             eleve.aRegarder.forEach(raison -> html.element("div", raison));
             html.brut("</tr>\n");
@@ -147,7 +147,7 @@ public final class Pages {
         int colonnes = grille.etapes.size();
         if (eleve.illisible()) {
             html.brut("<td class=\"n\">–<td colspan=\"" + (colonnes + 1) + "\">")
-                    .dire("non corrigé : " + String.join(" ; ", eleve.resultat.refus));
+                    .dire("sans note : " + String.join(" ; ", eleve.resultat.refus));
         } else {
             html.brut("<td class=\"n\">").dire(noteDe(eleve)).brut("<td class=\"petit\">").dire(eleve.atteinte);
             eleve.parts.values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));

@@ -75,7 +75,7 @@ class ProjetTest extends DepotEssai {
         assertEquals("class Scene", lu.cours.dans("class Scene"));
         Projet declare = projet(rendu, new TreeMap<>(Map.of("Scene", "Monde", "getNormale", "normale", "Camera", "Appareil")));
         assertEquals("class Monde { normale() }", declare.cours.dans("class Scene { getNormale() }"));
-        assertEquals(List.of("alias.csv : « Appareil » n'est le nom de rien dans ce rendu"), declare.aRegarder);
+        assertEquals(List.of("alias.csv : « Appareil » n'est le nom de rien dans ce rendu, ou « Camera » y est encore"), declare.aRegarder);
         assertTrue(declare.changees.contains("Scene") && declare.texte("Scene").contains("class Monde"));
         assertEquals("Scene s'appelle Monde ; getNormale s'appelle normale", declare.ecarts.get(Projet.NOMS));
     }

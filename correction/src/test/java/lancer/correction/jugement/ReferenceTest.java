@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +16,7 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
+import lancer.correction.modele.Modele;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -37,7 +39,7 @@ class ReferenceTest extends JuryEssai {
         int faux = 0;
         for (String nom : Reference.SCENES.keySet()) {
             int[] taille = Reference.SCENES.get(nom);
-            Scene lue = new Scene("../scenes/" + nom + ".ini");
+            Scene lue = new Scene(Files.writeString(dossier.resolve(nom + ".ini"), Modele.scene(nom, GRAINE)).toString());
             // sans les variantes, que les tests de ce module ont dans leur chemin
             Lancer lancer = new Lancer(new Scene(lue.getObjets(), lue.getLampes()), new Camera(taille[0], taille[1]));
             for (int p = 0; p < taille[0] * taille[1]; p++) {
