@@ -221,6 +221,35 @@ class ClasseTest extends ClasseEssai {
     }
 
     @Test
+    void lesMotsDeLEnseignantDansNotrePhraseSontLesSiens() throws IOException {
+        Path feuille = dossier.resolve("melee.csv");
+        String phrase = "Correction automatique : 12.00, mais voir mon mail ; le détail est dans le fichier de retour.";
+        Files.writeString(feuille, "Identifiant,Note,Dernière modification (note),Feedback par commentaires\nParticipant106,12.00,-,\"" + phrase
+                + "\"\n");
+        renoter("--notes", feuille);
+        contient(Files.readString(dossier.resolve("notes-a-deposer.csv")), "Participant106,12.00,-,\"" + phrase);
+    }
+
+    @Test
+    void desPointsAuDelaDeCeuxDUneExtensionSontNommesEtNeSontPasComptes() throws IOException {
+        contient(ajuster("106,brume,9,\n"), "ajustements.csv, ligne 1 : « 9 » ; attendu : de 0 à 1.0 pour « brume »");
+        assertEquals("17.00", classe(dossier).get("106").get("note"));
+    }
+
+    @Test
+    void unResultatPerduOuAbimeEstNomme(@TempDir Path copie) throws IOException {
+        copier(dossier, copie);
+        Path perdu = copie.resolve("resultats/002-102.csv");
+        String texte = Files.readString(perdu);
+        Files.delete(perdu);
+        contient(executer("--noter", "--sortie", copie).erreur, "le rendu numéro 2 manque");
+        Files.writeString(perdu, texte.substring(0, texte.length() / 2) + "\"");
+        Essai essai = executer("--noter", "--sortie", copie);
+        assertEquals(2, essai.code);
+        contient(essai.erreur, "002-102.csv manque, ou est abîmé");
+    }
+
+    @Test
     void sansColonneDeCommentairesSeulesLesCasesVidesSontRemplies() throws IOException {
         Path feuille = dossier.resolve("sans.csv");
         Files.writeString(feuille, "Identifier,Grade,Last modified (grade)\nParticipant 106,17.00,-\nParticipant 104,3.00,-\n"
